@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace fathom {
+
+// Writes a whole file or nothing: into a temporary beside it, then renamed. Creates the folder where
+// it is missing. Throws InputError, naming the file, if it cannot be written.
+void WriteFile(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace fathom

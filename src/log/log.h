@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+// One file of a log: columns of equal length over stamps of its own clock.
+struct Stream {
+  std::vector<double> time;                  // [s], strictly increasing
+  std::vector<std::string> columns;          // names, without "t"
+  std::vector<std::vector<double>> values;   // values[column][row], SI, finite
+
+  // Null if there is no such column.
+  const std::vector<double>* Find(std::string_view column) const;
+};
+
+// From `from` up to, not including, `to`; log time [s].
+struct TimeInterval {
+  double from = 0.0;
+  double to = 0.0;
+
+  bool Contains(double t) const { return from <= t && t < to; }
+};
+
+// What a log folder (or a single CSV) holds; docs/file_formats.md.
+struct Log {
+  std::filesystem::path path;
+  std::string name;
+  std::vector<Dof> dofs;               // the excited ones
+  std::string vehicle;                 // a file name or free text, as in log.yaml
+  std::string notes;
+  std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
+  std::string command_unit;            // empty: N and N m
+
+  std::optional<Stream> command;       // tau_* [N, N m] or thruster_* [Hz]
+  std::optional<Stream> velocity;      // u v w p q r [m/s, rad/s], body frame
+  std::optional<Stream> pose;          // x y z [m] qx qy qz qw: world_from_body
+
+  // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are
+  // not read: ..."). Tools print them.
+  std::vector<std::string> remarks;
+};
+
+struct ReadLogOptions {
+  // The DOF of a single CSV `t,tau,v`; for a folder it may stay empty.
+  std::optional<Dof> dof;
+
+  // Read this file as the velocity stream instead of the log's velocity.csv.
+  std::filesystem::path velocity;
+};
+
+// Reads a log folder, or a single CSV with columns t, tau, v.
+//
+// Throws InputError, naming file, line and column, for whatever breaks the format; nothing is
+// skipped or repaired.
+Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options = {});
+
+}  // namespace fathom

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/held_command.h"
+#include "fathom/log/log.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+// Where the motion comes from: velocity.csv, or the derivative of pose.csv.
+enum class Source { kPoseEstimator, kCamera };
+
+// "pose_estimator" or "camera".
+std::string_view Name(Source source);
+
+// Throws InputError, listing the names there are.
+Source ParseSource(const std::string& name);
+
+// One DOF over one unbroken stretch of a log. The vectors over `time` have its length.
+struct Segment {
+  std::vector<double> time;          // stamps of the motion stream [s], strictly increasing
+  std::vector<double> velocity;      // as measured, or derived from the poses [m/s] or [rad/s]
+  std::vector<double> position;      // displacement along the DOF [m] or [rad]; empty without poses
+  HeldCommand command;               // at its own stamps
+
+  // For the equation-error families (least squares): both sides of docs/models.md (2) through the
+  // same Savitzky-Golay window, so that neither lags or is smoothed more than the other.
+  std::vector<double> acceleration;       // first derivative of the velocity [m/s^2]
+  std::vector<double> smoothed_velocity;  // [m/s] or [rad/s]
+  std::vector<double> smoothed_force;     // [N] or [N m]
+};
+
+// One DOF of a log, ready for an identifier.
+struct Signals {
+  Dof dof = Dof::kSurge;
+  Source source = Source::kPoseEstimator;
+  std::string force_unit;             // "N", "N m", or the log's command_unit
+  std::vector<Segment> train;         // outside the held-out intervals
+  std::vector<Segment> held_out;      // inside them
+  std::vector<std::string> remarks;   // what was left out, counted, a sentence each
+};
+
+struct SignalsOptions {
+  Source source = Source::kPoseEstimator;
+
+  // A silence of the motion stream longer than this starts a new segment [s]. Above 0.
+  double longest_gap = 30.0;
+
+  // Savitzky-Golay: window [s] (0: chosen from the data's rate) and order of the polynomial.
+  double window = 0.0;
+  int order = 3;
+
+  // False: held-out intervals are trained on like the rest.
+  bool split_held_out = true;
+};
+
+// Throws InputError if the log lacks a stream or column that this DOF and source need.
+Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options = {});
+
+}  // namespace fathom
