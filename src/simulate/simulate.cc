@@ -2,3 +2,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/simulate/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <ceres/jet.h>
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+// One more than needed: an even number of derivatives fills the vector registers.
+constexpr int kJetSize = Simulation::kNumSensitivities + 1;
+using Jet = ceres::Jet<double, kJetSize>;
+
+constexpr double kLargestStep = 0.1;      // in time constants of the damping, docs/models.md (5)
+constexpr double kMostSubsteps = 1000.0;  // of one step
+constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, the state has diverged
+
+double Value(double x) { return x; }
+double Value(const Jet& x) { return x.a; }
+
+template <typename T>
+struct State {
+  T velocity;
+  T position;
+};
+
+// One Runge-Kutta step of order four, docs/models.md (5).
+template <typename T>
+void Advance(const UncoupledModel<T>& model, double force, double h, State<T>* state) {
+  const T tau(force);
+  const T v1 = state->velocity;
+  const T k1 = model.Acceleration(v1, tau);
+  const T v2 = v1 + (0.5 * h) * k1;
+  const T k2 = model.Acceleration(v2, tau);
+  const T v3 = v1 + (0.5 * h) * k2;
+  const T k3 = model.Acceleration(v3, tau);
+  const T v4 = v1 + h * k3;
+  const T k4 = model.Acceleration(v4, tau);
+  state->velocity += (h / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
+  state->position += (h / 6.0) * (v1 + 2.0 * (v2 + v3) + v4);
+}
+
+// Into how many equal parts a step of `duration` is divided, as a real number.
+template <typename T>
+double NumSubsteps(const UncoupledModel<T>& model, const T& velocity, double duration) {
+  const double damping_rate = (Value(model.linear_damping) +
+                               2.0 * Value(model.quadratic_damping) * std::abs(Value(velocity))) /
+                              Value(model.inertia);
+  return std::max(1.0, std::ceil(duration * std::abs(damping_rate) / kLargestStep));
+}
+
+// Calls emit(output index, state) at every output stamp. False if the state diverges.
+template <typename T, typename Steps, typename Emit>
+bool Integrate(const Steps& steps, const UncoupledModel<T>& model, State<T> state, Emit emit) {
+  emit(0, state);
+  for (const auto& step : steps) {
+    const double num_substeps = NumSubsteps(model, state.velocity, step.duration);
+    if (!(num_substeps <= kMostSubsteps)) return false;
+    const double h = step.duration / num_substeps;
+    for (int i = 0; i < static_cast<int>(num_substeps); ++i) {
+      Advance(model, step.force, h, &state);
+    }
+    if (!(std::abs(Value(state.velocity)) < kLargestSpeed)) return false;
+    if (step.output >= 0) emit(step.output, state);
+  }
+  return true;
+}
+
+void CopyDerivatives(const Jet& from, int row, std::span<double> to) {
+  if (to.empty()) return;
+  constexpr int kColumns = Simulation::kNumSensitivities;
+  std::copy_n(from.v.data(), kColumns, to.begin() + static_cast<std::ptrdiff_t>(row) * kColumns);
+}
+
+}  // namespace
+
+Simulation::Simulation(const HeldCommand& command, std::span<const double> output_time)
+    : num_outputs_(static_cast<int>(output_time.size())) {
+  CHECK(!output_time.empty());
+  CHECK_EQ(command.time.size(), command.value.size());
+  steps_.reserve(output_time.size() + command.time.size());
+  double t = output_time[0];
+  size_t next_command =
+      std::upper_bound(command.time.begin(), command.time.end(), t) - command.time.begin();
+  double force = command.At(t);
+  for (int output = 1; output < num_outputs_; ++output) {
+    const double t_output = output_time[output];
+    CHECK_GT(t_output, t) << "Output stamps increase strictly.";
+    for (; next_command < command.time.size() && command.time[next_command] <= t_output;
+         ++next_command) {
+      const double t_command = command.time[next_command];
+      if (t_command < t_output) {
+        steps_.push_back({t_command - t, force, -1});
+        t = t_command;
+        force = command.value[next_command];
+      } else {
+        steps_.push_back({t_output - t, force, output});
+        t = t_output;
+        force = command.value[next_command];
+      }
+    }
+    if (t < t_output) steps_.push_back({t_output - t, force, output});
+    t = t_output;
+  }
+}
+
+bool Simulation::Run(const UncoupledModel<double>& model,
+                     const InitialState& initial,
+                     std::span<double> velocity,
+                     std::span<double> position) const {
+  CHECK_EQ(velocity.size(), static_cast<size_t>(num_outputs_));
+  CHECK(position.empty() || position.size() == velocity.size());
+  return Integrate(steps_,
+                   model,
+                   State<double>{initial.velocity, initial.position},
+                   [&](int output, const State<double>& state) {
+                     velocity[output] = state.velocity;
+                     if (!position.empty()) position[output] = state.position;
+                   });
+}
+
+bool Simulation::RunWithSensitivities(const UncoupledModel<double>& model,
+                                      const InitialState& initial,
+                                      std::span<double> velocity,
+                                      std::span<double> position,
+                                      std::span<double> velocity_sensitivity,
+                                      std::span<double> position_sensitivity) const {
+  const UncoupledModel<Jet> differentiated = {Jet(model.inertia, 0),
+                                              Jet(model.quadratic_damping, 1),
+                                              Jet(model.linear_damping, 2),
+                                              Jet(model.buoyancy, 3)};
+  return Integrate(steps_,
+                   differentiated,
+                   State<Jet>{Jet(initial.velocity, 4), Jet(initial.position)},
+                   [&](int output, const State<Jet>& state) {
+                     if (!velocity.empty()) velocity[output] = state.velocity.a;
+                     if (!position.empty()) position[output] = state.position.a;
+                     CopyDerivatives(state.velocity, output, velocity_sensitivity);
+                     CopyDerivatives(state.position, output, position_sensitivity);
+                   });
+}
+
+}  // namespace fathom
