@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/prediction.h"
+
+#include "fathom/simulate/simulate.h"
+
+#include <cmath>
+
+namespace fathom {
+
+std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
+                                                   const Segment& segment) {
+  std::vector<double> velocity(segment.time.size());
+  const Simulation simulation(segment.command, segment.time);
+  if (!simulation.Run(model, {segment.velocity.front(), 0.0}, velocity, {})) return std::nullopt;
+  return velocity;
+}
+
+FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments) {
+  FitFigures figures;
+  double sum_of_errors = 0.0, sum_of_speeds = 0.0;
+  for (const Segment& segment : segments) {
+    const auto predicted = PredictVelocity(model, segment);
+    if (!predicted) return {};
+    for (size_t i = 0; i < segment.time.size(); ++i) {
+      sum_of_errors += std::abs((*predicted)[i] - segment.velocity[i]);
+      sum_of_speeds += std::abs(segment.velocity[i]);
+    }
+    figures.num_samples += static_cast<int>(segment.time.size());
+    figures.duration += segment.time.back() - segment.time.front();
+  }
+  if (figures.num_samples == 0) return {};
+  figures.mae = sum_of_errors / figures.num_samples;  // docs/models.md (7)
+  figures.nmae = sum_of_errors / sum_of_speeds;       // docs/models.md (8)
+  return figures;
+}
+
+}  // namespace fathom
