@@ -4,22 +4,14 @@
 #pragma once
 
 #include "fathom/signal/signals.h"
+#include "fathom/vehicle/fitted_model.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace fathom {
-
-// How far a free-running simulation is from the measured velocity. NaN: not computed.
-struct FitFigures {
-  double mae = std::numeric_limits<double>::quiet_NaN();   // [m/s] or [rad/s], docs/models.md (7)
-  double nmae = std::numeric_limits<double>::quiet_NaN();  // no unit, docs/models.md (8)
-  int num_samples = 0;
-  double duration = 0.0;  // [s], summed over the segments
-};
 
 // The velocity that `model` predicts at the stamps of `segment` from its command alone, started
 // from the segment's first measured velocity: a free run, the measurement never enters again.

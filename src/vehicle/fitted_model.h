@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/vehicle/parameters.h"
+#include "fathom/vehicle/uncoupled_model.h"
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// How far a free-running simulation is from the measured velocity. NaN: not computed.
+struct FitFigures {
+  double mae = std::numeric_limits<double>::quiet_NaN();   // [m/s] or [rad/s], docs/models.md (7)
+  double nmae = std::numeric_limits<double>::quiet_NaN();  // no unit, docs/models.md (8)
+  int num_samples = 0;
+  double duration = 0.0;  // [s], summed over the segments
+};
+
+// A model with what is known about its making: what a model file holds.
+struct FittedModel {
+  Dof dof = Dof::kSurge;
+  std::string force_unit;  // "N", "N m", or the log's command_unit
+  UncoupledModel<double> model;
+
+  // In the order of kParameterInfo, in products of the parameters' units. NaN where not known.
+  ParameterCovariance covariance =
+      ParameterCovariance::Constant(std::numeric_limits<double>::quiet_NaN());
+
+  FitFigures train;
+  FitFigures held_out;
+  std::vector<std::string> caveats;               // what the intervals do not cover
+  std::map<std::string, std::string> provenance;  // log, family, source, options, version
+};
+
+}  // namespace fathom
