@@ -214,7 +214,8 @@ std::shared_ptr<const YamlMap::Document> ParseYamlTree(const std::string& name,
   RefuseBadCharacters(name, text);
   TreeBuilder builder(name);
   try {
-    std::istringstream stream(text);
+    // Without a last comment yaml-cpp takes a quote that is open at the end of the file for closed.
+    std::istringstream stream(text + (text.ends_with('\n') ? "#" : "\n#"));
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/base/dof.h"
+
+#include "fathom/base/input_error.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+TEST(Dof, HasTheNamesAndUnitsOfSname) {
+  EXPECT_EQ(Name(Dof::kHeave), "heave");
+  EXPECT_EQ(VelocityColumn(Dof::kHeave), "w");
+  EXPECT_EQ(ForceColumn(Dof::kYaw), "tau_yaw");
+  EXPECT_EQ(VelocityColumn(Dof::kYaw), "r");
+  EXPECT_EQ(VelocityUnit(Dof::kSway), "m/s");
+  EXPECT_EQ(VelocityUnit(Dof::kRoll), "rad/s");
+  EXPECT_EQ(ForceUnit(Dof::kSurge), "N");
+  EXPECT_EQ(ForceUnit(Dof::kPitch), "N m");
+}
+
+TEST(Dof, IsFoundAgainByItsName) {
+  for (const Dof dof : kAllDofs) EXPECT_EQ(ParseDof(std::string(Name(dof))), dof);
+  EXPECT_FALSE(DofFromName("Surge").has_value());
+}
+
+TEST(Dof, ListsTheNamesWhenThereIsNoSuchName) {
+  try {
+    ParseDof("surg");
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "'surg' is not a degree of freedom, expected one of surge, sway, heave, roll, "
+                 "pitch, yaw.");
+  }
+}
+
+}  // namespace
+}  // namespace fathom

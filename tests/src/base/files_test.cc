@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/input_file.h"
+#include "fathom/base/output_file.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "files_test";
+
+TEST(Files, GiveBackEveryByteThatWasWritten) {
+  std::filesystem::remove_all(kFolder);
+  std::string content("a\r\n\0\xff", 5);
+  content += std::string(100000, 'x');
+  WriteFile(kFolder / "deep" / "er" / "file", content);
+  EXPECT_EQ(ReadFile(kFolder / "deep" / "er" / "file"), content);
+}
+
+TEST(Files, AnEmptyFileIsReadAsEmpty) {
+  WriteFile(kFolder / "empty", "");
+  EXPECT_EQ(ReadFile(kFolder / "empty"), "");
+}
+
+TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
+  const auto folder = kFolder / "parent" / "child";
+  std::filesystem::create_directories(folder / "content");
+  try {
+    WriteFile(folder, "x");
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find(folder.string() + ": cannot write this file: "), 0u)
+        << error.what();
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder / "parent")) {
+    EXPECT_EQ(entry.path(), folder);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
