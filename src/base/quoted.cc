@@ -7,19 +7,22 @@
 
 namespace fathom {
 
-std::string Quoted(std::string_view text) {
+std::string Printable(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   constexpr char kHex[] = "0123456789abcdef";
-  std::string quoted = "'";
+  std::string printable;
   for (const char character : text.substr(0, kLongest)) {
     const auto byte = static_cast<unsigned char>(character);
     if (byte >= 0x20 && byte < 0x7f) {
-      quoted += character;
+      printable += character;
     } else {
-      quoted += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+      printable += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
     }
   }
-  return quoted + (text.size() > kLongest ? "...'" : "'");
+  if (text.size() > kLongest) printable += "...";
+  return printable;
 }
+
+std::string Quoted(std::string_view text) { return "'" + Printable(text) + "'"; }
 
 }  // namespace fathom

@@ -8,8 +8,10 @@
 
 namespace fathom {
 
-// Text from outside as a message shows it: in single quotes, what cannot be printed as \x.., cut
-// after 60 characters.
+// Text from outside as a message shows it: what cannot be printed as \x.., cut after 60 characters.
+std::string Printable(std::string_view text);
+
+// The same in single quotes.
 std::string Quoted(std::string_view text);
 
 }  // namespace fathom
