@@ -7,7 +7,8 @@
 
 namespace fathom {
 
-// One DOF's command as logged: value[i] holds from time[i] until time[i + 1], the last one for ever.
+// One DOF's command as logged: value[i] holds from time[i] until time[i + 1], the last one for
+// ever.
 struct HeldCommand {
   std::vector<double> time;   // [s], strictly increasing
   std::vector<double> value;  // [N] or [N m]

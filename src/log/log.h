@@ -15,9 +15,9 @@ namespace fathom {
 
 // One file of a log: columns of equal length over stamps of its own clock.
 struct Stream {
-  std::vector<double> time;                  // [s], strictly increasing
-  std::vector<std::string> columns;          // names, without "t"
-  std::vector<std::vector<double>> values;   // values[column][row], SI, finite
+  std::vector<double> time;                 // [s], strictly increasing
+  std::vector<std::string> columns;         // names, without "t"
+  std::vector<std::vector<double>> values;  // values[column][row], SI, finite
 
   // Null if there is no such column.
   const std::vector<double>* Find(std::string_view column) const;
@@ -35,15 +35,15 @@ struct TimeInterval {
 struct Log {
   std::filesystem::path path;
   std::string name;
-  std::vector<Dof> dofs;               // the excited ones
-  std::string vehicle;                 // a file name or free text, as in log.yaml
+  std::vector<Dof> dofs;  // the excited ones
+  std::string vehicle;    // a file name or free text, as in log.yaml
   std::string notes;
   std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
   std::string command_unit;            // empty: N and N m
 
-  std::optional<Stream> command;       // tau_* [N, N m] or thruster_* [Hz]
-  std::optional<Stream> velocity;      // u v w p q r [m/s, rad/s], body frame
-  std::optional<Stream> pose;          // x y z [m] qx qy qz qw: world_from_body
+  std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
+  std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame
+  std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body
 
   // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are
   // not read: ..."). Tools print them.

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/log_streams.h"
+
+#include "fathom/base/input_error.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+CsvTable ParseCommand(const std::string& name, const std::string& text) {
+  CsvSpec spec;
+  for (const Dof dof : kAllDofs) spec.at_least_one_of.emplace_back(ForceColumn(dof));
+  spec.numbered = "thruster_";
+  CsvTable table = ParseCsvTable(name, text, spec);
+
+  const Stream& stream = table.stream;
+  std::size_t num_thrusters = 0;
+  for (const std::string& column : stream.columns) num_thrusters += column.starts_with("thruster_");
+  if (num_thrusters == 0) return table;
+  if (num_thrusters < stream.columns.size()) {
+    throw InputError(
+        name +
+        ":1: holds both tau_* and thruster_* columns, expected forces or thruster speeds. "
+        "Remove the one that was not commanded.");
+  }
+  for (std::size_t i = 1; i <= num_thrusters; ++i) {
+    if (stream.Find(fmt::format("thruster_{}", i)) == nullptr) {
+      throw InputError(
+          fmt::format("{}:1: column 'thruster_{}' is missing, expected thruster_1 to "
+                      "thruster_{} for {} columns.",
+                      name,
+                      i,
+                      num_thrusters,
+                      num_thrusters));
+    }
+  }
+  return table;
+}
+
+CsvTable ParseVelocity(const std::string& name, const std::string& text) {
+  CsvSpec spec;
+  for (const Dof dof : kAllDofs) spec.at_least_one_of.emplace_back(VelocityColumn(dof));
+  return ParseCsvTable(name, text, spec);
+}
+
+CsvTable ParsePose(const std::string& name, const std::string& text) {
+  CsvSpec spec;
+  spec.required = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+  CsvTable table = ParseCsvTable(name, text, spec);
+
+  const auto& qx = *table.stream.Find("qx");
+  const auto& qy = *table.stream.Find("qy");
+  const auto& qz = *table.stream.Find("qz");
+  const auto& qw = *table.stream.Find("qw");
+  constexpr double kTolerance = 1e-3;
+  for (std::size_t row = 0; row < qx.size(); ++row) {
+    const double norm = std::hypot(std::hypot(qx[row], qy[row]), std::hypot(qz[row], qw[row]));
+    if (!(std::abs(norm - 1.0) <= kTolerance)) {
+      throw InputError(
+          fmt::format("{}:{}: columns 'qx', 'qy', 'qz', 'qw' have length {:.6g}, expected a unit "
+                      "quaternion (within "
+                      "{}). Check the order of the columns.",
+                      name,
+                      table.line_of_row[row],
+                      norm,
+                      kTolerance));
+    }
+  }
+  return table;
+}
+
+}  // namespace fathom

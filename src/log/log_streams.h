@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/csv_table.h"
+
+#include <string>
+
+namespace fathom {
+
+// The three streams of a log folder, each with the columns and rules of its own. `name` stands for
+// the file in messages. They throw InputError, naming file, line and column.
+
+// Some of tau_surge ... tau_yaw, or all of thruster_1 ... thruster_n, but not both.
+CsvTable ParseCommand(const std::string& name, const std::string& text);
+
+// Some of u v w p q r.
+CsvTable ParseVelocity(const std::string& name, const std::string& text);
+
+// x y z qx qy qz qw; quaternions of length 1 within 1e-3.
+CsvTable ParsePose(const std::string& name, const std::string& text);
+
+}  // namespace fathom

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/log_text.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_clocks.h"
+#include "fathom/log/log_streams.h"
+#include "fathom/log/log_yaml.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Moves the table's stream into the log, with the table's remark.
+void Keep(CsvTable table, std::optional<Stream>* stream, Log* log) {
+  const std::string remark = table.Remark();
+  if (!remark.empty()) log->remarks.push_back(remark);
+  *stream = std::move(table.stream);
+}
+
+bool HoldsASample(const TimeInterval& interval, const std::optional<Stream>& stream) {
+  return stream && std::any_of(stream->time.begin(), stream->time.end(), [&](double t) {
+           return interval.Contains(t);
+         });
+}
+
+void RemarkOnEmptyHeldOut(Log* log) {
+  for (const TimeInterval& interval : log->held_out) {
+    if (HoldsASample(interval, log->velocity) || HoldsASample(interval, log->pose)) continue;
+    log->remarks.push_back(fmt::format(
+        "log.yaml: held_out [{}, {}] holds no sample of the motion.", interval.from, interval.to));
+  }
+}
+
+}  // namespace
+
+Log ParseLog(const LogText& text) {
+  Log log = ParseLogYaml(text.log_yaml.name, text.log_yaml.text);
+  log.path = text.path;
+
+  CsvTable command = ParseCommand(text.command.name, text.command.text);
+  const auto keep_motion = [&](CsvTable motion, std::optional<Stream>* stream) {
+    RefuseStampsThatAreNotSeconds(command, motion);
+    RefuseDisjointClocks(command, motion);
+    Keep(std::move(motion), stream, &log);
+  };
+  if (text.velocity) {
+    keep_motion(ParseVelocity(text.velocity->name, text.velocity->text), &log.velocity);
+  }
+  if (text.pose) keep_motion(ParsePose(text.pose->name, text.pose->text), &log.pose);
+  Keep(std::move(command), &log.command, &log);
+  RemarkOnEmptyHeldOut(&log);
+  return log;
+}
+
+Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof) {
+  CsvSpec spec;
+  spec.required = {"tau", "v"};
+  CsvTable table = ParseCsvTable(name, text, spec);
+  RefuseStampsThatAreNotSeconds(table, table);
+
+  Log log;
+  log.path = name;
+  log.name = log.path.stem().string();
+  log.dofs = {dof};
+  if (const std::string remark = table.Remark(); !remark.empty()) log.remarks.push_back(remark);
+  log.command = Stream{.time = table.stream.time,
+                       .columns = {std::string(ForceColumn(dof))},
+                       .values = {*table.stream.Find("tau")}};
+  log.velocity = Stream{.time = table.stream.time,
+                        .columns = {std::string(VelocityColumn(dof))},
+                        .values = {*table.stream.Find("v")}};
+  return log;
+}
+
+}  // namespace fathom

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/log.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace fathom {
+
+// A log in memory, before it is read: the name of each file, as in messages, and its content.
+struct LogText {
+  struct File {
+    std::string name;
+    std::string text;
+  };
+  std::filesystem::path path;
+  File log_yaml;
+  File command;
+  std::optional<File> velocity;  // one of these two at least
+  std::optional<File> pose;
+};
+
+// ReadLog for files that are in memory already. They throw InputError, naming file, line and
+// column.
+Log ParseLog(const LogText& text);
+
+// A single CSV `t,tau,v` of one DOF.
+Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof);
+
+}  // namespace fathom

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/output_file.h"
+#include "fathom/log/log.h"
+
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+using Files = std::map<std::string, std::string>;
+
+const Files kGood = {{"log.yaml", "name: run 7\ndof: surge\n"},
+                     {"command.csv", "t,tau_surge\n0,1\n1,2\n2,0\n"},
+                     {"velocity.csv", "t,u\n0.5,0\n0.6,0.1\n0.7,0.2\n"}};
+
+constexpr char kPose[] = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n0.6,1,2,3,0.5,0.5,0.5,0.5\n";
+
+// A folder of its own for each test, so that ctest may run them in parallel.
+std::filesystem::path Folder(const Files& files) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "read_log_test" / test->name();
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, text] : files) WriteFile(folder / name, text);
+  return folder;
+}
+
+// kGood with some files put in place of its own; without those whose text is "-".
+Files With(const Files& changes) {
+  Files files = kGood;
+  for (const auto& [name, text] : changes) {
+    files[name] = text;
+    if (text == "-") files.erase(name);
+  }
+  return files;
+}
+
+// The message, without the folder in front.
+std::string Error(const Files& changes, const ReadLogOptions& options = {}) {
+  const auto folder = Folder(With(changes));
+  try {
+    ReadLog(folder, options);
+  } catch (const InputError& error) {
+    std::string text = error.what();
+    for (std::size_t at; (at = text.find(folder.string() + "/")) != std::string::npos;) {
+      text.erase(at, folder.string().size() + 1);
+    }
+    if (text.starts_with(folder.string())) text.erase(0, folder.string().size());
+    return text;
+  }
+  return "no error";
+}
+
+TEST(ReadLog, ReadsAFolder) {
+  Files files = With({{"log.yaml",
+                       "name: run 7\ndof: [surge, yaw]\nvehicle: rov.yaml\nheld_out: [0.55, 0.65]\n"
+                       "notes: calm\ncommand_unit: A\nvideo: a.mp4\n"},
+                      {"pose.csv", kPose}});
+  const auto folder = Folder(files);
+  const Log log = ReadLog(folder);
+  EXPECT_EQ(log.path, folder);
+  EXPECT_EQ(log.name, "run 7");
+  EXPECT_THAT(log.dofs, ElementsAre(Dof::kSurge, Dof::kYaw));
+  EXPECT_EQ(log.vehicle, "rov.yaml");
+  EXPECT_EQ(log.notes, "calm");
+  EXPECT_EQ(log.command_unit, "A");
+  ASSERT_EQ(log.held_out.size(), 1u);
+  EXPECT_EQ(log.held_out[0].from, 0.55);
+  EXPECT_EQ(log.held_out[0].to, 0.65);
+  EXPECT_THAT(*log.command->Find("tau_surge"), ElementsAre(1, 2, 0));
+  EXPECT_THAT(*log.velocity->Find("u"), ElementsAre(0, 0.1, 0.2));
+  EXPECT_THAT(*log.pose->Find("z"), ElementsAre(3, 3));
+  EXPECT_THAT(log.remarks, IsEmpty());
+}
+
+TEST(ReadLog, ReadsAListOfHeldOutIntervals) {
+  const Log log = ReadLog(
+      Folder(With({{"log.yaml", "name: a\ndof: surge\nheld_out: [[0, 0.55], [0.65, 9]]\n"}})));
+  ASSERT_EQ(log.held_out.size(), 2u);
+  EXPECT_EQ(log.held_out[1].from, 0.65);
+}
+
+TEST(ReadLog, RemarksOnHeldOutTimeWithoutMotion) {
+  const Log log =
+      ReadLog(Folder(With({{"log.yaml", "name: a\ndof: surge\nheld_out: [100, 200.5]\n"}})));
+  EXPECT_THAT(log.remarks,
+              ElementsAre("log.yaml: held_out [100, 200.5] holds no sample of the motion."));
+}
+
+TEST(ReadLog, ReadsThrusterCommands) {
+  const Log log =
+      ReadLog(Folder(With({{"command.csv", "t,thruster_2,thruster_1\n0,1,2\n1,3,4\n"}})));
+  EXPECT_THAT(*log.command->Find("thruster_1"), ElementsAre(2, 4));
+}
+
+TEST(ReadLog, IgnoresOtherFilesAndRemarksOnOtherColumns) {
+  const Log log =
+      ReadLog(Folder(With({{"notes.csv", "whatever\n"},
+                           {"pose.csv",
+                            "t,x,y,z,qx,qy,qz,qw,sx,sy,sz,sroll,spitch,syaw\n"
+                            "0.5,1,2,3,0,0,0,1,1,1,1,1,1,1\n0.6,1,2,3,0,0,0,1,1,1,1,1,1,1\n"}})));
+  EXPECT_THAT(
+      log.remarks,
+      ElementsAre("pose.csv: 6 further columns are not read: sx, sy, sz, sroll, spitch, syaw."));
+}
+
+TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {
+  const auto file = Folder({{"run.csv", "t,tau,v,n\n0,1,0.5,7\n0.1,2,0.6,7\n"}}) / "run.csv";
+  const Log log = ReadLog(file, {.dof = Dof::kYaw, .velocity = {}});
+  EXPECT_EQ(log.name, "run");
+  EXPECT_THAT(log.dofs, ElementsAre(Dof::kYaw));
+  EXPECT_THAT(log.command->time, ElementsAre(0, 0.1));
+  EXPECT_THAT(*log.command->Find("tau_yaw"), ElementsAre(1, 2));
+  EXPECT_THAT(*log.velocity->Find("r"), ElementsAre(0.5, 0.6));
+  EXPECT_THAT(log.remarks, ElementsAre("run.csv: 1 further column is not read: n."));
+}
+
+TEST(ReadLog, NeedsTheDofOfASingleCsv) {
+  const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
+  try {
+    ReadLog(file);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        error.what(),
+        file.string() +
+            ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected --dof "
+            "with it: --dof=surge, sway, heave, roll, pitch or yaw.");
+  }
+}
+
+TEST(ReadLog, RefusesAPathThatIsNotThere) {
+  EXPECT_THROW(
+      {
+        try {
+          ReadLog("no/such/log");
+        } catch (const InputError& error) {
+          EXPECT_STREQ(error.what(), "no/such/log: there is no such file. Check the path.");
+          throw;
+        }
+      },
+      InputError);
+}
+
+TEST(ReadLog, RefusesAFolderThatLacksAFile) {
+  EXPECT_EQ(Error({{"log.yaml", "-"}}),
+            ": holds no log.yaml (name and dof of the log), expected a log folder. See "
+            "docs/file_formats.md.");
+  EXPECT_EQ(Error({{"command.csv", "-"}}),
+            ": holds no command.csv (the commanded forces), expected a log folder. See "
+            "docs/file_formats.md.");
+  EXPECT_EQ(
+      Error({{"velocity.csv", "-"}}),
+      ": holds neither velocity.csv nor pose.csv, expected the vehicle's motion in one of them. A "
+      "camera log gets its pose.csv from fathom_track.");
+}
+
+TEST(ReadLog, RefusesAFolderInPlaceOfAStream) {
+  const auto folder = Folder(With({{"velocity.csv", "-"}}));
+  std::filesystem::create_directories(folder / "velocity.csv");
+  try {
+    ReadLog(folder);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), (folder / "velocity.csv").string() + ": is a folder, expected a file.");
+  }
+}
+
+TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
+  const auto error = [](const std::string& text) { return Error({{"log.yaml", text}}); };
+  EXPECT_EQ(error("dof: surge\n"), "log.yaml:1: key 'name' is missing, expected a text.");
+  EXPECT_EQ(error("name: a\n"),
+            "log.yaml:1: key 'dof' is missing, expected a text or a list of texts.");
+  EXPECT_EQ(
+      error("name: a\ndof: [surge, forward]\n"),
+      "log.yaml:2: key 'dof' is 'forward', expected one or a list of surge, sway, heave, roll, "
+      "pitch, yaw.");
+  EXPECT_EQ(error("name: a\ndof: [yaw, yaw]\n"),
+            "log.yaml:2: key 'dof' lists 'yaw' twice, expected each once.");
+  EXPECT_EQ(
+      error("name: a\ndof: yaw\nvehicel: b\n"),
+      "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
+      "held_out, command_unit, video. Correct or remove it.");
+  EXPECT_EQ(error("name: a\ndof: yaw\nheld_out: [5, 3.5]\n"),
+            "log.yaml:3: key 'held_out' is [5, 3.5], expected [from, to] with from before to.");
+  EXPECT_EQ(error("name: a\ndof: yaw\nheld_out: [5]\n"),
+            "log.yaml:3: key 'held_out' is a list of 1, expected a list of 2 numbers.");
+  EXPECT_EQ(error("name: a\ndof: yaw\nheld_out: [[1, 2], [3, .inf]]\n"),
+            "log.yaml:3: key 'held_out[1][1]' is '.inf', expected a finite number.");
+  EXPECT_EQ(
+      error("name: a\ndof: yaw\nheld_out: 5\n"),
+      "log.yaml:3: key 'held_out' is '5', expected a list of 2 numbers, or a list of such lists.");
+}
+
+TEST(ReadLog, RefusesCommandsThatAreUnclear) {
+  EXPECT_EQ(Error({{"command.csv", "t,tau_surge,thruster_1\n0,1,2\n1,1,2\n"}}),
+            "command.csv:1: holds both tau_* and thruster_* columns, expected forces or thruster "
+            "speeds. Remove the one that was not commanded.");
+  EXPECT_EQ(
+      Error({{"command.csv", "t,thruster_1,thruster_3\n0,1,2\n1,1,2\n"}}),
+      "command.csv:1: column 'thruster_2' is missing, expected thruster_1 to thruster_2 for 2 "
+      "columns.");
+  EXPECT_EQ(
+      Error({{"command.csv", "t,force\n0,1\n1,1\n"}}),
+      "command.csv:1: no column to read, found t, force; expected t and at least one of "
+      "tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, thruster_1, thruster_2, ....");
+}
+
+TEST(ReadLog, RefusesPosesThatAreNone) {
+  EXPECT_EQ(
+      Error({{"pose.csv", "t,x,y,z,qw,qx,qy\n0,1,2,3,1,0,0\n1,1,2,3,1,0,0\n"}}),
+      "pose.csv:1: column 'qz' is missing, found t, x, y, z, qw, qx, qy; expected t, x, y, z, qx, "
+      "qy, qz, qw.");
+  const std::string header = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n";
+  EXPECT_EQ(
+      Error({{"pose.csv", header + "0.6,1,2,3,0,0.6,0,0.7\n"}}),
+      "pose.csv:3: columns 'qx', 'qy', 'qz', 'qw' have length 0.921954, expected a unit quaternion "
+      "(within 0.001). Check the order of the columns.");
+  EXPECT_EQ(Error({{"pose.csv", header + "0.6,1,2,3,0,0,0,0\n"}}),
+            "pose.csv:3: columns 'qx', 'qy', 'qz', 'qw' have length 0, expected a unit quaternion "
+            "(within "
+            "0.001). Check the order of the columns.");
+  EXPECT_EQ(Error({{"pose.csv", header + "0.6,1,2,3,0,0,0,1.0009\n"}}), "no error");
+  EXPECT_THAT(Error({{"pose.csv", header + "0.6,1,2,3,0,0,0,1.0011\n"}}), HasSubstr("1.0011"));
+  EXPECT_THAT(Error({{"pose.csv", header + "0.6,1,2,3,1e300,1e300,1e300,1e300\n"}}),
+              HasSubstr("pose.csv:3: columns 'qx', 'qy', 'qz', 'qw' have length 2e+300"));
+}
+
+TEST(ReadLog, RefusesClocksWithNoTimeInCommon) {
+  EXPECT_EQ(
+      Error({{"command.csv", "t,tau_surge\n1433350623.5,1\n1433350624.5,2\n"}}),
+      "command.csv: column 't' runs from 1433350623.5 to 1433350624.5, but that of velocity.csv "
+      "from 0.5 to 0.7, expected some time in common. Put both on one clock.");
+  EXPECT_THAT(
+      Error({{"pose.csv", "t,x,y,z,qx,qy,qz,qw\n50,1,2,3,0,0,0,1\n51,1,2,3,0,0,0,1\n"}}),
+      AllOf(StartsWith("command.csv: column 't' runs from 0 to 2, but that of pose.csv from 50")));
+}
+
+TEST(ReadLog, RefusesStampsThatAreNotSeconds) {
+  EXPECT_EQ(
+      Error({{"velocity.csv", "t,u\n500,0\n600,0.1\n700,0.2\n"}}),
+      "velocity.csv: the median step of column 't' is 100, expected between 1e-5 and 10 seconds. "
+      "Is it in ms, us or ns? Convert t to seconds.");
+  EXPECT_EQ(
+      Error({{"velocity.csv", "t,u\n0,0\n2e-6,0.1\n4e-6,0.2\n"}}),
+      "velocity.csv: the median step of column 't' is 2e-06, expected between 1e-5 and 10 seconds. "
+      "Is it in hours or days? Convert t to seconds.");
+  EXPECT_EQ(Error({{"command.csv", "t,tau_surge\n0,1\n1000,2\n2000,0\n"}}),
+            "command.csv: the median step of column 't' is 1000, expected between 1e-5 and 10 "
+            "seconds. Is "
+            "it in ms, us or ns? Convert t to seconds.");
+  EXPECT_THAT(Error({{"command.csv", "t,tau_surge\n0,1\n1e-6,2\n1,0\n"}}), "no error");
+  EXPECT_THAT(Error({{"command.csv", "t,tau_surge\n0.5,1\n0.500001,2\n0.500002,0\n"}}),
+              StartsWith("command.csv: the median step of column 't' is 1"));
+}
+
+TEST(ReadLog, AllowsACommandThatIsHeldForLong) {
+  EXPECT_EQ(Error({{"command.csv", "t,tau_surge\n0,1\n30,2\n60,0\n"},
+                   {"velocity.csv", "t,u\n0,0\n9,0.1\n18,0.2\n27,0.2\n36,0\n"}}),
+            "no error");
+}
+
+TEST(ReadLog, ReadsAnotherFileAsTheVelocity) {
+  const auto folder = Folder(With({{"author.csv", "t,v,extra\n0.5,3,0\n0.6,4,0\n"}}));
+  const Log log = ReadLog(folder, {.dof = {}, .velocity = "author.csv"});
+  EXPECT_THAT(*log.velocity->Find("v"), ElementsAre(3, 4));
+  EXPECT_THAT(log.remarks,
+              ElementsAre("author.csv: 1 further column is not read: extra.",
+                          "velocity.csv: not read, author.csv is in its place."));
+  const Log by_path = ReadLog(folder, {.dof = {}, .velocity = folder / "author.csv"});
+  EXPECT_THAT(*by_path.velocity->Find("v"), ElementsAre(3, 4));
+}
+
+TEST(ReadLog, RefusesAnotherVelocityThatIsNotThere) {
+  EXPECT_EQ(Error({}, {.dof = {}, .velocity = "no_such.csv"}),
+            "no_such.csv: there is no such file. Check the path.");
+}
+
+TEST(ReadLog, ReportsABadCellWithFileLineAndColumn) {
+  EXPECT_EQ(
+      Error({{"velocity.csv", "t,u\n0.5,0\n0.6,nan\n"}}),
+      "velocity.csv:3: column 'u' is 'nan', expected a finite number. Remove the row or repair it "
+      "upstream; this reader does not guess.");
+}
+
+}  // namespace
+}  // namespace fathom
