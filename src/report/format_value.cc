@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/report/format_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Beyond these a number is written with a power of ten.
+constexpr double kSmallest = 1e-3;
+constexpr double kLargest = 1e6;
+
+// The interval may end at most this many digits behind the first digit of the value.
+constexpr int kMostDigits = 9;
+
+// Exponent of the first digit that is left when `number` is rounded to `num_digits`.
+int FirstDigit(double number, int num_digits) {
+  const std::string text = fmt::format("{:.{}e}", std::abs(number), num_digits - 1);
+  return std::stoi(text.substr(text.find('e') + 1));
+}
+
+// Rounded at the digit 10^-decimals, which may stand before the point.
+std::string Rounded(double number, int decimals) {
+  if (decimals < 0) {
+    const double unit = std::pow(10.0, -decimals);
+    number = std::round(number / unit) * unit;
+  }
+  std::string text = fmt::format("{:.{}f}", number, std::max(decimals, 0));
+  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string FormatAlone(double value) {
+  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size < kSmallest || size >= kLargest) return fmt::format("{:.3e}", value);
+  return Rounded(value, std::max(3 - FirstDigit(value, 4), 0));
+}
+
+}  // namespace
+
+std::string FormatValue(double value, double std) {
+  if (std::isnan(value)) return "-";
+  if (std::isnan(std)) return FormatAlone(value);
+  if (std::isinf(value) || std::isinf(std)) return FormatAlone(value) + " ± " + FormatAlone(std);
+  if (std == 0.0) return FormatAlone(value) + " ± 0";
+
+  const int last_digit = FirstDigit(std, 2) - 1;
+  const double size = std::max(std::abs(value), std);
+  const int first_digit = FirstDigit(size, 4);
+  if (first_digit - last_digit > kMostDigits) {
+    return fmt::format("{:.{}g} ± {:.0e}", value, kMostDigits, std);
+  }
+  if (size < kSmallest || size >= kLargest) {
+    const double scale = std::pow(10.0, first_digit);
+    const int decimals = first_digit - last_digit;
+    return fmt::format("({} ± {})e{:+03d}",
+                       Rounded(value / scale, decimals),
+                       Rounded(std / scale, decimals),
+                       first_digit);
+  }
+  return Rounded(value, -last_digit) + " ± " + Rounded(std, -last_digit);
+}
+
+}  // namespace fathom

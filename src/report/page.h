@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/report/panel.h"
+#include "fathom/report/table.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct Fact {
+  std::string name;
+  std::string value;
+};
+
+// One subject of a page, for example one DOF. Whatever is empty is left out. The time axes of all
+// panels of a section are linked: they zoom together and share the cursor.
+struct PageSection {
+  std::string heading;
+  std::vector<std::string> text;  // paragraphs
+  std::vector<std::string> warnings;
+  std::vector<TimePanel> time_panels;
+  std::vector<ParameterPanel> parameter_panels;
+  std::vector<Table> tables;
+};
+
+struct Page {
+  std::string title;
+  std::string subtitle;
+  std::vector<std::string> lead;  // paragraphs; the first one says what came out, in one sentence
+  std::vector<Fact> facts;
+  std::vector<std::string> warnings;
+  std::vector<PageSection> sections;
+  std::string footer;  // where it comes from: versions, options, date
+};
+
+// One HTML file with everything in it: no network, no other file. All texts are plain text and are
+// escaped; series of more than 20 000 stamps are thinned for display (docs/report.md) and say so.
+std::string RenderPage(const Page& page);
+
+}  // namespace fathom

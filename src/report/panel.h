@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// One curve over the time stamps of its panel. NaN is a gap: the line stops there and goes on
+// behind it.
+struct Series {
+  std::string name;
+  std::vector<double> values;
+  std::string note;  // shown beside the name: "MAE 0.012 m/s"
+};
+
+// A stretch of time [s].
+struct TimeInterval {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+// Curves over time: what was measured, what was computed for it, and below it measured minus
+// computed. The curves keep their colour by name through a whole page.
+struct TimePanel {
+  std::string title;         // may be empty
+  std::string quantity;      // "surge velocity"
+  std::string unit;          // "m/s"; may be empty
+  std::vector<double> time;  // [s], not decreasing; every series has a value for each stamp
+
+  std::optional<Series> measured;
+  std::vector<Series> responses;
+
+  std::vector<TimeInterval> held_out;  // shaded and labelled
+  bool is_stepped = false;             // values hold until the next stamp, as commands do
+  bool has_residuals = true;           // without `measured` there are none
+};
+
+// A number as one way of estimating it gave it. NaN in `value` is no answer, NaN in `std` an answer
+// without an interval.
+struct Estimate {
+  std::string name;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double std = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Several estimates of one number, as dots with 95 % intervals (1.96 std).
+struct ParameterPanel {
+  std::string name;  // "inertia"
+  std::string unit;  // "kg"; may be empty
+  std::vector<Estimate> estimates;
+  std::optional<double> reference;  // a line across: the truth, a value from a data sheet
+  std::string reference_name = "truth";
+};
+
+}  // namespace fathom

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+enum class RowFlag { kNone, kBest, kUnusable };
+
+struct TableColumn {
+  std::string heading;
+  bool is_number = false;  // aligned at the "±" where there is one, otherwise at the right
+};
+
+struct TableRow {
+  std::vector<std::string> cells;  // one for each column
+  RowFlag flag = RowFlag::kNone;
+};
+
+struct Table {
+  std::string caption;  // may be empty
+  std::vector<TableColumn> columns;
+  std::vector<TableRow> rows;
+};
+
+// The table for a terminal: two spaces between the columns, a line below the headings, "* " before
+// a best row and "! " before an unusable one where there is such a row. UTF-8; a character counts
+// as one column wide. Ends with a newline.
+//
+//     DOF    family          inertia [kg]
+//     -----  -------------  -------------
+//   * surge  output_error   890.3 ±   4.2
+//   ! surge  adaptive           -
+std::string FormatTable(const Table& table);
+
+}  // namespace fathom

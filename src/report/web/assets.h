@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+
+// The files that a page carries inside it, embedded at build time.
+namespace fathom::web {
+
+extern const std::string_view uplot_js;
+extern const std::string_view uplot_css;
+extern const std::string_view page_js;
+extern const std::string_view page_css;
+
+}  // namespace fathom::web
