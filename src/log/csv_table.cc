@@ -36,6 +36,16 @@ bool IsNumbered(std::string_view column, std::string_view prefix) {
          number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+// "du, dv, dw", cut after 40 names.
+std::string ListOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 40;
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+    shown.push_back(Printable(names[i]));
+  if (names.size() > kMost) shown.push_back(fmt::format("... ({} in all)", names.size()));
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
+
 std::string Expected(const CsvSpec& spec) {
   std::vector<std::string> required = {"t"};
   required.insert(required.end(), spec.required.begin(), spec.required.end());
@@ -146,10 +156,7 @@ class Header {
       missing = "no column to read";
     }
     if (missing.empty()) return;
-    std::vector<std::string> found;
-    for (const std::string& cell : cells_) found.push_back(Printable(cell));
-    Fail(fmt::format(
-        "{}, found {}; expected {}.", missing, fmt::join(found, ", "), Expected(spec_)));
+    Fail(fmt::format("{}, found {}; expected {}.", missing, ListOf(cells_), Expected(spec_)));
   }
 
   const std::string& name_;
@@ -211,14 +218,12 @@ void AppendStamp(double t, int line, bool allow_equal, CsvTable* table) {
 
 std::string CsvTable::Remark() const {
   if (not_read.empty()) return "";
-  std::vector<std::string> names;
-  for (const std::string& column : not_read) names.push_back(Printable(column));
-  const bool is_one = names.size() == 1;
+  const bool is_one = not_read.size() == 1;
   return fmt::format("{}: {} further column{} not read: {}.",
                      std::filesystem::path(name).filename().string(),
-                     names.size(),
+                     not_read.size(),
                      is_one ? " is" : "s are",
-                     fmt::join(names, ", "));
+                     ListOf(not_read));
 }
 
 CsvTable ReadCsvTable(const std::filesystem::path& path, const CsvSpec& spec) {

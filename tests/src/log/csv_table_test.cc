@@ -78,6 +78,19 @@ TEST(CsvTable, RemarksOnEveryColumnThatIsNotRead) {
   EXPECT_EQ(one.Remark(), "velocity.csv: 1 further column is not read: du.");
 }
 
+TEST(CsvTable, CutsAListOfVeryManyColumns) {
+  std::string header = "t,u";
+  std::string row = ",0";
+  for (int i = 1; i <= 50; ++i) {
+    header += ",s" + std::to_string(i);
+    row += ",0";
+  }
+  const CsvTable table =
+      ParseCsvTable("a.csv", header + "\n0" + row + "\n1" + row + "\n", kVelocity);
+  EXPECT_THAT(table.Remark(), StartsWith("a.csv: 50 further columns are not read: s1, s2, "));
+  EXPECT_THAT(table.Remark(), HasSubstr(", s40, ... (50 in all)."));
+}
+
 TEST(CsvTable, RefusesAFileThatCannotBeRead) {
   EXPECT_EQ(ErrorFrom([] { ReadCsvTable("no/such.csv", kVelocity); }),
             "no/such.csv: there is no such file. Check the path.");
