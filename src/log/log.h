@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/base/time_interval.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,14 +22,6 @@ struct Stream {
 
   // Null if there is no such column.
   const std::vector<double>* Find(std::string_view column) const;
-};
-
-// From `from` up to, not including, `to`; log time [s].
-struct TimeInterval {
-  double from = 0.0;
-  double to = 0.0;
-
-  bool Contains(double t) const { return from <= t && t < to; }
 };
 
 // What a log folder (or a single CSV) holds; docs/file_formats.md.

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/base/time_interval.h"
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,12 +18,6 @@ struct Series {
   std::string name;
   std::vector<double> values;
   std::string note;  // shown beside the name: "MAE 0.012 m/s"
-};
-
-// A stretch of time [s].
-struct TimeInterval {
-  double from = 0.0;
-  double to = 0.0;
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus
