@@ -10,6 +10,9 @@
 namespace fathom {
 namespace {
 
+// So many orders without a better criterion end the search for one.
+constexpr int kPatience = 10;
+
 // Forward and backward prediction errors of one piece, as Burg's recursion carries them.
 struct PredictionErrors {
   std::vector<double> forward;
@@ -46,6 +49,26 @@ void Extend(double reflection, std::vector<double>* coefficients) {
   coefficients->push_back(reflection);
 }
 
+// values[i] += sum_k phi_k values[i + k], from the last to the first; what lies beyond the last is
+// `later`, or zero.
+void RunBackwards(const Autoregression& noise,
+                  std::span<const double> later,
+                  std::span<double> values) {
+  const auto n = static_cast<std::ptrdiff_t>(values.size());
+  const auto num_later = static_cast<std::ptrdiff_t>(later.size());
+  const std::ptrdiff_t order = noise.order();
+  const double* const phi = noise.coefficients.data();
+  for (std::ptrdiff_t i = n - 1; i >= 0; --i) {
+    double sum = values[i];
+    const std::ptrdiff_t num_inside = std::min(order, n - 1 - i);
+    for (std::ptrdiff_t k = 0; k < num_inside; ++k) sum += phi[k] * values[i + 1 + k];
+    for (std::ptrdiff_t k = num_inside; k < order && i + 1 + k - n < num_later; ++k) {
+      sum += phi[k] * later[i + 1 + k - n];
+    }
+    values[i] = sum;
+  }
+}
+
 }  // namespace
 
 Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, int max_order) {
@@ -69,7 +92,8 @@ Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, in
       best_criterion = criterion;
       best = current;
     }
-    if (order == max_order || !(current.innovation_variance > 0.0)) break;
+    const bool is_hopeless = order >= best.order() + kPatience;
+    if (order == max_order || is_hopeless || !(current.innovation_variance > 0.0)) break;
     const double reflection = Reflection(errors, order);
     for (auto& piece : errors) Advance(reflection, order, &piece);
     Extend(reflection, &current.coefficients);
@@ -78,39 +102,19 @@ Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, in
   return best;
 }
 
-Eigen::MatrixXd ColouredGram(const Autoregression& noise, const Eigen::MatrixXd& J) {
+Eigen::MatrixXd ColouredGram(const Autoregression& noise, Eigen::MatrixXd J) {
   // e = H w with H the recursion's impulse responses and w white, so J' Gamma J = s^2 (H'J)'(H'J).
   // Row i of H'J is what innovation i contributes to the sum: the recursion run backwards in time,
   // and on past the first sample, since innovations before it still echo in the piece.
-  using RowVector = Eigen::RowVectorXd;
-  const Eigen::Index columns = J.cols();
-  const int order = noise.order();
-  std::vector<RowVector> later(order, RowVector::Zero(columns));  // rows i+1 ... i+p, a ring
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns, columns);
-  int newest = 0;
-  double largest = 0.0;
-  int num_small = 0;
-  RowVector row(columns);
-  for (Eigen::Index i = J.rows() - 1; i >= -100 * J.rows(); --i) {
-    if (i >= 0) {
-      row = J.row(i);
-    } else {
-      row.setZero();
-    }
-    for (int k = 0; k < order; ++k) {
-      row += noise.coefficients[k] * later[(newest + k) % order];
-    }
-    gram.noalias() += row.transpose() * row;
-    if (order > 0) {
-      newest = (newest + order - 1) % order;
-      later[newest] = row;
-    }
-    const double size = row.cwiseAbs().maxCoeff();
-    largest = std::max(largest, size);
-    num_small = size <= 1e-6 * largest ? num_small + 1 : 0;
-    if (i <= 0 && num_small > order) break;
+  const auto n = static_cast<size_t>(J.rows());
+  if (noise.order() == 0) return noise.innovation_variance * J.transpose() * J;
+  for (auto column : J.colwise()) RunBackwards(noise, {}, {column.data(), n});
+  // The echo of a stable recursion dies out; one longer than the piece itself is cut there.
+  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(J.rows(), J.cols());
+  for (Eigen::Index k = 0; k < J.cols(); ++k) {
+    RunBackwards(noise, {J.col(k).data(), n}, {before.col(k).data(), n});
   }
-  return noise.innovation_variance * gram;
+  return noise.innovation_variance * (J.transpose() * J + before.transpose() * before);
 }
 
 }  // namespace fathom

@@ -23,12 +23,13 @@ struct Autoregression {
 };
 
 // Fits by Burg's method over all `pieces` together; a piece is an unbroken run of samples, its mean
-// taken as zero. The order, at most `max_order`, is the one with the least AIC.
+// taken as zero. The order, at most `max_order`, is the one with the least AIC; the search ends
+// after ten orders in a row that bring nothing.
 Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, int max_order);
 
 // J' Gamma J for the samples of one piece, where Gamma is the covariance matrix of the noise
 // (docs/output_error.md (6)): the variance of sum_i J_i e_i. Rows of J belong to consecutive
 // samples.
-Eigen::MatrixXd ColouredGram(const Autoregression& noise, const Eigen::MatrixXd& J);
+Eigen::MatrixXd ColouredGram(const Autoregression& noise, Eigen::MatrixXd J);
 
 }  // namespace fathom

@@ -18,7 +18,8 @@ namespace fathom {
 //   d_L  linear damping, at least 0                          [kg/s] or [kg m^2/s]
 //   b    buoyancy or thrust offset                           [N] or [N m]
 //
-// A wrong unit of tau scales all four parameters alike: they are known only as far as the thrust is.
+// A wrong unit of tau scales all four parameters alike: they are known only as far as the thrust
+// is.
 //
 // T is double, or a differentiated scalar while fitting.
 template <typename T>
@@ -28,8 +29,10 @@ struct UncoupledModel {
   T linear_damping{0.0};
   T buoyancy{0.0};
 
-  // Equation (1) solved for dv/dt [m/s^2] or [rad/s^2].
-  T Acceleration(const T& speed, const T& force) const {
+  // Equation (1) solved for dv/dt [m/s^2] or [rad/s^2]. The force may be a plain number while the
+  // parameters are differentiated.
+  template <typename Force>
+  [[gnu::always_inline]] T Acceleration(const T& speed, const Force& force) const {
     using std::abs;
     const T damping = (quadratic_damping * abs(speed) + linear_damping) * speed;
     return (force - damping - buoyancy) / inertia;
