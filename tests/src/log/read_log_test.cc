@@ -289,6 +289,50 @@ TEST(ReadLog, RefusesAnotherVelocityThatIsNotThere) {
             "no_such.csv: there is no such file. Check the path.");
 }
 
+TEST(ReadLog, RefusesAnotherVelocityThatCouldBeTwoFiles) {
+  const auto folder = Folder(
+      With({{"author.csv", "t,u\n0.5,3\n0.6,4\n"}, {"here/author.csv", "t,u\n0.5,7\n0.6,8\n"}}));
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "here");
+  std::string text = "no error";
+  try {
+    ReadLog("..", {.dof = {}, .velocity = "author.csv"});
+  } catch (const InputError& error) {
+    text = error.what();
+  }
+  const Log log = ReadLog("..", {.dof = {}, .velocity = "./../author.csv"});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(
+      text,
+      "--velocity=author.csv: there is such a file here and in .., expected one. Give the full "
+      "path.");
+  EXPECT_THAT(*log.velocity->Find("u"), ElementsAre(3, 4));
+}
+
+TEST(ReadLog, RefusesAnotherVelocityForASingleCsv) {
+  const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
+  try {
+    ReadLog(file, {.dof = Dof::kSurge, .velocity = "v.csv"});
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        error.what(),
+        "--velocity=v.csv: " + file.string() +
+            " is a single CSV with its own speed, expected a log folder. Leave out --velocity.");
+  }
+}
+
+TEST(ReadLog, NamesTheMissingColumnOfASingleCsv) {
+  const auto file = Folder({{"run.csv", "t,tau,u\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
+  try {
+    ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              file.string() + ":1: column 'v' is missing, found t, tau, u; expected t, tau, v.");
+  }
+}
+
 TEST(ReadLog, ReportsABadCellWithFileLineAndColumn) {
   EXPECT_EQ(
       Error({{"velocity.csv", "t,u\n0.5,0\n0.6,nan\n"}}),
