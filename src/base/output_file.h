@@ -8,8 +8,8 @@
 
 namespace fathom {
 
-// Writes a whole file or nothing: into a temporary beside it, then renamed. Creates the folder where
-// it is missing. Throws InputError, naming the file, if it cannot be written.
+// Writes a whole file or nothing: into a temporary beside it, then renamed. Creates the folder
+// where it is missing. Throws InputError, naming the file, if it cannot be written.
 void WriteFile(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace fathom

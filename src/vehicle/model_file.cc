@@ -4,10 +4,9 @@
 #include "fathom/vehicle/model_file.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/input_file.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kDeepestNesting = 16;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 Json FormatFigures(const FitFigures& figures) {
@@ -141,8 +141,15 @@ std::string FormatModel(const FittedModel& fitted) {
 
 FittedModel ParseModel(const std::string& name, std::string_view text) {
   Json json;
+  const Json::parser_callback_t refuse_deep_nesting = [&](int depth, auto, const Json&) {
+    if (depth > kDeepestNesting) {
+      throw InputError(fmt::format(
+          "{}: is nested more than {} levels deep: not a model file.", name, kDeepestNesting));
+    }
+    return true;
+  };
   try {
-    json = Json::parse(text);
+    json = Json::parse(text, refuse_deep_nesting);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: is not JSON: {}.", name, error.what()));
   }
@@ -171,12 +178,7 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
 }
 
 FittedModel ReadModel(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw InputError(path.string() + ": cannot open this file for reading.");
-  }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return ParseModel(path.string(), text);
+  return ParseModel(path.string(), ReadFile(path));
 }
 
 }  // namespace fathom

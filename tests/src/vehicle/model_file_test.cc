@@ -89,6 +89,10 @@ TEST(ModelFile, SaysWhatIsWrong) {
   EXPECT_THAT(ErrorAfter("\"covariance\": [", "\"covariance\": [3,"), HasSubstr("'covariance'"));
 }
 
+TEST(ModelFile, RefusesDeepNestingBeforeItOverflowsAnything) {
+  EXPECT_THAT(ErrorFrom(std::string(100000, '[')), HasSubstr("nested more than 16 levels"));
+}
+
 TEST(ModelFile, RefusesAnEffectItCannotSimulate) {
   EXPECT_THAT(ErrorAfter("\"inertia\":", "\"time_constant\": {\"value\": 1}, \"inertia\":"),
               HasSubstr("'time_constant' is a parameter of an effect"));
