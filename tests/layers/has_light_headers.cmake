@@ -1,0 +1,31 @@
+# Fails if a header of HEADER_DIR does not compile alone, with the include directories that a user
+# of its target has, or brings in a library that belongs into .cc files. Run with cmake -P.
+
+cmake_minimum_required(VERSION 3.22)
+set(heavy ceres opencv2 opencv4 yaml-cpp nlohmann fmt glog gflags csv.h)
+
+list(REMOVE_ITEM INCLUDE_DIRS "")
+list(TRANSFORM INCLUDE_DIRS PREPEND -I)
+file(MAKE_DIRECTORY ${SCRATCH})
+file(GLOB headers RELATIVE ${HEADER_DIR} ${HEADER_DIR}/*.h)
+if(headers STREQUAL "")
+  message(FATAL_ERROR "${HEADER_DIR} has no headers.")
+endif()
+foreach(header IN LISTS headers)
+  file(WRITE ${SCRATCH}/alone.cc "#include \"fathom/${NAME}/${header}\"\n")
+  execute_process(
+    COMMAND ${COMPILER} -std=c++20 -fsyntax-only -MD -MF ${SCRATCH}/alone.d ${INCLUDE_DIRS}
+            ${SCRATCH}/alone.cc
+    RESULT_VARIABLE result ERROR_VARIABLE messages)
+  if(NOT result EQUAL 0)
+    message(SEND_ERROR "fathom/${NAME}/${header} does not compile alone:\n${messages}")
+    continue()
+  endif()
+  file(READ ${SCRATCH}/alone.d files)
+  foreach(library IN LISTS heavy)
+    if(files MATCHES "(/include/${library}[/ \n][^ \n]*)")
+      message(SEND_ERROR "fathom/${NAME}/${header} includes ${CMAKE_MATCH_1}: "
+                         "move what needs it into the .cc file.")
+    endif()
+  endforeach()
+endforeach()
