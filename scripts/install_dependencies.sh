@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs what Fathom needs on Debian 12: the packages of apt-packages.txt, then the JavaScript of
+# the report. Where all of it is there already, it does nothing and needs no network.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+is_installed() {
+  # An npm that is not Debian's serves as well, and Debian's would clash with its Node.js.
+  if [ "$1" = npm ] && command -v npm > /dev/null; then return 0; fi
+  dpkg-query -W -f '${db:Status-Status} ' "$1" 2> /dev/null | grep -qw installed
+}
+
+missing=()
+while read -r package; do
+  is_installed "$package" || missing+=("$package")
+done < <(sed 's/#.*//' scripts/apt-packages.txt | grep -o '[^[:space:]]\+')
+
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "Installing ${missing[*]}" >&2
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+# npm notes in node_modules what it installed.
+web=src/report/web
+if ! [ "$web/node_modules/.package-lock.json" -nt "$web/package-lock.json" ]; then
+  (cd "$web" && npm ci --ignore-scripts --no-audit --no-fund)
+fi
