@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What a program did.
+struct ToolRun {
+  int exit_code = -1;  // 128 plus the signal's number if a signal ended it
+  std::string out;     // all of its stdout
+  std::string err;     // all of its stderr
+};
+
+// Runs a program of the build's tools/ folder to its end, without a shell; stdin is empty.
+//
+//   const ToolRun run = RunToolBinary("fathom_synthesize", {"--seed=1", "--out=" + folder});
+ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& arguments);
+
+// A new, empty folder for the running test in FATHOM_SCRATCH_DIR, named after it.
+std::filesystem::path EmptyTestFolder();
+
+// Writes a file, creating its folder, and gives its path back.
+std::filesystem::path WriteTestFile(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace fathom

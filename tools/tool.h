@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace fathom {
+
+// What a tool says about itself with --help.
+struct ToolInfo {
+  std::string name;     // "fathom_identify"
+  std::string summary;  // one sentence
+  std::string usage;    // the flags it is called with: "--log=LOG --dof=DOF [--model=FILE]"
+  std::string example;  // one command line, or several, that work on the bundled data
+  std::string details;  // optional: what the outputs and exit codes mean, further lines
+};
+
+// The frame of every tool: reads the flags that gflags knows from the tools' own files, calls
+// `run` and returns its exit code.
+//
+//   int main(int argc, char** argv) { return fathom::RunTool(argc, argv, kInfo, Run); }
+//
+// Flags are --name=value, --name value, and for a bool --name or --noname. --help and --version
+// print to stdout and return 0. Returns 1, with "<name>: <what is wrong>" on stderr, for an
+// unknown, repeated or malformed flag, an argument that is no flag, any exception out of `run`
+// (InputError is the expected one) and a stdout that cannot be written. Warnings go to stderr.
+int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run);
+
+// The value of a flag that has to be given. Throws InputError if it is empty: "--log: is missing,
+// expected <expected>."
+const std::string& RequireFlag(const std::string& name,
+                               const std::string& value,
+                               const std::string& expected);
+
+}  // namespace fathom
