@@ -2,3 +2,378 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/signal/signals.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/signal/integral.h"
+#include "fathom/signal/pose_velocity.h"
+#include "fathom/signal/savitzky_golay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// The default window lies between these, docs/signal.md (4).
+constexpr double kShortestWindow = 1.0;  // [s]
+constexpr double kFewestSteps = 10.5;    // 11 samples
+constexpr double kLongestWindow = 20.0;  // [s]
+constexpr double kLongestShare = 0.1;    // of the data's duration
+
+// A body axis further than this from every world axis (cosine) is worth a remark.
+constexpr double kGoodAlignment = 0.95;
+
+// Samples begin to end - 1 of the motion stream.
+struct Stretch {
+  size_t begin = 0;
+  size_t end = 0;
+  bool held_out = false;
+
+  size_t size() const { return end - begin; }
+};
+
+// The motion of one DOF over one stretch.
+struct Motion {
+  std::vector<double> time;
+  std::vector<double> velocity;
+  std::vector<double> position;  // empty without poses
+  std::vector<double> force;     // the command's first integral through the poses' filter; empty
+                                 // without poses
+  std::vector<bool> is_centred;  // false: the velocity itself comes from a one-sided window
+};
+
+std::string FileOf(const Log& log, const char* file) {
+  if (log.path.empty()) return file;
+  const bool is_csv = log.path.extension() == ".csv";
+  return is_csv ? log.path.string() : (log.path / file).string();
+}
+
+HeldCommand CommandOf(const Log& log, Dof dof) {
+  const std::string file = FileOf(log, "command.csv");
+  const std::string column(ForceColumn(dof));
+  if (!log.command) {
+    throw InputError(fmt::format(
+        "{}: the log has no command, expected a stream with column '{}'. Identification needs "
+        "the force that drove the vehicle.",
+        file,
+        column));
+  }
+  const std::vector<double>* values = log.command->Find(column);
+  if (values == nullptr) {
+    const bool has_thrusters =
+        !log.command->columns.empty() && log.command->columns.front().starts_with("thruster_");
+    throw InputError(fmt::format(
+        "{}: column '{}' is missing; the columns are {}. {}",
+        file,
+        column,
+        fmt::join(log.command->columns, ", "),
+        has_thrusters ? "Name a vehicle file, so that thruster speeds can be turned into forces."
+                      : "Choose a DOF that was commanded."));
+  }
+  return {log.command->time, *values};
+}
+
+const Stream& MotionStream(const Log& log, Dof dof, Source source) {
+  const bool camera = source == Source::kCamera;
+  const std::optional<Stream>& stream = camera ? log.pose : log.velocity;
+  const std::string file = FileOf(log, camera ? "pose.csv" : "velocity.csv");
+  if (!stream) {
+    throw InputError(fmt::format(
+        "{}: there is no such stream in this log, expected it for the source {}. {}",
+        file,
+        Name(source),
+        (camera ? log.velocity : log.pose)
+            ? fmt::format("This log has the source {}.",
+                          Name(camera ? Source::kPoseEstimator : Source::kCamera))
+            : "Record the vehicle's motion, or make poses from images with fathom_track."));
+  }
+  if (!camera && stream->Find(VelocityColumn(dof)) == nullptr) {
+    throw InputError(
+        fmt::format("{}: column '{}' is missing; the columns are {}. Choose a DOF that was "
+                    "measured.",
+                    file,
+                    VelocityColumn(dof),
+                    fmt::join(stream->columns, ", ")));
+  }
+  return *stream;
+}
+
+bool IsHeldOut(const Log& log, double t) {
+  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
+    return interval.Contains(t);
+  });
+}
+
+std::vector<Stretch> Split(const Log& log,
+                           const std::vector<double>& time,
+                           size_t first,
+                           const SignalsOptions& options,
+                           std::vector<std::string>* remarks) {
+  std::vector<Stretch> stretches;
+  int num_silences = 0;
+  for (size_t i = first; i < time.size(); ++i) {
+    const bool held_out = options.split_held_out && IsHeldOut(log, time[i]);
+    const bool silence = i > first && time[i] - time[i - 1] > options.longest_gap;
+    if (silence) ++num_silences;
+    if (stretches.empty() || silence || stretches.back().held_out != held_out) {
+      stretches.push_back({i, i, held_out});
+    }
+    stretches.back().end = i + 1;
+  }
+  if (num_silences > 0) {
+    remarks->push_back(
+        fmt::format("The motion is silent for over {:g} s {} time{}: each starts a "
+                    "new segment.",
+                    options.longest_gap,
+                    num_silences,
+                    num_silences == 1 ? "" : "s"));
+  }
+  const size_t fewest = std::max<size_t>(10, options.order + 2);
+  size_t num_short = 0, num_samples = 0;
+  std::erase_if(stretches, [&](const Stretch& stretch) {
+    if (stretch.size() >= fewest) return false;
+    ++num_short;
+    num_samples += stretch.size();
+    return true;
+  });
+  if (num_short > 0) {
+    remarks->push_back(fmt::format("Left out: {} segment{} of fewer than {} samples ({} samples).",
+                                   num_short,
+                                   num_short == 1 ? "" : "s",
+                                   fewest,
+                                   num_samples));
+  }
+  return stretches;
+}
+
+double MedianStep(std::span<const double> time) {
+  std::vector<double> steps;
+  for (size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// The command over [from, to]: what holds at `from`, then its stamps up to `to`.
+HeldCommand CommandBetween(const HeldCommand& command, double from, double to) {
+  const auto next = std::upper_bound(command.time.begin(), command.time.end(), from);
+  const auto begin = std::max<std::ptrdiff_t>(next - command.time.begin() - 1, 0);
+  const auto end =
+      std::upper_bound(command.time.begin(), command.time.end(), to) - command.time.begin();
+  return {{command.time.begin() + begin, command.time.begin() + end},
+          {command.value.begin() + begin, command.value.begin() + end}};
+}
+
+// Chosen on the longest stretch to train on (or, without one, the longest there is).
+double WindowFor(std::span<const double> time,
+                 std::span<const double> values,
+                 const std::vector<Stretch>& stretches,
+                 const SignalsOptions& options) {
+  const Stretch& longest =
+      *std::max_element(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) {
+        if (a.held_out != b.held_out) return a.held_out;
+        return a.size() < b.size();
+      });
+  time = time.subspan(longest.begin, longest.size());
+  values = values.subspan(longest.begin, longest.size());
+  const double shortest = std::max(kShortestWindow, kFewestSteps * MedianStep(time));
+  const double most = std::min(kLongestWindow, kLongestShare * (time.back() - time.front()));
+  return ChooseWindow(time, values, options.order, shortest, std::max(shortest, most));
+}
+
+void Require(bool holds, std::string_view what) {
+  if (!holds) throw InputError(fmt::format("SignalsOptions: {}", what));
+}
+
+void RequireUsable(const SignalsOptions& options) {
+  Require(options.longest_gap > 0.0,
+          fmt::format("longest_gap is {} s, expected more than 0.", options.longest_gap));
+  Require(
+      options.window >= 0.0 && std::isfinite(options.window),
+      fmt::format("window is {} s, expected 0 (chosen from the data) or more.", options.window));
+  Require(options.order >= 1 && options.order <= 9,
+          fmt::format("order is {}, expected 1 to 9.", options.order));
+}
+
+Motion MotionFromVelocity(const Stream& stream, Dof dof, const Stretch& stretch) {
+  const auto cut = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(stretch.end));
+  };
+  Motion motion;
+  motion.time = cut(stream.time);
+  motion.velocity = cut(*stream.Find(VelocityColumn(dof)));
+  motion.is_centred.assign(motion.time.size(), true);
+  return motion;
+}
+
+// Velocity, and the command's impulse through the same filter. Stamps at which the filter fails are
+// left out.
+Motion MotionFromPoses(const Poses& poses,
+                       Dof dof,
+                       const std::vector<double>& position,
+                       const HeldCommand& command,
+                       const SavitzkyGolayOptions& filter) {
+  const BodyVelocity body = VelocityOf(poses, filter);
+  const std::vector<double> impulse =
+      SavitzkyGolay(poses.time, IntegralsOf(command, poses.time).twice, 1, filter);
+  Motion motion;
+  for (size_t i = 0; i < poses.size(); ++i) {
+    const double velocity = body.velocity[i][Index(dof)];
+    if (!std::isfinite(velocity)) continue;
+    motion.time.push_back(poses.time[i]);
+    motion.velocity.push_back(velocity);
+    motion.position.push_back(position[i]);
+    motion.force.push_back(impulse[i]);
+    motion.is_centred.push_back(body.is_centred[i]);
+  }
+  return motion;
+}
+
+Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions& filter) {
+  // docs/signal.md (3): derivatives of velocity, displacement and impulse by one and the same
+  // filter.
+  const std::vector<double> displacement = Integral(motion.time, motion.velocity);
+  const std::vector<double> impulse =
+      motion.force.empty() ? IntegralsOf(command, motion.time).once : std::move(motion.force);
+  const size_t n = motion.time.size();
+  Segment segment;
+  segment.acceleration.assign(n, kNaN);
+  segment.smoothed_velocity.assign(n, kNaN);
+  segment.smoothed_force.assign(n, kNaN);
+  LocalPolynomial fit(motion.time, filter);
+  for (size_t i = 0; i < n; ++i) {
+    if (!fit.MoveTo(i) || !fit.is_centred()) continue;
+    const auto inside = motion.is_centred.begin() + static_cast<std::ptrdiff_t>(fit.first());
+    if (!std::all_of(inside, inside + static_cast<std::ptrdiff_t>(fit.size()), [](bool centred) {
+          return centred;
+        })) {
+      continue;
+    }
+    const auto weights = fit.Weights(1);
+    segment.acceleration[i] = fit.Apply(weights, motion.velocity);
+    segment.smoothed_velocity[i] = fit.Apply(weights, displacement);
+    segment.smoothed_force[i] = fit.Apply(weights, impulse);
+  }
+  segment.time = std::move(motion.time);
+  segment.velocity = std::move(motion.velocity);
+  segment.position = std::move(motion.position);
+  segment.command = std::move(command);
+  return segment;
+}
+
+std::string WindowRemark(double window, const SignalsOptions& options, double step) {
+  return fmt::format("Savitzky-Golay: window {:.3g} s (about {:.0f} samples), order {}, {}.",
+                     window,
+                     std::floor(window / step) + 1,
+                     options.order,
+                     options.window > 0.0 ? "as given" : "chosen by cross-validation");
+}
+
+}  // namespace
+
+std::string_view Name(Source source) {
+  return source == Source::kPoseEstimator ? "pose_estimator" : "camera";
+}
+
+Source ParseSource(const std::string& name) {
+  for (const Source source : {Source::kPoseEstimator, Source::kCamera}) {
+    if (Name(source) == name) return source;
+  }
+  throw InputError(fmt::format("'{}' is not a source, expected pose_estimator or camera.", name));
+}
+
+Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
+  RequireUsable(options);
+  const bool camera = options.source == Source::kCamera;
+  const Stream& stream = MotionStream(log, dof, options.source);
+  const HeldCommand command = CommandOf(log, dof);
+  Signals signals;
+  signals.dof = dof;
+  signals.source = options.source;
+  signals.force_unit = log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
+
+  const std::vector<double>& time = stream.time;
+  const size_t first =
+      std::lower_bound(time.begin(), time.end(), command.time.front()) - time.begin();
+  if (first > 0) {
+    signals.remarks.push_back(fmt::format(
+        "Left out: {} motion sample{} before the first command.", first, first == 1 ? "" : "s"));
+  }
+  if (first < time.size() && time.back() - command.time.back() > options.longest_gap) {
+    signals.remarks.push_back(
+        fmt::format("The command ends {:.1f} s before the motion; its last value is held.",
+                    time.back() - command.time.back()));
+  }
+  const std::vector<Stretch> stretches = Split(log, time, first, options, &signals.remarks);
+  if (stretches.empty()) {
+    throw InputError(fmt::format(
+        "{}: no segment is long enough after the first command, expected at least {} samples in a "
+        "row. Check the clocks of command and motion.",
+        FileOf(log, camera ? "pose.csv" : "velocity.csv"),
+        std::max(10, options.order + 2)));
+  }
+
+  Poses poses;
+  Displacement displacement;
+  if (camera) {
+    poses = PosesOf(stream);
+    displacement = DisplacementAlong(dof, poses);
+    if (displacement.alignment < kGoodAlignment) {
+      signals.remarks.push_back(fmt::format(
+          "The mean {} axis is {:.0f} degrees off the nearest world axis: the position is taken "
+          "along that axis, not along the body's.",
+          Name(dof),
+          std::acos(displacement.alignment) * 57.29578));
+    }
+    if (const int flips = CountRotationFlips(poses); flips > 0) {
+      signals.remarks.push_back(fmt::format(
+          "{} rotation step{} that the neighbours do not support: a single square has two "
+          "solutions, and the pose may have flipped between them.",
+          flips,
+          flips == 1 ? "" : "s"));
+    }
+  }
+  const std::vector<double>& observed =
+      camera ? displacement.value : *stream.Find(VelocityColumn(dof));
+  const double window =
+      options.window > 0.0 ? options.window : WindowFor(time, observed, stretches, options);
+  const SavitzkyGolayOptions filter = {.window = window, .order = options.order};
+  signals.remarks.push_back(WindowRemark(window, options, MedianStep(time)));
+
+  size_t num_dropped = 0;
+  for (const Stretch& stretch : stretches) {
+    HeldCommand own = CommandBetween(command, time[stretch.begin], time[stretch.end - 1]);
+    Motion motion;
+    if (camera) {
+      const std::vector<double> position(
+          observed.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
+          observed.begin() + static_cast<std::ptrdiff_t>(stretch.end));
+      motion =
+          MotionFromPoses(poses.Between(stretch.begin, stretch.end), dof, position, own, filter);
+      num_dropped += stretch.size() - motion.time.size();
+      if (motion.time.size() < 2) continue;
+    } else {
+      motion = MotionFromVelocity(stream, dof, stretch);
+    }
+    auto& to = stretch.held_out ? signals.held_out : signals.train;
+    to.push_back(SegmentOf(std::move(motion), std::move(own), filter));
+  }
+  if (num_dropped > 0) {
+    signals.remarks.push_back(
+        fmt::format("Left out: {} pose{} with too few others within the window to tell a velocity.",
+                    num_dropped,
+                    num_dropped == 1 ? "" : "s"));
+  }
+  if (signals.train.empty()) signals.remarks.push_back("Nothing is left to train on.");
+  return signals;
+}
+
+}  // namespace fathom

@@ -24,14 +24,17 @@ Source ParseSource(const std::string& name);
 
 // One DOF over one unbroken stretch of a log. The vectors over `time` have its length.
 struct Segment {
-  std::vector<double> time;          // stamps of the motion stream [s], strictly increasing
-  std::vector<double> velocity;      // as measured, or derived from the poses [m/s] or [rad/s]
-  std::vector<double> position;      // displacement along the DOF [m] or [rad]; empty without poses
-  HeldCommand command;               // at its own stamps
+  std::vector<double> time;      // stamps of the motion stream [s], strictly increasing
+  std::vector<double> velocity;  // as measured, or derived from the poses [m/s] or [rad/s]
+  std::vector<double> position;  // displacement along the DOF [m] or [rad]; empty without poses
+  HeldCommand command;           // at its own stamps
 
   // For the equation-error families (least squares): both sides of docs/models.md (2) through the
-  // same Savitzky-Golay window, so that neither lags or is smoothed more than the other.
-  std::vector<double> acceleration;       // first derivative of the velocity [m/s^2]
+  // same Savitzky-Golay derivative filter, so that neither lags or is smoothed more than the other:
+  // derivatives of the velocity, of the displacement and of the command's impulse
+  // (docs/signal.md (3)). NaN near an end of the data, where the filter's window is one-sided and
+  // its noise several times larger.
+  std::vector<double> acceleration;       // [m/s^2] or [rad/s^2]
   std::vector<double> smoothed_velocity;  // [m/s] or [rad/s]
   std::vector<double> smoothed_force;     // [N] or [N m]
 };
@@ -40,10 +43,10 @@ struct Segment {
 struct Signals {
   Dof dof = Dof::kSurge;
   Source source = Source::kPoseEstimator;
-  std::string force_unit;             // "N", "N m", or the log's command_unit
-  std::vector<Segment> train;         // outside the held-out intervals
-  std::vector<Segment> held_out;      // inside them
-  std::vector<std::string> remarks;   // what was left out, counted, a sentence each
+  std::string force_unit;            // "N", "N m", or the log's command_unit
+  std::vector<Segment> train;        // outside the held-out intervals
+  std::vector<Segment> held_out;     // inside them
+  std::vector<std::string> remarks;  // what was left out, counted, a sentence each
 };
 
 struct SignalsOptions {

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+#include "fathom/signal/savitzky_golay.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace fathom {
+
+// world_from_body at every stamp.
+struct Poses {
+  std::vector<double> time;                         // [s], strictly increasing
+  std::vector<Eigen::Vector3d> position;            // of the body's origin in the world [m]
+  std::vector<Eigen::Quaterniond> world_from_body;  // length 1, neighbours in one hemisphere
+
+  size_t size() const { return time.size(); }
+  Poses Between(size_t begin, size_t end) const;
+};
+
+// The poses of a stream with columns x y z qx qy qz qw.
+Poses PosesOf(const Stream& pose);
+
+// The velocity of a body from its poses; docs/signal.md (5) to (7).
+//
+//   v = R' dp/dt                 local polynomial of the position
+//   omega = J_r(phi) dphi/dt     local polynomial of phi_j = log(R_i' R_j) about each stamp i
+//
+// R at the stamp is the smoothed one, R_i exp(phi(t_i)). No angle is differenced, so nothing is
+// singular. Windows must span less than half a turn.
+struct BodyVelocity {
+  std::vector<Eigen::Vector<double, 6>> velocity;  // u v w p q r; NaN where the fit fails
+  std::vector<bool> is_centred;                    // false: window shifted, noise several times
+};
+
+BodyVelocity VelocityOf(const Poses& poses, const SavitzkyGolayOptions& options);
+
+// The displacement along a DOF, growing with a positive velocity in it.
+struct Displacement {
+  std::vector<double> value;  // [m] or [rad]
+
+  // Of surge, sway and heave: cosine of the angle between the mean body axis and the world axis
+  // that was taken for it, 0.58 to 1. Of angles: 1.
+  double alignment = 1.0;
+};
+
+// Surge, sway, heave: the world coordinate that the mean body axis is nearest to, with its sign.
+// Roll, pitch, yaw: the unwrapped angle of yaw-pitch-roll.
+Displacement DisplacementAlong(Dof dof, const Poses& poses);
+
+// Number of steps between neighbouring rotations that are over 5 degrees and over 6 times as large
+// as the median step of the 20 around: how often the pose of a single square changed from one of
+// its two solutions to the other.
+int CountRotationFlips(const Poses& poses);
+
+}  // namespace fathom
