@@ -25,12 +25,17 @@ constexpr double kIllPlaced = 1e-7;
 
 constexpr size_t kMostScored = 500;  // stamps that ChooseWindow predicts
 constexpr double kTolerance = 1.01;  // of the best score
+constexpr double kLeftOut = 0.26;    // of the shortest window, on either side of a sample
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double Dot(const double* a, const double* b, size_t n) {
   double sum = 0.0;
   for (size_t i = 0; i < n; ++i) sum += a[i] * b[i];
   return sum;
+}
+
+size_t LowerBound(std::span<const double> time, double t) {
+  return std::lower_bound(time.begin(), time.end(), t) - time.begin();
 }
 
 }  // namespace
@@ -157,32 +162,51 @@ double ChooseWindow(std::span<const double> time,
                     double shortest,
                     double longest) {
   CHECK_EQ(time.size(), values.size());
-  // Only stamps well inside, where every window is centred, are compared.
-  const auto begin = std::lower_bound(time.begin(), time.end(), time.front() + 0.5 * longest);
-  const auto end = std::upper_bound(begin, time.end(), time.back() - 0.5 * longest);
-  const size_t stride = 1 + static_cast<size_t>(end - begin) / kMostScored;
-  std::vector<double> windows, scores;
+  std::vector<double> windows, sums, counts;
   for (double window = shortest; window <= longest; window *= std::numbers::sqrt2) {
-    LocalPolynomial fit(time, {.window = window, .order = order});
-    double sum = 0.0, count = 0.0;
-    for (size_t i = begin - time.begin(); i < static_cast<size_t>(end - time.begin());
-         i += stride) {
-      if (!fit.MoveTo(i)) continue;
-      const auto weights = fit.Weights(0);
-      const double residual = values[i] - fit.Apply(weights, values);
-      const double own = weights[i - fit.first()];
-      if (own > 0.999) continue;  // nothing but the sample itself
-      sum += std::abs(residual) / (1.0 - own);
-      count += 1.0;
-    }
-    if (count == 0.0) continue;
     windows.push_back(window);
-    scores.push_back(sum / count);
   }
-  if (scores.empty()) return shortest;
-  const double best = *std::min_element(scores.begin(), scores.end());
-  for (size_t k = 0; k < scores.size(); ++k) {
-    if (scores[k] <= kTolerance * best) return windows[k];
+  if (windows.size() < 2) return shortest;
+  sums.resize(windows.size());
+  counts.resize(windows.size());
+  // Only stamps well inside, where every window is centred, are compared.
+  const double reach = 0.5 * windows.back();
+  const size_t begin = LowerBound(time, time.front() + reach);
+  const size_t end = LowerBound(time, time.back() - reach);
+  const size_t stride = 1 + (end - std::min(begin, end)) / kMostScored;
+  std::vector<double> near_time, near_values;
+  for (size_t i = begin; i < end; i += stride) {
+    // The sample and those around it, but for its neighbours: noise that they share with it must
+    // not predict it.
+    near_time.clear();
+    near_values.clear();
+    size_t own = 0;
+    for (size_t j = LowerBound(time, time[i] - 1.01 * reach);
+         j < time.size() && time[j] <= time[i] + 1.01 * reach;
+         ++j) {
+      if (j != i && std::abs(time[j] - time[i]) <= kLeftOut * shortest) continue;
+      if (j == i) own = near_time.size();
+      near_time.push_back(time[j]);
+      near_values.push_back(values[j]);
+    }
+    for (size_t k = 0; k < windows.size(); ++k) {
+      LocalPolynomial fit(near_time, {.window = windows[k], .order = order});
+      if (!fit.MoveTo(own)) continue;
+      const auto weights = fit.Weights(0);
+      const double own_weight = weights[own - fit.first()];
+      if (own_weight > 0.999) continue;  // nothing but the sample itself
+      // What leaving the sample out would leave of it, without fitting again.
+      sums[k] += std::abs(values[i] - fit.Apply(weights, near_values)) / (1.0 - own_weight);
+      counts[k] += 1.0;
+    }
+  }
+  const double enough = 0.5 * *std::max_element(counts.begin(), counts.end());
+  double best = std::numeric_limits<double>::infinity();
+  for (size_t k = 0; k < windows.size(); ++k) {
+    if (counts[k] > enough) best = std::min(best, sums[k] / counts[k]);
+  }
+  for (size_t k = 0; k < windows.size(); ++k) {
+    if (counts[k] > enough && sums[k] / counts[k] <= kTolerance * best) return windows[k];
   }
   return shortest;
 }

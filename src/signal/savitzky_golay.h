@@ -76,7 +76,9 @@ std::vector<double> SavitzkyGolay(std::span<const double> time,
 
 // How noisy values at these stamps are best smoothed: the shortest window [s] whose prediction of
 // left-out samples is within 1 % of the best, by mean absolute error, among windows from
-// `shortest` upwards in steps of sqrt(2) to `longest`; docs/signal.md (4).
+// `shortest` upwards in steps of sqrt(2) to `longest`. A sample is left out together with its
+// neighbours within a quarter of the shortest window, lest noise that they share looks like
+// motion; docs/signal.md (4).
 double ChooseWindow(std::span<const double> time,
                     std::span<const double> values,
                     int order,
