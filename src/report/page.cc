@@ -3,10 +3,161 @@
 
 #include "fathom/report/page.h"
 
+#include "fathom/report/html_text.h"
+#include "fathom/report/palette.h"
+#include "fathom/report/parameter_chart.h"
+#include "fathom/report/table_html.h"
+#include "fathom/report/time_chart.h"
 #include "fathom/report/web/assets.h"
 
-namespace fathom {
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
 
-std::string RenderPage(const Page& page) { return "<!doctype html>" + page.title; }
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using nlohmann::json;
+
+// A page may run its own script and style and load nothing at all.
+constexpr std::string_view kHead = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'">
+)";
+
+// A few sections can be seen at a glance; more need a way to jump.
+constexpr std::size_t kSectionsWithoutContents = 2;
+
+std::string Paragraphs(const std::vector<std::string>& texts, std::string_view kind) {
+  std::string html;
+  for (const std::string& text : texts) {
+    html += fmt::format("<p class=\"{}\">{}</p>\n", kind, HtmlText(text));
+  }
+  return html;
+}
+
+std::string FactsHtml(const std::vector<Fact>& facts) {
+  if (facts.empty()) return "";
+  std::string html = "<dl class=\"facts\">\n";
+  for (const Fact& fact : facts) {
+    html += fmt::format(
+        "<div><dt>{}</dt><dd>{}</dd></div>\n", HtmlText(fact.name), HtmlText(fact.value));
+  }
+  return html + "</dl>\n";
+}
+
+std::string ContentsHtml(const std::vector<PageSection>& sections) {
+  if (sections.size() <= kSectionsWithoutContents) return "";
+  std::string html = "<nav>";
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    html += fmt::format("<a href=\"#section-{}\">{}</a>", i, HtmlText(sections[i].heading));
+  }
+  return html + "</nav>\n";
+}
+
+// The frame of a chart; page.js draws into it.
+std::string TimeChartHtml(const TimePanel& panel, std::size_t section, std::size_t index) {
+  std::string html = "<figure class=\"time\">";
+  if (!panel.title.empty()) {
+    html += fmt::format("<figcaption><b>{}</b></figcaption>", HtmlText(panel.title));
+  }
+  html += fmt::format(
+      "<div class=\"chart\" data-section=\"{}\" data-panel=\"{}\"></div>", section, index);
+  if (panel.time.size() > kMostStamps) {
+    html +=
+        fmt::format("<p class=\"hint\">Thinned for display from {} stamps; every peak is kept.</p>",
+                    panel.time.size());
+  }
+  return html + "</figure>\n";
+}
+
+std::string ParameterChartsHtml(const std::vector<ParameterPanel>& panels, Palette& palette) {
+  if (panels.empty()) return "";
+  std::string html = "<div class=\"parameters\">\n";
+  for (const ParameterPanel& panel : panels) html += ParameterChartHtml(panel, palette);
+  html += "</div>\n";
+  const bool has_interval = std::ranges::any_of(panels, [](const ParameterPanel& panel) {
+    return std::ranges::any_of(panel.estimates,
+                               [](const Estimate& estimate) { return estimate.std > 0.0; });
+  });
+  if (has_interval) {
+    html +=
+        "<p class=\"hint\">Dots are estimates, bars 95 % intervals; the numbers give one "
+        "standard deviation.</p>\n";
+  }
+  return html;
+}
+
+std::string SectionHtml(const PageSection& section, std::size_t index, Palette& palette) {
+  std::string html = fmt::format("<section id=\"section-{}\">\n", index);
+  if (!section.heading.empty()) html += "<h2>" + HtmlText(section.heading) + "</h2>\n";
+  html += Paragraphs(section.text, "text");
+  html += Paragraphs(section.warnings, "warning");
+  for (std::size_t i = 0; i < section.time_panels.size(); ++i) {
+    html += TimeChartHtml(section.time_panels[i], index, i);
+  }
+  html += ParameterChartsHtml(section.parameter_panels, palette);
+  for (const Table& table : section.tables) html += TableHtml(table);
+  return html + "</section>\n";
+}
+
+// JSON that may stand inside a script element: without '<' nothing in it can end the element.
+std::string ScriptSafe(const json& value) {
+  std::string text;
+  for (const char c : value.dump(-1, ' ', false, json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string RenderPage(const Page& page) {
+  Palette palette;
+  json sections = json::array();
+  for (const PageSection& section : page.sections) {
+    json charts = json::array();
+    for (const TimePanel& panel : section.time_panels) {
+      charts.push_back(TimeChartJson(panel, palette));
+    }
+    sections.push_back(std::move(charts));
+  }
+
+  std::string html(kHead);
+  html += fmt::format("<title>{}</title>\n", HtmlText(page.title));
+  html += fmt::format("<style>\n{}\n{}</style>\n</head>\n<body>\n", web::uplot_css, web::page_css);
+  html += "<header>\n<h1>" + HtmlText(page.title) + "</h1>\n";
+  if (!page.subtitle.empty()) html += "<p class=\"subtitle\">" + HtmlText(page.subtitle) + "</p>\n";
+  html += Paragraphs(page.lead, "lead");
+  html += FactsHtml(page.facts);
+  html += Paragraphs(page.warnings, "warning");
+  html += ContentsHtml(page.sections);
+  html += "</header>\n<main>\n";
+  html +=
+      "<noscript><p class=\"warning\">The charts over time need JavaScript; all else is "
+      "here.</p></noscript>\n";
+  for (std::size_t i = 0; i < page.sections.size(); ++i) {
+    html += SectionHtml(page.sections[i], i, palette);
+  }
+  html += "</main>\n";
+  if (!page.footer.empty()) html += "<footer>" + HtmlText(page.footer) + "</footer>\n";
+  html += "<script type=\"application/json\" id=\"data\">" + ScriptSafe(sections) + "</script>\n";
+  html += fmt::format("<script>\n/* uPlot draws the charts. Its licence:\n{}*/\n{}\n</script>\n",
+                      web::uplot_license,
+                      web::uplot_js);
+  html += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", web::page_js);
+  return html;
+}
 
 }  // namespace fathom

@@ -10,6 +10,7 @@ namespace fathom::web {
 
 extern const std::string_view uplot_js;
 extern const std::string_view uplot_css;
+extern const std::string_view uplot_license;
 extern const std::string_view page_js;
 extern const std::string_view page_css;
 

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/report/time_chart.h"
+
+#include "fathom/report/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glog/logging.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kEpoch = 1e6;       // stamps beyond this count from some epoch [s]
+constexpr double kTimeDigits = 1e5;  // stamps are shown to 10 microseconds
+
+double ToSevenDigits(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, 6 - std::floor(std::log10(std::abs(value))));
+  const double rounded = std::round(value * unit) / unit;
+  return std::isfinite(rounded) ? rounded : value;
+}
+
+json SeriesJson(const Series& series,
+                std::string_view color,
+                const std::vector<std::size_t>& indices) {
+  json values = json::array();
+  for (const std::size_t index : indices) values.push_back(ToSevenDigits(series.values[index]));
+  return {{"name", series.name},
+          {"note", series.note},
+          {"color", color},
+          {"values", std::move(values)}};
+}
+
+}  // namespace
+
+void CheckPanel(const TimePanel& panel) {
+  CHECK(std::ranges::is_sorted(panel.time)) << panel.quantity;
+  if (panel.measured) CHECK_EQ(panel.measured->values.size(), panel.time.size());
+  for (const Series& response : panel.responses) {
+    CHECK_EQ(response.values.size(), panel.time.size()) << response.name;
+  }
+}
+
+std::vector<double> Residual(const Series& measured, const Series& response) {
+  std::vector<double> residual(measured.values.size());
+  std::ranges::transform(measured.values, response.values, residual.begin(), std::minus<>());
+  return residual;
+}
+
+json TimeChartJson(const TimePanel& panel, Palette& palette) {
+  CheckPanel(panel);
+  const bool has_residuals = panel.has_residuals && panel.measured && !panel.responses.empty();
+
+  std::vector<std::vector<double>> curves;
+  if (panel.measured) curves.push_back(panel.measured->values);
+  for (const Series& response : panel.responses) {
+    curves.push_back(response.values);
+    if (has_residuals) curves.push_back(Residual(*panel.measured, response));
+  }
+  const auto indices = ThinnedIndices(curves, panel.time.size(), kMostStamps);
+
+  const double start = panel.time.empty() ? 0.0 : panel.time.front();
+  const double time_offset = std::abs(start) > kEpoch ? std::floor(start) : 0.0;
+  const auto shown_time = [&](double time) {
+    return std::round((time - time_offset) * kTimeDigits) / kTimeDigits;
+  };
+
+  json time = json::array();
+  for (const std::size_t index : indices) time.push_back(shown_time(panel.time[index]));
+  json held_out = json::array();
+  for (const TimeInterval& interval : panel.held_out) {
+    held_out.push_back({shown_time(interval.from), shown_time(interval.to)});
+  }
+  const bool is_lone = !panel.measured && panel.responses.size() == 1;
+  json responses = json::array();
+  for (const Series& response : panel.responses) {
+    const auto color = is_lone ? kLoneColor : palette.ColorOf(response.name);
+    responses.push_back(SeriesJson(response, color, indices));
+  }
+
+  json chart = {{"quantity", panel.quantity},
+                {"unit", panel.unit},
+                {"time", std::move(time)},
+                {"time_offset", time_offset},
+                {"responses", std::move(responses)},
+                {"held_out", std::move(held_out)},
+                {"is_stepped", panel.is_stepped},
+                {"has_residuals", has_residuals}};
+  if (panel.measured) chart["measured"] = SeriesJson(*panel.measured, kMeasuredColor, indices);
+  return chart;
+}
+
+}  // namespace fathom
