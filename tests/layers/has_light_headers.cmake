@@ -23,8 +23,8 @@ foreach(header IN LISTS headers)
   endif()
   file(READ ${SCRATCH}/alone.d files)
   foreach(library IN LISTS heavy)
-    if(files MATCHES "(/include/${library}[/ \n][^ \n]*)")
-      message(SEND_ERROR "fathom/${NAME}/${header} includes ${CMAKE_MATCH_1}: "
+    if(files MATCHES "/include/${library}[/ \n]")
+      message(SEND_ERROR "fathom/${NAME}/${header} brings in ${library}: "
                          "move what needs it into the .cc file.")
     endif()
   endforeach()
