@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/signal/sanity.h"
+
+#include "fathom/signal/integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kHighestSpeed = 20.0;  // [m/s] or [rad/s]
+constexpr double kShortestStep = 1e-3;  // [s]
+constexpr double kLongestStep = 1.0;    // [s]
+constexpr double kJitter = 0.3;         // of the median step
+constexpr double kGap = 5.0;            // median steps
+constexpr int kNumBatches = 16;
+constexpr double kPowerErrors = 3.0;      // standard errors below zero
+constexpr double kSignErrors = 4.0;       // the same for the correlation,
+constexpr double kSignCorrelation = 0.2;  // which must also be at least this large
+
+using Findings = std::vector<Finding>;
+
+void Warn(const char* code, std::string sentence, Findings* findings) {
+  findings->push_back({Severity::kWarning, code, std::move(sentence)});
+}
+
+void Note(const char* code, std::string sentence, Findings* findings) {
+  findings->push_back({Severity::kNote, code, std::move(sentence)});
+}
+
+std::string PowerUnit(Dof dof, const std::string& force_unit) {
+  return force_unit == ForceUnit(dof) ? "W" : fmt::format("{} {}", force_unit, VelocityUnit(dof));
+}
+
+// Velocity, mean force over the interval to the next stamp, and that interval, of all segments.
+struct Samples {
+  Eigen::ArrayXd force, velocity, step;
+};
+
+Samples SamplesOf(std::span<const Segment> segments) {
+  std::vector<double> force, velocity, step;
+  for (const Segment& segment : segments) {
+    const std::vector<double> impulse = IntegralsOf(segment.command, segment.time).once;
+    for (size_t i = 0; i + 1 < segment.time.size(); ++i) {
+      const double h = segment.time[i + 1] - segment.time[i];
+      step.push_back(h);
+      force.push_back((impulse[i + 1] - impulse[i]) / h);
+      velocity.push_back(0.5 * (segment.velocity[i] + segment.velocity[i + 1]));
+    }
+  }
+  const auto array = [](const std::vector<double>& values) {
+    return Eigen::ArrayXd(
+        Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  return {array(force), array(velocity), array(step)};
+}
+
+// The power of the fluctuations, docs/signal.md (10): a constant force (buoyancy) takes no part.
+void CheckPassivity(const Samples& samples, const std::string& unit, Findings* findings) {
+  const double duration = samples.step.sum();
+  const double mean_force = (samples.force * samples.step).sum() / duration;
+  const double mean_velocity = (samples.velocity * samples.step).sum() / duration;
+  const Eigen::ArrayXd power = (samples.force - mean_force) * (samples.velocity - mean_velocity);
+  const double mean = (power * samples.step).sum() / duration;
+  const Eigen::Index n = power.size() / kNumBatches;
+  if (n < 2) return;
+  Eigen::ArrayXd batches(kNumBatches);
+  for (Eigen::Index k = 0; k < kNumBatches; ++k) batches[k] = power.segment(k * n, n).mean();
+  const double error =
+      std::sqrt((batches - batches.mean()).square().sum() / (kNumBatches * (kNumBatches - 1.0)));
+  if (!(mean < -kPowerErrors * error)) return;
+  Warn("passivity",
+       fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} +- "
+                   "{:.1g}: a passive vehicle cannot return energy. A sign or frame error, a delay "
+                   "of over a quarter period, or the vehicle is driven from outside.",
+                   mean,
+                   unit,
+                   1.96 * error),
+       findings);
+}
+
+// What the columns (v, v|v|, 1) leave of `values`.
+Eigen::VectorXd WithoutVelocity(const Eigen::VectorXd& v, const Eigen::VectorXd& values) {
+  Eigen::MatrixX3d columns(v.size(), 3);
+  columns << v, v.cwiseProduct(v.cwiseAbs()), Eigen::VectorXd::Ones(v.size());
+  return values - columns * columns.colPivHouseholderQr().solve(values);
+}
+
+double CorrelationAt(const Eigen::VectorXd& values, Eigen::Index lag) {
+  const Eigen::Index n = values.size() - lag;
+  return values.head(n).dot(values.tail(n)) / values.squaredNorm();
+}
+
+// Partial correlation of acceleration and force at equal velocity, docs/signal.md (11).
+void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
+  std::vector<double> rows[3];
+  for (const Segment& segment : segments) {
+    for (size_t i = 0; i < segment.acceleration.size(); ++i) {
+      const double a = segment.acceleration[i];
+      const double v = segment.smoothed_velocity[i], force = segment.smoothed_force[i];
+      if (!std::isfinite(a) || !std::isfinite(v) || !std::isfinite(force)) continue;
+      rows[0].push_back(a);
+      rows[1].push_back(v);
+      rows[2].push_back(force);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(rows[0].size());
+  if (n < 30) return;
+  const auto column = [&](int k) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(rows[k].data(), n));
+  };
+  const Eigen::VectorXd v = column(1);
+  const Eigen::VectorXd a = WithoutVelocity(v, column(0)), force = WithoutVelocity(v, column(2));
+  if (!(a.squaredNorm() > 0.0 && force.squaredNorm() > 0.0)) return;
+  const double correlation = a.dot(force) / (a.norm() * force.norm());
+  double inflation = 1.0;  // samples for each independent one
+  for (Eigen::Index lag = 1; lag < n / 5; ++lag) {
+    const double product = CorrelationAt(a, lag) * CorrelationAt(force, lag);
+    inflation += 2.0 * (1.0 - static_cast<double>(lag) / n) * product;
+  }
+  const double error = std::sqrt(std::max(inflation, 1.0) / static_cast<double>(n));
+  if (correlation > -kSignCorrelation || correlation > -kSignErrors * error) return;
+  Warn("force_sign",
+       fmt::format("At equal velocity, force and acceleration have a correlation of {:.2f} +- "
+                   "{:.2f}: a push slows the vehicle down. Check the sign of the force and the "
+                   "clocks.",
+                   correlation,
+                   1.96 * error),
+       findings);
+}
+
+void CheckStamps(const Samples& samples, Findings* findings) {
+  std::vector<double> steps(samples.step.begin(), samples.step.end());
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double median = *middle;
+  if (median < kShortestStep || median > kLongestStep) {
+    Warn("sampling_rate",
+         fmt::format("The median step of the motion's stamps is {:.3g} s, expected {:g} s to {:g} "
+                     "s. Are the stamps in seconds?",
+                     median,
+                     kShortestStep,
+                     kLongestStep),
+         findings);
+  }
+  const Eigen::ArrayXd ratio = samples.step / median;
+  const auto num_odd = ((ratio - 1.0).abs() > kJitter).count();
+  const auto num_gaps = (ratio > kGap).count();
+  if (num_odd > 0) {
+    Note("jitter",
+         fmt::format("{} of {} steps differ by over {:.0f} % from the median step of {:.3g} s.",
+                     num_odd,
+                     samples.step.size(),
+                     100.0 * kJitter,
+                     median),
+         findings);
+  }
+  if (num_gaps > 0) {
+    Note("gap",
+         fmt::format("{} gap{} of over {:g} steps, the longest of {:.3g} s.",
+                     num_gaps,
+                     num_gaps == 1 ? "" : "s",
+                     kGap,
+                     samples.step.maxCoeff()),
+         findings);
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> CheckSanity(std::span<const Segment> segments,
+                                 Dof dof,
+                                 const std::string& force_unit) {
+  Findings findings;
+  const Samples samples = SamplesOf(segments);
+  if (samples.step.size() < 2) return findings;
+  const double fastest = samples.velocity.abs().maxCoeff();
+  if (fastest > kHighestSpeed) {
+    Warn("speed_range",
+         fmt::format("The speed reaches {:.3g} {}, expected at most {:g}. Is it in {}?",
+                     fastest,
+                     VelocityUnit(dof),
+                     kHighestSpeed,
+                     VelocityUnit(dof)),
+         &findings);
+  }
+  const bool force_varies = samples.force.maxCoeff() > samples.force.minCoeff();
+  const bool velocity_varies = samples.velocity.maxCoeff() > samples.velocity.minCoeff();
+  if (!force_varies) {
+    Warn("constant_command",
+         fmt::format("The force is {:.4g} {} throughout: there is nothing to learn from.",
+                     samples.force[0],
+                     force_unit),
+         &findings);
+  }
+  if (!velocity_varies) {
+    Warn("constant_velocity",
+         fmt::format("The velocity is {:.4g} {} throughout: there is nothing to learn from.",
+                     samples.velocity[0],
+                     VelocityUnit(dof)),
+         &findings);
+  }
+  if (force_varies && velocity_varies) {
+    CheckPassivity(samples, PowerUnit(dof, force_unit), &findings);
+    CheckForceSign(segments, &findings);
+  }
+  CheckStamps(samples, &findings);
+  return findings;
+}
+
+}  // namespace fathom
