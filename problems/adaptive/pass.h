@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/adaptive/adaptive_identifier.h"
+#include "fathom/signal/signals.h"
+
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// The samples of one segment as the identifier takes them: the force is the mean of the held
+// command up to the next stamp.
+struct PassSegment {
+  std::vector<double> time;      // [s]
+  std::vector<double> force;     // [N] or [N m]
+  std::vector<double> velocity;  // [m/s] or [rad/s]
+};
+
+// In time order.
+std::vector<PassSegment> PassOver(std::span<const Segment> segments);
+
+// Feeds everything to `identifier` and calls visit(t) after each sample.
+template <typename Visit>
+void Feed(const std::vector<PassSegment>& pass, AdaptiveIdentifier* identifier, Visit visit) {
+  for (const auto& [time, force, velocity] : pass) {
+    identifier->StartSegment();
+    for (size_t i = 0; i < time.size(); ++i) {
+      identifier->Add(time[i], force[i], velocity[i]);
+      visit(time[i]);
+    }
+  }
+}
+
+}  // namespace fathom
