@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/output_error/shooting_window.h"
+#include "fathom/signal/autoregression.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What the data say about the parameters at the optimum.
+struct ParameterEvidence {
+  // Sandwich covariance with the residuals' own colour, docs/output_error.md (7); and what it would
+  // be if a time offset of the command were to be fitted too (EFFECTS.md's `time_offset`).
+  ParameterCovariance covariance;
+  ParameterCovariance covariance_with_time_offset;
+
+  // Share of each parameter's signature in the output that the other parameters and the initial
+  // states cannot imitate, 0 to 1; and with a time offset among those others.
+  ParameterVector share;
+  ParameterVector share_with_time_offset;
+
+  // How the parameters would follow a time offset of the command: the fit's change per second.
+  ParameterVector change_per_second_of_offset;
+
+  // Ratio of the largest to the smallest singular value of the scaled signatures.
+  double condition_number = 0.0;
+
+  Autoregression noise;          // of the whitened residuals
+  double residual_sd = 0.0;      // of the raw residuals [unit of the output]
+  double noise_correlation = 0;  // of neighbouring residuals
+};
+
+// `initial_states` has one entry per segment; `sigma` and `huber_k` as in ShootingWindow. Returns
+// an empty-handed evidence (NaN) if a simulation diverges or some direction leaves no trace at all.
+ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
+                             std::span<const Segment> segments,
+                             std::span<const InitialState> initial_states,
+                             FittedOutput output,
+                             double sigma,
+                             double huber_k);
+
+}  // namespace fathom

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/output_error/shooting_window.h"
+
+#include "fathom/output_error/root_huber.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <ceres/cost_function.h>
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kSensitivities = Simulation::kNumSensitivities;
+constexpr int kInitialVelocity = kNumParameters;  // column of the sensitivities
+
+std::span<const double> OutputTimes(const ShootingWindow& window) {
+  const size_t past_end = window.end + (window.continuity_sigma > 0.0 ? 1 : 0);
+  return std::span(window.segment->time).subspan(window.begin, past_end - window.begin);
+}
+
+UncoupledModel<double> ModelFromBlock(const double* parameters) {
+  return {std::exp(parameters[kInertia]),
+          parameters[kQuadraticDamping],
+          parameters[kLinearDamping],
+          parameters[kBuoyancy]};
+}
+
+InitialState StateFromBlock(FittedOutput output, const double* state) {
+  return {state[0], output == FittedOutput::kPosition ? state[1] : 0.0};
+}
+
+class WindowCost final : public ceres::CostFunction {
+ public:
+  WindowCost(const ShootingWindow& window, std::shared_ptr<SimulationScratch> scratch)
+      : window_(window),
+        state_size_(StateSize(window.output)),
+        num_columns_(kNumParameters + state_size_),
+        simulation_(window.segment->command, OutputTimes(window)),
+        scratch_(std::move(scratch)) {
+    const bool continues = window.continuity_sigma > 0.0;
+    set_num_residuals(num_columns_ + 1 + (continues ? state_size_ : 0));
+    mutable_parameter_block_sizes()->push_back(kNumParameters);
+    mutable_parameter_block_sizes()->push_back(state_size_);
+    if (continues) mutable_parameter_block_sizes()->push_back(state_size_);
+  }
+
+  bool Evaluate(const double* const* parameters,
+                double* residuals,
+                double** jacobians) const override {
+    if (!Linearise(parameters[0], parameters[1])) return false;
+    const int num_continuity = num_residuals() - num_columns_ - 1;
+    std::copy_n(residuals_.data(), num_columns_ + 1, residuals);
+    for (int k = 0; k < num_continuity; ++k) {
+      residuals[num_columns_ + 1 + k] = reached_[k] - parameters[2][k] / window_.continuity_sigma;
+    }
+    if (jacobians == nullptr) return true;
+    for (int row = 0; row < num_residuals(); ++row) {
+      if (jacobians[0] != nullptr) {
+        for (int j = 0; j < kNumParameters; ++j) {
+          jacobians[0][row * kNumParameters + j] = jacobian_(row, j);
+        }
+      }
+      if (jacobians[1] != nullptr) {
+        for (int j = 0; j < state_size_; ++j) {
+          jacobians[1][row * state_size_ + j] = jacobian_(row, kNumParameters + j);
+        }
+      }
+      if (num_continuity > 0 && jacobians[2] != nullptr) {
+        for (int j = 0; j < state_size_; ++j) {
+          const bool is_own = row == num_columns_ + 1 + j;
+          jacobians[2][row * state_size_ + j] = is_own ? -1.0 / window_.continuity_sigma : 0.0;
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int kMostColumns = kNumParameters + 2;
+  using Row = Eigen::Matrix<double, 1, kMostColumns>;
+  using Square = Eigen::Matrix<double, kMostColumns, kMostColumns>;
+
+  // Fills residuals_, reached_ and jacobian_ at this point. Ceres asks for the residuals at a trial
+  // point and, if it is accepted, for the Jacobian at the same point: simulate once with
+  // derivatives and remember the point by its values.
+  bool Linearise(const double* parameters, const double* state) const {
+    trial_point_.assign(parameters, parameters + kNumParameters);
+    trial_point_.insert(trial_point_.end(), state, state + state_size_);
+    if (trial_point_ == point_) return true;
+    point_.clear();
+    if (!Simulate(parameters, state)) return false;
+    const double inertia = std::exp(parameters[kInertia]);
+    AccumulateSamples(inertia);
+    const int num_continuity = num_residuals() - num_columns_ - 1;
+    const int last = simulation_.num_outputs() - 1;
+    for (int k = 0; k < num_continuity; ++k) {
+      const double scale = 1.0 / window_.continuity_sigma;
+      const auto& values = k == 0 ? scratch_->velocity : scratch_->position;
+      reached_[k] = scale * values[last];
+      jacobian_.row(num_columns_ + 1 + k) = scale * Derivatives(last, k == 0, inertia);
+    }
+    point_ = trial_point_;
+    return true;
+  }
+
+  bool Simulate(const double* parameters, const double* state) const {
+    const size_t n = simulation_.num_outputs();
+    const bool with_position = window_.output == FittedOutput::kPosition;
+    if (scratch_->velocity.size() < n) {
+      scratch_->velocity.resize(n);
+      scratch_->velocity_sensitivity.resize(n * kSensitivities);
+    }
+    if (with_position && scratch_->position.size() < n) {
+      scratch_->position.resize(n);
+      scratch_->position_sensitivity.resize(n * kSensitivities);
+    }
+    const auto first = [](std::vector<double>& values, size_t count) {
+      return std::span(values).first(count);
+    };
+    const size_t num_positions = with_position ? n : 0;
+    return simulation_.RunWithSensitivities(
+        ModelFromBlock(parameters),
+        StateFromBlock(window_.output, state),
+        first(scratch_->velocity, n),
+        first(scratch_->position, num_positions),
+        first(scratch_->velocity_sensitivity, n * kSensitivities),
+        first(scratch_->position_sensitivity, num_positions * kSensitivities));
+  }
+
+  // Derivatives of one output by the parameters (inertia by its logarithm) and the initial state.
+  Row Derivatives(int output, bool of_velocity, double inertia) const {
+    const auto& all = of_velocity ? scratch_->velocity_sensitivity : scratch_->position_sensitivity;
+    const double* const sensitivity = &all[static_cast<size_t>(output) * kSensitivities];
+    Row row;
+    row << inertia * sensitivity[kInertia], sensitivity[kQuadraticDamping],
+        sensitivity[kLinearDamping], sensitivity[kBuoyancy], sensitivity[kInitialVelocity],
+        of_velocity ? 0.0 : 1.0;
+    return row;
+  }
+
+  // The samples' rows, compressed; docs/output_error.md (9).
+  void AccumulateSamples(double inertia) const {
+    const bool is_velocity = window_.output == FittedOutput::kVelocity;
+    const auto& measured = is_velocity ? window_.segment->velocity : window_.segment->position;
+    const auto& simulated = is_velocity ? scratch_->velocity : scratch_->position;
+    Square JtJ = Square::Zero();
+    Row Jtr = Row::Zero();
+    double rtr = 0.0;
+    for (size_t i = window_.begin; i < window_.end; ++i) {
+      const auto output = static_cast<int>(i - window_.begin);
+      const double miss = simulated[output] - measured[i];
+      const RootHuber residual = RootHuber::Of(miss / window_.sigma, window_.huber_k);
+      const Row row =
+          (residual.derivative / window_.sigma) * Derivatives(output, is_velocity, inertia);
+      JtJ.noalias() += row.transpose() * row;
+      Jtr += residual.value * row;
+      rtr += residual.value * residual.value;
+    }
+    // J'J = V L V': R = L^1/2 V' and q = L^-1/2 V' J'r, on columns of unit length. A direction that
+    // leaves no trace has no part in J'r either.
+    const int n = num_columns_;
+    const Eigen::VectorXd scale =
+        JtJ.diagonal().head(n).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
+    const Eigen::VectorXd unscale = scale.cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        unscale.asDiagonal() * JtJ.topLeftCorner(n, n) * unscale.asDiagonal());
+    const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd projected =
+        eigen.eigenvectors().transpose() * unscale.asDiagonal() * Jtr.head(n).transpose();
+    residuals_.setZero(n + 1);
+    for (int k = 0; k < n; ++k) {
+      if (root[k] > 1e-8) residuals_[k] = projected[k] / root[k];
+    }
+    residuals_[n] = std::sqrt(std::max(0.0, rtr - residuals_.squaredNorm()));
+    jacobian_.setZero(num_residuals(), kMostColumns);
+    jacobian_.topLeftCorner(n, n) =
+        root.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
+  }
+
+  const ShootingWindow window_;
+  const int state_size_;
+  const int num_columns_;  // of the parameters and the initial state
+  const Simulation simulation_;
+  const std::shared_ptr<SimulationScratch> scratch_;
+
+  // The linearisation at point_.
+  mutable std::vector<double> point_, trial_point_;
+  mutable Eigen::VectorXd residuals_;
+  mutable std::array<double, 2> reached_ = {};
+  mutable Eigen::Matrix<double, Eigen::Dynamic, kMostColumns> jacobian_;
+};
+
+}  // namespace
+
+std::unique_ptr<ceres::CostFunction> MakeWindowCost(const ShootingWindow& window,
+                                                    std::shared_ptr<SimulationScratch> scratch) {
+  CHECK_LT(window.begin, window.end);
+  CHECK_LE(window.end + (window.continuity_sigma > 0.0 ? 1 : 0), window.segment->time.size());
+  return std::make_unique<WindowCost>(window, std::move(scratch));
+}
+
+std::vector<double> WindowMisses(const ShootingWindow& window,
+                                 const double* parameters,
+                                 const double* state) {
+  const bool is_velocity = window.output == FittedOutput::kVelocity;
+  const Simulation simulation(window.segment->command, OutputTimes(window));
+  std::vector<double> velocity(simulation.num_outputs());
+  std::vector<double> position(is_velocity ? 0 : velocity.size());
+  if (!simulation.Run(
+          ModelFromBlock(parameters), StateFromBlock(window.output, state), velocity, position)) {
+    return {};
+  }
+  std::vector<double> misses = is_velocity ? velocity : position;
+  const auto& measured = is_velocity ? window.segment->velocity : window.segment->position;
+  misses.resize(window.end - window.begin);
+  for (size_t i = 0; i < misses.size(); ++i) misses[i] -= measured[window.begin + i];
+  return misses;
+}
+
+}  // namespace fathom
