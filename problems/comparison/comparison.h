@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/identification.h"
+#include "fathom/log/log.h"
+#include "fathom/signal/sanity.h"
+#include "fathom/signal/signals.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct ComparisonOptions {
+  std::vector<Dof> dofs;         // empty: the log's
+  std::vector<Family> families;  // empty: all
+  std::vector<Source> sources;   // empty: every source the log has
+  IdentificationOptions identification;
+};
+
+// One DOF: every family on every source, measured with one yardstick.
+struct DofComparison {
+  Dof dof = Dof::kSurge;
+  Signals scored;  // what all models of this DOF are scored on
+  std::vector<Finding> findings;
+  std::vector<std::string> remarks;
+  std::vector<Identification> rows;
+};
+
+// Families x sources x DOFs on one log: the paper's Table II and Fig. 5, with held-out figures and
+// intervals.
+struct Comparison {
+  std::string log_name;
+  std::vector<std::string> remarks;  // of the log's reader
+  std::vector<DofComparison> dofs;
+};
+
+// Throws InputError if the log lacks what is asked for.
+Comparison Compare(const Log& log, const ComparisonOptions& options = {});
+
+// The sources this log has for `dof`.
+std::vector<Source> SourcesOf(const Log& log, Dof dof);
+
+}  // namespace fathom

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/comparison_file.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json FormatRow(const Identification& row) {
+  const FittedModel& fitted = row.fitted;
+  Json parameters = Json::object();
+  const ParameterVector values = ToVector(fitted.model);
+  for (int i = 0; i < kNumParameters; ++i) {
+    parameters[kParameterInfo[i].name] = {
+        {"value", values[i]},
+        {"std", std::sqrt(fitted.covariance(i, i))},
+        {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)}};
+  }
+  return {{"dof", Name(fitted.dof)},
+          {"family", Name(row.family)},
+          {"source", Name(row.source)},
+          {"parameters", parameters},
+          {"mae", fitted.train.mae},
+          {"nmae", fitted.train.nmae},
+          {"heldout_mae", fitted.held_out.mae},
+          {"heldout_nmae", fitted.held_out.nmae},
+          {"usable", row.is_usable},
+          {"message", row.message},
+          {"caveats", fitted.caveats}};
+}
+
+}  // namespace
+
+std::string FormatComparison(const Comparison& comparison) {
+  Json rows = Json::array(), findings = Json::array();
+  for (const DofComparison& dof : comparison.dofs) {
+    for (const Identification& row : dof.rows) rows.push_back(FormatRow(row));
+    for (const Finding& finding : dof.findings) {
+      findings.push_back(
+          {{"dof", Name(dof.dof)}, {"code", finding.code}, {"sentence", finding.sentence}});
+    }
+  }
+  const Json json = {{"schema", "fathom-comparison-1"},
+                     {"log", comparison.log_name},
+                     {"rows", rows},
+                     {"findings", findings}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace fathom

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/comparison_page.h"
+
+#include "fathom/report/format_value.h"
+#include "fathom/simulate/prediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
+// What a model is judged by: the error on data it has not seen, if there is any.
+double Score(const Identification& row) {
+  return std::isfinite(row.fitted.held_out.nmae) ? row.fitted.held_out.nmae : row.fitted.train.nmae;
+}
+
+// Null if no row is usable and can be simulated.
+const Identification* BestRow(const DofComparison& comparison) {
+  const Identification* best = nullptr;
+  for (const Identification& row : comparison.rows) {
+    if (!row.is_usable || !std::isfinite(Score(row))) continue;
+    if (best == nullptr || Score(row) < Score(*best)) best = &row;
+  }
+  return best;
+}
+
+std::string Figure(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+// The scored segments, held out or not, in the order of time.
+std::vector<const Segment*> InOrderOfTime(const Signals& signals) {
+  std::vector<const Segment*> segments;
+  for (const Segment& segment : signals.train) segments.push_back(&segment);
+  for (const Segment& segment : signals.held_out) segments.push_back(&segment);
+  std::sort(segments.begin(), segments.end(), [](const Segment* a, const Segment* b) {
+    return a->time.front() < b->time.front();
+  });
+  return segments;
+}
+
+std::string Capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
+
+std::string Sentence(const DofComparison& comparison) {
+  const std::string dof = Capitalised(std::string(Name(comparison.dof)));
+  const Identification* best = BestRow(comparison);
+  if (best == nullptr) return fmt::format("{}: no family found a usable model.", dof);
+  const bool has_held_out = std::isfinite(best->fitted.held_out.nmae);
+  return fmt::format(
+      "{}: {} predicts best. Its free run misses {:.1f} % of the speed {}. Inertia {} {} (95 %).",
+      dof,
+      ModelName(*best),
+      100.0 * Score(*best),
+      has_held_out ? "on data it has not seen" : "on the data it was fitted to (none are held out)",
+      FormatValue(best->fitted.model.inertia,
+                  1.96 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
+      ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit));
+}
+
+PageSection SectionOf(const DofComparison& comparison) {
+  PageSection section;
+  section.heading = Capitalised(std::string(Name(comparison.dof)));
+  for (const Finding& finding : comparison.findings) {
+    (finding.severity == Severity::kWarning ? section.warnings : section.text)
+        .push_back(finding.sentence);
+  }
+  for (const std::string& remark : comparison.remarks) section.text.push_back(remark);
+  section.time_panels.push_back(ResponsePanel(comparison));
+  section.parameter_panels = ParameterPanels(comparison);
+  Table parameters = ParameterTable(comparison);
+  parameters.columns.erase(parameters.columns.begin());  // the section says which DOF
+  for (TableRow& row : parameters.rows) row.cells.erase(row.cells.begin());
+  section.tables.push_back(std::move(parameters));
+
+  Table notes;
+  notes.caption = "What the intervals do not say";
+  notes.columns = {{"model"}, {"note"}};
+  for (const Identification& row : comparison.rows) {
+    if (!row.is_usable) notes.rows.push_back({{ModelName(row), row.message}, RowFlag::kUnusable});
+    for (const std::string& caveat : row.fitted.caveats) {
+      notes.rows.push_back({{ModelName(row), caveat}});
+    }
+  }
+  if (!notes.rows.empty()) section.tables.push_back(notes);
+  return section;
+}
+
+}  // namespace
+
+std::string ModelName(const Identification& identification) {
+  constexpr std::array<const char*, 3> kFamilies = {"LS", "Adaptive", "Output error"};
+  constexpr std::array<const char*, 2> kSources = {"pose estimator", "camera"};
+  return fmt::format("{} {}",
+                     kFamilies[static_cast<size_t>(identification.family)],
+                     kSources[static_cast<size_t>(identification.source)]);
+}
+
+Table ParameterTable(const DofComparison& comparison) {
+  const std::string& force_unit = comparison.scored.force_unit;
+  const auto heading = [&](const char* name, int index) {
+    return fmt::format("{} [{}]", name, ParameterUnit(index, comparison.dof, force_unit));
+  };
+  const std::string_view speed_unit = VelocityUnit(comparison.dof);
+  Table table;
+  table.columns = {{"DOF"},
+                   {"model"},
+                   {heading("inertia", kInertia), true},
+                   {heading("q. damping", kQuadraticDamping), true},
+                   {heading("l. damping", kLinearDamping), true},
+                   {heading("buoyancy", kBuoyancy), true},
+                   {fmt::format("MAE [{}]", speed_unit), true},
+                   {"NMAE", true},
+                   {"held-out MAE", true},
+                   {"held-out NMAE", true}};
+  const Identification* best = BestRow(comparison);
+  for (const Identification& row : comparison.rows) {
+    TableRow line;
+    line.cells = {std::string(Name(comparison.dof)), ModelName(row)};
+    const ParameterVector values = ToVector(row.fitted.model);
+    for (int i = 0; i < kNumParameters; ++i) {
+      line.cells.push_back(FormatValue(row.is_usable ? values[i] : kNotComputed,
+                                       std::sqrt(row.fitted.covariance(i, i))));
+    }
+    line.cells.push_back(Figure(row.fitted.train.mae, "{:.5f}"));
+    line.cells.push_back(Figure(row.fitted.train.nmae, "{:.4f}"));
+    line.cells.push_back(Figure(row.fitted.held_out.mae, "{:.5f}"));
+    line.cells.push_back(Figure(row.fitted.held_out.nmae, "{:.4f}"));
+    line.flag = !row.is_usable ? RowFlag::kUnusable
+                : &row == best ? RowFlag::kBest
+                               : RowFlag::kNone;
+    table.rows.push_back(std::move(line));
+  }
+  return table;
+}
+
+TimePanel ResponsePanel(const DofComparison& comparison) {
+  TimePanel panel;
+  panel.quantity = fmt::format("{} velocity", Name(comparison.dof));
+  panel.unit = VelocityUnit(comparison.dof);
+  panel.measured = Series{"measured", {}, ""};
+  for (const Identification& row : comparison.rows) {
+    if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
+    panel.responses.push_back(
+        {ModelName(row), {}, fmt::format("NMAE {:.3f}", row.fitted.train.nmae)});
+  }
+  const std::vector<const Segment*> segments = InOrderOfTime(comparison.scored);
+  if (segments.empty()) return panel;
+  const double start = segments.front()->time.front();
+  for (const Segment* segment : segments) {
+    for (const double t : segment->time) panel.time.push_back(t - start);
+    panel.time.push_back(segment->time.back() - start);  // a gap before the next segment
+    auto& measured = panel.measured->values;
+    measured.insert(measured.end(), segment->velocity.begin(), segment->velocity.end());
+    measured.push_back(kNotComputed);
+    size_t response = 0;
+    for (const Identification& row : comparison.rows) {
+      if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
+      auto& values = panel.responses[response++].values;
+      const auto predicted = PredictVelocity(row.fitted.model, *segment);
+      if (predicted) {
+        values.insert(values.end(), predicted->begin(), predicted->end());
+      } else {
+        values.insert(values.end(), segment->time.size(), kNotComputed);
+      }
+      values.push_back(kNotComputed);
+    }
+  }
+  for (const Segment& segment : comparison.scored.held_out) {
+    panel.held_out.push_back({segment.time.front() - start, segment.time.back() - start});
+  }
+  return panel;
+}
+
+std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
+  std::vector<ParameterPanel> panels;
+  for (int i = 0; i < kNumParameters; ++i) {
+    ParameterPanel panel;
+    panel.name = kParameterInfo[i].name;
+    std::replace(panel.name.begin(), panel.name.end(), '_', ' ');
+    panel.unit = ParameterUnit(i, comparison.dof, comparison.scored.force_unit);
+    for (const Identification& row : comparison.rows) {
+      if (!row.is_usable) continue;
+      panel.estimates.push_back(
+          {ModelName(row), ToVector(row.fitted.model)[i], std::sqrt(row.fitted.covariance(i, i))});
+    }
+    panels.push_back(std::move(panel));
+  }
+  return panels;
+}
+
+Page ComparisonPage(const Comparison& comparison) {
+  Page page;
+  page.title = fmt::format("{}: models compared", comparison.log_name);
+  page.subtitle = "Every identifier family on every source of this log, scored by free runs";
+  for (const DofComparison& dof : comparison.dofs) page.lead.push_back(Sentence(dof));
+  page.warnings = comparison.remarks;
+  for (const DofComparison& dof : comparison.dofs) {
+    const auto duration = [](const std::vector<Segment>& segments) {
+      double sum = 0.0;
+      for (const Segment& segment : segments) sum += segment.time.back() - segment.time.front();
+      return sum;
+    };
+    page.facts.push_back({std::string(Name(dof.dof)),
+                          fmt::format("{:.0f} s to train, {:.0f} s held out",
+                                      duration(dof.scored.train),
+                                      duration(dof.scored.held_out))});
+    page.sections.push_back(SectionOf(dof));
+  }
+  page.footer =
+      "MAE and NMAE are of the velocity, from a free-running simulation over the command alone, "
+      "started at the first measured speed of each segment (docs/models.md). Bars are 95 % "
+      "intervals.";
+  return page;
+}
+
+}  // namespace fathom

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/comparison.h"
+#include "fathom/report/page.h"
+#include "fathom/report/panel.h"
+#include "fathom/report/table.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// "LS pose estimator", "Output error camera": as the paper's Table II names its rows.
+std::string ModelName(const Identification& identification);
+
+// The paper's Table II for one DOF, with 95 % intervals' standard deviations and held-out figures.
+// The usable row with the least error on unseen data (or, where none is held out, on the training
+// data) is flagged best.
+Table ParameterTable(const DofComparison& comparison);
+
+// The paper's Fig. 5 for one DOF: what was measured against each usable model's free run, over the
+// whole log, in seconds since its first sample.
+TimePanel ResponsePanel(const DofComparison& comparison);
+
+// One small plot per parameter: each usable model's value with its interval.
+std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison);
+
+// All of it on one page.
+Page ComparisonPage(const Comparison& comparison);
+
+}  // namespace fathom

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/identification.h"
+
+#include "fathom/least_squares/least_squares.h"
+#include "fathom/simulate/prediction.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// The three summaries have these members in common.
+template <typename Summary>
+void TakeOver(const Summary& summary, Identification* identification) {
+  identification->is_usable = summary.IsUsable();
+  identification->message = summary.message;
+  identification->fitted.model = summary.model;
+  identification->fitted.covariance = summary.covariance;
+  identification->fitted.caveats = summary.caveats;
+}
+
+// A model that misses almost all of the motion is no model, whatever its intervals say.
+void DescribeFigures(FittedModel* fitted) {
+  constexpr double kExplainsLittle = 0.8;
+  const double nmae = fitted->train.nmae;
+  if (!std::isfinite(nmae)) {
+    fitted->caveats.push_back("Its free-running simulation diverges: it cannot predict.");
+  } else if (nmae > kExplainsLittle) {
+    fitted->caveats.push_back(
+        fmt::format("Its free run misses {:.0f} % of the motion it was fitted to: this model "
+                    "explains next to nothing of these data. Look at the warnings first.",
+                    100.0 * nmae));
+  }
+}
+
+}  // namespace
+
+Identification Identify(const Signals& signals,
+                        const Signals& scored,
+                        Family family,
+                        const IdentificationOptions& options) {
+  Identification result;
+  result.family = family;
+  result.source = signals.source;
+  result.fitted.dof = signals.dof;
+  result.fitted.force_unit = signals.force_unit;
+  switch (family) {
+    case Family::kLeastSquares:
+      TakeOver(FitLeastSquares(signals.train), &result);
+      break;
+    case Family::kAdaptive:
+      TakeOver(FitAdaptive(signals.train, options.adaptive), &result);
+      break;
+    case Family::kOutputError: {
+      // Poses are fitted as they are: no derivative between image and model.
+      OutputErrorOptions output_error = options.output_error;
+      output_error.output =
+          signals.source == Source::kCamera ? FittedOutput::kPosition : FittedOutput::kVelocity;
+      TakeOver(FitOutputError(signals.train, output_error), &result);
+      break;
+    }
+  }
+  if (!result.is_usable) return result;
+  result.fitted.train = FiguresOf(result.fitted.model, scored.train);
+  result.fitted.held_out = FiguresOf(result.fitted.model, scored.held_out);
+  DescribeFigures(&result.fitted);
+  return result;
+}
+
+}  // namespace fathom

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/adaptive/adaptive.h"
+#include "fathom/comparison/family.h"
+#include "fathom/output_error/output_error.h"
+#include "fathom/signal/signals.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <string>
+
+namespace fathom {
+
+struct IdentificationOptions {
+  AdaptiveOptions adaptive;
+  OutputErrorOptions output_error;  // its output follows the source
+};
+
+// What one family made of one DOF's signals.
+struct Identification {
+  Family family = Family::kOutputError;
+  Source source = Source::kPoseEstimator;
+  bool is_usable = false;
+  std::string message;  // why it ended as it did, for a person
+  FittedModel fitted;   // its figures by free runs; NaN where not usable
+};
+
+// Fits one family to signals.train and scores it by free runs: on `scored`'s training segments and
+// on its held-out ones. `scored` is `signals` itself, or the same DOF from a better source, so that
+// models from several sources are measured with one yardstick.
+//
+// A fit that does not work does not throw: see the result. Throws InputError for broken options.
+Identification Identify(const Signals& signals,
+                        const Signals& scored,
+                        Family family,
+                        const IdentificationOptions& options = {});
+
+}  // namespace fathom

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/identification_text.h"
+
+#include "fathom/report/format_value.h"
+#include "fathom/report/table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNormal95 = 1.96;
+
+std::string IntervalText(double value, double std, double lower_bound) {
+  if (!std::isfinite(std)) return "-";
+  return fmt::format(
+      "{:.4g} ... {:.4g}", std::max(lower_bound, value - kNormal95 * std), value + kNormal95 * std);
+}
+
+std::string FiguresText(const char* where, const FitFigures& figures, std::string_view unit) {
+  if (!std::isfinite(figures.nmae)) return "";
+  return fmt::format("{:<9} MAE {:.5f} {}, NMAE {:.4f}   ({} samples, {:.0f} s)\n",
+                     where,
+                     figures.mae,
+                     unit,
+                     figures.nmae,
+                     figures.num_samples,
+                     figures.duration);
+}
+
+}  // namespace
+
+Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator) {
+  const ParameterVector p = ToVector(fitted.model);
+  const double ratio = p[numerator] / p[denominator];
+  ParameterVector gradient = ParameterVector::Zero();
+  gradient[numerator] = 1.0 / p[denominator];
+  gradient[denominator] = -ratio / p[denominator];
+  return {ratio, std::sqrt(gradient.dot(fitted.covariance * gradient))};
+}
+
+std::string FormatIdentification(const Identification& identification) {
+  const FittedModel& fitted = identification.fitted;
+  std::string text = fmt::format("{} by {} from {}: {}\n",
+                                 Name(fitted.dof),
+                                 Name(identification.family),
+                                 Name(identification.source),
+                                 identification.message);
+  if (!identification.is_usable) return text;
+
+  Table table;
+  table.columns = {{"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}};
+  const ParameterVector values = ToVector(fitted.model);
+  const auto add = [&](const std::string& name,
+                       double value,
+                       double std,
+                       const std::string& unit,
+                       double lower_bound) {
+    table.rows.push_back(
+        {{name, FormatValue(value, std), unit, IntervalText(value, std, lower_bound)}});
+  };
+  for (int i = 0; i < kNumParameters; ++i) {
+    add(kParameterInfo[i].name,
+        values[i],
+        std::sqrt(fitted.covariance(i, i)),
+        ParameterUnit(i, fitted.dof, fitted.force_unit),
+        kParameterInfo[i].lower_bound);
+  }
+  const bool has_si_force = fitted.force_unit == ForceUnit(fitted.dof);
+  if (!has_si_force) {
+    const Ratio linear = RatioOf(fitted, kLinearDamping, kInertia);
+    const Ratio quadratic = RatioOf(fitted, kQuadraticDamping, kInertia);
+    const char* const per_length = IsAngular(fitted.dof) ? "1/rad" : "1/m";
+    add("linear_damping / inertia", linear.value, linear.std, "1/s", 0.0);
+    add("quadratic_damping / inertia", quadratic.value, quadratic.std, per_length, 0.0);
+  }
+  text += FormatTable(table);
+  if (!has_si_force) {
+    text += fmt::format(
+        "The command is in {}, not in {}: only the ratios are of the vehicle; the other figures "
+        "carry the unknown thrust per {}.\n",
+        fitted.force_unit,
+        ForceUnit(fitted.dof),
+        fitted.force_unit);
+  }
+  text += FiguresText("train", fitted.train, VelocityUnit(fitted.dof));
+  text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));
+  for (const std::string& caveat : fitted.caveats) text += fmt::format("note: {}\n", caveat);
+  return text;
+}
+
+}  // namespace fathom

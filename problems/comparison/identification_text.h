@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/identification.h"
+
+#include <string>
+
+namespace fathom {
+
+// One family's result for a terminal: parameters with 95 % intervals, ratios where the command's
+// unit leaves only those meaningful, figures of fit, and what the intervals do not say.
+std::string FormatIdentification(const Identification& identification);
+
+// A ratio of two parameters with its standard deviation, by the delta method.
+struct Ratio {
+  double value = 0.0;
+  double std = 0.0;
+};
+Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator);
+
+}  // namespace fathom
