@@ -13,6 +13,13 @@
 
 namespace fathom {
 
+// A velocity stream as segments at every one of its stamps: a silence of over `longest_gap` [s]
+// starts a new one. For predictions; an identifier's segments come from SignalsOf().
+std::vector<Segment> SegmentsAtEveryStamp(const std::vector<double>& time,
+                                          const std::vector<double>& velocity,
+                                          const HeldCommand& command,
+                                          double longest_gap);
+
 // The velocity that `model` predicts at the stamps of `segment` from its command alone, started
 // from the segment's first measured velocity: a free run, the measurement never enters again.
 // Nothing if the simulation diverges.

@@ -30,6 +30,15 @@ TEST(PredictVelocity, StartsFromTheFirstMeasuredSpeedAndRunsFree) {
   EXPECT_DOUBLE_EQ((*predicted)[2], 2.5);
 }
 
+TEST(SegmentsAtEveryStamp, StartAnewAfterASilenceAndKeepEveryStamp) {
+  const auto segments =
+      SegmentsAtEveryStamp({0.0, 1.0, 31.0, 61.5, 62.0}, {1, 2, 3, 4, 5}, {{0.5}, {7.0}}, 30.0);
+  ASSERT_EQ(segments.size(), 2u);
+  EXPECT_EQ(segments[0].time, (std::vector<double>{0.0, 1.0, 31.0}));
+  EXPECT_EQ(segments[1].velocity, (std::vector<double>{4, 5}));
+  EXPECT_EQ(segments[1].command.value, (std::vector<double>{7.0}));
+}
+
 TEST(FiguresOf, FollowEquations10And11OfThePaperOverAllSegments) {
   // Predicted 0.5, 1.5, 2.5 and -1, 0, 1: errors 0, 0.5, 0.5 and 0, 0.2, 0.
   const std::vector<Segment> segments = {SegmentWith({0.5, 2.0, 2.0}),

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every identifier family on every source of a log, in one table: the paper's Table II and Fig. 5.
+
+#include "fathom/base/output_file.h"
+#include "fathom/comparison/comparison.h"
+#include "fathom/comparison/comparison_file.h"
+#include "fathom/comparison/comparison_page.h"
+#include "fathom/report/figure.h"
+#include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/tool.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(dofs, "", "Comma-separated; the log's excited DOFs if not given.");
+DEFINE_string(families,
+              "",
+              "Comma-separated: least_squares, adaptive, output_error; all if not given.");
+DEFINE_string(sources,
+              "",
+              "Comma-separated: pose_estimator, camera; what the log has if not given.");
+DEFINE_string(json, "", "Write the rows to this JSON file.");
+DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_string(figures,
+              "",
+              "Write <dof>_response.svg and <dof>_parameters.svg (and .png) into this folder.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_compare",
+    "Compares identifier families and sources on one log, scored by free-running simulation.",
+    "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
+    "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
+    "The row that predicts best on held-out data is marked *, one without a usable model !. Exit "
+    "code 2: a DOF without a usable model."};
+
+ComparisonOptions OptionsFromFlags() {
+  ComparisonOptions options;
+  for (const auto& name : SplitAtCommas(FLAGS_dofs)) options.dofs.push_back(ParseDof(name));
+  for (const auto& name : SplitAtCommas(FLAGS_families)) {
+    options.families.push_back(ParseFamily(name));
+  }
+  for (const auto& name : SplitAtCommas(FLAGS_sources)) {
+    options.sources.push_back(ParseSource(name));
+  }
+  options.identification = IdentificationOptionsFromFlags();
+  return options;
+}
+
+void Print(const DofComparison& dof) {
+  std::printf("%s", FormatTable(ParameterTable(dof)).c_str());
+  for (const Finding& finding : dof.findings) {
+    std::printf("%s: %s\n",
+                finding.severity == Severity::kWarning ? "WARNING" : "note",
+                finding.sentence.c_str());
+  }
+  for (const std::string& remark : dof.remarks) std::printf("note: %s\n", remark.c_str());
+  for (const Identification& row : dof.rows) {
+    if (!row.is_usable) std::printf("! %s: %s\n", ModelName(row).c_str(), row.message.c_str());
+    for (const std::string& caveat : row.fitted.caveats) {
+      std::printf("note: %s: %s\n", ModelName(row).c_str(), caveat.c_str());
+    }
+  }
+  std::printf("\n");
+}
+
+void WriteFigures(const DofComparison& dof, const std::string& folder) {
+  for (const char* extension : {"svg", "png"}) {
+    WriteFigure(ResponsePanel(dof),
+                fmt::format("{}/{}_response.{}", folder, Name(dof.dof), extension));
+    WriteFigure(ParameterPanels(dof),
+                fmt::format("{}/{}_parameters.{}", folder, Name(dof.dof), extension));
+  }
+}
+
+int Run() {
+  const ComparisonOptions options = OptionsFromFlags();
+  RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  std::optional<Dof> dof;
+  if (options.dofs.size() == 1) dof = options.dofs.front();
+  const Comparison comparison = Compare(ReadLogFromFlags(FLAGS_log, dof), options);
+  for (const DofComparison& part : comparison.dofs) Print(part);
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));
+  if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(ComparisonPage(comparison)));
+  if (!FLAGS_figures.empty()) {
+    for (const DofComparison& part : comparison.dofs) WriteFigures(part, FLAGS_figures);
+  }
+  const bool all_usable =
+      std::all_of(comparison.dofs.begin(), comparison.dofs.end(), [](const DofComparison& part) {
+        return std::any_of(part.rows.begin(), part.rows.end(), [](const Identification& row) {
+          return row.is_usable;
+        });
+      });
+  return all_usable ? 0 : 2;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }

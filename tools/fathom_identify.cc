@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One DOF's model from one log, or from several together, by one identifier family.
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/output_file.h"
+#include "fathom/comparison/comparison.h"
+#include "fathom/comparison/identification_text.h"
+#include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/tool.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+DEFINE_string(family, "output_error", "least_squares, adaptive or output_error.");
+DEFINE_string(source, "", "pose_estimator or camera; the best the log has if not given.");
+DEFINE_string(model, "", "Write the model to this JSON file.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_identify",
+    "Identifies the motion model of one degree of freedom from logs.",
+    "--log=LOG[,LOG...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
+    "[--model=FILE]",
+    "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
+    "Several logs are fitted together, each with an initial state of its own."};
+
+Dof DofFromFlagOrLog(const Log& log) {
+  if (!FLAGS_dof.empty()) return ParseDof(FLAGS_dof);
+  if (log.dofs.size() == 1) return log.dofs.front();
+  throw InputError(
+      fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
+}
+
+Source SourceFromFlagOrLog(const Log& log, Dof dof) {
+  if (!FLAGS_source.empty()) return ParseSource(FLAGS_source);
+  const auto sources = SourcesOf(log, dof);
+  return sources.empty() ? Source::kPoseEstimator : sources.front();
+}
+
+// The signals of all logs as one, a segment each or more.
+Signals SignalsFromFlags(Dof* dof) {
+  std::optional<Dof> given;
+  if (!FLAGS_dof.empty()) given = ParseDof(FLAGS_dof);
+  Signals all;
+  bool is_first = true;
+  for (const std::string& path : SplitAtCommas(FLAGS_log)) {
+    const Log log = ReadLogFromFlags(path, given);
+    *dof = DofFromFlagOrLog(log);
+    Signals signals = SignalsOf(log, *dof, {.source = SourceFromFlagOrLog(log, *dof)});
+    if (is_first) {
+      all = std::move(signals);
+      is_first = false;
+      continue;
+    }
+    if (signals.force_unit != all.force_unit || signals.source != all.source) {
+      throw InputError(fmt::format(
+          "{}: its command unit or source differs from the first log's ({} from {}, expected {} "
+          "from {}).",
+          path,
+          signals.force_unit,
+          Name(signals.source),
+          all.force_unit,
+          Name(all.source)));
+    }
+    const auto append = [](auto* to, auto& from) {
+      to->insert(to->end(), from.begin(), from.end());
+    };
+    append(&all.train, signals.train);
+    append(&all.held_out, signals.held_out);
+    append(&all.remarks, signals.remarks);
+  }
+  return all;
+}
+
+int Run() {
+  RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  const Family family = ParseFamily(FLAGS_family);
+  const IdentificationOptions options = IdentificationOptionsFromFlags();
+  Dof dof = Dof::kSurge;
+  const Signals signals = SignalsFromFlags(&dof);
+  for (const std::string& remark : signals.remarks) std::printf("note: %s\n", remark.c_str());
+  for (const Finding& finding : CheckSanity(signals)) {
+    std::printf("%s: %s\n",
+                finding.severity == Severity::kWarning ? "WARNING" : "note",
+                finding.sentence.c_str());
+  }
+  Identification result = Identify(signals, signals, family, options);
+  std::printf("%s", FormatIdentification(result).c_str());
+  if (!result.is_usable) {
+    std::fprintf(stderr, "fathom_identify: no usable model: %s\n", result.message.c_str());
+    return 2;
+  }
+  if (!FLAGS_model.empty()) {
+    result.fitted.provenance = {{"log", FLAGS_log},
+                                {"family", std::string(Name(family))},
+                                {"source", std::string(Name(result.source))},
+                                {"velocity", FLAGS_velocity},
+                                {"version", FATHOM_VERSION}};
+    WriteFile(FLAGS_model, FormatModel(result.fitted));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }

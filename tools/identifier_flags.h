@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/identification.h"
+#include "fathom/log/log.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gflags/gflags_declare.h>
+
+// Flags that the identifying tools share.
+DECLARE_string(log);
+DECLARE_string(velocity);
+DECLARE_string(gains);
+DECLARE_string(integrator);
+DECLARE_double(huber);
+DECLARE_double(shooting_window);
+
+namespace fathom {
+
+// Splits at commas; empty for an empty text.
+std::vector<std::string> SplitAtCommas(const std::string& text);
+
+// Options of the families as --gains, --integrator, --huber and --shooting_window say. Throws
+// InputError for a value that cannot be used.
+IdentificationOptions IdentificationOptionsFromFlags();
+
+// Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
+// says how, and prints the reader's remarks to stderr.
+Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof);
+
+}  // namespace fathom
