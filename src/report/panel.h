@@ -17,7 +17,7 @@ namespace fathom {
 struct Series {
   std::string name;
   std::vector<double> values;
-  std::string note;  // shown beside the name: "MAE 0.012 m/s"
+  std::string note = {};  // shown beside the name: "MAE 0.012 m/s"
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus
@@ -28,12 +28,12 @@ struct TimePanel {
   std::string unit;          // "m/s"; may be empty
   std::vector<double> time;  // [s], not decreasing; every series has a value for each stamp
 
-  std::optional<Series> measured;
-  std::vector<Series> responses;
+  std::optional<Series> measured = {};
+  std::vector<Series> responses = {};
 
-  std::vector<TimeInterval> held_out;  // shaded and labelled
-  bool is_stepped = false;             // values hold until the next stamp, as commands do
-  bool has_residuals = true;           // without `measured` there are none
+  std::vector<TimeInterval> held_out = {};  // shaded and labelled
+  bool is_stepped = false;                  // values hold until the next stamp, as commands do
+  bool has_residuals = true;                // without `measured` there are none
 };
 
 // A number as one way of estimating it gave it. NaN in `value` is no answer, NaN in `std` an answer
@@ -48,8 +48,8 @@ struct Estimate {
 struct ParameterPanel {
   std::string name;  // "inertia"
   std::string unit;  // "kg"; may be empty
-  std::vector<Estimate> estimates;
-  std::optional<double> reference;  // a line across: the truth, a value from a data sheet
+  std::vector<Estimate> estimates = {};
+  std::optional<double> reference = {};  // a line across: the truth, a value from a data sheet
   std::string reference_name = "truth";
 };
 

@@ -30,9 +30,9 @@ struct Table {
 // a best row and "! " before an unusable one where there is such a row. UTF-8; a character counts
 // as one column wide. Ends with a newline.
 //
-//     DOF    family          inertia [kg]
-//     -----  -------------  -------------
-//   * surge  output_error   890.3 ±   4.2
+//     DOF    family        inertia [kg]
+//     -----  ------------  ------------
+//   * surge  output_error   890.3 ± 4.2
 //   ! surge  adaptive           -
 std::string FormatTable(const Table& table);
 

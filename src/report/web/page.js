@@ -104,7 +104,7 @@
       axes: [
         hasTimeLabel ? {...axis, label: `time [s]${offset}`, labelSize: 20, size: 30}
                      : {...axis, size: 10, values: (_, ticks) => ticks.map(() => "")},
-        {...axis, label, labelSize: 22, size: AXIS_WIDTH - 22, space: 32},
+        {...axis, label, labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
       ],
       series: [{}, ...series.map((one) => ({
         label: one.name,
@@ -270,7 +270,7 @@
     const plots = drawn.flatMap((one) => one.plots);
     findings.charts = plots.length;
     findings.charts_drawn = plots.filter(isDrawn).length;
-    findings.scripts_and_styles_loaded = performance.getEntriesByType("resource").length;
+    findings.resources_loaded = performance.getEntriesByType("resource").length;
 
     const {curves, legend, plots: [response, residual], group} = drawn[0];
     const curve = curves[curves.length - 1];
@@ -291,7 +291,7 @@
     mouse(response.over, "mousemove", response, width / 2, 50);
     await frame();
     findings.read_out = legend.textContent;
-    findings.other_cursors = group.plots.filter((plot) => plot.cursor.left > 0).length;
+    findings.charts_with_cursor = group.plots.filter((plot) => plot.cursor.left > 0).length;
 
     mouse(response.over, "mousedown", response, width / 4, 50);
     mouse(response.over, "mousemove", response, width / 2, 50);

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/report/format_value.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(FormatValue, GivesTwoDigitsToTheDeviationAndEndsTheValueThere) {
+  EXPECT_EQ(FormatValue(890.34, 4.23), "890.3 ± 4.2");
+  EXPECT_EQ(FormatValue(-890.34, 42.3), "-890 ± 42");
+  EXPECT_EQ(FormatValue(0.12345, 0.0067), "0.1235 ± 0.0067");
+  EXPECT_EQ(FormatValue(12347.0, 231.0), "12350 ± 230");
+}
+
+TEST(FormatValue, RoundsTheDeviationUpToANewDigit) {
+  EXPECT_EQ(FormatValue(890.34, 0.0996), "890.34 ± 0.10");
+  EXPECT_EQ(FormatValue(890.34, 99.7), "890 ± 100");
+}
+
+TEST(FormatValue, ShowsAValueThatDrownsInItsDeviationWithoutASign) {
+  EXPECT_EQ(FormatValue(-0.04, 1.3), "0.0 ± 1.3");
+}
+
+TEST(FormatValue, TakesAPowerOfTenOutOfVerySmallAndVeryLargeNumbers) {
+  EXPECT_EQ(FormatValue(1.2343e-5, 5.6e-7), "(1.234 ± 0.056)e-05");
+  EXPECT_EQ(FormatValue(1234567.0, 8900.0), "(1.2346 ± 0.0089)e+06");
+}
+
+TEST(FormatValue, LimitsTheDigitsOfAValueThatIsKnownAlmostExactly) {
+  EXPECT_EQ(FormatValue(890.3, 1e-9), "890.3 ± 1e-09");
+}
+
+TEST(FormatValue, GivesFourDigitsToAValueWithoutADeviation) {
+  EXPECT_EQ(FormatValue(890.34), "890.3");
+  EXPECT_EQ(FormatValue(12345.6), "12346");
+  EXPECT_EQ(FormatValue(0.99996), "1.000");
+  EXPECT_EQ(FormatValue(0.0), "0");
+  EXPECT_EQ(FormatValue(1.5e-7), "1.500e-07");
+}
+
+TEST(FormatValue, ShowsWhatIsMissingOrUnbounded) {
+  EXPECT_EQ(FormatValue(kNan), "-");
+  EXPECT_EQ(FormatValue(kNan, 1.0), "-");
+  EXPECT_EQ(FormatValue(5.0, kInfinity), "5.000 ± inf");
+  EXPECT_EQ(FormatValue(-kInfinity), "-inf");
+  EXPECT_EQ(FormatValue(5.0, 0.0), "5.000 ± 0");
+}
+
+}  // namespace
+}  // namespace fathom
