@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/simulate/experiment.h"
+#include "fathom/simulate/random_stream.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// When a sensor measures and how many of its measurements arrive.
+struct SampleTimes {
+  std::vector<double> time;       // since the start [s], strictly increasing, whole microseconds
+  std::vector<bool> has_arrived;  // false within a drop-out
+  int num_drop_outs = 0;
+  int num_lost = 0;
+};
+
+// Samples of `duration` seconds on a jittered grid, the first at 0 or just after. `purpose` names
+// the streams of random numbers: "velocity".
+SampleTimes DrawSampleTimes(const Sampling& sampling,
+                            double duration,
+                            std::uint64_t seed,
+                            const std::string& purpose);
+
+// Stationary normal noise of standard deviation 1 from sample to sample:
+//
+//   x_0 = e_0,   x_k = a x_{k-1} + sqrt(1 - a^2) e_k,   e white   docs/synthesize.md (8)
+class CorrelatedNoise {
+ public:
+  CorrelatedNoise(RandomStream random, double correlation)
+      : random_(random), correlation_(correlation) {}
+
+  double Next();
+
+ private:
+  RandomStream random_;
+  double correlation_;
+  double last_ = 0.0;
+  bool is_first_ = true;
+};
+
+}  // namespace fathom
