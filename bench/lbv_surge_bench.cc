@@ -25,27 +25,25 @@ constexpr UncoupledModel<double> kAuthorLeastSquares = {12.680732, 0.242507, 3.6
 constexpr UncoupledModel<double> kAuthorAdaptive = {14.874439, 0.479508, 4.346772, -0.023562};
 constexpr double kAuthorShift = 2.2;  // [s]
 
-double HeldOutNmae(const UncoupledModel<double>& model, Signals signals, double shift) {
-  for (Segment& segment : signals.held_out) {
-    for (double& t : segment.command.time) t += shift;
-  }
-  return FiguresOf(model, signals.held_out).nmae;
+double HeldOutNmae(const UncoupledModel<double>& model, Log log, double shift) {
+  for (double& t : log.command->time) t += shift;
+  return FiguresOf(model, SignalsOf(log, Dof::kSurge).held_out).nmae;
 }
 
 int Run(const std::filesystem::path& folder) {
   ReadLogOptions options;
   options.velocity = folder / "author_velocity.csv";
-  const Signals signals = SignalsOf(ReadLog(folder, options), Dof::kSurge);
-  const OutputErrorSummary summary = FitOutputError(signals.train);
+  const Log log = ReadLog(folder, options);
+  const OutputErrorSummary summary = FitOutputError(SignalsOf(log, Dof::kSurge).train);
   std::printf("lbv_surge, surge, NMAE of the free run in the held-out interval\n");
   const auto print = [](const char* name, double nmae) { std::printf("%-46s %.3f\n", name, nmae); };
-  print("output error, trained outside, no shift", HeldOutNmae(summary.model, signals, 0.0));
+  print("output error, trained outside, no shift", HeldOutNmae(summary.model, log, 0.0));
   print("author's least squares, his shift of 2.2 s",
-        HeldOutNmae(kAuthorLeastSquares, signals, kAuthorShift));
+        HeldOutNmae(kAuthorLeastSquares, log, kAuthorShift));
   print("author's adaptive law, his shift of 2.2 s",
-        HeldOutNmae(kAuthorAdaptive, signals, kAuthorShift));
-  print("author's least squares, no shift", HeldOutNmae(kAuthorLeastSquares, signals, 0.0));
-  print("author's adaptive law, no shift", HeldOutNmae(kAuthorAdaptive, signals, 0.0));
+        HeldOutNmae(kAuthorAdaptive, log, kAuthorShift));
+  print("author's least squares, no shift", HeldOutNmae(kAuthorLeastSquares, log, 0.0));
+  print("author's adaptive law, no shift", HeldOutNmae(kAuthorAdaptive, log, 0.0));
   return summary.IsUsable() ? 0 : 2;
 }
 
