@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/log.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "run_tool.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kData = FATHOM_DATA_DIR;
+const std::string kVehicle = "--vehicle=" + kData + "/vehicles/flatfish.yaml";
+const std::string kExperiment = "--experiment=" + kData + "/experiments/table1.yaml";
+
+const char kShortExperiment[] = R"(name: short
+duration: 4
+command_rate: 10
+surge: {control: open_loop, input: {kind: sine, amplitude: 50, frequency: 1}}
+velocity: {rate: 10, noise: {surge: 0.01}}
+)";
+
+ToolRun Synthesize(const std::vector<std::string>& arguments) {
+  return RunToolBinary("fathom_synthesize", arguments);
+}
+
+std::string Bytes(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// Names of what is in a folder.
+std::vector<std::string> Entries(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST(SynthesizeTool, WritesTheBundledLogAgainByteForByte) {
+  const fs::path out = EmptyTestFolder() / "flatfish";
+  const ToolRun run = Synthesize({kVehicle, kExperiment, "--seed=1", "--out=" + out.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const std::string file : {"log.yaml", "command.csv", "velocity.csv"}) {
+    const std::string bundled = Bytes(kData + "/flatfish/" + file);
+    EXPECT_GT(bundled.size(), 100u) << file;
+    EXPECT_TRUE(bundled == Bytes(out / file)) << file << " differs from the bundled one";
+  }
+  EXPECT_THAT(Entries(out), testing::SizeIs(3));
+}
+
+TEST(SynthesizeTool, SaysWhatItWroteAndWritesALogThatReads) {
+  const fs::path out = EmptyTestFolder() / "log/";
+  const ToolRun run = Synthesize({kVehicle, kExperiment, "--seed", "5", "--out", out.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const Log log = ReadLog(out);
+  EXPECT_THAT(log.dofs, testing::ElementsAre(Dof::kSurge, Dof::kHeave, Dof::kYaw));
+  EXPECT_EQ(log.command->time.size(), 3000u);
+  EXPECT_THAT(
+      run.out,
+      AllOf(HasSubstr("300 s of surge heave yaw, vehicle FlatFish, seed 5"),
+            HasSubstr("command.csv  3000 rows"),
+            HasSubstr("velocity.csv " + std::to_string(log.velocity->time.size()) + " rows"),
+            HasSubstr("drop-outs took " + std::to_string(3000 - log.velocity->time.size()) +
+                      " of 3000 samples")));
+}
+
+TEST(SynthesizeTool, ReplacesALogOnlyWhenTold) {
+  const fs::path folder = EmptyTestFolder();
+  const std::string experiment =
+      "--experiment=" + WriteTestFile(folder / "e.yaml", kShortExperiment).string();
+  const std::string out = "--out=" + (folder / "log").string();
+  ASSERT_EQ(Synthesize({kVehicle, experiment, out}).exit_code, 0);
+  const std::string first = Bytes(folder / "log/velocity.csv");
+
+  const ToolRun refused = Synthesize({kVehicle, experiment, out, "--seed=2"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("is not empty"), HasSubstr("--overwrite")));
+  EXPECT_EQ(Bytes(folder / "log/velocity.csv"), first);
+
+  EXPECT_EQ(Synthesize({kVehicle, experiment, out, "--seed=2", "--overwrite"}).exit_code, 0);
+  EXPECT_NE(Bytes(folder / "log/velocity.csv"), first);
+}
+
+TEST(SynthesizeTool, NeverReplacesAFolderThatIsNoLog) {
+  const fs::path folder = EmptyTestFolder();
+  WriteTestFile(folder / "precious/thesis.txt", "years");
+  const ToolRun run =
+      Synthesize({kVehicle, kExperiment, "--overwrite", "--out=" + (folder / "precious").string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("holds no log"));
+  EXPECT_EQ(Bytes(folder / "precious/thesis.txt"), "years");
+}
+
+TEST(SynthesizeTool, LeavesNothingBehindWhenItFails) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path experiment = WriteTestFile(
+      folder / "e.yaml",
+      "name: sway\nduration: 4\ncommand_rate: 10\nvelocity: {rate: 10}\n"
+      "sway: {control: open_loop, input: {kind: sine, amplitude: 50, frequency: 1}}\n");
+  const ToolRun run = Synthesize(
+      {kVehicle, "--experiment=" + experiment.string(), "--out=" + (folder / "log").string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err,
+              AllOf(StartsWith("fathom_synthesize: vehicle 'FlatFish': has no model of sway"),
+                    HasSubstr("'sway' drives it")));
+  EXPECT_THAT(Entries(folder), testing::ElementsAre("e.yaml"));
+}
+
+TEST(SynthesizeTool, NamesFileLineAndKeyOfABadExperiment) {
+  const fs::path folder = EmptyTestFolder();
+  const auto message = [&](const std::string& text) {
+    const fs::path file = WriteTestFile(folder / "e.yaml", text);
+    const ToolRun run = Synthesize(
+        {kVehicle, "--experiment=" + file.string(), "--out=" + (folder / "log").string()});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_FALSE(fs::exists(folder / "log"));
+    return run.err;
+  };
+  std::string text = kShortExperiment;
+  EXPECT_THAT(message(text + "colour: red\n"), AllOf(HasSubstr("e.yaml:6: "), HasSubstr("colour")));
+  EXPECT_THAT(message("duration: 4\n"), AllOf(HasSubstr("e.yaml:1: "), HasSubstr("name")));
+  text.replace(text.find("duration: 4"), 11, "duration: four");
+  EXPECT_THAT(message(text), AllOf(HasSubstr("e.yaml:2: key 'duration'"), HasSubstr("'four'")));
+  EXPECT_THAT(message(""), HasSubstr("e.yaml"));
+}
+
+TEST(SynthesizeTool, NamesFileAndKeyOfABadVehicle) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path vehicle = WriteTestFile(
+      folder / "v.yaml",
+      "name: a\nmass: 1\nsize: [1, 1, 1]\nmodels:\n  surge: {inertia: -3, quadratic_damping: 1, "
+      "linear_damping: 1}\n");
+  const std::string out = "--out=" + (folder / "log").string();
+  EXPECT_THAT(Synthesize({"--vehicle=" + vehicle.string(), kExperiment, out}).err,
+              AllOf(HasSubstr("v.yaml:5: key 'models.surge.inertia'"), HasSubstr("-3")));
+  const ToolRun missing =
+      Synthesize({"--vehicle=" + (folder / "none.yaml").string(), kExperiment, out});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_THAT(missing.err, HasSubstr("none.yaml"));
+}
+
+TEST(SynthesizeTool, RefusesAPlaceThatCannotBeWritten) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path file = WriteTestFile(folder / "file", "text");
+  const ToolRun is_file = Synthesize({kVehicle, kExperiment, "--out=" + file.string()});
+  EXPECT_EQ(is_file.exit_code, 1);
+  EXPECT_THAT(is_file.err, HasSubstr("is a file"));
+  const ToolRun below = Synthesize({kVehicle, kExperiment, "--out=" + (file / "log").string()});
+  EXPECT_EQ(below.exit_code, 1);
+  EXPECT_THAT(below.err, HasSubstr("cannot write"));
+  EXPECT_EQ(Bytes(file), "text");
+}
+
+// The frame that all tools share, tools/tool.h.
+
+TEST(RunTool, RefusesBadFlagsWithExitCode1) {
+  const auto expect_refusal = [](const std::vector<std::string>& arguments,
+                                 const std::string& message) {
+    const ToolRun run = Synthesize(arguments);
+    EXPECT_EQ(run.exit_code, 1) << message;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err, "fathom_synthesize: " + message + "\n");
+  };
+  expect_refusal({"--sed=1"}, "--sed: there is no such flag. See fathom_synthesize --help.");
+  expect_refusal({"--minloglevel=0"},
+                 "--minloglevel: there is no such flag. See fathom_synthesize --help.");
+  expect_refusal({"--seed=one"}, "--seed: is 'one', expected a whole number, at least 0.");
+  expect_refusal({"--seed=-1"}, "--seed: is '-1', expected a whole number, at least 0.");
+  expect_refusal({"--seed"}, "--seed: has no value, expected a whole number, at least 0.");
+  expect_refusal({"--seed=1", "--seed=2"}, "--seed: is given twice, expected once.");
+  expect_refusal({"--overwrite=perhaps"}, "--overwrite: is 'perhaps', expected true or false.");
+  expect_refusal({"--noseed"}, "--noseed: there is no such flag. See fathom_synthesize --help.");
+  expect_refusal({"e.yaml"},
+                 "'e.yaml': is no flag, expected --name=value. See fathom_synthesize --help.");
+  expect_refusal({}, "--vehicle: is missing, expected a vehicle file.");
+  expect_refusal({kVehicle}, "--experiment: is missing, expected an experiment file.");
+  expect_refusal({kVehicle, kExperiment},
+                 "--out: is missing, expected the folder of the log to write.");
+}
+
+TEST(RunTool, PrintsItsOwnHelpAndVersion) {
+  const ToolRun help = Synthesize({"--seed=1", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_THAT(help.out,
+              AllOf(HasSubstr("Usage: fathom_synthesize"),
+                    HasSubstr("--seed (default 1)"),
+                    HasSubstr("Example:"),
+                    testing::Not(HasSubstr("minloglevel")),
+                    testing::Not(HasSubstr("flagfile"))));
+  const ToolRun version = Synthesize({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.out, testing::MatchesRegex("fathom_synthesize [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace fathom
