@@ -135,7 +135,9 @@
   const makeLegend = (group, panel, curves) => {
     const hasNotes = curves.some((curve) => curve.note);
     const legend = element("div", hasNotes ? "legend" : "legend one-line");
-    const timeFormat = formatterFor([[group.last - group.first]]);
+    // A stamp is told from the next one.
+    const step = (panel.time[panel.time.length - 1] - panel.time[0]) / (panel.time.length - 1) || 1;
+    const timeDecimals = Math.min(Math.max(Math.ceil(-Math.log10(step) - 0.01), 0), 5);
     const time = element("span", "time-read-out");
     const buttons = curves.map((curve) => {
       const button = element("button", "");
@@ -174,7 +176,7 @@
     const residualFormat = formatterFor(curves.map((curve) => curve.residual ?? []));
     legend.update = (index) => {
       const isOutside = index == null;
-      time.textContent = isOutside ? "" : `t = ${timeFormat(panel.time[index] + panel.time_offset)} s`;
+      time.textContent = isOutside ? "" : `t = ${(panel.time[index] + panel.time_offset).toFixed(timeDecimals)} s`;
       for (const {readOut, curve, atRest} of buttons) {
         let text = atRest;
         if (!isOutside) {
@@ -293,18 +295,31 @@
     findings.read_out = legend.textContent;
     findings.charts_with_cursor = group.plots.filter((plot) => plot.cursor.left > 0).length;
 
-    mouse(response.over, "mousedown", response, width / 4, 50);
-    mouse(response.over, "mousemove", response, width / 2, 50);
-    await frame();
-    mouse(document, "mouseup", response, width / 2, 50);
-    await frame();
-    findings.zoom = group.plots.map((plot) => `${plot.scales.x.min.toFixed(3)}..${plot.scales.x.max.toFixed(3)}`)
-      .join(" ");
-    findings.reset_shown = !legend.querySelector(".reset").hidden;
+    const shownTimes = () => group.plots.map(({scales: {x}}) => `${x.min.toFixed(3)}..${x.max.toFixed(3)}`).join(" ");
+    const drag = async () => {
+      mouse(response.over, "mousedown", response, width / 4, 50);
+      mouse(response.over, "mousemove", response, width / 2, 50);
+      await frame();
+      mouse(document, "mouseup", response, width / 2, 50);
+      await frame();
+    };
+    const reset = legend.querySelector(".reset");
+    await drag();
+    findings.zoom = shownTimes();
+    findings.reset_shown = !reset.hidden;
     mouse(response.over, "dblclick", response, width / 2, 50);
     await frame();
-    findings.zoom_reset = group.plots.map((plot) =>
-      `${plot.scales.x.min.toFixed(3)}..${plot.scales.x.max.toFixed(3)}`).join(" ");
+    findings.zoom_after_double_click = shownTimes();
+    await drag();
+    findings.zoom_again = shownTimes();
+    reset.click();
+    await frame();
+    findings.zoom_after_reset = shownTimes();
+    findings.reset_hidden = reset.hidden;
+    // One chart zoomed from within: the others follow.
+    group.plots[group.plots.length - 1].setScale("x", {min: group.first, max: group.first + 1});
+    await frame();
+    findings.zoom_from_last = shownTimes();
     findings.errors = errors.length;
     const text = Object.entries(findings).map(([name, value]) => `${name}=${value}`).join("\n");
     const report = element("pre", "", `${text}\nerror_texts=${errors.join("; ")}\n`);

@@ -126,7 +126,12 @@ TEST(Browser, DrawsTogglesZoomsAndReadsOutTheCharts) {
   EXPECT_EQ(zooms[1], zooms[0]);
   EXPECT_EQ(zooms[2], zooms[0]);
   EXPECT_EQ(findings["reset_shown"], "true");
-  EXPECT_EQ(findings["zoom_reset"], "0.000..299.900 0.000..299.900 0.000..299.900");
+  const std::string all = "0.000..299.900 0.000..299.900 0.000..299.900";
+  EXPECT_EQ(findings["zoom_after_double_click"], all);
+  EXPECT_EQ(findings["zoom_again"], findings["zoom"]);
+  EXPECT_EQ(findings["zoom_after_reset"], all);
+  EXPECT_EQ(findings["reset_hidden"], "true");
+  EXPECT_EQ(findings["zoom_from_last"], "0.000..1.000 0.000..1.000 0.000..1.000");
 }
 
 TEST(Browser, RunsNoScriptThatATextSmugglesIn) {
