@@ -243,6 +243,16 @@
     drawn.push({...one, group});
   }
 
+  // Paper is narrower than most windows.
+  const PAPER_WIDTH = 660;  // [px]
+  const fit = (widthOf) => {
+    for (const {plots} of drawn) {
+      for (const plot of plots) plot.setSize({width: widthOf(plot), height: plot.height});
+    }
+  };
+  window.addEventListener("beforeprint", () => fit(() => PAPER_WIDTH));
+  window.addEventListener("afterprint", () => fit((plot) => plot.root.parentElement.clientWidth));
+
   // Uses the first panel as a reader would and writes what happened into the page; for the tests.
   const selfTest = async () => {
     const frame = () => new Promise((done) => setTimeout(done, 60));
