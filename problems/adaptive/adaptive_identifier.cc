@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kSmallestAlpha = 1e-5;  // [1/kg]; no vehicle weighs more than 100 t
 
-constexpr int kAlpha = 1;  // its place in the state
-
 template <typename State>
 State Moved(const State& state, double h, const State& derivative) {
   State moved;
@@ -41,7 +39,6 @@ AdaptiveIdentifier::AdaptiveIdentifier(const AdaptiveOptions& options)
                                  fmt::join(problems, "; ")));
   }
   gains_ = *options.gains;
-  state_[kAlpha] = integrator_ == AdaptiveIntegrator::kEuler ? 0.0 : kSmallestAlpha;
 }
 
 void AdaptiveIdentifier::StartSegment() { segment_started_ = false; }
@@ -86,7 +83,6 @@ void AdaptiveIdentifier::Add(double t, double force, double velocity) {
     } else {
       StepRungeKutta(t - t_, velocity);
     }
-    state_[kAlpha] = std::max(state_[kAlpha], kSmallestAlpha);
     is_finite_ = is_finite_ && std::all_of(state_.begin(), state_.end(), [](double x) {
                    return std::isfinite(x);
                  });
@@ -100,7 +96,7 @@ void AdaptiveIdentifier::Add(double t, double force, double velocity) {
 UncoupledModel<double> AdaptiveIdentifier::Estimate() const {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   if (num_samples_ == 0 || !is_finite_) return {nan, nan, nan, nan};
-  const double alpha = std::max(state_[kAlpha], kSmallestAlpha);
+  const double alpha = std::max(state_[1], kSmallestAlpha);
   return {1.0 / alpha, -state_[2] / alpha, -state_[3] / alpha, -state_[4] / alpha};
 }
 

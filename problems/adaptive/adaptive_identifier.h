@@ -34,7 +34,7 @@ struct AdaptiveOptions {
 //   dPhi/dt   = -Lambda dv f                                                    (2)
 //
 //   f    (tau, v_hat|v_hat|, v_hat, 1)
-//   Phi  (alpha, beta, mu, nu), starts at 0; alpha is kept at or above 1e-5
+//   Phi  (alpha, beta, mu, nu), starts at 0
 //
 // Everything it knows is in the object: a few numbers, whatever the length of the stream; several
 // instances do not disturb each other.
@@ -51,8 +51,8 @@ class AdaptiveIdentifier {
   // new stretch of data.
   void StartSegment();
 
-  // m = 1/alpha, d_Q = -beta/alpha, d_L = -mu/alpha, b = -nu/alpha of the present Phi. NaN before
-  // the first sample.
+  // m = 1/alpha, d_Q = -beta/alpha, d_L = -mu/alpha, b = -nu/alpha of the present Phi, with an
+  // alpha of at least 1e-5. NaN before the first sample.
   UncoupledModel<double> Estimate() const;
 
   // v_hat at the last sample [m/s] or [rad/s].

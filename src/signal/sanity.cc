@@ -3,6 +3,7 @@
 
 #include "fathom/signal/sanity.h"
 
+#include "fathom/signal/autoregression.h"
 #include "fathom/signal/integral.h"
 
 #include <algorithm>
@@ -23,8 +24,9 @@ constexpr double kJitter = 0.3;         // of the median step
 constexpr double kGap = 5.0;            // median steps
 constexpr int kNumBatches = 16;
 constexpr double kPowerErrors = 3.0;      // standard errors below zero
-constexpr double kSignErrors = 4.0;       // the same for the correlation,
-constexpr double kSignCorrelation = 0.2;  // which must also be at least this large
+constexpr double kSignErrors = 4.0;       // the same for the slope,
+constexpr double kSignCorrelation = 0.2;  // with a correlation of at least this
+constexpr int kMaxNoiseOrder = 60;
 
 using Findings = std::vector<Finding>;
 
@@ -94,12 +96,7 @@ Eigen::VectorXd WithoutVelocity(const Eigen::VectorXd& v, const Eigen::VectorXd&
   return values - columns * columns.colPivHouseholderQr().solve(values);
 }
 
-double CorrelationAt(const Eigen::VectorXd& values, Eigen::Index lag) {
-  const Eigen::Index n = values.size() - lag;
-  return values.head(n).dot(values.tail(n)) / values.squaredNorm();
-}
-
-// Partial correlation of acceleration and force at equal velocity, docs/signal.md (11).
+// At equal velocity, acceleration against force; docs/signal.md (11).
 void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   std::vector<double> rows[3];
   for (const Segment& segment : segments) {
@@ -121,20 +118,33 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   const Eigen::VectorXd a = WithoutVelocity(v, column(0)), force = WithoutVelocity(v, column(2));
   if (!(a.squaredNorm() > 0.0 && force.squaredNorm() > 0.0)) return;
   const double correlation = a.dot(force) / (a.norm() * force.norm());
-  double inflation = 1.0;  // samples for each independent one
-  for (Eigen::Index lag = 1; lag < n / 5; ++lag) {
-    const double product = CorrelationAt(a, lag) * CorrelationAt(force, lag);
-    inflation += 2.0 * (1.0 - static_cast<double>(lag) / n) * product;
-  }
-  const double error = std::sqrt(std::max(inflation, 1.0) / static_cast<double>(n));
-  if (correlation > -kSignCorrelation || correlation > -kSignErrors * error) return;
+  const double slope = a.dot(force) / force.squaredNorm();
+  const Eigen::VectorXd residual = a - slope * force;
+  const std::vector<std::vector<double>> pieces = {{residual.begin(), residual.end()}};
+  const Autoregression noise =
+      FitAutoregression(pieces, std::min(kMaxNoiseOrder, static_cast<int>(n / 10)));
+  const double error = std::sqrt(ColouredGram(noise, force)(0, 0)) / force.squaredNorm();
+  if (correlation > -kSignCorrelation || slope > -kSignErrors * error) return;
   Warn("force_sign",
-       fmt::format("At equal velocity, force and acceleration have a correlation of {:.2f} +- "
-                   "{:.2f}: a push slows the vehicle down. Check the sign of the force and the "
+       fmt::format("At equal velocity a push slows the vehicle down: acceleration over force is "
+                   "{:.2g} +- {:.1g} (correlation {:.2f}). Check the sign of the force and the "
                    "clocks.",
-                   correlation,
-                   1.96 * error),
+                   slope,
+                   1.96 * error,
+                   correlation),
        findings);
+}
+
+// True if any command differs from the first. (Means over intervals would differ by rounding.)
+bool Varies(std::span<const Segment> segments) {
+  std::optional<double> first;
+  for (const Segment& segment : segments) {
+    for (const double value : segment.command.value) {
+      if (!first) first = value;
+      if (value != *first) return true;
+    }
+  }
+  return false;
 }
 
 void CheckStamps(const Samples& samples, Findings* findings) {
@@ -192,7 +202,7 @@ std::vector<Finding> CheckSanity(std::span<const Segment> segments,
                      VelocityUnit(dof)),
          &findings);
   }
-  const bool force_varies = samples.force.maxCoeff() > samples.force.minCoeff();
+  const bool force_varies = Varies(segments);
   const bool velocity_varies = samples.velocity.maxCoeff() > samples.velocity.minCoeff();
   if (!force_varies) {
     Warn("constant_command",

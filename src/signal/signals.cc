@@ -249,6 +249,7 @@ Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions
   segment.smoothed_velocity.assign(n, kNaN);
   segment.smoothed_force.assign(n, kNaN);
   LocalPolynomial fit(motion.time, filter);
+  if (fit.MoveTo(0)) segment.initial_velocity = fit.Apply(fit.Weights(0), motion.velocity);
   for (size_t i = 0; i < n; ++i) {
     if (!fit.MoveTo(i) || !fit.is_centred()) continue;
     const auto inside = motion.is_centred.begin() + static_cast<std::ptrdiff_t>(fit.first());

@@ -7,6 +7,7 @@
 #include "fathom/log/held_command.h"
 #include "fathom/log/log.h"
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,10 @@ struct Segment {
   // derivatives of the velocity, of the displacement and of the command's impulse
   // (docs/signal.md (3)). NaN near an end of the data, where the filter's window is one-sided and
   // its noise several times larger.
+
+  // Velocity at the first stamp, by a local polynomial over the samples behind it, so that the noise
+  // of one sample does not colour a whole free run. NaN if there are too few [m/s] or [rad/s].
+  double initial_velocity = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> acceleration;       // [m/s^2] or [rad/s^2]
   std::vector<double> smoothed_velocity;  // [m/s] or [rad/s]
   std::vector<double> smoothed_force;     // [N] or [N m]
