@@ -1,5 +1,5 @@
-# Fails if a header of HEADER_DIR does not compile alone, with the include directories that a user
-# of its target has, or brings in a library that belongs into .cc files. Run with cmake -P.
+# Fails if a header of HEADER_DIR needs an include directory that a user of its target does not
+# have, or brings in a library that belongs into .cc files. Run with cmake -P.
 
 cmake_minimum_required(VERSION 3.22)
 set(heavy ceres opencv2 opencv4 yaml-cpp nlohmann fmt glog gflags csv.h)
@@ -13,15 +13,12 @@ if(headers STREQUAL "")
 endif()
 foreach(header IN LISTS headers)
   file(WRITE ${SCRATCH}/alone.cc "#include \"fathom/${NAME}/${header}\"\n")
-  execute_process(
-    COMMAND ${COMPILER} -std=c++20 -fsyntax-only -MD -MF ${SCRATCH}/alone.d ${INCLUDE_DIRS}
-            ${SCRATCH}/alone.cc
-    RESULT_VARIABLE result ERROR_VARIABLE messages)
+  execute_process(COMMAND ${COMPILER} -std=c++20 -M ${INCLUDE_DIRS} ${SCRATCH}/alone.cc
+                  RESULT_VARIABLE result OUTPUT_VARIABLE files ERROR_VARIABLE messages)
   if(NOT result EQUAL 0)
-    message(SEND_ERROR "fathom/${NAME}/${header} does not compile alone:\n${messages}")
+    message(SEND_ERROR "fathom/${NAME}/${header} finds not all it includes:\n${messages}")
     continue()
   endif()
-  file(READ ${SCRATCH}/alone.d files)
   foreach(library IN LISTS heavy)
     if(files MATCHES "/include/${library}[/ \n]")
       message(SEND_ERROR "fathom/${NAME}/${header} brings in ${library}: "
