@@ -10,8 +10,7 @@ bin=build/release/tools
 
 scripts/install_dependencies.sh
 cmake --preset release
-cmake --build --preset release --parallel "$(nproc)" \
-  --target fathom_compare fathom_identify fathom_simulate
+cmake --build --preset release --parallel "$(nproc)" --target tools
 mkdir -p "$out"
 
 run() {
