@@ -14,10 +14,11 @@ namespace fathom {
 namespace {
 
 struct Row {
-  double acceleration, velocity, force;
+  double acceleration, velocity, square, force;
 
   bool IsFinite() const {
-    return std::isfinite(acceleration) && std::isfinite(velocity) && std::isfinite(force);
+    return std::isfinite(acceleration) && std::isfinite(velocity) && std::isfinite(square) &&
+           std::isfinite(force);
   }
 };
 
@@ -31,8 +32,10 @@ Regression RegressionOf(std::span<const Segment> segments) {
     CHECK_EQ(segment.acceleration.size(), segment.smoothed_force.size());
     bool inside = false;
     for (size_t i = 0; i < segment.acceleration.size(); ++i) {
-      const Row row = {
-          segment.acceleration[i], segment.smoothed_velocity[i], segment.smoothed_force[i]};
+      const double v = segment.smoothed_velocity[i];
+      const double square =
+          segment.smoothed_square.empty() ? v * std::abs(v) : segment.smoothed_square[i];
+      const Row row = {segment.acceleration[i], v, square, segment.smoothed_force[i]};
       if (row.IsFinite() && !inside) {
         regression.piece_begin.push_back(static_cast<Eigen::Index>(rows.size()));
       }
@@ -45,9 +48,8 @@ Regression RegressionOf(std::span<const Segment> segments) {
   regression.F.resize(n, 4);
   regression.acceleration.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto& [acceleration, v, tau] = rows[i];
-    regression.acceleration[i] = acceleration;
-    regression.F.row(i) << tau, v * std::abs(v), v, 1.0;
+    regression.acceleration[i] = rows[i].acceleration;
+    regression.F.row(i) << rows[i].force, rows[i].square, rows[i].velocity, 1.0;
   }
   return regression;
 }

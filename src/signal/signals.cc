@@ -237,17 +237,36 @@ Motion MotionFromPoses(const Poses& poses,
   return motion;
 }
 
+// Integral of v|v|, where v is smoothed first, lest its noise counts as speed. With poses v|v|
+// passes the poses' filter too, as the force does.
+std::vector<double> IntegralOfSquare(const Motion& motion, const SavitzkyGolayOptions& filter) {
+  std::vector<double> square = SavitzkyGolay(motion.time, motion.velocity, 0, filter);
+  for (size_t i = 0; i < square.size(); ++i) {
+    if (std::isnan(square[i])) square[i] = motion.velocity[i];
+    square[i] *= std::abs(square[i]);
+  }
+  std::vector<double> integral = Integral(motion.time, square);
+  if (motion.force.empty()) return integral;
+  std::vector<double> filtered = SavitzkyGolay(motion.time, integral, 1, filter);
+  for (size_t i = 0; i < square.size(); ++i) {
+    if (std::isnan(filtered[i])) filtered[i] = square[i];
+  }
+  return Integral(motion.time, filtered);
+}
+
 Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions& filter) {
   // docs/signal.md (3): derivatives of velocity, displacement and impulse by one and the same
   // filter.
   const std::vector<double> displacement = Integral(motion.time, motion.velocity);
+  const std::vector<double> square = IntegralOfSquare(motion, filter);
   const std::vector<double> impulse =
-      motion.force.empty() ? IntegralsOf(command, motion.time).once : std::move(motion.force);
+      motion.force.empty() ? IntegralsOf(command, motion.time).once : motion.force;
   const size_t n = motion.time.size();
   Segment segment;
   segment.acceleration.assign(n, kNaN);
   segment.smoothed_velocity.assign(n, kNaN);
   segment.smoothed_force.assign(n, kNaN);
+  segment.smoothed_square.assign(n, kNaN);
   LocalPolynomial fit(motion.time, filter);
   if (fit.MoveTo(0)) segment.initial_velocity = fit.Apply(fit.Weights(0), motion.velocity);
   for (size_t i = 0; i < n; ++i) {
@@ -262,6 +281,7 @@ Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions
     segment.acceleration[i] = fit.Apply(weights, motion.velocity);
     segment.smoothed_velocity[i] = fit.Apply(weights, displacement);
     segment.smoothed_force[i] = fit.Apply(weights, impulse);
+    segment.smoothed_square[i] = fit.Apply(weights, square);
   }
   segment.time = std::move(motion.time);
   segment.velocity = std::move(motion.velocity);
