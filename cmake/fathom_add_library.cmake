@@ -22,7 +22,7 @@ function(fathom_add_library name)
   install(TARGETS fathom_${name} EXPORT FathomTargets)
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom/${name}
-          FILES_MATCHING PATTERN "*.h")
+          FILES_MATCHING PATTERN "*.h" PATTERN web EXCLUDE)
 endfunction()
 
 # -Wrestrict: GCC 12 sees overlaps in std::string that are not there (GCC bug 105651).

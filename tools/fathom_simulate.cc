@@ -67,7 +67,7 @@ int Run() {
   const std::vector<Segment> segments = SegmentsOf(log, fitted.dof);
   std::string csv = fmt::format("t,{}\n", VelocityColumn(fitted.dof));
   for (const Segment& segment : segments) {
-    const auto predicted = PredictVelocity(fitted.model, segment);
+    const auto predicted = PredictVelocity(fitted.model, segment, segment.velocity.front());
     if (!predicted) {
       std::fprintf(stderr,
                    "fathom_simulate: the simulation of %s diverges or is too stiff: inertia %g, "

@@ -169,7 +169,7 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
       auto& values = panel.responses[response++].values;
-      const auto predicted = PredictVelocity(row.fitted.model, *segment);
+      const auto predicted = PredictVelocity(row.fitted.model, *segment, InitialVelocity(*segment));
       if (predicted) {
         values.insert(values.end(), predicted->begin(), predicted->end());
       } else {

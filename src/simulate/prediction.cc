@@ -26,18 +26,24 @@ std::vector<Segment> SegmentsAtEveryStamp(const std::vector<double>& time,
 }
 
 std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
-                                                   const Segment& segment) {
+                                                   const Segment& segment,
+                                                   double initial_velocity) {
   std::vector<double> velocity(segment.time.size());
   const Simulation simulation(segment.command, segment.time);
-  if (!simulation.Run(model, {segment.velocity.front(), 0.0}, velocity, {})) return std::nullopt;
+  if (!simulation.Run(model, {initial_velocity, 0.0}, velocity, {})) return std::nullopt;
   return velocity;
+}
+
+double InitialVelocity(const Segment& segment) {
+  return std::isfinite(segment.initial_velocity) ? segment.initial_velocity
+                                                 : segment.velocity.front();
 }
 
 FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments) {
   FitFigures figures;
   double sum_of_errors = 0.0, sum_of_speeds = 0.0;
   for (const Segment& segment : segments) {
-    const auto predicted = PredictVelocity(model, segment);
+    const auto predicted = PredictVelocity(model, segment, InitialVelocity(segment));
     if (!predicted) return {};
     for (size_t i = 0; i < segment.time.size(); ++i) {
       sum_of_errors += std::abs((*predicted)[i] - segment.velocity[i]);

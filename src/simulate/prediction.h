@@ -21,13 +21,19 @@ std::vector<Segment> SegmentsAtEveryStamp(const std::vector<double>& time,
                                           double longest_gap);
 
 // The velocity that `model` predicts at the stamps of `segment` from its command alone, started
-// from the segment's first measured velocity: a free run, the measurement never enters again.
-// Nothing if the simulation diverges.
+// from `initial_velocity` [m/s] or [rad/s]: a free run, the measurement never enters. Nothing if
+// the simulation diverges.
 std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
-                                                   const Segment& segment);
+                                                   const Segment& segment,
+                                                   double initial_velocity);
 
-// MAE and NMAE of the free runs over all `segments` together (paper Eqs. 10 and 11). The figures
-// are NaN if there are no segments or a run diverges.
+// Where a free run over a segment starts: its initial_velocity, or where that is not known its first
+// measured velocity.
+double InitialVelocity(const Segment& segment);
+
+// MAE and NMAE of the free runs over all `segments` together, each started from its
+// InitialVelocity() (paper Eqs. 10 and 11). The figures are NaN if there are no segments or a run
+// diverges.
 FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments);
 
 }  // namespace fathom

@@ -22,8 +22,8 @@ Segment SegmentWith(std::vector<double> velocity) {
   return segment;
 }
 
-TEST(PredictVelocity, StartsFromTheFirstMeasuredSpeedAndRunsFree) {
-  const auto predicted = PredictVelocity(kModel, SegmentWith({0.5, -7.0, 9.0}));
+TEST(PredictVelocity, RunsFreeFromTheGivenStart) {
+  const auto predicted = PredictVelocity(kModel, SegmentWith({0.1, -7.0, 9.0}), 0.5);
   ASSERT_TRUE(predicted);
   EXPECT_DOUBLE_EQ((*predicted)[0], 0.5);
   EXPECT_DOUBLE_EQ((*predicted)[1], 1.5);
@@ -37,6 +37,13 @@ TEST(SegmentsAtEveryStamp, StartAnewAfterASilenceAndKeepEveryStamp) {
   EXPECT_EQ(segments[0].time, (std::vector<double>{0.0, 1.0, 31.0}));
   EXPECT_EQ(segments[1].velocity, (std::vector<double>{4, 5}));
   EXPECT_EQ(segments[1].command.value, (std::vector<double>{7.0}));
+}
+
+TEST(InitialVelocity, IsSmoothedWhereTheSegmentKnowsHow) {
+  Segment segment = SegmentWith({0.5, 2.0, 2.0});
+  EXPECT_EQ(InitialVelocity(segment), 0.5);
+  segment.initial_velocity = 0.4;
+  EXPECT_EQ(InitialVelocity(segment), 0.4);
 }
 
 TEST(FiguresOf, FollowEquations10And11OfThePaperOverAllSegments) {
