@@ -84,7 +84,7 @@ class Search {
     for (size_t k = 0; k < pass_.size(); ++k) {
       const std::vector<double>& measured = pass_[k].velocity;
       simulated_.resize(measured.size());
-      if (!runs_[k].Run(model, {measured.front(), 0.0}, simulated_, {})) return kInfinity;
+      if (!runs_[k].Run(model, {pass_[k].initial_velocity, 0.0}, simulated_, {})) return kInfinity;
       for (size_t i = 0; i < measured.size(); ++i) {
         sum += (simulated_[i] - measured[i]) * (simulated_[i] - measured[i]);
       }

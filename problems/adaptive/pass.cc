@@ -4,6 +4,7 @@
 #include "fathom/adaptive/pass.h"
 
 #include "fathom/signal/integral.h"
+#include "fathom/simulate/prediction.h"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ std::vector<PassSegment> PassOver(std::span<const Segment> segments) {
       force[i] = (impulse[i + 1] - impulse[i]) / (segment.time[i + 1] - segment.time[i]);
     }
     force[n - 1] = segment.command.At(segment.time[n - 1]);
-    pass.push_back({segment.time, std::move(force), segment.velocity});
+    pass.push_back({segment.time, std::move(force), segment.velocity, InitialVelocity(segment)});
   }
   std::sort(pass.begin(), pass.end(), [](const PassSegment& a, const PassSegment& b) {
     return a.time.front() < b.time.front();

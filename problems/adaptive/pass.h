@@ -14,9 +14,10 @@ namespace fathom {
 // The samples of one segment as the identifier takes them: the force is the mean of the held
 // command up to the next stamp.
 struct PassSegment {
-  std::vector<double> time;      // [s]
-  std::vector<double> force;     // [N] or [N m]
-  std::vector<double> velocity;  // [m/s] or [rad/s]
+  std::vector<double> time;       // [s]
+  std::vector<double> force;      // [N] or [N m]
+  std::vector<double> velocity;   // [m/s] or [rad/s]
+  double initial_velocity = 0.0;  // of a free run [m/s] or [rad/s]
 };
 
 // In time order.
@@ -25,11 +26,11 @@ std::vector<PassSegment> PassOver(std::span<const Segment> segments);
 // Feeds everything to `identifier` and calls visit(t) after each sample.
 template <typename Visit>
 void Feed(const std::vector<PassSegment>& pass, AdaptiveIdentifier* identifier, Visit visit) {
-  for (const auto& [time, force, velocity] : pass) {
+  for (const PassSegment& segment : pass) {
     identifier->StartSegment();
-    for (size_t i = 0; i < time.size(); ++i) {
-      identifier->Add(time[i], force[i], velocity[i]);
-      visit(time[i]);
+    for (size_t i = 0; i < segment.time.size(); ++i) {
+      identifier->Add(segment.time[i], segment.force[i], segment.velocity[i]);
+      visit(segment.time[i]);
     }
   }
 }
