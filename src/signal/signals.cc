@@ -4,22 +4,20 @@
 #include "fathom/signal/signals.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/signal/integral.h"
+#include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/savitzky_golay.h"
+#include "fathom/signal/segment_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The default window lies between these, docs/signal.md (4).
 constexpr double kShortestWindow = 1.0;  // [s]
@@ -38,72 +36,6 @@ struct Stretch {
 
   size_t size() const { return end - begin; }
 };
-
-// The motion of one DOF over one stretch.
-struct Motion {
-  std::vector<double> time;
-  std::vector<double> velocity;
-  std::vector<double> position;  // empty without poses
-  std::vector<double> force;     // the command's first integral through the poses' filter; empty
-                                 // without poses
-  std::vector<bool> is_centred;  // false: the velocity itself comes from a one-sided window
-};
-
-std::string FileOf(const Log& log, const char* file) {
-  if (log.path.empty()) return file;
-  const bool is_csv = log.path.extension() == ".csv";
-  return is_csv ? log.path.string() : (log.path / file).string();
-}
-
-HeldCommand CommandOf(const Log& log, Dof dof) {
-  const std::string file = FileOf(log, "command.csv");
-  const std::string column(ForceColumn(dof));
-  if (!log.command) {
-    throw InputError(fmt::format(
-        "{}: the log has no command, expected a stream with column '{}'. Identification needs "
-        "the force that drove the vehicle.",
-        file,
-        column));
-  }
-  const std::vector<double>* values = log.command->Find(column);
-  if (values == nullptr) {
-    const bool has_thrusters =
-        !log.command->columns.empty() && log.command->columns.front().starts_with("thruster_");
-    throw InputError(fmt::format(
-        "{}: column '{}' is missing; the columns are {}. {}",
-        file,
-        column,
-        fmt::join(log.command->columns, ", "),
-        has_thrusters ? "Name a vehicle file, so that thruster speeds can be turned into forces."
-                      : "Choose a DOF that was commanded."));
-  }
-  return {log.command->time, *values};
-}
-
-const Stream& MotionStream(const Log& log, Dof dof, Source source) {
-  const bool camera = source == Source::kCamera;
-  const std::optional<Stream>& stream = camera ? log.pose : log.velocity;
-  const std::string file = FileOf(log, camera ? "pose.csv" : "velocity.csv");
-  if (!stream) {
-    throw InputError(fmt::format(
-        "{}: there is no such stream in this log, expected it for the source {}. {}",
-        file,
-        Name(source),
-        (camera ? log.velocity : log.pose)
-            ? fmt::format("This log has the source {}.",
-                          Name(camera ? Source::kPoseEstimator : Source::kCamera))
-            : "Record the vehicle's motion, or make poses from images with fathom_track."));
-  }
-  if (!camera && stream->Find(VelocityColumn(dof)) == nullptr) {
-    throw InputError(
-        fmt::format("{}: column '{}' is missing; the columns are {}. Choose a DOF that was "
-                    "measured.",
-                    file,
-                    VelocityColumn(dof),
-                    fmt::join(stream->columns, ", ")));
-  }
-  return *stream;
-}
 
 bool IsHeldOut(const Log& log, double t) {
   return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
@@ -202,94 +134,6 @@ void RequireUsable(const SignalsOptions& options) {
           fmt::format("order is {}, expected 1 to 9.", options.order));
 }
 
-Motion MotionFromVelocity(const Stream& stream, Dof dof, const Stretch& stretch) {
-  const auto cut = [&](const std::vector<double>& all) {
-    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
-                               all.begin() + static_cast<std::ptrdiff_t>(stretch.end));
-  };
-  Motion motion;
-  motion.time = cut(stream.time);
-  motion.velocity = cut(*stream.Find(VelocityColumn(dof)));
-  motion.is_centred.assign(motion.time.size(), true);
-  return motion;
-}
-
-// Velocity, and the command's impulse through the same filter. Stamps at which the filter fails are
-// left out.
-Motion MotionFromPoses(const Poses& poses,
-                       Dof dof,
-                       const std::vector<double>& position,
-                       const HeldCommand& command,
-                       const SavitzkyGolayOptions& filter) {
-  const BodyVelocity body = VelocityOf(poses, filter);
-  const std::vector<double> impulse =
-      SavitzkyGolay(poses.time, IntegralsOf(command, poses.time).twice, 1, filter);
-  Motion motion;
-  for (size_t i = 0; i < poses.size(); ++i) {
-    const double velocity = body.velocity[i][Index(dof)];
-    if (!std::isfinite(velocity)) continue;
-    motion.time.push_back(poses.time[i]);
-    motion.velocity.push_back(velocity);
-    motion.position.push_back(position[i]);
-    motion.force.push_back(impulse[i]);
-    motion.is_centred.push_back(body.is_centred[i]);
-  }
-  return motion;
-}
-
-// Integral of v|v|, where v is smoothed first, lest its noise counts as speed. With poses v|v|
-// passes the poses' filter too, as the force does.
-std::vector<double> IntegralOfSquare(const Motion& motion, const SavitzkyGolayOptions& filter) {
-  std::vector<double> square = SavitzkyGolay(motion.time, motion.velocity, 0, filter);
-  for (size_t i = 0; i < square.size(); ++i) {
-    if (std::isnan(square[i])) square[i] = motion.velocity[i];
-    square[i] *= std::abs(square[i]);
-  }
-  std::vector<double> integral = Integral(motion.time, square);
-  if (motion.force.empty()) return integral;
-  std::vector<double> filtered = SavitzkyGolay(motion.time, integral, 1, filter);
-  for (size_t i = 0; i < square.size(); ++i) {
-    if (std::isnan(filtered[i])) filtered[i] = square[i];
-  }
-  return Integral(motion.time, filtered);
-}
-
-Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions& filter) {
-  // docs/signal.md (3): derivatives of velocity, displacement and impulse by one and the same
-  // filter.
-  const std::vector<double> displacement = Integral(motion.time, motion.velocity);
-  const std::vector<double> square = IntegralOfSquare(motion, filter);
-  const std::vector<double> impulse =
-      motion.force.empty() ? IntegralsOf(command, motion.time).once : motion.force;
-  const size_t n = motion.time.size();
-  Segment segment;
-  segment.acceleration.assign(n, kNaN);
-  segment.smoothed_velocity.assign(n, kNaN);
-  segment.smoothed_force.assign(n, kNaN);
-  segment.smoothed_square.assign(n, kNaN);
-  LocalPolynomial fit(motion.time, filter);
-  if (fit.MoveTo(0)) segment.initial_velocity = fit.Apply(fit.Weights(0), motion.velocity);
-  for (size_t i = 0; i < n; ++i) {
-    if (!fit.MoveTo(i) || !fit.is_centred()) continue;
-    const auto inside = motion.is_centred.begin() + static_cast<std::ptrdiff_t>(fit.first());
-    if (!std::all_of(inside, inside + static_cast<std::ptrdiff_t>(fit.size()), [](bool centred) {
-          return centred;
-        })) {
-      continue;
-    }
-    const auto weights = fit.Weights(1);
-    segment.acceleration[i] = fit.Apply(weights, motion.velocity);
-    segment.smoothed_velocity[i] = fit.Apply(weights, displacement);
-    segment.smoothed_force[i] = fit.Apply(weights, impulse);
-    segment.smoothed_square[i] = fit.Apply(weights, square);
-  }
-  segment.time = std::move(motion.time);
-  segment.velocity = std::move(motion.velocity);
-  segment.position = std::move(motion.position);
-  segment.command = std::move(command);
-  return segment;
-}
-
 std::string WindowRemark(double window, const SignalsOptions& options, double step) {
   return fmt::format("Savitzky-Golay: window {:.3g} s (about {:.0f} samples), order {}, {}.",
                      window,
@@ -382,7 +226,7 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
       num_dropped += stretch.size() - motion.time.size();
       if (motion.time.size() < 2) continue;
     } else {
-      motion = MotionFromVelocity(stream, dof, stretch);
+      motion = MotionFromVelocity(stream, dof, stretch.begin, stretch.end);
     }
     auto& to = stretch.held_out ? signals.held_out : signals.train;
     to.push_back(SegmentOf(std::move(motion), std::move(own), filter));
