@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/comparison_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "handmade_comparison.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(ParameterTable, MarksTheRowThatPredictsBest) {
+  // The best on the training data is the worst on the data that no family has seen.
+  const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.01, 0.09),
+                                                  HandmadeRow(Family::kAdaptive, 0.03, 0.05),
+                                                  HandmadeRow(Family::kOutputError, 0.02, 0.07)}));
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0].flag, RowFlag::kNone);
+  EXPECT_EQ(table.rows[1].flag, RowFlag::kBest);
+  EXPECT_EQ(table.rows[2].flag, RowFlag::kNone);
+}
+
+TEST(ParameterTable, GoesByTheTrainingDataWhereNoneAreHeldOut) {
+  const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.01, kNan),
+                                                  HandmadeRow(Family::kAdaptive, 0.03, kNan)}));
+  EXPECT_EQ(table.rows[0].flag, RowFlag::kBest);
+  EXPECT_EQ(table.rows[1].flag, RowFlag::kNone);
+}
+
+TEST(ParameterTable, AnUnusableRowIsFlaggedNeverBestAndShowsNoNumber) {
+  const Table table = ParameterTable(HandmadeDof(
+      {UnusableRow(Family::kLeastSquares), HandmadeRow(Family::kOutputError, 0.2, 0.3)}));
+  EXPECT_EQ(table.rows[0].flag, RowFlag::kUnusable);
+  EXPECT_EQ(table.rows[1].flag, RowFlag::kBest);
+  for (size_t i = 2; i < table.rows[0].cells.size(); ++i) {
+    EXPECT_EQ(table.rows[0].cells[i], "-") << table.columns[i].heading;
+  }
+}
+
+TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {
+  const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
+  ASSERT_EQ(table.columns.size(), 10u);
+  EXPECT_EQ(table.columns[2].heading, "inertia [kg]");
+  EXPECT_EQ(table.columns[6].heading, "MAE [m/s]");
+  // 40, standard deviation 2.0; the figures as HandmadeRow gives them.
+  EXPECT_THAT(table.rows[0].cells,
+              ::testing::ElementsAre("surge",
+                                     "Output error pose estimator",
+                                     "40.0 ± 2.0",
+                                     "30.0 ± 1.5",
+                                     "5.00 ± 0.50",
+                                     "-0.50 ± 0.10",
+                                     "0.01000",
+                                     "0.0200",
+                                     "0.00750",
+                                     "0.0300"));
+}
+
+TEST(ResponsePanel, PutsAGapAfterEachSegmentInTheOrderOfTime) {
+  const TimePanel panel =
+      ResponsePanel(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
+  // 31 samples from 0 s, 21 held out from 4 s, 21 from 50 s, and a gap after each.
+  ASSERT_EQ(panel.time.size(), 31u + 21u + 21u + 3u);
+  EXPECT_DOUBLE_EQ(panel.time[0], 0.0);
+  EXPECT_NEAR(panel.time[30], 3.0, 1e-9);
+  EXPECT_NEAR(panel.time[32], 4.0, 1e-9);
+  EXPECT_NEAR(panel.time[54], 50.0, 1e-9);
+  EXPECT_TRUE(std::is_sorted(panel.time.begin(), panel.time.end()));
+
+  ASSERT_TRUE(panel.measured.has_value());
+  ASSERT_EQ(panel.responses.size(), 1u);
+  for (const Series* series : {&*panel.measured, &panel.responses[0]}) {
+    ASSERT_EQ(series->values.size(), panel.time.size()) << series->name;
+    for (size_t i = 0; i < panel.time.size(); ++i) {
+      const bool is_gap = i == 31 || i == 53 || i == 75;
+      EXPECT_EQ(std::isnan(series->values[i]), is_gap) << series->name << " at " << i;
+    }
+  }
+  ASSERT_EQ(panel.held_out.size(), 1u);
+  EXPECT_NEAR(panel.held_out[0].from, 4.0, 1e-9);
+  EXPECT_NEAR(panel.held_out[0].to, 6.0, 1e-9);
+}
+
+TEST(ResponsePanel, ShowsTheFreeRunOfEachModel) {
+  const TimePanel panel =
+      ResponsePanel(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
+  EXPECT_EQ(panel.responses[0].values[0], 0.0);
+  // From rest under no force the buoyancy of -0.5 N drives it: v(t) = (-b / d_L) (1 - exp(-d_L t /
+  // m)) without the quadratic term, which at 0.00125 m/s takes less than 30 (0.00125)^2 / 40 0.1
+  // = 1.2e-7 m/s.
+  EXPECT_NEAR(panel.responses[0].values[1], 0.1 * (1.0 - std::exp(-0.0125)), 2e-7);
+  EXPECT_EQ(panel.responses[0].note, "NMAE 0.020");
+}
+
+TEST(ResponsePanel, LeavesOutModelsThatAreNotUsable) {
+  const TimePanel panel = ResponsePanel(HandmadeDof({UnusableRow(Family::kLeastSquares)}));
+  EXPECT_TRUE(panel.responses.empty());
+}
+
+TEST(ParameterPanels, HoldEachUsableModelsValueAndDeviation) {
+  const auto panels = ParameterPanels(HandmadeDof(
+      {UnusableRow(Family::kLeastSquares), HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
+  ASSERT_EQ(panels.size(), 4u);
+  EXPECT_EQ(panels[2].name, "linear damping");
+  EXPECT_EQ(panels[2].unit, "kg/s");
+  ASSERT_EQ(panels[2].estimates.size(), 1u);
+  EXPECT_EQ(panels[2].estimates[0].name, "Output error pose estimator");
+  EXPECT_EQ(panels[2].estimates[0].value, 5.0);
+  EXPECT_DOUBLE_EQ(panels[2].estimates[0].std, 0.5);
+}
+
+TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
+  Comparison comparison;
+  comparison.log_name = "tank_07";
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}),
+                     HandmadeDof({UnusableRow(Family::kAdaptive)})};
+  comparison.dofs[1].dof = Dof::kYaw;
+  const Page page = ComparisonPage(comparison);
+  EXPECT_THAT(page.title, HasSubstr("tank_07"));
+  ASSERT_EQ(page.lead.size(), 2u);
+  EXPECT_THAT(page.lead[0],
+              AllOf(HasSubstr("Surge"),
+                    HasSubstr("3.0 %"),
+                    HasSubstr("not seen"),
+                    HasSubstr("40.0 ± 3.9 kg")));
+  EXPECT_EQ(page.lead[1], "Yaw: no family found a usable model.");
+  ASSERT_EQ(page.sections.size(), 2u);
+  EXPECT_EQ(page.sections[0].heading, "Surge");
+  EXPECT_EQ(page.sections[1].heading, "Yaw");
+  ASSERT_EQ(page.facts.size(), 2u);
+  EXPECT_EQ(page.facts[0].value, "5 s to train, 2 s held out");
+}
+
+TEST(ComparisonPage, SaysWhereNothingIsHeldOut) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  EXPECT_THAT(ComparisonPage(comparison).lead.at(0), HasSubstr("none are held out"));
+}
+
+TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {
+  Comparison comparison;
+  auto row = HandmadeRow(Family::kOutputError, 0.02, 0.03);
+  row.fitted.caveats = {"a caveat"};
+  comparison.dofs = {HandmadeDof({row})};
+  comparison.dofs[0].findings = {
+      {.severity = Severity::kWarning, .code = "passivity", .sentence = "It gains energy."}};
+  const PageSection section = ComparisonPage(comparison).sections.at(0);
+  EXPECT_THAT(section.warnings, ::testing::Contains("It gains energy."));
+  ASSERT_EQ(section.tables.size(), 2u);
+  EXPECT_EQ(section.tables[1].rows.at(0).cells.at(1), "a caveat");
+}
+
+}  // namespace
+}  // namespace fathom

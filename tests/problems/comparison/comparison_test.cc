@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/comparison.h"
+
+#include "fathom/base/input_error.h"
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr UncoupledModel<double> kTruth = {
+    .inertia = 40.0, .quadratic_damping = 30.0, .linear_damping = 5.0, .buoyancy = 1.0};
+
+double ForceAt(double t) { return 12.0 * std::sin(0.31 * t + 0.4) + 9.0 * std::sin(1.3 * t + 2.0); }
+
+// 200 s of surge at 10 Hz, the last 50 s held out: velocity with noise of 0.01 m/s, position with
+// 0.005 m. Explicit Euler of 0.2 ms, the force held for 0.1 s.
+Log KnownRun() {
+  Log log;
+  log.path = "known_run";
+  log.name = "known_run";
+  log.dofs = {Dof::kSurge};
+  log.held_out = {{150.0, 200.05}};
+  log.command.emplace();
+  log.command->columns = {"tau_surge"};
+  log.command->values.resize(1);
+  log.velocity.emplace();
+  log.velocity->columns = {"u"};
+  log.velocity->values.resize(1);
+  log.pose.emplace();
+  log.pose->columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+  log.pose->values.resize(7);
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal;
+  double v = 0.0, x = -2.0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = 0.1 * i;
+    const double force = ForceAt(t);
+    log.command->time.push_back(t);
+    log.command->values[0].push_back(force);
+    log.velocity->time.push_back(t);
+    log.velocity->values[0].push_back(v + 0.01 * normal(generator));
+    log.pose->time.push_back(t);
+    const double pose[] = {x + 0.005 * normal(generator), 0.3, -0.2, 0.0, 0.0, 0.0, 1.0};
+    for (int k = 0; k < 7; ++k) log.pose->values[k].push_back(pose[k]);
+    for (int k = 0; k < 500; ++k) {
+      x += 2e-4 * v;
+      v += 2e-4 * kTruth.Acceleration(v, force);
+    }
+  }
+  return log;
+}
+
+ComparisonOptions Only(Family family) {
+  ComparisonOptions options;
+  options.families = {family};
+  return options;
+}
+
+std::string RefusalOf(const Log& log, const ComparisonOptions& options) {
+  try {
+    Compare(log, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Compare, TriesEveryFamilyOnEverySource) {
+  const Comparison comparison = Compare(KnownRun());
+  EXPECT_EQ(comparison.log_name, "known_run");
+  ASSERT_EQ(comparison.dofs.size(), 1u);
+  const auto& rows = comparison.dofs[0].rows;
+  ASSERT_EQ(rows.size(), 6u);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(rows[i].family, kAllFamilies[i % 3]);
+    EXPECT_EQ(rows[i].source, i < 3 ? Source::kPoseEstimator : Source::kCamera);
+    EXPECT_TRUE(rows[i].is_usable) << i << ": " << rows[i].message;
+  }
+}
+
+TEST(Compare, OutputErrorFindsTheTruthWithinItsIntervalsFromBothSources) {
+  const Comparison comparison = Compare(KnownRun(), Only(Family::kOutputError));
+  const ParameterVector truth = ToVector(kTruth);
+  ASSERT_EQ(comparison.dofs.at(0).rows.size(), 2u);
+  for (const Identification& row : comparison.dofs[0].rows) {
+    ASSERT_TRUE(row.is_usable) << row.message;
+    const ParameterVector found = ToVector(row.fitted.model);
+    for (int i = 0; i < kNumParameters; ++i) {
+      const double std = std::sqrt(row.fitted.covariance(i, i));
+      // Eight numbers: one beyond 4 standard deviations in 2000 seeds.
+      EXPECT_NEAR(found[i], truth[i], 4.0 * std) << kParameterInfo[i].name;
+      // And the intervals are of use.
+      if (i != kBuoyancy) {
+        EXPECT_LT(std, 0.15 * truth[i]) << kParameterInfo[i].name;
+      }
+    }
+  }
+}
+
+// The measured noise of 0.01 m/s is 0.01 sqrt(2 / pi) in the mean: no model's MAE can be below, and
+// that of the true model is there. A camera model's too, since both are scored on the velocity.
+TEST(Compare, ScoresAllSourcesOnTheVelocity) {
+  const Comparison comparison = Compare(KnownRun(), Only(Family::kOutputError));
+  const double noise = 0.01 * std::sqrt(2.0 / M_PI);
+  for (const Identification& row : comparison.dofs.at(0).rows) {
+    // 500 held-out samples know their mean to 0.01 / sqrt(500) x 0.6; the run's start adds some.
+    EXPECT_NEAR(row.fitted.held_out.mae, noise, 0.0015) << Name(row.source);
+    EXPECT_EQ(row.fitted.held_out.num_samples + row.fitted.train.num_samples, 2001);
+  }
+}
+
+TEST(Compare, TakesTheFamiliesSourcesAndDofsItIsAskedFor) {
+  ComparisonOptions options = Only(Family::kLeastSquares);
+  options.dofs = {Dof::kSurge};
+  options.sources = {Source::kCamera};
+  const Comparison comparison = Compare(KnownRun(), options);
+  ASSERT_EQ(comparison.dofs.at(0).rows.size(), 1u);
+  EXPECT_EQ(comparison.dofs[0].rows[0].family, Family::kLeastSquares);
+  EXPECT_EQ(comparison.dofs[0].rows[0].source, Source::kCamera);
+}
+
+TEST(Compare, RefusesADofThatNothingMeasures) {
+  Log log = KnownRun();
+  log.pose.reset();
+  ComparisonOptions options;
+  options.dofs = {Dof::kHeave};
+  const std::string message = RefusalOf(log, options);
+  EXPECT_THAT(message, HasSubstr("known_run"));
+  EXPECT_THAT(message, HasSubstr("heave"));
+  EXPECT_THAT(message, HasSubstr("'w'"));
+}
+
+TEST(Compare, AsksForADofWhereTheLogNamesNone) {
+  Log log = KnownRun();
+  log.dofs.clear();
+  EXPECT_THAT(RefusalOf(log, {}), HasSubstr("--dofs"));
+}
+
+TEST(Compare, RefusesASourceThatTheLogDoesNotHold) {
+  Log log = KnownRun();
+  log.pose.reset();
+  ComparisonOptions options;
+  options.sources = {Source::kCamera};
+  EXPECT_THAT(RefusalOf(log, options), HasSubstr("pose.csv"));
+}
+
+TEST(SourcesOf, PutsTheVelocityBeforeThePoses) {
+  Log log = KnownRun();
+  EXPECT_THAT(SourcesOf(log, Dof::kSurge), ElementsAre(Source::kPoseEstimator, Source::kCamera));
+  EXPECT_THAT(SourcesOf(log, Dof::kHeave), ElementsAre(Source::kCamera));
+  log.pose.reset();
+  EXPECT_THAT(SourcesOf(log, Dof::kHeave), IsEmpty());
+}
+
+// Nothing moves: there is nothing to learn, and no family may claim to have learnt it.
+TEST(Identify, AVehicleAtRestGivesNoUsableModelAndAReason) {
+  Log log = KnownRun();
+  for (double& force : log.command->values[0]) force = 0.0;
+  for (double& speed : log.velocity->values[0]) speed = 0.0;
+  const Signals signals = SignalsOf(log, Dof::kSurge);
+  for (const Family family : kAllFamilies) {
+    const Identification result = Identify(signals, signals, family);
+    EXPECT_FALSE(result.is_usable) << Name(family);
+    EXPECT_FALSE(result.message.empty()) << Name(family);
+    EXPECT_TRUE(std::isnan(result.fitted.train.nmae)) << Name(family);
+    EXPECT_TRUE(std::isnan(result.fitted.held_out.nmae)) << Name(family);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
