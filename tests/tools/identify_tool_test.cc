@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run_tool.h"
+#include "saved_files.h"
+#include "small_log.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using Path = std::filesystem::path;
+
+const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
+
+// The paper's Table I, from which data/flatfish is made, and how close the inertia has to come.
+struct DofTruth {
+  const char* dof;
+  double inertia;    // [kg] or [kg m^2]
+  double tolerance;  // relative
+};
+
+std::string Dof(const ::testing::TestParamInfo<DofTruth>& info) { return info.param.dof; }
+
+nlohmann::json IdentifiedModel(const std::vector<std::string>& arguments) {
+  const Path model = EmptyTestFolder() / "model.json";
+  std::vector<std::string> all = arguments;
+  all.push_back("--model=" + model.string());
+  const ToolRun run = RunToolBinary("fathom_identify", all);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return JsonOf(model);
+}
+
+double InertiaOf(const nlohmann::json& model) { return model["parameters"]["inertia"]["value"]; }
+
+class IdentifyFlatfish : public ::testing::TestWithParam<DofTruth> {};
+
+TEST_P(IdentifyFlatfish, OutputErrorFindsTheInertia) {
+  const auto& [dof, inertia, tolerance] = GetParam();
+  const auto model = IdentifiedModel({"--log=" + kFlatfish, std::string("--dof=") + dof});
+  EXPECT_EQ(model["schema"], "fathom-model-1");
+  EXPECT_EQ(model["dof"], dof);
+  EXPECT_EQ(model["provenance"]["family"], "output_error");
+  EXPECT_NEAR(InertiaOf(model), inertia, tolerance * inertia);
+  // The interval is of use, and the truth is not far outside of it.
+  const double std = model["parameters"]["inertia"]["std"];
+  EXPECT_LT(std, tolerance * inertia);
+  EXPECT_NEAR(InertiaOf(model), inertia, 4.0 * std);
+}
+
+TEST_P(IdentifyFlatfish, TheAdaptiveLawAgreesWithinFivePercent) {
+  const std::string dof = std::string("--dof=") + GetParam().dof;
+  const double output_error = InertiaOf(IdentifiedModel({"--log=" + kFlatfish, dof}));
+  const double adaptive =
+      InertiaOf(IdentifiedModel({"--log=" + kFlatfish, dof, "--family=adaptive"}));
+  EXPECT_NEAR(adaptive, output_error, 0.05 * output_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(TableI,
+                         IdentifyFlatfish,
+                         ::testing::Values(DofTruth{"surge", 851.05, 0.01},
+                                           DofTruth{"heave", 1511.53, 0.02},
+                                           DofTruth{"yaw", 301.60, 0.02}),
+                         Dof);
+
+TEST(IdentifyTool, PrintsParametersWithIntervalsAndFigures) {
+  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=surge"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("surge by output_error from pose_estimator"),
+                    HasSubstr("95 % interval"),
+                    HasSubstr("inertia"),
+                    HasSubstr("kg/m"),
+                    HasSubstr("train "),
+                    HasSubstr("held out ")));
+  // As the interval in the model file: value and 1.96 std.
+  EXPECT_NEAR(NumberBehind("inertia", run.out), 851.05, 8.5);
+}
+
+TEST(IdentifyTool, TheSameLogGivesTheSameBytes) {
+  const Path folder = EmptyTestFolder();
+  std::vector<std::string> models, outputs;
+  for (const char* name : {"first.json", "second.json"}) {
+    const ToolRun run =
+        RunToolBinary("fathom_identify",
+                      {"--log=" + kFlatfish, "--dof=yaw", "--model=" + (folder / name).string()});
+    models.push_back(TextOf(folder / name));
+    outputs.push_back(run.out);
+  }
+  EXPECT_FALSE(models[0].empty());
+  EXPECT_EQ(models[0], models[1]);
+  EXPECT_EQ(outputs[0], outputs[1]);
+}
+
+// The same data twice: the same optimum, counted as if known twice as well.
+TEST(IdentifyTool, TakesSeveralLogsTogether) {
+  const auto once = IdentifiedModel({"--log=" + kFlatfish, "--dof=heave"});
+  const auto twice = IdentifiedModel({"--log=" + kFlatfish + "," + kFlatfish, "--dof=heave"});
+  EXPECT_EQ(twice["fit"]["n"].get<int>(), 2 * once["fit"]["n"].get<int>());
+  const double std_once = once["parameters"]["inertia"]["std"];
+  const double std_twice = twice["parameters"]["inertia"]["std"];
+  EXPECT_NEAR(InertiaOf(twice), InertiaOf(once), 0.05 * std_once);
+  // 1 / sqrt(2), but for the correction for the number of unknowns, a few out of hundreds of
+  // effective samples.
+  EXPECT_NEAR(std_twice / std_once, std::sqrt(0.5), 0.03);
+}
+
+TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
+  const Path log = WriteSmallLog(folder / "log");
+  for (const Path& path : {csv, log}) {
+    const ToolRun run = RunToolBinary("fathom_identify",
+                                      {"--log=" + path.string(),
+                                       "--dof=surge",
+                                       "--model=" + (folder / path.stem()).string() + ".json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+  const auto from_csv = JsonOf(folder / "run.json");
+  EXPECT_EQ(from_csv["parameters"], JsonOf(folder / "log.json")["parameters"]);
+  // Data without noise, the file's six digits aside: the truth of small_log.h.
+  EXPECT_NEAR(InertiaOf(from_csv), 40.0, 0.04);
+}
+
+// Nothing moves: no model, and no file that looks like one.
+TEST(IdentifyTool, AVehicleAtRestEndsWithExitCodeTwoAndNoModel) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  std::string command = "t,tau_surge\n", velocity = "t,u\n";
+  for (int i = 0; i < 300; ++i) {
+    command += std::to_string(0.1 * i) + ",0\n";
+    velocity += std::to_string(0.1 * i) + ",0\n";
+  }
+  WriteTestFile(log / "command.csv", command);
+  WriteTestFile(log / "velocity.csv", velocity);
+  const Path model = folder / "model.json";
+  for (const char* family : {"least_squares", "adaptive", "output_error"}) {
+    const ToolRun run = RunToolBinary(
+        "fathom_identify",
+        {"--log=" + log.string(), std::string("--family=") + family, "--model=" + model.string()});
+    EXPECT_EQ(run.exit_code, 2) << family << ": " << run.out;
+    EXPECT_THAT(run.err, HasSubstr("fathom_identify: no usable model: ")) << family;
+    EXPECT_FALSE(std::filesystem::exists(model)) << family;
+  }
+}
+
+}  // namespace
+}  // namespace fathom

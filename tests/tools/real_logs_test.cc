@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The tools on logs of real vehicles. These belong to others and are not bundled: the folder that
+// FATHOM_REALDATA names.
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "run_tool.h"
+#include "saved_files.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+using Path = std::filesystem::path;
+
+class RealLogsTool : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const char* folder = std::getenv("FATHOM_REALDATA");
+    folder_ = folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
+    if (!std::filesystem::is_directory(folder_ / "lbv_surge")) {
+      GTEST_SKIP() << "no real logs in " << folder_ << "; set FATHOM_REALDATA to their folder";
+    }
+  }
+
+  std::string Log(const std::string& name) const { return "--log=" + (folder_ / name).string(); }
+
+  Path folder_;
+};
+
+// A single tone of 0.2 rad/s: good predictions of the same tone, and honest about the rest.
+TEST_F(RealLogsTool, LbvSurgeIsPredictedAndItsAmbiguityIsSaid) {
+  const ToolRun run = RunToolBinary(
+      "fathom_identify", {Log("lbv_surge"), "--velocity=author_velocity.csv", "--dof=surge"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_LE(NumberBehind("NMAE ", run.out, "held out"), 0.065);
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("Inertia, damping and a delay"),
+                    HasSubstr("cannot be separated"),
+                    AnyOf(HasSubstr("square wave"), HasSubstr("several tones"))));
+  EXPECT_THAT(run.err, HasSubstr("author_velocity.csv: 12 further columns are not read"));
+}
+
+// Poses from one tag, which flips between its two solutions: every family has to say something.
+TEST_F(RealLogsTool, LbvSurgeRunsFromItsPoses) {
+  const Path json = EmptyTestFolder() / "rows.json";
+  const ToolRun run = RunToolBinary(
+      "fathom_compare", {Log("lbv_surge"), "--sources=camera", "--json=" + json.string()});
+  EXPECT_THAT(run.exit_code, AnyOf(0, 2)) << run.err;
+  std::set<std::string> families;
+  const auto comparison = JsonOf(json);
+  for (const auto& row : comparison["rows"]) {
+    families.insert(row["family"]);
+    EXPECT_EQ(row["source"], "camera");
+    EXPECT_NE(row["message"], "") << row["family"];
+    EXPECT_EQ(row["usable"].get<bool>(), !row["heldout_nmae"].is_null()) << row["family"];
+  }
+  EXPECT_EQ(families, (std::set<std::string>{"least_squares", "adaptive", "output_error"}));
+}
+
+// Its command leads the rate by more than a quarter period: no passive vehicle does that.
+TEST_F(RealLogsTool, LbvYawIsFoundNotToBePassive) {
+  for (const char* tool : {"fathom_identify", "fathom_compare"}) {
+    const ToolRun run = RunToolBinary(tool, {Log("lbv_yaw")});
+    EXPECT_THAT(run.out, AllOf(HasSubstr("WARNING: "), HasSubstr("passive"))) << tool;
+  }
+}
+
+// The command is a sum of currents: only ratios mean anything, and the tool says so.
+TEST_F(RealLogsTool, PoolRovSurgeIsPredictedAndGivenAsRatios) {
+  const ToolRun run = RunToolBinary("fathom_identify", {Log("pool_rov_surge"), "--dof=surge"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_LE(NumberBehind("NMAE ", run.out, "held out"), 0.105);
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("linear_damping / inertia "),
+                    HasSubstr("quadratic_damping / inertia "),
+                    HasSubstr(" 1/s "),
+                    HasSubstr(" 1/m "),
+                    HasSubstr("The command is in A, not in N")));
+  EXPECT_GT(NumberBehind("linear_damping / inertia", run.out), 0.0);
+  EXPECT_GT(NumberBehind("quadratic_damping / inertia", run.out), 0.0);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every tool refuses every damaged input with exit code 1, the message that docs/file_formats.md
+// promises, nothing on stdout and nothing written.
+
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "damage.h"
+#include "expect_refusal.h"
+#include "run_tool.h"
+#include "small_log.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Path = std::filesystem::path;
+
+const TwoColumnCsv kVelocity = {"velocity.csv", "u", "t and at least one of u, v, w, p, q, r"};
+const TwoColumnCsv kCommand = {
+    "command.csv",
+    "tau_surge",
+    "t and at least one of tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, "
+    "thruster_1, thruster_2, ..."};
+
+// A good log, model and vehicle in a folder of the running test.
+struct Inputs {
+  Path folder = EmptyTestFolder();
+  Path log = WriteSmallLog(folder / "log");
+  Path model = WriteTestFile(folder / "model.json", SmallModelJson());
+};
+
+// What a user would type, with every output flag given.
+std::vector<std::string> ArgumentsOf(const std::string& tool,
+                                     const Path& folder,
+                                     const std::string& log) {
+  const std::string out = (folder / "out").string();
+  if (tool == "fathom_identify") {
+    return {"--log=" + log, "--dof=surge", "--model=" + out + "/model.json"};
+  }
+  if (tool == "fathom_compare") {
+    return {"--log=" + log,
+            "--json=" + out + "/rows.json",
+            "--report=" + out + "/page.html",
+            "--figures=" + out + "/figures"};
+  }
+  return {"--log=" + log,
+          "--model=" + (folder / "model.json").string(),
+          "--out=" + out + "/prediction.csv"};
+}
+
+class LogTools : public ::testing::TestWithParam<std::string> {};
+
+// Without it the refusals below could come from anything.
+TEST_P(LogTools, AcceptsTheUndamagedLog) {
+  const Inputs inputs;
+  const auto run =
+      RunToolBinary(GetParam(), ArgumentsOf(GetParam(), inputs.folder, inputs.log.string()));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("surge"));
+  EXPECT_TRUE(std::filesystem::exists(inputs.folder / "out"));
+}
+
+TEST_P(LogTools, RefusesAMissingLogFlag) {
+  const Inputs inputs;
+  auto arguments = ArgumentsOf(GetParam(), inputs.folder, "");
+  arguments.erase(arguments.begin());
+  EXPECT_EQ(ExpectRefusal(GetParam(), arguments, inputs.folder),
+            GetParam() + ": --log: is missing, expected a log folder or a CSV file.\n");
+}
+
+TEST_P(LogTools, RefusesALogThatIsNotThere) {
+  const Inputs inputs;
+  const std::string log = (inputs.folder / "lgo").string();
+  EXPECT_EQ(ExpectRefusal(GetParam(), ArgumentsOf(GetParam(), inputs.folder, log), inputs.folder),
+            GetParam() + ": " + log + ": there is no such file. Check the path.\n");
+}
+
+TEST_P(LogTools, RefusesAnUnknownFlag) {
+  const Inputs inputs;
+  auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
+  arguments.push_back("--famly=adaptive");
+  EXPECT_EQ(ExpectRefusal(GetParam(), arguments, inputs.folder),
+            GetParam() + ": --famly: there is no such flag. See " + GetParam() + " --help.\n");
+}
+
+TEST_P(LogTools, RefusesALogWithoutMotion) {
+  const Inputs inputs;
+  std::filesystem::remove(inputs.log / "velocity.csv");
+  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
+  EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
+              StartsWith(GetParam() + ": " + inputs.log.string() +
+                         ": holds neither velocity.csv nor pose.csv, expected the vehicle's "
+                         "motion in one of them."));
+}
+
+TEST_P(LogTools, RefusesACommandWithoutTheDofsColumn) {
+  const Inputs inputs;
+  std::string command = SmallCommandCsv();
+  command.replace(command.find("surge"), 5, "heave");
+  WriteTestFile(inputs.log / "command.csv", command);
+  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
+  EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
+              AllOf(StartsWith(GetParam() + ": " + (inputs.log / "command.csv").string() +
+                               ": column 'tau_surge' is missing"),
+                    HasSubstr("tau_heave")));
+}
+
+TEST_P(LogTools, RefusesAnUnknownKeyOfTheLog) {
+  const Inputs inputs;
+  WriteTestFile(inputs.log / "log.yaml", "name: small\ndof: surge\nvehicel: rov\n");
+  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
+  EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
+              StartsWith(GetParam() + ": " + (inputs.log / "log.yaml").string() +
+                         ":3: key 'vehicel' is not known here, expected one of: name, dof, "));
+}
+
+TEST_P(LogTools, RefusesAnUnknownDofInTheLog) {
+  const Inputs inputs;
+  WriteTestFile(inputs.log / "log.yaml", "name: small\ndof: forward\n");
+  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
+  EXPECT_EQ(ExpectRefusal(GetParam(), arguments, inputs.folder),
+            GetParam() + ": " + (inputs.log / "log.yaml").string() +
+                ":2: key 'dof' is 'forward', expected one or a list of surge, sway, heave, roll, "
+                "pitch, yaw.\n");
+}
+
+std::vector<std::string> AllLogTools() {
+  return {"fathom_identify", "fathom_compare", "fathom_simulate"};
+}
+
+// "identify" of "fathom_identify".
+std::string ShortName(const std::string& tool) { return tool.substr(tool.find('_') + 1); }
+
+INSTANTIATE_TEST_SUITE_P(Refusals,
+                         LogTools,
+                         ::testing::ValuesIn(AllLogTools()),
+                         [](const auto& info) { return ShortName(info.param); });
+
+// tool x file x damage
+class DamagedLog : public ::testing::TestWithParam<std::tuple<std::string, TwoColumnCsv, Damage>> {
+};
+
+TEST_P(DamagedLog, IsRefused) {
+  const auto& [tool, csv, damage] = GetParam();
+  const Inputs inputs;
+  const Path path = inputs.log / csv.file;
+  const std::string good = csv.file == "velocity.csv" ? SmallVelocityCsv() : SmallCommandCsv();
+  WriteTestFile(path, Damaged(good, csv, damage));
+  const auto arguments = ArgumentsOf(tool, inputs.folder, inputs.log.string());
+  EXPECT_EQ(ExpectRefusal(tool, arguments, inputs.folder),
+            tool + ": " + path.string() + Refusal(csv, damage) + "\n");
+}
+
+// "identify_velocity_TimeGoesBack"
+std::string CaseName(const ::testing::TestParamInfo<DamagedLog::ParamType>& info) {
+  const auto& [tool, csv, damage] = info.param;
+  return ShortName(tool) + "_" + csv.file.substr(0, csv.file.find('.')) + "_" + Name(damage);
+}
+
+INSTANTIATE_TEST_SUITE_P(Refusals,
+                         DamagedLog,
+                         ::testing::Combine(::testing::ValuesIn(AllLogTools()),
+                                            ::testing::Values(kVelocity, kCommand),
+                                            ::testing::ValuesIn(AllDamages())),
+                         CaseName);
+
+// What only some of the tools can be given.
+TEST(Refusals, IdentifyNamesTheFlagOfAnUnknownDof) {
+  const Inputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_identify", {"--log=" + inputs.log.string(), "--dof=forward"}, inputs.folder),
+      AllOf(StartsWith("fathom_identify: --dof: is 'forward', expected "),
+            HasSubstr("surge, sway, heave, roll, pitch")));
+}
+
+TEST(Refusals, CompareNamesTheFlagOfAnUnknownDof) {
+  const Inputs inputs;
+  EXPECT_THAT(ExpectRefusal("fathom_compare",
+                            {"--log=" + inputs.log.string(), "--dofs=surge,forward"},
+                            inputs.folder),
+              AllOf(StartsWith("fathom_compare: --dofs: is 'forward', expected "),
+                    HasSubstr("surge, sway, heave, roll, pitch")));
+}
+
+TEST(Refusals, IdentifyNamesTheFlagOfAnUnknownFamily) {
+  const Inputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_identify", {"--log=" + inputs.log.string(), "--family=kalman"}, inputs.folder),
+      AllOf(StartsWith("fathom_identify: --family: is 'kalman', expected "),
+            HasSubstr("least_squares, adaptive")));
+}
+
+TEST(Refusals, CompareNamesTheFlagOfAnUnknownFamily) {
+  const Inputs inputs;
+  EXPECT_THAT(ExpectRefusal("fathom_compare",
+                            {"--log=" + inputs.log.string(), "--families=adaptive,kalman"},
+                            inputs.folder),
+              AllOf(StartsWith("fathom_compare: --families: is 'kalman', expected "),
+                    HasSubstr("least_squares, adaptive")));
+}
+
+TEST(Refusals, CompareNamesTheFlagOfAnUnknownSource) {
+  const Inputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_compare", {"--log=" + inputs.log.string(), "--sources=sonar"}, inputs.folder),
+      AllOf(StartsWith("fathom_compare: --sources: is 'sonar', expected "), HasSubstr("camera")));
+}
+
+TEST(Refusals, IdentifyRefusesASourceThatTheLogDoesNotHold) {
+  const Inputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_identify", {"--log=" + inputs.log.string(), "--source=camera"}, inputs.folder),
+      AllOf(StartsWith("fathom_identify: " + inputs.log.string()), HasSubstr("pose.csv")));
+}
+
+TEST(Refusals, IdentifyRefusesTheSecondOfTwoLogs) {
+  const Inputs inputs;
+  const Path second = WriteSmallLog(inputs.folder / "second");
+  WriteTestFile(second / "velocity.csv", Damaged(SmallVelocityCsv(), kVelocity, Damage::kNan));
+  EXPECT_EQ(ExpectRefusal("fathom_identify",
+                          {"--log=" + inputs.log.string() + "," + second.string(),
+                           "--dof=surge",
+                           "--model=" + (inputs.folder / "out.json").string()},
+                          inputs.folder),
+            "fathom_identify: " + (second / "velocity.csv").string() +
+                Refusal(kVelocity, Damage::kNan) + "\n");
+}
+
+TEST(Refusals, IdentifyAsksForTheDofOfASingleCsv) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
+  EXPECT_EQ(ExpectRefusal("fathom_identify", {"--log=" + csv.string()}, folder),
+            "fathom_identify: " + csv.string() +
+                ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected "
+                "--dof with it: --dof=surge, sway, heave, roll, pitch or yaw.\n");
+  const auto run = RunToolBinary("fathom_identify", {"--log=" + csv.string(), "--dof=surge"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+// Its flag is called --dofs: a message that says --dof sends the user to a flag there is not.
+TEST(Refusals, CompareAsksForTheDofOfASingleCsv) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
+  EXPECT_THAT(ExpectRefusal("fathom_compare", {"--log=" + csv.string()}, folder),
+              AllOf(StartsWith("fathom_compare: " + csv.string() + ": a single CSV (t,tau,v) "),
+                    HasSubstr("--dofs=")));
+  const auto run = RunToolBinary("fathom_compare", {"--log=" + csv.string(), "--dofs=surge"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST(Refusals, SimulateRefusesAModelThatIsNoJson) {
+  const Inputs inputs;
+  const std::string json = SmallModelJson();
+  WriteTestFile(inputs.model, json.substr(0, json.size() / 2));
+  EXPECT_THAT(ExpectRefusal("fathom_simulate",
+                            ArgumentsOf("fathom_simulate", inputs.folder, inputs.log.string()),
+                            inputs.folder),
+              StartsWith("fathom_simulate: " + inputs.model.string() + ": is not JSON: "));
+}
+
+TEST(Refusals, SimulateRefusesAModelWithoutInertia) {
+  const Inputs inputs;
+  std::string json = SmallModelJson();
+  json.replace(json.find("inertia"), 7, "inertie");
+  WriteTestFile(inputs.model, json);
+  EXPECT_THAT(ExpectRefusal("fathom_simulate",
+                            ArgumentsOf("fathom_simulate", inputs.folder, inputs.log.string()),
+                            inputs.folder),
+              AllOf(StartsWith("fathom_simulate: " + inputs.model.string() + ": "),
+                    HasSubstr("inertia"),
+                    HasSubstr("is missing")));
+}
+
+TEST(Refusals, SimulateNamesTheMissingModelFlag) {
+  const Inputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal("fathom_simulate", {"--log=" + inputs.log.string()}, inputs.folder),
+      StartsWith("fathom_simulate: --model: is missing, expected a model or verdict file."));
+}
+
+TEST(Refusals, TheDamagesAreDifferent) {
+  for (const Damage a : AllDamages()) {
+    const std::string damaged = Damaged(SmallVelocityCsv(), kVelocity, a);
+    EXPECT_NE(damaged, SmallVelocityCsv()) << Name(a);
+    for (const Damage b : AllDamages()) {
+      if (a == b) continue;
+      EXPECT_NE(damaged, Damaged(SmallVelocityCsv(), kVelocity, b)) << Name(a);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run_tool.h"
+#include "saved_files.h"
+#include "small_log.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Path = std::filesystem::path;
+
+const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
+
+// From the log to the model file to the prediction, each step a program of its own.
+TEST(SimulateTool, PredictsTheLogThatTheModelWasIdentifiedFrom) {
+  const Path folder = EmptyTestFolder();
+  const std::string model = (folder / "model.json").string();
+  const Path out = folder / "prediction.csv";
+  const ToolRun identified =
+      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=surge", "--model=" + model});
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate", {"--model=" + model, "--log=" + kFlatfish, "--out=" + out.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+
+  const CsvColumns predicted = ReadColumns(out);
+  const CsvColumns measured = ReadColumns(kFlatfish + "/velocity.csv");
+  EXPECT_THAT(predicted.names, ElementsAre("t", "u"));
+  ASSERT_EQ(predicted.rows.size(), measured.rows.size());
+  EXPECT_EQ(predicted.Values("t"), measured.Values("t"));
+  const std::vector<double> u = predicted.Values("u");
+  const std::vector<double> u_measured = measured.Values("u");
+  EXPECT_EQ(u.front(), u_measured.front());  // where the free run starts
+
+  double sum_of_errors = 0.0, sum_of_speeds = 0.0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    sum_of_errors += std::abs(u[i] - u_measured[i]);
+    sum_of_speeds += std::abs(u_measured[i]);
+  }
+  // Printed with five and four digits behind the point.
+  EXPECT_NEAR(NumberBehind("MAE ", run.out), sum_of_errors / static_cast<double>(u.size()), 6e-6);
+  EXPECT_NEAR(NumberBehind("NMAE ", run.out), sum_of_errors / sum_of_speeds, 6e-5);
+  // The log's noise of about 0.01 m/s is 0.008 in the mean; a wrong model misses by more.
+  EXPECT_LT(sum_of_errors / static_cast<double>(u.size()), 0.012);
+}
+
+// m dv/dt + d_L v + b = tau from rest: v = (tau - b) / d_L (1 - exp(-d_L t / m)).
+TEST(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
+  const Path folder = EmptyTestFolder();
+  std::string model = SmallModelJson();
+  model.replace(model.find("\"value\": 30"), 11, "\"value\": 0");
+  WriteTestFile(folder / "model.json", model);
+  std::string velocity = "t,u\n";
+  for (int i = 0; i < 200; ++i) velocity += std::to_string(0.1 * i) + ",0\n";
+  WriteTestFile(folder / "log" / "log.yaml", "name: push\ndof: surge\n");
+  WriteTestFile(folder / "log" / "command.csv", "t,tau_surge\n0,20\n19.9,20\n");
+  WriteTestFile(folder / "log" / "velocity.csv", velocity);
+  const ToolRun run = RunToolBinary("fathom_simulate",
+                                    {"--model=" + (folder / "model.json").string(),
+                                     "--log=" + (folder / "log").string(),
+                                     "--out=" + (folder / "prediction.csv").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const CsvColumns predicted = ReadColumns(folder / "prediction.csv");
+  ASSERT_EQ(predicted.rows.size(), 200u);
+  for (const auto& row : predicted.rows) {
+    // Runge-Kutta of order four in steps of h = 0.1 s at a time constant of T = 8 s: an error of
+    // (h / T)^4 / 120 t / T of the speed, below 1e-9.
+    EXPECT_NEAR(row[1], 19.0 / 5.0 * (1.0 - std::exp(-5.0 * row[0] / 40.0)), 1e-8) << row[0];
+  }
+}
+
+TEST(SimulateTool, ReadsAVerdictAsTheExtendedModelInIt) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  WriteTestFile(folder / "model.json", SmallModelJson());
+  const auto model = nlohmann::json::parse(SmallModelJson());
+  auto wrong = model["parameters"];
+  wrong["inertia"]["value"] = 400.0;
+  const nlohmann::json verdict = {
+      {"schema", "fathom-verdict-1"},
+      {"log", "small"},
+      {"dof", "surge"},
+      {"verdict", "consistent"},
+      {"baseline", {{"parameters", wrong}, {"mae", 0.1}, {"nmae", 0.2}, {"heldout_nmae", nullptr}}},
+      {"causes", nlohmann::json::array()},
+      {"extended",
+       {{"parameters", model["parameters"]},
+        {"mae", 0.001},
+        {"nmae", 0.01},
+        {"heldout_nmae", nullptr}}},
+      {"candidates", nlohmann::json::array()}};
+  WriteTestFile(folder / "verdict.json", verdict.dump(1));
+  for (const std::string name : {"model", "verdict"}) {
+    const ToolRun run = RunToolBinary("fathom_simulate",
+                                      {"--model=" + (folder / name).string() + ".json",
+                                       "--log=" + log.string(),
+                                       "--out=" + (folder / name).string() + ".csv"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+  EXPECT_FALSE(TextOf(folder / "model.csv").empty());
+  EXPECT_EQ(TextOf(folder / "model.csv"), TextOf(folder / "verdict.csv"));
+}
+
+// The truth of the small log predicts it to its own Euler steps of 1 ms, whose error is about
+// 0.0005 s times the acceleration, at most 0.7 m/s^2.
+TEST(SimulateTool, TheTruthPredictsTheSmallLog) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  WriteTestFile(folder / "model.json", SmallModelJson());
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate", {"--model=" + (folder / "model.json").string(), "--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_LT(NumberBehind("MAE ", run.out), 0.0005);
+  EXPECT_THAT(run.out, HasSubstr("over 601 samples, 60 s"));
+}
+
+// Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
+// prediction, rather than a wrong one.
+TEST(SimulateTool, AModelThatCannotBeSimulatedEndsWithExitCodeTwoAndNoFile) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  std::string model = SmallModelJson();
+  model.replace(model.find("\"value\": 5"), 10, "\"value\": 5e9");
+  WriteTestFile(folder / "model.json", model);
+  const Path out = folder / "prediction.csv";
+  const ToolRun run = RunToolBinary("fathom_simulate",
+                                    {"--model=" + (folder / "model.json").string(),
+                                     "--log=" + log.string(),
+                                     "--out=" + out.string()});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("fathom_simulate: the simulation of "));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace fathom
