@@ -57,6 +57,10 @@ std::string Name(Damage damage) {
   return kNames[static_cast<int>(damage)];
 }
 
+std::ostream& operator<<(std::ostream& out, const TwoColumnCsv& csv) { return out << csv.file; }
+
+std::ostream& operator<<(std::ostream& out, Damage damage) { return out << Name(damage); }
+
 std::string Damaged(const std::string& text, const TwoColumnCsv& csv, Damage damage) {
   switch (damage) {
     case Damage::kMissingTime:

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ std::string Name(Damage damage);
 
 // `text`, the content of `csv`, with the damage done. Damage to a row is done to line 5, t = 0.3.
 std::string Damaged(const std::string& text, const TwoColumnCsv& csv, Damage damage);
+
+// For GoogleTest, which would print bytes.
+std::ostream& operator<<(std::ostream& out, const TwoColumnCsv& csv);
+std::ostream& operator<<(std::ostream& out, Damage damage);
 
 // What docs/file_formats.md, "Refusals", promises for it, from behind the file's path on.
 std::string Refusal(const TwoColumnCsv& csv, Damage damage);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct DofTruth {
   double inertia;    // [kg] or [kg m^2]
   double tolerance;  // relative
 };
+
+std::ostream& operator<<(std::ostream& out, const DofTruth& truth) { return out << truth.dof; }
 
 std::string Dof(const ::testing::TestParamInfo<DofTruth>& info) { return info.param.dof; }
 
