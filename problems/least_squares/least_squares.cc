@@ -80,8 +80,8 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
   for (int k = 0; k < 4; ++k) {
     if (length[k] == 0.0) length[k] = 1.0;
   }
-  const Eigen::MatrixX4d scaled = F * length.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixX4d> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::MatrixXd scaled = F * length.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::Vector4d S = svd.singularValues();
   const Eigen::Matrix4d V = svd.matrixV();
   summary.singular_values = Eigen::JacobiSVD<Eigen::MatrixX4d>(F).singularValues();

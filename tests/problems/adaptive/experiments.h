@@ -25,7 +25,7 @@ struct Experiment {
 
 inline Segment RunOf(const Experiment& experiment, unsigned seed) {
   std::mt19937 generator(seed);
-  std::normal_distribution<double> normal(0.0, experiment.noise);
+  std::normal_distribution<double> normal;
   const auto& m = experiment.truth;
   Segment segment;
   double x = 0.0, v = 0.0;
@@ -34,7 +34,7 @@ inline Segment RunOf(const Experiment& experiment, unsigned seed) {
     const double t = i / experiment.rate;
     const double tau = experiment.force(t, x, v);
     segment.time.push_back(t);
-    segment.velocity.push_back(v + (experiment.noise > 0.0 ? normal(generator) : 0.0));
+    segment.velocity.push_back(v + experiment.noise * normal(generator));
     segment.command.time.push_back(t);
     segment.command.value.push_back(tau);
     const auto a = [&](double w) {

@@ -190,10 +190,10 @@ TEST(SavitzkyGolay, DoesNotDependOnTheOrderInWhichStampsAreVisited) {
 
 std::vector<double> NoisySine(const std::vector<double>& time, double period, double noise) {
   std::mt19937 generator(4);
-  std::normal_distribution<double> normal(0.0, noise);
+  std::normal_distribution<double> normal;
   std::vector<double> values;
   for (const double t : time)
-    values.push_back(std::sin(2.0 * M_PI / period * t) + normal(generator));
+    values.push_back(std::sin(2.0 * M_PI / period * t) + noise * normal(generator));
   return values;
 }
 
