@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -43,12 +44,13 @@ const ToolInfo kInfo = {
 
 ComparisonOptions OptionsFromFlags() {
   ComparisonOptions options;
-  for (const auto& name : SplitAtCommas(FLAGS_dofs)) options.dofs.push_back(ParseDof(name));
+  for (const auto& name : SplitAtCommas(FLAGS_dofs))
+    options.dofs.push_back(ParseFlag("dofs", name, ParseDof));
   for (const auto& name : SplitAtCommas(FLAGS_families)) {
-    options.families.push_back(ParseFamily(name));
+    options.families.push_back(ParseFlag("families", name, ParseFamily));
   }
   for (const auto& name : SplitAtCommas(FLAGS_sources)) {
-    options.sources.push_back(ParseSource(name));
+    options.sources.push_back(ParseFlag("sources", name, ParseSource));
   }
   options.identification = IdentificationOptionsFromFlags();
   return options;
@@ -85,6 +87,11 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   std::optional<Dof> dof;
   if (options.dofs.size() == 1) dof = options.dofs.front();
+  if (!dof && std::filesystem::is_regular_file(FLAGS_log)) {
+    throw InputError(FLAGS_log +
+                     ": a single CSV (t,tau,v) does not say whose force and speed it holds, "
+                     "expected one DOF with it, for example --dofs=surge.");
+  }
   const Comparison comparison = Compare(ReadLogFromFlags(FLAGS_log, dof), options);
   for (const DofComparison& part : comparison.dofs) Print(part);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));

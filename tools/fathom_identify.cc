@@ -33,14 +33,14 @@ const ToolInfo kInfo = {
     "Several logs are fitted together, each with an initial state of its own."};
 
 Dof DofFromFlagOrLog(const Log& log) {
-  if (!FLAGS_dof.empty()) return ParseDof(FLAGS_dof);
+  if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
   if (log.dofs.size() == 1) return log.dofs.front();
   throw InputError(
       fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
 }
 
 Source SourceFromFlagOrLog(const Log& log, Dof dof) {
-  if (!FLAGS_source.empty()) return ParseSource(FLAGS_source);
+  if (!FLAGS_source.empty()) return ParseFlag("source", FLAGS_source, ParseSource);
   const auto sources = SourcesOf(log, dof);
   return sources.empty() ? Source::kPoseEstimator : sources.front();
 }
@@ -48,7 +48,7 @@ Source SourceFromFlagOrLog(const Log& log, Dof dof) {
 // The signals of all logs as one, a segment each or more.
 Signals SignalsFromFlags(Dof* dof) {
   std::optional<Dof> given;
-  if (!FLAGS_dof.empty()) given = ParseDof(FLAGS_dof);
+  if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
   Signals all;
   bool is_first = true;
   for (const std::string& path : SplitAtCommas(FLAGS_log)) {
@@ -82,7 +82,7 @@ Signals SignalsFromFlags(Dof* dof) {
 
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  const Family family = ParseFamily(FLAGS_family);
+  const Family family = ParseFlag("family", FLAGS_family, ParseFamily);
   const IdentificationOptions options = IdentificationOptionsFromFlags();
   Dof dof = Dof::kSurge;
   const Signals signals = SignalsFromFlags(&dof);

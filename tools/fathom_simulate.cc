@@ -3,9 +3,9 @@
 
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
-#include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
 #include "fathom/comparison/comparison.h"
+#include "fathom/signal/log_column.h"
 #include "fathom/simulate/prediction.h"
 #include "fathom/tools/identifier_flags.h"
 #include "fathom/tools/tool.h"
@@ -37,12 +37,7 @@ constexpr double kLongestGap = 30.0;  // [s], as in SignalsOptions
 // The whole log as segments, held-out intervals and all; without a motion stream one segment at the
 // command's stamps whose "measured" velocity is NaN but for the start from rest.
 std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
-  const auto* force = log.command ? log.command->Find(ForceColumn(dof)) : nullptr;
-  if (force == nullptr) {
-    throw InputError(
-        fmt::format("{}: command.csv has no column '{}'.", log.path.string(), ForceColumn(dof)));
-  }
-  const HeldCommand command = {log.command->time, *force};
+  const HeldCommand command = CommandOf(log, dof);
   if (log.velocity) {
     if (const auto* measured = log.velocity->Find(VelocityColumn(dof))) {
       return SegmentsAtEveryStamp(log.velocity->time, *measured, command, kLongestGap);
@@ -91,8 +86,9 @@ int Run() {
                 figures.num_samples,
                 figures.duration);
   } else {
-    std::printf("%s: predicted from rest; the log measures nothing to score it by\n",
-                std::string(Name(fitted.dof)).c_str());
+    std::printf("%s: predicted from rest; the log has no column '%s' and no pose to score it by\n",
+                std::string(Name(fitted.dof)).c_str(),
+                std::string(VelocityColumn(fitted.dof)).c_str());
   }
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, csv);
   return 0;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/base/input_error.h"
 #include "fathom/comparison/identification.h"
 #include "fathom/log/log.h"
 #include "fathom/vehicle/fitted_model.h"
@@ -25,6 +26,16 @@ namespace fathom {
 
 // Splits at commas; empty for an empty text.
 std::vector<std::string> SplitAtCommas(const std::string& text);
+
+// parse(text), with the flag's name before what it says of a text it cannot use.
+template <typename Parse>
+auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
+  try {
+    return parse(text);
+  } catch (const InputError& error) {
+    throw InputError("--" + flag + ": " + error.what());
+  }
+}
 
 // Options of the families as --gains, --integrator, --huber and --shooting_window say. Throws
 // InputError for a value that cannot be used.

@@ -14,10 +14,10 @@
 namespace fathom {
 
 struct ComparisonOptions {
-  std::vector<Dof> dofs;         // empty: the log's
-  std::vector<Family> families;  // empty: all
-  std::vector<Source> sources;   // empty: every source the log has
-  IdentificationOptions identification;
+  std::vector<Dof> dofs = {};         // empty: the log's
+  std::vector<Family> families = {};  // empty: all
+  std::vector<Source> sources = {};   // empty: every source the log has
+  IdentificationOptions identification = {};
 };
 
 // One DOF: every family on every source, measured with one yardstick.

@@ -4,6 +4,7 @@
 #include "fathom/comparison/comparison_file.h"
 
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,7 @@ Json FormatRow(const Identification& row) {
   const ParameterVector values = ToVector(fitted.model);
   for (int i = 0; i < kNumParameters; ++i) {
     parameters[kParameterInfo[i].name] = {
-        {"value", values[i]},
+        {"value", row.is_usable ? values[i] : std::numeric_limits<double>::quiet_NaN()},
         {"std", std::sqrt(fitted.covariance(i, i))},
         {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)}};
   }

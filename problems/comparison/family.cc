@@ -16,9 +16,7 @@ Family ParseFamily(const std::string& name) {
   for (const Family family : kAllFamilies) {
     if (Name(family) == name) return family;
   }
-  throw InputError("'" + name +
-                   "' is not an identifier family, expected one of least_squares, adaptive, "
-                   "output_error.");
+  throw InputError("is '" + name + "', expected one of least_squares, adaptive, output_error.");
 }
 
 }  // namespace fathom

@@ -18,7 +18,7 @@ inline constexpr std::array<Family, 3> kAllFamilies = {
 // "least_squares", "adaptive", "output_error".
 std::string_view Name(Family family);
 
-// Throws InputError, listing the names there are.
+// Throws InputError, listing the names there are, in the form of ParseDof().
 Family ParseFamily(const std::string& name);
 
 }  // namespace fathom

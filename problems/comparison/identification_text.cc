@@ -41,7 +41,9 @@ Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator) {
   ParameterVector gradient = ParameterVector::Zero();
   gradient[numerator] = 1.0 / p[denominator];
   gradient[denominator] = -ratio / p[denominator];
-  return {ratio, std::sqrt(gradient.dot(fitted.covariance * gradient))};
+  // Where the two always move together the variance is zero but for rounding; NaN stays NaN.
+  const double variance = gradient.dot(fitted.covariance * gradient);
+  return {ratio, std::sqrt(variance < 0.0 ? 0.0 : variance)};
 }
 
 std::string FormatIdentification(const Identification& identification) {

@@ -42,9 +42,7 @@ std::optional<Dof> DofFromName(std::string_view name) {
 
 Dof ParseDof(const std::string& name) {
   if (const auto dof = DofFromName(name)) return *dof;
-  throw InputError("'" + name +
-                   "' is not a degree of freedom, expected one of surge, sway, heave, roll, pitch, "
-                   "yaw.");
+  throw InputError("is '" + name + "', expected surge, sway, heave, roll, pitch or yaw.");
 }
 
 }  // namespace fathom

@@ -40,7 +40,8 @@ std::string_view ForceUnit(Dof dof);
 // Nothing if no DOF has this name.
 std::optional<Dof> DofFromName(std::string_view name);
 
-// Throws InputError, listing the names there are, if no DOF has this name.
+// Throws InputError, listing the names there are, if no DOF has this name: "is 'up', expected ...",
+// for the name of a flag to be put before it.
 Dof ParseDof(const std::string& name);
 
 }  // namespace fathom

@@ -16,12 +16,10 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
-
-using nlohmann::json;
 
 // A page may run its own script and style and load nothing at all.
 constexpr std::string_view kHead = R"(<!doctype html>
@@ -109,9 +107,9 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
 }
 
 // JSON that may stand inside a script element: without '<' nothing in it can end the element.
-std::string ScriptSafe(const json& value) {
+std::string ScriptSafe(const std::string& json) {
   std::string text;
-  for (const char c : value.dump(-1, ' ', false, json::error_handler_t::replace)) {
+  for (const char c : json) {
     if (c == '<') {
       text += "\\u003c";
     } else {
@@ -125,14 +123,15 @@ std::string ScriptSafe(const json& value) {
 
 std::string RenderPage(const Page& page) {
   Palette palette;
-  json sections = json::array();
+  std::vector<std::string> sections;
   for (const PageSection& section : page.sections) {
-    json charts = json::array();
+    std::vector<std::string> charts;
     for (const TimePanel& panel : section.time_panels) {
       charts.push_back(TimeChartJson(panel, palette));
     }
-    sections.push_back(std::move(charts));
+    sections.push_back(fmt::format("[{}]", fmt::join(charts, ",")));
   }
+  const std::string data = fmt::format("[{}]", fmt::join(sections, ","));
 
   std::string html(kHead);
   html += fmt::format("<title>{}</title>\n", HtmlText(page.title));
@@ -152,7 +151,7 @@ std::string RenderPage(const Page& page) {
   }
   html += "</main>\n";
   if (!page.footer.empty()) html += "<footer>" + HtmlText(page.footer) + "</footer>\n";
-  html += "<script type=\"application/json\" id=\"data\">" + ScriptSafe(sections) + "</script>\n";
+  html += "<script type=\"application/json\" id=\"data\">" + ScriptSafe(data) + "</script>\n";
   html += fmt::format("<script>\n/* uPlot draws the charts. Its licence:\n{}*/\n{}\n</script>\n",
                       web::uplot_license,
                       web::uplot_js);

@@ -54,7 +54,7 @@ std::vector<double> Residual(const Series& measured, const Series& response) {
   return residual;
 }
 
-json TimeChartJson(const TimePanel& panel, Palette& palette) {
+std::string TimeChartJson(const TimePanel& panel, Palette& palette) {
   CheckPanel(panel);
   const bool has_residuals = panel.has_residuals && panel.measured && !panel.responses.empty();
 
@@ -94,7 +94,7 @@ json TimeChartJson(const TimePanel& panel, Palette& palette) {
                 {"is_stepped", panel.is_stepped},
                 {"has_residuals", has_residuals}};
   if (panel.measured) chart["measured"] = SeriesJson(*panel.measured, kMeasuredColor, indices);
-  return chart;
+  return chart.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace fathom

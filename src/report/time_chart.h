@@ -7,9 +7,8 @@
 #include "fathom/report/panel.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace fathom {
 
@@ -23,8 +22,8 @@ void CheckPanel(const TimePanel& panel);
 // Measured minus response, stamp by stamp.
 std::vector<double> Residual(const Series& measured, const Series& response);
 
-// What page.js draws from. Values keep seven digits. Stamps that count from an epoch (beyond 1e6 s)
-// lose a whole number of seconds, `time_offset`, so that the axis can be read.
-nlohmann::json TimeChartJson(const TimePanel& panel, Palette& palette);
+// What page.js draws from, as JSON. Values keep seven digits. Stamps that count from an epoch
+// (beyond 1e6 s) lose a whole number of seconds, `time_offset`, so that the axis can be read.
+std::string TimeChartJson(const TimePanel& panel, Palette& palette);
 
 }  // namespace fathom

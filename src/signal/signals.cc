@@ -152,7 +152,7 @@ Source ParseSource(const std::string& name) {
   for (const Source source : {Source::kPoseEstimator, Source::kCamera}) {
     if (Name(source) == name) return source;
   }
-  throw InputError(fmt::format("'{}' is not a source, expected pose_estimator or camera.", name));
+  throw InputError(fmt::format("is '{}', expected pose_estimator or camera.", name));
 }
 
 Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {

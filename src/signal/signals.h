@@ -20,7 +20,7 @@ enum class Source { kPoseEstimator, kCamera };
 // "pose_estimator" or "camera".
 std::string_view Name(Source source);
 
-// Throws InputError, listing the names there are.
+// Throws InputError, listing the names there are, in the form of ParseDof().
 Source ParseSource(const std::string& name);
 
 // One DOF over one unbroken stretch of a log. The vectors over `time` have its length.

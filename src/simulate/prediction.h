@@ -27,8 +27,8 @@ std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>&
                                                    const Segment& segment,
                                                    double initial_velocity);
 
-// Where a free run over a segment starts: its initial_velocity, or where that is not known its first
-// measured velocity.
+// Where a free run over a segment starts: its initial_velocity, or where that is not known its
+// first measured velocity.
 double InitialVelocity(const Segment& segment);
 
 // MAE and NMAE of the free runs over all `segments` together, each started from its

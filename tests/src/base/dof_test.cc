@@ -33,9 +33,7 @@ TEST(Dof, ListsTheNamesWhenThereIsNoSuchName) {
     ParseDof("surg");
     ADD_FAILURE() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "'surg' is not a degree of freedom, expected one of surge, sway, heave, roll, "
-                 "pitch, yaw.");
+    EXPECT_STREQ(error.what(), "is 'surg', expected surge, sway, heave, roll, pitch or yaw.");
   }
 }
 
