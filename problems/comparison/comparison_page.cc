@@ -70,6 +70,16 @@ std::string Sentence(const DofComparison& comparison) {
       ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit));
 }
 
+void RemoveColumn(const std::string& heading, Table* table) {
+  for (size_t column = 0; column < table->columns.size(); ++column) {
+    if (table->columns[column].heading != heading) continue;
+    const auto index = static_cast<std::ptrdiff_t>(column);
+    table->columns.erase(table->columns.begin() + index);
+    for (TableRow& row : table->rows) row.cells.erase(row.cells.begin() + index);
+    return;
+  }
+}
+
 PageSection SectionOf(const DofComparison& comparison) {
   PageSection section;
   section.heading = Capitalised(std::string(Name(comparison.dof)));
@@ -80,9 +90,10 @@ PageSection SectionOf(const DofComparison& comparison) {
   for (const std::string& remark : comparison.remarks) section.text.push_back(remark);
   section.time_panels.push_back(ResponsePanel(comparison));
   section.parameter_panels = ParameterPanels(comparison);
+  // The section says which DOF it is, and a page is not wide enough for every figure.
   Table parameters = ParameterTable(comparison);
-  parameters.columns.erase(parameters.columns.begin());  // the section says which DOF
-  for (TableRow& row : parameters.rows) row.cells.erase(row.cells.begin());
+  RemoveColumn("DOF", &parameters);
+  RemoveColumn("held-out MAE", &parameters);
   section.tables.push_back(std::move(parameters));
 
   Table notes;

@@ -60,19 +60,18 @@ TEST(CompareTool, WritesARowForEachFamilyAndDof) {
                           "yaw output_error"));
 }
 
-// The last minute of the bundled log, which no family was fitted to. Its noise of 0.01 m/s leaves a
-// mean error uncertain by 0.6 x 0.01 / sqrt(587), 0.0003 m/s; differences below that are chance
-// (the true model itself is no better there). What they are without noise is tested below.
+// The last minute of the bundled log, which no family was fitted to. (On 60 s of noise the families
+// differ by little more than chance, docs/comparison.md; the test below takes the chance out.)
 TEST(CompareTool, OutputErrorPredictsUnseenDataNoWorseThanTheOtherFamilies) {
   const FlatfishRun flatfish(EmptyTestFolder());
-  std::map<std::string, std::map<std::string, double>> mae;
+  std::map<std::string, std::map<std::string, double>> nmae;
   const auto json = nlohmann::json::parse(flatfish.json);
-  for (const auto& row : json["rows"]) mae[row["dof"]][row["family"]] = row["heldout_mae"];
-  ASSERT_EQ(mae.size(), 3u);
-  for (auto& [dof, of_family] : mae) {
+  for (const auto& row : json["rows"]) nmae[row["dof"]][row["family"]] = row["heldout_nmae"];
+  ASSERT_EQ(nmae.size(), 3u);
+  for (auto& [dof, of_family] : nmae) {
     EXPECT_GT(of_family["output_error"], 0.0) << dof;
-    EXPECT_LE(of_family["output_error"], of_family["least_squares"] + 0.0003) << dof;
-    EXPECT_LE(of_family["output_error"], of_family["adaptive"] + 0.0003) << dof;
+    EXPECT_LE(of_family["output_error"], of_family["least_squares"]) << dof;
+    EXPECT_LE(of_family["output_error"], of_family["adaptive"]) << dof;
   }
 }
 
