@@ -49,9 +49,12 @@ Identification Identify(const Signals& signals,
   result.fitted.dof = signals.dof;
   result.fitted.force_unit = signals.force_unit;
   switch (family) {
-    case Family::kLeastSquares:
-      TakeOver(FitLeastSquares(signals.train), &result);
+    case Family::kLeastSquares: {
+      const LeastSquaresSummary summary = FitLeastSquares(signals.train);
+      TakeOver(summary, &result);
+      result.condition_number = summary.condition_number;
       break;
+    }
     case Family::kAdaptive:
       TakeOver(FitAdaptive(signals.train, options.adaptive), &result);
       break;
@@ -60,7 +63,10 @@ Identification Identify(const Signals& signals,
       OutputErrorOptions output_error = options.output_error;
       output_error.output =
           signals.source == Source::kCamera ? FittedOutput::kPosition : FittedOutput::kVelocity;
-      TakeOver(FitOutputError(signals.train, output_error), &result);
+      const OutputErrorSummary summary = FitOutputError(signals.train, output_error);
+      TakeOver(summary, &result);
+      result.share = summary.evidence.share;
+      result.condition_number = summary.evidence.condition_number;
       break;
     }
   }

@@ -9,6 +9,7 @@
 #include "fathom/signal/signals.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <limits>
 #include <string>
 
 namespace fathom {
@@ -25,6 +26,12 @@ struct Identification {
   bool is_usable = false;
   std::string message;  // why it ended as it did, for a person
   FittedModel fitted;   // its figures by free runs; NaN where not usable
+
+  // How well the log excites each parameter: the share of its signature that the others cannot
+  // imitate, 0 to 1, and the condition number of all four. NaN where the family does not compute
+  // it.
+  ParameterVector share = ParameterVector::Constant(std::numeric_limits<double>::quiet_NaN());
+  double condition_number = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Fits one family to signals.train and scores it by free runs: on `scored`'s training segments and

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace fathom {
 namespace {
 
 constexpr double kNormal95 = 1.96;
+constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 std::string IntervalText(double value, double std, double lower_bound) {
   if (!std::isfinite(std)) return "-";
@@ -56,30 +58,41 @@ std::string FormatIdentification(const Identification& identification) {
   if (!identification.is_usable) return text;
 
   Table table;
-  table.columns = {{"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}};
+  table.columns = {
+      {"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}, {"own share", true}};
   const ParameterVector values = ToVector(fitted.model);
   const auto add = [&](const std::string& name,
                        double value,
                        double std,
                        const std::string& unit,
-                       double lower_bound) {
-    table.rows.push_back(
-        {{name, FormatValue(value, std), unit, IntervalText(value, std, lower_bound)}});
+                       double lower_bound,
+                       double share) {
+    table.rows.push_back({{name,
+                           FormatValue(value, std),
+                           unit,
+                           IntervalText(value, std, lower_bound),
+                           std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"}});
   };
   for (int i = 0; i < kNumParameters; ++i) {
     add(kParameterInfo[i].name,
         values[i],
         std::sqrt(fitted.covariance(i, i)),
         ParameterUnit(i, fitted.dof, fitted.force_unit),
-        kParameterInfo[i].lower_bound);
+        kParameterInfo[i].lower_bound,
+        identification.share[i]);
   }
   const bool has_si_force = fitted.force_unit == ForceUnit(fitted.dof);
   if (!has_si_force) {
     const Ratio linear = RatioOf(fitted, kLinearDamping, kInertia);
     const Ratio quadratic = RatioOf(fitted, kQuadraticDamping, kInertia);
     const char* const per_length = IsAngular(fitted.dof) ? "1/rad" : "1/m";
-    add("linear_damping / inertia", linear.value, linear.std, "1/s", 0.0);
-    add("quadratic_damping / inertia", quadratic.value, quadratic.std, per_length, 0.0);
+    add("linear_damping / inertia", linear.value, linear.std, "1/s", 0.0, kNotComputed);
+    add("quadratic_damping / inertia",
+        quadratic.value,
+        quadratic.std,
+        per_length,
+        0.0,
+        kNotComputed);
   }
   text += FormatTable(table);
   if (!has_si_force) {
@@ -89,6 +102,13 @@ std::string FormatIdentification(const Identification& identification) {
         fitted.force_unit,
         ForceUnit(fitted.dof),
         fitted.force_unit);
+  }
+  if (std::isfinite(identification.condition_number)) {
+    text += fmt::format(
+        "condition number {:.1f}; own share: what of a parameter's signature in the data the "
+        "others "
+        "cannot imitate\n",
+        identification.condition_number);
   }
   text += FiguresText("train", fitted.train, VelocityUnit(fitted.dof));
   text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));
