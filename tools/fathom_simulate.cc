@@ -44,7 +44,9 @@ std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
     }
   }
   if (log.pose) {
-    return SignalsOf(log, dof, {.source = Source::kCamera, .split_held_out = false}).train;
+    auto segments = SignalsOf(log, dof, {.source = Source::kCamera, .split_held_out = false}).train;
+    for (Segment& segment : segments) segment.initial_velocity = segment.velocity.front();
+    return segments;
   }
   Segment segment;
   segment.time = command.time;
@@ -78,11 +80,11 @@ int Run() {
   }
   const FitFigures figures = FiguresOf(fitted.model, segments);
   if (std::isfinite(figures.mae)) {
-    std::printf("%s: MAE %.5f %s, NMAE %.4f over %d samples, %.0f s\n",
+    std::printf("%s: MAE %.5f %s, NMAE %s over %d samples, %.0f s\n",
                 std::string(Name(fitted.dof)).c_str(),
                 figures.mae,
                 std::string(VelocityUnit(fitted.dof)).c_str(),
-                figures.nmae,
+                std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae).c_str() : "-",
                 figures.num_samples,
                 figures.duration);
   } else {

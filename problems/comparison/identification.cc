@@ -48,6 +48,11 @@ Identification Identify(const Signals& signals,
   result.source = signals.source;
   result.fitted.dof = signals.dof;
   result.fitted.force_unit = signals.force_unit;
+  if (signals.train.empty()) {
+    result.message = "nothing is left to train on: the held-out intervals take all of the data.";
+    result.fitted.model = ModelFromVector(ParameterVector::Constant(std::nan("")));
+    return result;
+  }
   switch (family) {
     case Family::kLeastSquares: {
       const LeastSquaresSummary summary = FitLeastSquares(signals.train);

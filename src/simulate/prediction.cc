@@ -53,8 +53,8 @@ FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segmen
     figures.duration += segment.time.back() - segment.time.front();
   }
   if (figures.num_samples == 0) return {};
-  figures.mae = sum_of_errors / figures.num_samples;  // docs/models.md (7)
-  figures.nmae = sum_of_errors / sum_of_speeds;       // docs/models.md (8)
+  figures.mae = sum_of_errors / figures.num_samples;                      // docs/models.md (7)
+  if (sum_of_speeds > 0.0) figures.nmae = sum_of_errors / sum_of_speeds;  // docs/models.md (8)
   return figures;
 }
 

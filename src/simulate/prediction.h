@@ -33,7 +33,7 @@ double InitialVelocity(const Segment& segment);
 
 // MAE and NMAE of the free runs over all `segments` together, each started from its
 // InitialVelocity() (paper Eqs. 10 and 11). The figures are NaN if there are no segments or a run
-// diverges.
+// diverges; NMAE also if nothing ever moved.
 FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments);
 
 }  // namespace fathom

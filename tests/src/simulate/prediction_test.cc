@@ -61,6 +61,9 @@ TEST(FiguresOf, AreNotANumberWhenTheRunDivergesOrThereIsNoData) {
   const std::vector<Segment> segments = {SegmentWith({1.0, 2.0, 2.0})};
   EXPECT_TRUE(std::isnan(FiguresOf({1.0, 0.0, -90.0, 0.0}, segments).nmae));
   EXPECT_TRUE(std::isnan(FiguresOf(kModel, {}).nmae));
+  const std::vector<Segment> at_rest = {SegmentWith({0.0, 0.0, 0.0})};
+  EXPECT_TRUE(std::isnan(FiguresOf(kModel, at_rest).nmae));
+  EXPECT_NEAR(FiguresOf(kModel, at_rest).mae, 1.0, 1e-14);
 }
 
 }  // namespace
