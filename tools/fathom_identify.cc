@@ -51,6 +51,9 @@ Signals SignalsFromFlags(Dof* dof) {
   if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
   Signals all;
   bool is_first = true;
+  if (!FLAGS_velocity.empty() && FLAGS_log.find(',') != std::string::npos) {
+    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  }
   for (const std::string& path : SplitAtCommas(FLAGS_log)) {
     const Log log = ReadLogFromFlags(path, given);
     *dof = DofFromFlagOrLog(log);
@@ -59,6 +62,13 @@ Signals SignalsFromFlags(Dof* dof) {
       all = std::move(signals);
       is_first = false;
       continue;
+    }
+    if (signals.dof != all.dof) {
+      throw InputError(
+          fmt::format("{}: its DOF is {}, expected {} as in the first log; say which with --dof.",
+                      path,
+                      Name(signals.dof),
+                      Name(all.dof)));
     }
     if (signals.force_unit != all.force_unit || signals.source != all.source) {
       throw InputError(fmt::format(
@@ -103,6 +113,10 @@ int Run() {
                                 {"family", std::string(Name(family))},
                                 {"source", std::string(Name(result.source))},
                                 {"velocity", FLAGS_velocity},
+                                {"gains", FLAGS_gains},
+                                {"integrator", FLAGS_integrator},
+                                {"huber", fmt::format("{}", FLAGS_huber)},
+                                {"shooting_window", fmt::format("{}", FLAGS_shooting_window)},
                                 {"version", FATHOM_VERSION}};
     WriteFile(FLAGS_model, FormatModel(result.fitted));
   }

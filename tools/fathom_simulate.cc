@@ -3,6 +3,7 @@
 
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
+#include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
 #include "fathom/comparison/comparison.h"
 #include "fathom/signal/log_column.h"
@@ -61,6 +62,17 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const FittedModel fitted = ReadModel(FLAGS_model);
   const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof);
+  const std::string log_unit =
+      log.command_unit.empty() ? std::string(ForceUnit(fitted.dof)) : log.command_unit;
+  if (log_unit != fitted.force_unit) {
+    throw InputError(
+        fmt::format("{}: its commands are in {}, but the model was identified from commands in {}: "
+                    "expected the "
+                    "same unit.",
+                    FLAGS_log,
+                    log_unit,
+                    fitted.force_unit));
+  }
   const std::vector<Segment> segments = SegmentsOf(log, fitted.dof);
   std::string csv = fmt::format("t,{}\n", VelocityColumn(fitted.dof));
   for (const Segment& segment : segments) {

@@ -4,9 +4,9 @@
 #include "fathom/tools/identifier_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/number.h"
 #include "fathom/vehicle/vehicle_file.h"
 
-#include <charconv>
 #include <cstdio>
 #include <limits>
 
@@ -37,13 +37,9 @@ namespace fathom {
 namespace {
 
 double ParseNumber(const std::string& flag, const std::string& text) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end) {
-    throw InputError(fmt::format("{}: '{}' is not a number.", flag, text));
-  }
-  return value;
+  const std::optional<double> value = ParseFiniteNumber(text);
+  if (!value) throw InputError(fmt::format("{}: '{}' is not a finite number.", flag, text));
+  return *value;
 }
 
 // Zero stands for "never" on the command line, infinity in the options.

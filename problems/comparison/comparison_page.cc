@@ -19,17 +19,20 @@ namespace {
 
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
-// What a model is judged by: the error on data it has not seen, if there is any.
-double Score(const Identification& row) {
-  return std::isfinite(row.fitted.held_out.nmae) ? row.fitted.held_out.nmae : row.fitted.train.nmae;
+bool HasHeldOut(const DofComparison& comparison) { return !comparison.scored.held_out.empty(); }
+
+// What a model is judged by: the error on data it has not seen, if any were held out. NaN: it
+// cannot predict them.
+double Score(const DofComparison& comparison, const Identification& row) {
+  return HasHeldOut(comparison) ? row.fitted.held_out.nmae : row.fitted.train.nmae;
 }
 
 // Null if no row is usable and can be simulated.
 const Identification* BestRow(const DofComparison& comparison) {
   const Identification* best = nullptr;
   for (const Identification& row : comparison.rows) {
-    if (!row.is_usable || !std::isfinite(Score(row))) continue;
-    if (best == nullptr || Score(row) < Score(*best)) best = &row;
+    if (!row.is_usable || !std::isfinite(Score(comparison, row))) continue;
+    if (best == nullptr || Score(comparison, row) < Score(comparison, *best)) best = &row;
   }
   return best;
 }
@@ -58,13 +61,13 @@ std::string Sentence(const DofComparison& comparison) {
   const std::string dof = Capitalised(std::string(Name(comparison.dof)));
   const Identification* best = BestRow(comparison);
   if (best == nullptr) return fmt::format("{}: no family found a usable model.", dof);
-  const bool has_held_out = std::isfinite(best->fitted.held_out.nmae);
   return fmt::format(
       "{}: {} predicts best. Its free run misses {:.1f} % of the speed {}. Inertia {} {} (95 %).",
       dof,
       ModelName(*best),
-      100.0 * Score(*best),
-      has_held_out ? "on data it has not seen" : "on the data it was fitted to (none are held out)",
+      100.0 * Score(comparison, *best),
+      HasHeldOut(comparison) ? "on data it has not seen"
+                             : "on the data it was fitted to (none are held out)",
       FormatValue(best->fitted.model.inertia,
                   1.96 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
       ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit));
@@ -232,8 +235,9 @@ Page ComparisonPage(const Comparison& comparison) {
   }
   page.footer =
       "MAE and NMAE are of the velocity, from a free-running simulation over the command alone, "
-      "started at the first measured speed of each segment (docs/models.md). Bars are 95 % "
-      "intervals.";
+      "started at the speed at each segment's first stamp (docs/models.md). In the table, +- is "
+      "one "
+      "standard deviation; bars and the sentences above give 95 % intervals.";
   return page;
 }
 

@@ -24,16 +24,19 @@ void TakeOver(const Summary& summary, Identification* identification) {
 }
 
 // A model that misses almost all of the motion is no model, whatever its intervals say.
-void DescribeFigures(FittedModel* fitted) {
+void DescribeFigures(const Signals& scored, FittedModel* fitted) {
   constexpr double kExplainsLittle = 0.8;
   const double nmae = fitted->train.nmae;
-  if (!std::isfinite(nmae)) {
+  if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {
     fitted->caveats.push_back("Its free-running simulation diverges: it cannot predict.");
   } else if (nmae > kExplainsLittle) {
     fitted->caveats.push_back(
         fmt::format("Its free run misses {:.0f} % of the motion it was fitted to: this model "
                     "explains next to nothing of these data. Look at the warnings first.",
                     100.0 * nmae));
+  }
+  if (!scored.held_out.empty() && !std::isfinite(fitted->held_out.mae)) {
+    fitted->caveats.push_back("Its free-running simulation diverges on the held-out data.");
   }
 }
 
@@ -78,7 +81,7 @@ Identification Identify(const Signals& signals,
   if (!result.is_usable) return result;
   result.fitted.train = FiguresOf(result.fitted.model, scored.train);
   result.fitted.held_out = FiguresOf(result.fitted.model, scored.held_out);
-  DescribeFigures(&result.fitted);
+  DescribeFigures(scored, &result.fitted);
   return result;
 }
 

@@ -20,8 +20,10 @@ constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 std::string IntervalText(double value, double std, double lower_bound) {
   if (!std::isfinite(std)) return "-";
-  return fmt::format(
-      "{:.4g} ... {:.4g}", std::max(lower_bound, value - kNormal95 * std), value + kNormal95 * std);
+  return fmt::format("{:.4g} ... {:.4g}",
+                     value < lower_bound ? value - kNormal95 * std
+                                         : std::max(lower_bound, value - kNormal95 * std),
+                     value + kNormal95 * std);
 }
 
 std::string FiguresText(const char* where, const FitFigures& figures, std::string_view unit) {

@@ -41,7 +41,9 @@ std::vector<ShootingWindow> LayOutWindows(std::span<const Segment> segments,
   std::vector<ShootingWindow> windows;
   for (const Segment& segment : segments) {
     const double duration = segment.time.back() - segment.time.front();
-    const double num_windows = std::max(1.0, std::ceil(duration / options.shooting_window));
+    const double num_windows = std::clamp(std::ceil(duration / options.shooting_window),
+                                          1.0,
+                                          static_cast<double>(segment.time.size()));
     size_t begin = 0;
     for (int k = 1; k <= num_windows; ++k) {
       const double t_end = segment.time.front() + duration * k / num_windows;
@@ -106,6 +108,21 @@ ceres::Solver::Summary Solve(const OutputErrorOptions& options,
   return summary;
 }
 
+// True if letting go of any damping that is held at zero would raise the cost on the feasible side:
+// the condition of Karush, Kuhn and Tucker.
+bool PressesOnItsBounds(const std::vector<int>& held_at_zero,
+                        Unknowns* unknowns,
+                        ceres::Problem* problem) {
+  if (held_at_zero.empty()) return true;
+  problem->SetManifold(unknowns->parameters.data(), nullptr);
+  ceres::Problem::EvaluateOptions options;
+  options.parameter_blocks = {unknowns->parameters.data()};
+  std::vector<double> gradient;
+  if (!problem->Evaluate(options, nullptr, nullptr, &gradient, nullptr)) return false;
+  return std::all_of(
+      held_at_zero.begin(), held_at_zero.end(), [&](int index) { return gradient[index] >= 0.0; });
+}
+
 struct Constrained {
   bool converged = false;
   double initial_cost = 0.0;
@@ -138,7 +155,8 @@ Constrained SolveConstrained(const OutputErrorOptions& options,
     if (summary.termination_type != ceres::CONVERGENCE) continue;
     const bool feasible = unknowns->parameters[kQuadraticDamping] >= 0.0 &&
                           unknowns->parameters[kLinearDamping] >= 0.0;
-    if (!feasible || summary.final_cost >= best.cost) continue;
+    if (!feasible || !PressesOnItsBounds(held_at_zero, unknowns, problem)) continue;
+    if (summary.final_cost >= best.cost) continue;
     best.converged = true;
     best.cost = summary.final_cost;
     best.message = summary.message;
@@ -147,6 +165,7 @@ Constrained SolveConstrained(const OutputErrorOptions& options,
     if (held_at_zero.empty()) break;
   }
   *unknowns = best_unknowns;
+  if (!best.converged) best.message = "the search did not converge to a physical model.";
   best.num_iterations = num_iterations;
   return best;
 }
@@ -186,6 +205,21 @@ void RequireUsable(std::span<const Segment> segments, const OutputErrorOptions& 
         fmt::format("The options of output error cannot be used: {}", fmt::join(problems, "; ")));
   }
   if (segments.empty()) throw InputError("Output error needs at least one segment of data.");
+  size_t num_samples = 0;
+  for (const Segment& segment : segments) num_samples += segment.time.size();
+  const bool has_short = std::any_of(segments.begin(), segments.end(), [](const Segment& segment) {
+    return segment.time.size() < 2;
+  });
+  const size_t num_unknowns = kNumParameters + segments.size() * StateSize(options.output);
+  if (has_short || num_samples <= num_unknowns) {
+    throw InputError(
+        fmt::format("Output error has {} samples in {} segments, expected at least two in each and "
+                    "more than its "
+                    "{} unknowns.",
+                    num_samples,
+                    segments.size(),
+                    num_unknowns));
+  }
   for (const Segment& segment : segments) {
     if (Measured(segment, options.output).size() != segment.time.size()) {
       throw InputError("Output error was asked to fit the position, but the log has no poses.");

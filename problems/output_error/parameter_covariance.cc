@@ -201,7 +201,8 @@ ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
     num_samples += static_cast<double>(influence.size());
     sum_of_squares += signatures[s].sum_of_squares;
   }
-  const int max_order = static_cast<int>(std::min(60.0, 10.0 * std::log10(num_samples)));
+  const int max_order =
+      static_cast<int>(std::min({60.0, 10.0 * std::log10(num_samples), num_samples / 10.0}));
   evidence.noise = FitAutoregression(residuals, max_order);
   evidence.noise_correlation = product / power;
 

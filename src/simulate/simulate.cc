@@ -45,14 +45,24 @@ void Advance(const UncoupledModel<T>& model, double force, double h, State<T>* s
   if constexpr (kWithPosition) state->position += (h / 6.0) * (v1 + 2.0 * (v2 + v3) + v4);
 }
 
-// Into how many equal parts a step of `duration` is divided, as a real number.
+// Into how many equal parts a step of `duration` is divided, as a real number. The speed in the
+// damping's rate is the most that the step can reach: what the force gives without damping, or the
+// speed at which quadratic damping balances the force.
 template <typename T>
-double NumSubsteps(const UncoupledModel<T>& model, const T& velocity, double duration) {
-  const double damping = Value(model.linear_damping) +
-                         2.0 * Value(model.quadratic_damping) * std::abs(Value(velocity));
-  const double steps = duration * std::abs(damping);
-  const double longest = kLargestStep * Value(model.inertia);
-  return steps <= longest ? 1.0 : std::ceil(steps / longest);
+double NumSubsteps(const UncoupledModel<T>& model,
+                   const T& velocity,
+                   double force,
+                   double duration) {
+  const double inertia = Value(model.inertia);
+  const double d_L = Value(model.linear_damping), d_Q = Value(model.quadratic_damping);
+  const double speed = std::abs(Value(velocity));
+  const double push = std::abs(force - Value(model.buoyancy));
+  const double longest = kLargestStep * inertia;
+  const auto steps_at = [&](double most) { return duration * std::abs(d_L + 2.0 * d_Q * most); };
+  const double reached = speed + push * duration / inertia;
+  if (steps_at(reached) <= longest) return 1.0;
+  const double balance = d_Q > 0.0 ? std::max(speed, std::sqrt(push / d_Q)) : reached;
+  return std::max(1.0, std::ceil(steps_at(std::min(reached, balance)) / longest));
 }
 
 // Calls emit(output index, state) at every output stamp. False if the state diverges.
@@ -60,7 +70,7 @@ template <bool kWithPosition, typename T, typename Steps, typename Emit>
 bool Integrate(const Steps& steps, const UncoupledModel<T>& model, State<T> state, Emit emit) {
   emit(0, state);
   for (const auto& step : steps) {
-    const double num_substeps = NumSubsteps(model, state.velocity, step.duration);
+    const double num_substeps = NumSubsteps(model, state.velocity, step.force, step.duration);
     if (!(num_substeps <= kMostSubsteps)) return false;
     const double h = num_substeps == 1.0 ? step.duration : step.duration / num_substeps;
     for (int i = 0; i < static_cast<int>(num_substeps); ++i) {

@@ -37,7 +37,7 @@ class Simulation {
 
   // Fills velocity[i] and, unless it is empty, position[i] at output stamp i. Returns false if the
   // state leaves the finite numbers or the model is too stiff to integrate (a damping time constant
-  // below 1e-4 of a step); the outputs then mean nothing.
+  // below a hundredth of a step); the outputs then mean nothing.
   bool Run(const UncoupledModel<double>& model,
            const InitialState& initial,
            std::span<double> velocity,

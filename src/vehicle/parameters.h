@@ -32,7 +32,7 @@ inline constexpr std::array<ParameterInfo, kNumParameters> kParameterInfo = {{
     {"inertia", "mass plus added mass, or moment of inertia plus added moment", 0.0},
     {"quadratic_damping", "drag that grows with speed squared", 0.0},
     {"linear_damping", "drag that grows with speed", 0.0},
-    {"buoyancy", "weight less buoyancy, or an offset of the thrust"},
+    {"buoyancy", "buoyancy less weight, or an offset of the thrust"},
 }};
 
 using ParameterVector = Eigen::Vector4d;  // in the order of kParameterInfo

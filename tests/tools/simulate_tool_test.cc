@@ -126,6 +126,27 @@ TEST(SimulateTool, TheTruthPredictsTheSmallLog) {
 
 // Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
 // prediction, rather than a wrong one.
+// The thrust per ampere is unknown: such a model says nothing about a log in newton.
+TEST(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
+  const Path folder = EmptyTestFolder();
+  const Path model = folder / "model.json";
+  const Path log = folder / "ampere";
+  std::filesystem::create_directories(log);
+  for (const char* file : {"command.csv", "velocity.csv"}) {
+    std::filesystem::copy_file(kFlatfish + "/" + file, log / file);
+  }
+  WriteTestFile(log / "log.yaml", "name: ampere\ndof: surge\ncommand_unit: A\n");
+  const ToolRun identified = RunToolBinary(
+      "fathom_identify", {"--log=" + log.string(), "--dof=surge", "--model=" + model.string()});
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  const ToolRun run =
+      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + kFlatfish});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err,
+              HasSubstr("its commands are in N, but the model was identified from commands "
+                        "in A: expected the same unit."));
+}
+
 TEST(SimulateTool, AModelThatCannotBeSimulatedEndsWithExitCodeTwoAndNoFile) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");

@@ -32,10 +32,20 @@ TEST(ParameterTable, MarksTheRowThatPredictsBest) {
 }
 
 TEST(ParameterTable, GoesByTheTrainingDataWhereNoneAreHeldOut) {
-  const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.01, kNan),
-                                                  HandmadeRow(Family::kAdaptive, 0.03, kNan)}));
+  DofComparison comparison = HandmadeDof(
+      {HandmadeRow(Family::kLeastSquares, 0.01, kNan), HandmadeRow(Family::kAdaptive, 0.03, kNan)});
+  comparison.scored.held_out.clear();
+  const Table table = ParameterTable(comparison);
   EXPECT_EQ(table.rows[0].flag, RowFlag::kBest);
   EXPECT_EQ(table.rows[1].flag, RowFlag::kNone);
+}
+
+// A model whose run diverges on the held-out data cannot be the best, however well it fits.
+TEST(ParameterTable, NeverMarksAModelBestThatCannotPredictTheHeldOutData) {
+  const Table table = ParameterTable(HandmadeDof(
+      {HandmadeRow(Family::kLeastSquares, 0.01, kNan), HandmadeRow(Family::kAdaptive, 0.03, 0.9)}));
+  EXPECT_EQ(table.rows[0].flag, RowFlag::kNone);
+  EXPECT_EQ(table.rows[1].flag, RowFlag::kBest);
 }
 
 TEST(ParameterTable, AnUnusableRowIsFlaggedNeverBestAndShowsNoNumber) {
@@ -145,6 +155,7 @@ TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
 TEST(ComparisonPage, SaysWhereNothingIsHeldOut) {
   Comparison comparison;
   comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  comparison.dofs[0].scored.held_out.clear();
   EXPECT_THAT(ComparisonPage(comparison).lead.at(0), HasSubstr("none are held out"));
 }
 

@@ -100,6 +100,13 @@ TEST(FormatIdentification, GivesRatiosWhereTheForceHasNoSiUnit) {
                     HasSubstr("The command is in A, not in N")));
 }
 
+// Least squares may find a negative damping: its interval must hold it.
+TEST(FormatIdentification, TheIntervalOfANegativeDampingIsNotCutAtZero) {
+  auto row = HandmadeRow(Family::kLeastSquares, 0.02, 0.03);
+  row.fitted.model.linear_damping = -5.0;  // +- 1.96 x 0.5
+  EXPECT_THAT(FormatIdentification(row), HasSubstr("-5.98 ... -4.02"));
+}
+
 TEST(FormatIdentification, AnUnusableResultShowsTheReasonAndNoNumbers) {
   EXPECT_EQ(FormatIdentification(UnusableRow(Family::kAdaptive)),
             "surge by adaptive from pose_estimator: the command never changes\n");

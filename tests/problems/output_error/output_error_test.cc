@@ -187,6 +187,23 @@ TEST(OutputError, SaysThatALogAtRestDeterminesNothing) {
   EXPECT_FALSE(summary.IsUsable());
 }
 
+TEST(OutputError, TakesAnyShootingWindowHoweverShort) {
+  SyntheticRun run = PerfectRun();
+  run.duration = 10.0;
+  const std::vector<Segment> segments = {Synthesize(run, 1)};
+  OutputErrorOptions options = FromPoorGuess();
+  options.shooting_window = 1e-9;
+  options.max_iterations = 5;
+  FitOutputError(segments, options);  // one window a sample at the most; comes back
+}
+
+TEST(OutputError, RefusesFewerSamplesThanUnknowns) {
+  SyntheticRun run = PerfectRun();
+  run.duration = 0.4;  // 5 samples, 5 unknowns
+  const std::vector<Segment> segments = {Synthesize(run, 1)};
+  EXPECT_THROW(FitOutputError(segments, FromPoorGuess()), InputError);
+}
+
 TEST(OutputErrorOptions, NamesEveryBrokenRule) {
   OutputErrorOptions options;
   options.huber_k = 0.0;

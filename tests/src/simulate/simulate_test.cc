@@ -135,6 +135,17 @@ TEST(Simulation, DividesStepsLongAgainstTheDamping) {
   EXPECT_NEAR(result.velocity[2], 2.0, 1e-9);
 }
 
+// From rest under a strong force the damping's rate grows as the vehicle does: the speed at the
+// step's start says nothing about it. With quadratic damping alone, v = v_inf tanh(tau t / m
+// v_inf).
+TEST(Simulation, DividesALongStepThatStartsFromRest) {
+  const UncoupledModel<double> model = {1511.53, 1911.21, 0.0, 0.0};
+  const auto result = Simulate(model, {{0.0}, {200.0}}, {0.0, 0.0}, {0.0, 8.0, 30.0});
+  const double v_end = std::sqrt(200.0 / 1911.21);
+  EXPECT_NEAR(result.velocity[1], v_end * std::tanh(200.0 * 8.0 / (1511.53 * v_end)), 1e-6);
+  EXPECT_NEAR(result.velocity[2], v_end * std::tanh(200.0 * 30.0 / (1511.53 * v_end)), 1e-6);
+}
+
 TEST(Simulation, SaysSoWhenTheModelDiverges) {
   std::vector<double> velocity(2);
   const std::vector<double> time = {0.0, 100.0};
