@@ -61,7 +61,7 @@ int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const FittedModel fitted = ReadModel(FLAGS_model);
-  const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof);
+  const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof, /*may_lack_motion=*/true);
   const std::string log_unit =
       log.command_unit.empty() ? std::string(ForceUnit(fitted.dof)) : log.command_unit;
   if (log_unit != fitted.force_unit) {

@@ -85,10 +85,11 @@ IdentificationOptions IdentificationOptionsFromFlags() {
   return options;
 }
 
-Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof) {
+Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {
   ReadLogOptions options;
   options.dof = dof;
   options.velocity = FLAGS_velocity;
+  options.may_lack_motion = may_lack_motion;
   Log log = ReadLog(path, options);
   const bool has_thrusters = log.command && !log.command->columns.empty() &&
                              log.command->columns[0].starts_with("thruster");

@@ -43,6 +43,7 @@ IdentificationOptions IdentificationOptionsFromFlags();
 
 // Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
 // says how, and prints the reader's remarks to stderr.
-Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof);
+// `may_lack_motion` as in ReadLogOptions.
+Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 
 }  // namespace fathom

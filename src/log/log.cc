@@ -51,7 +51,9 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   require("log.yaml", "name and dof of the log");
   require("command.csv", "the commanded forces");
   const bool has_own_velocity = Exists(folder / "velocity.csv");
-  if (!has_own_velocity && options.velocity.empty() && !Exists(folder / "pose.csv")) {
+  const bool has_motion =
+      has_own_velocity || !options.velocity.empty() || Exists(folder / "pose.csv");
+  if (!has_motion && !options.may_lack_motion) {
     throw InputError(fmt::format(
         "{}: holds neither velocity.csv nor pose.csv, expected the vehicle's motion in one "
         "of them. A camera log gets its pose.csv from fathom_track.",

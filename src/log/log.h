@@ -49,6 +49,9 @@ struct ReadLogOptions {
 
   // Read this file as the velocity stream instead of the log's velocity.csv.
   std::filesystem::path velocity;
+
+  // True: a folder with neither velocity.csv nor pose.csv will do, for predictions.
+  bool may_lack_motion = false;
 };
 
 // Reads a log folder, or a single CSV with columns t, tau, v.

@@ -126,6 +126,26 @@ TEST(SimulateTool, TheTruthPredictsTheSmallLog) {
 
 // Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
 // prediction, rather than a wrong one.
+// Without a motion stream the prediction stands at the command's stamps and starts from rest.
+TEST(SimulateTool, PredictsACommandAlone) {
+  const Path folder = EmptyTestFolder();
+  const Path model = WriteTestFile(folder / "model.json", SmallModelJson());
+  const Path log = folder / "command_only";
+  std::filesystem::create_directories(log);
+  WriteTestFile(log / "log.yaml", "name: command_only\ndof: surge\n");
+  WriteTestFile(log / "command.csv", "t,tau_surge\n0,10\n0.5,20\n1.5,0\n");
+  const Path out = folder / "prediction.csv";
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate",
+      {"--model=" + model.string(), "--log=" + log.string(), "--out=" + out.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const CsvColumns predicted = ReadColumns(out);
+  EXPECT_THAT(predicted.Values("t"), ElementsAre(0.0, 0.5, 1.5));
+  EXPECT_EQ(predicted.Values("u").front(), 0.0);
+  EXPECT_GT(predicted.Values("u").back(), predicted.Values("u")[1]);  // pushed ahead all the time
+  EXPECT_THAT(run.out, HasSubstr("predicted from rest"));
+}
+
 // The thrust per ampere is unknown: such a model says nothing about a log in newton.
 TEST(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
   const Path folder = EmptyTestFolder();
