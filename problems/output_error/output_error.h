@@ -59,6 +59,8 @@ struct OutputErrorSummary {
   bool determined = false;
   std::string initial_guess;  // "given", "least_squares", "adaptive" or "rough"
   int num_iterations = -1;    // over all passes
+  // Of the first pass, by plain squares, and of the last, by the robust loss with the noise level
+  // found: not to be compared with each other.
   double initial_cost = kNotComputed;
   double final_cost = kNotComputed;
 
