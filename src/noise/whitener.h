@@ -29,18 +29,6 @@ using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 // white nor coloured noise is a broken precondition.
 class Whitener {
  public:
-  // The gains at one sample; the state is (w, v', x', coloured velocity noise, coloured
-  // displacement noise), docs/residual_noise.md (4).
-  struct Step {
-    static constexpr int kNumStates = 5;
-    // The non-zero entries of the transition from the sample before; x from x is `keep_x`, which is
-    // 1, or 0 at the start of a segment, as the others are.
-    double w_from_w, v_from_w, v_from_v, x_from_w, x_from_v, keep_x, velocity_c, displacement_c;
-    double inverse_std;                   // of the innovation
-    std::array<double, kNumStates> gain;  // of the state on the whitened innovation
-    NoiseChannel channel;
-  };
-
   Whitener(const NoiseModel& model, std::span<const NoiseSample> samples);
 
   int num_samples() const { return static_cast<int>(steps_.size()); }
@@ -61,6 +49,24 @@ class Whitener {
   const std::vector<double>& log_variances() const { return log_variances_; }
 
  private:
+  // From one sample to the next. The state holds only what the model and the samples need of
+  // (w, v', x', coloured velocity noise, coloured displacement noise), in this order.
+  struct Step {
+    // Entries of the transition, all 0 at the start of a segment.
+    double w_from_w, v_from_w, v_from_v, x_from_w, x_from_v, x_from_x, velocity_c, displacement_c;
+    double inverse_std;          // of the innovation
+    std::array<double, 5> gain;  // of the state, on the whitened innovation
+    NoiseChannel channel;
+  };
+  template <int kDisturbance, bool kVelocityC, bool kDisplacementC>
+  struct Filter;  // in whitener.cc
+
+  template <typename Function>
+  void WithFilter(const Function& function) const;
+
+  // How many of (w, v', x') are in the state (0, 2 or 3), and which coloured noises.
+  int num_disturbance_states_ = 0;
+  bool has_velocity_c_ = false, has_displacement_c_ = false;
   std::vector<Step> steps_;
   std::vector<double> log_variances_;
   double log_determinant_ = 0.0;
