@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/effect_simulation.h"
+
+#include "fathom/simulate/effect_run.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <utility>
+
+#include <ceres/jet.h>
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+template <typename T>
+T Seeded(double value, int column) {
+  if constexpr (std::is_same_v<T, double>) {
+    return value;
+  } else {
+    return T(value, column);
+  }
+}
+
+// The model's numbers as scalars, each its own direction of differentiation.
+template <typename T>
+ScalarModel<T> InScalars(const ExtendedModel& model, const InitialState& initial) {
+  ScalarModel<T> scalars;
+  scalars.baseline = {Seeded<T>(model.baseline.inertia, kInertia),
+                      Seeded<T>(model.baseline.quadratic_damping, kQuadraticDamping),
+                      Seeded<T>(model.baseline.linear_damping, kLinearDamping),
+                      Seeded<T>(model.baseline.buoyancy, kBuoyancy)};
+  scalars.initial_velocity = Seeded<T>(initial.velocity, EffectSimulation::kInitialVelocityColumn);
+  scalars.initial_position = Seeded<T>(initial.position, EffectSimulation::kInitialPositionColumn);
+  int column = EffectSimulation::kFirstEffectColumn;
+  for (const ActiveEffect& active : model.effects) {
+    ScalarEffect<T> effect = {&active.effect->laws(),
+                              &active.effect->laws().In<T>(),
+                              active.setting,
+                              active.effect->info().has_partner,
+                              {}};
+    CHECK_EQ(active.values.size(), active.effect->info().parameters.size());
+    for (const double value : active.values) {
+      effect.parameters.push_back(Seeded<T>(value, column++));
+    }
+    scalars.effects.push_back(std::move(effect));
+  }
+  return scalars;
+}
+
+template <typename T>
+bool RunIn(const EffectInputs& inputs,
+           const OutputStamps& stamps,
+           const ExtendedModel& model,
+           const InitialState& initial,
+           EffectOutputs* outputs) {
+  outputs->velocity.resize(stamps.velocity.size());
+  outputs->displacement.resize(stamps.displacement.size());
+  if constexpr (!std::is_same_v<T, double>) {
+    const int num_columns = EffectSimulation::NumColumns(model);
+    outputs->velocity_sensitivity.resize(static_cast<Eigen::Index>(stamps.velocity.size()),
+                                         num_columns);
+    outputs->displacement_sensitivity.resize(static_cast<Eigen::Index>(stamps.displacement.size()),
+                                             num_columns);
+  }
+  const auto store = [](const T& value, size_t row, std::vector<double>* values, auto* matrix) {
+    if constexpr (std::is_same_v<T, double>) {
+      (*values)[row] = value;
+    } else {
+      (*values)[row] = value.a;
+      const auto i = static_cast<Eigen::Index>(row);
+      matrix->row(i) = value.v.head(matrix->cols()).transpose();
+    }
+  };
+  EffectRun<T> run(inputs, InScalars<T>(model, initial), stamps);
+  return run.Integrate(
+      [&](size_t row, const T& value) {
+        store(value, row, &outputs->velocity, &outputs->velocity_sensitivity);
+      },
+      [&](size_t row, const T& value) {
+        store(value, row, &outputs->displacement, &outputs->displacement_sensitivity);
+      });
+}
+
+}  // namespace
+
+int EffectSimulation::NumColumns(const ExtendedModel& model) {
+  size_t num_columns = kFirstEffectColumn;
+  for (const ActiveEffect& active : model.effects) num_columns += active.values.size();
+  return static_cast<int>(num_columns);
+}
+
+EffectSimulation::EffectSimulation(const EffectInputs* inputs, OutputStamps stamps)
+    : inputs_(inputs), stamps_(std::move(stamps)) {
+  CHECK(!stamps_.velocity.empty() || !stamps_.displacement.empty());
+  CHECK_EQ(inputs->command.time.size(), inputs->command.value.size());
+}
+
+bool EffectSimulation::Run(const ExtendedModel& model,
+                           const InitialState& initial,
+                           EffectOutputs* outputs) const {
+  return RunIn<double>(*inputs_, stamps_, model, initial, outputs);
+}
+
+bool EffectSimulation::RunWithSensitivities(const ExtendedModel& model,
+                                            const InitialState& initial,
+                                            EffectOutputs* outputs) const {
+  const int num_columns = NumColumns(model);
+  CHECK_LE(num_columns, kFirstEffectColumn + kMostEffectParameters);
+  return num_columns <= 8 ? RunIn<SmallJet>(*inputs_, stamps_, model, initial, outputs)
+                          : RunIn<LargeJet>(*inputs_, stamps_, model, initial, outputs);
+}
+
+}  // namespace fathom

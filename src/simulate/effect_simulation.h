@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/held_command.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/extended_model.h"
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// A stream of samples, linear in between and held beyond its ends.
+struct SampledSignal {
+  std::vector<double> time;  // [s], strictly increasing
+  std::vector<double> value;
+};
+
+// What a run with effects takes from a log, at the streams' own stamps.
+struct EffectInputs {
+  HeldCommand command;                    // of the DOF that is modelled
+  std::array<SampledSignal, 6> velocity;  // measured, by Index(Dof); empty where not
+  std::array<HeldCommand, 6> force;       // commanded, by Index(Dof); empty where not
+};
+
+// When the run starts and where its outputs are wanted, in log time [s].
+struct OutputStamps {
+  double start = 0.0;
+  std::vector<double> velocity;      // strictly increasing, from `start` on
+  std::vector<double> displacement;  // strictly increasing, from `start` on
+};
+
+using SensitivityMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// What the sensors would show.
+struct EffectOutputs {
+  std::vector<double> velocity;      // at OutputStamps::velocity [m/s] or [rad/s]
+  std::vector<double> displacement;  // at OutputStamps::displacement [m] or [rad]
+
+  // A row for each output. Columns: the baseline's parameters in the order of kParameterInfo, the
+  // initial velocity, the initial position, and the effects' parameters in their order. Empty
+  // unless asked for.
+  SensitivityMatrix velocity_sensitivity;
+  SensitivityMatrix displacement_sensitivity;
+};
+
+// The baseline model and any effects over one log's command; docs/effects.md.
+//
+// Classical Runge-Kutta between the command's stamps, in steps of at most 0.1 s and of a quarter of
+// the water's quickest time constant; the force of a step is its mean, which lag and slew limit
+// know exactly. Outputs lie on the cubic through both ends of their step, so that stamps can be
+// moved (`time_offset`, `sensor_clock_offset`) and differentiated by how far. `time` in the
+// effects' equations counts from the first command sample.
+class EffectSimulation {
+ public:
+  // Columns before those of the effects.
+  static constexpr int kFirstEffectColumn = 6;
+  static constexpr int kInitialVelocityColumn = 4;
+  static constexpr int kInitialPositionColumn = 5;
+
+  // The most parameters that all effects of a model may have together.
+  static constexpr int kMostEffectParameters = 10;
+
+  static int NumColumns(const ExtendedModel& model);
+
+  // `inputs` must outlive this. `stamps.velocity` or `stamps.displacement` may be empty, not both.
+  EffectSimulation(const EffectInputs* inputs, OutputStamps stamps);
+
+  const OutputStamps& stamps() const { return stamps_; }
+
+  // Returns false if the state leaves the finite numbers or is too stiff to integrate; the outputs
+  // then mean nothing. `initial` holds at stamps().start.
+  bool Run(const ExtendedModel& model, const InitialState& initial, EffectOutputs* outputs) const;
+  bool RunWithSensitivities(const ExtendedModel& model,
+                            const InitialState& initial,
+                            EffectOutputs* outputs) const;
+
+ private:
+  const EffectInputs* inputs_;
+  OutputStamps stamps_;
+};
+
+}  // namespace fathom

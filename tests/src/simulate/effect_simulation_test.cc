@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/effect_simulation.h"
+
+#include "fathom/vehicle/effect_of.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <ceres/jet.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const UncoupledModel<double> kSurge = {890.0, 60.0, 39.0, -0.8};
+
+// 120 s: a command at 10 Hz of two tones and steps, velocities at stamps of their own, poses at
+// others, and motion of the other DOFs.
+EffectInputs Inputs() {
+  EffectInputs inputs;
+  for (int i = 0; i < 1200; ++i) {
+    const double t = 100.0 + 0.1 * i;
+    const double step = std::fmod(t, 40.0) < 20.0 ? 25.0 : -15.0;
+    inputs.command.time.push_back(t);
+    inputs.command.value.push_back(step + 40.0 * std::sin(0.3 * t) + 10.0 * std::sin(1.7 * t));
+  }
+  for (const Dof dof : kAllDofs) {
+    const double rate = 0.2 + 0.1 * Index(dof);
+    for (int i = 0; i < 2400; ++i) {
+      const double t = 100.0 + 0.05 * i;
+      inputs.velocity[Index(dof)].time.push_back(t);
+      inputs.velocity[Index(dof)].value.push_back(0.1 * std::sin(rate * t));
+      if (i % 2 == 0) {
+        inputs.force[Index(dof)].time.push_back(t);
+        inputs.force[Index(dof)].value.push_back(20.0 * std::cos(rate * t));
+      }
+    }
+  }
+  return inputs;
+}
+
+OutputStamps Stamps() {
+  OutputStamps stamps;
+  stamps.start = 101.03;
+  for (int i = 0; i < 1100; ++i) stamps.velocity.push_back(101.03 + 0.1 * i + 0.003 * (i % 7));
+  for (int i = 0; i < 500; ++i) stamps.displacement.push_back(101.2 + 0.2 * i);
+  return stamps;
+}
+
+// Values of an effect that change the run by a good part.
+std::vector<double> TypicalValues(const EffectInfo& info) {
+  std::vector<double> values;
+  for (const EffectParameter& parameter : info.parameters) {
+    const Quantity& quantity = parameter.quantity;
+    double value = std::pow(30.0, quantity.force) * std::pow(0.3, quantity.speed);
+    if (parameter.search == Search::kAmount) value *= 0.3;
+    if (parameter.search == Search::kTimeOfRun) value = 40.033;
+    if (parameter.search == Search::kFrequencyOfRun) value = 0.7;
+    if (parameter.name == "rate" && quantity.force == 0.0) value = 0.004;
+    if (parameter.name == "slope") value = 0.1;
+    if (parameter.name == "limit") value = 45.0;
+    if (parameter.name == "exponent") value = 1.4;
+    if (parameter.quantity.time > 0.0 && parameter.search == Search::kSize) value = 0.437;
+    values.push_back(value);
+  }
+  return values;
+}
+
+class EveryEffect : public testing::TestWithParam<const Effect*> {
+ protected:
+  ExtendedModel ModelWith(const std::vector<double>& values) const {
+    const Dof partner = GetParam()->info().name == "lever_arm" ? Dof::kYaw : Dof::kSway;
+    return {kSurge, {{GetParam(), {Dof::kSurge, partner, 37.0}, values}}};
+  }
+};
+
+double Spread(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+TEST_P(EveryEffect, IsTheBaselineAtItsNull) {
+  const EffectInputs inputs = Inputs();
+  const EffectSimulation simulation(&inputs, Stamps());
+  std::vector<double> null;
+  for (const EffectParameter& parameter : GetParam()->info().parameters) {
+    null.push_back(std::isnan(parameter.null) ? 30.0 : parameter.null);
+  }
+  EffectOutputs baseline, nested, typical;
+  ASSERT_TRUE(simulation.Run({kSurge, {}}, {0.1, 2.0}, &baseline));
+  ASSERT_TRUE(simulation.Run(ModelWith(null), {0.1, 2.0}, &nested));
+  ASSERT_TRUE(simulation.Run(ModelWith(TypicalValues(GetParam()->info())), {0.1, 2.0}, &typical));
+  // What an effect adds at its null is rounding; or that its steps are divided otherwise.
+  EXPECT_LT(Spread(baseline.velocity, nested.velocity), 1e-7);
+  EXPECT_LT(Spread(baseline.displacement, nested.displacement), 1e-7);
+  EXPECT_GT(Spread(baseline.velocity, typical.velocity) +
+                Spread(baseline.displacement, typical.displacement),
+            1e-3);
+}
+
+TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
+  const EffectInputs inputs = Inputs();
+  const EffectSimulation simulation(&inputs, Stamps());
+  const std::vector<double> values = TypicalValues(GetParam()->info());
+  const InitialState initial = {0.1, 2.0};
+  EffectOutputs at;
+  ASSERT_TRUE(simulation.RunWithSensitivities(ModelWith(values), initial, &at));
+  EffectOutputs plain;
+  ASSERT_TRUE(simulation.Run(ModelWith(values), initial, &plain));
+  EXPECT_LT(Spread(at.velocity, plain.velocity), 1e-12);
+  const int num_columns = EffectSimulation::NumColumns(ModelWith(values));
+  ASSERT_EQ(at.velocity_sensitivity.cols(), num_columns);
+  for (int column = 0; column < num_columns; ++column) {
+    EffectOutputs outputs[2];
+    double step = 0.0;
+    for (const int side : {0, 1}) {
+      ExtendedModel model = ModelWith(values);
+      InitialState start = initial;
+      double* const places[] = {&model.baseline.inertia,
+                                &model.baseline.quadratic_damping,
+                                &model.baseline.linear_damping,
+                                &model.baseline.buoyancy,
+                                &start.velocity,
+                                &start.position};
+      double* const place = column < 6 ? places[column] : &model.effects[0].values[column - 6];
+      step = 1e-5 * std::max(std::abs(*place), 0.01);
+      *place += side == 0 ? -step : step;
+      ASSERT_TRUE(simulation.Run(model, start, &outputs[side]));
+    }
+    const auto compare = [&](const std::vector<double>& low,
+                             const std::vector<double>& high,
+                             const SensitivityMatrix& sensitivity) {
+      double size = 0.0, miss = 0.0;
+      for (size_t i = 0; i < low.size(); ++i) {
+        const double difference = (high[i] - low[i]) / (2.0 * step);
+        size += difference * difference;
+        const double error = difference - sensitivity(static_cast<Eigen::Index>(i), column);
+        miss += error * error;
+      }
+      EXPECT_LE(std::sqrt(miss), 2e-3 * std::sqrt(size) + 1e-8) << "column " << column;
+    };
+    compare(outputs[0].velocity, outputs[1].velocity, at.velocity_sensitivity);
+    compare(outputs[0].displacement, outputs[1].displacement, at.displacement_sensitivity);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue,
+                         EveryEffect,
+                         testing::ValuesIn(EffectCatalogue().begin(), EffectCatalogue().end()),
+                         [](const auto& info) { return std::string(info.param->info().name); });
+
+TEST(EffectSimulation, AgreesWithTheSimulationOfTheBaseline) {
+  const EffectInputs inputs = Inputs();
+  OutputStamps stamps = Stamps();
+  stamps.displacement = stamps.velocity;
+  const EffectSimulation simulation(&inputs, stamps);
+  const Simulation reference(inputs.command, stamps.velocity);
+  std::vector<double> v(stamps.velocity.size()), x(v.size());
+  ASSERT_TRUE(reference.Run(kSurge, {0.1, 2.0}, v, x));
+  EffectOutputs outputs;
+  ASSERT_TRUE(simulation.Run({kSurge, {}}, {0.1, 2.0}, &outputs));
+  EXPECT_LT(Spread(outputs.velocity, v), 1e-7);
+  EXPECT_LT(Spread(outputs.displacement, x), 1e-6);
+}
+
+// A linear vehicle under a step: v = f/d (1 - e^(-t/tau)), and with a thruster lag T in front
+// v = f/d (1 - (tau e^(-t/tau) - T e^(-t/T)) / (tau - T)).
+TEST(EffectSimulation, AnswersAStepThroughALagAsTheClosedFormDoes) {
+  const double m = 500.0, d = 50.0, force = 30.0, T = 0.4, tau = m / d;
+  EffectInputs inputs;
+  inputs.command = {{0.0, 5.0}, {0.0, force}};
+  OutputStamps stamps;
+  for (int i = 0; i < 300; ++i) stamps.velocity.push_back(0.1 * i);
+  const EffectSimulation simulation(&inputs, stamps);
+  const ExtendedModel model = {{m, 0.0, d, 0.0}, {{FindEffect("thruster_lag"), {}, {T}}}};
+  EffectOutputs outputs;
+  ASSERT_TRUE(simulation.Run(model, {}, &outputs));
+  for (size_t i = 0; i < stamps.velocity.size(); ++i) {
+    const double t = stamps.velocity[i] - 5.0;
+    const double expected =
+        t <= 0.0
+            ? 0.0
+            : force / d * (1.0 - (tau * std::exp(-t / tau) - T * std::exp(-t / T)) / (tau - T));
+    EXPECT_NEAR(outputs.velocity[i], expected, 1e-4) << "t = " << t;
+  }
+}
+
+// A linear spring k and mass m with damping d at rest x0 away from where the force balances.
+TEST(EffectSimulation, SwingsOnASpringAsTheClosedFormDoes) {
+  const double m = 500.0, d = 50.0, k = 20.0;
+  EffectInputs inputs;
+  inputs.command = {{0.0}, {0.0}};
+  OutputStamps stamps;
+  for (int i = 0; i < 500; ++i) stamps.displacement.push_back(0.2 * i);
+  const EffectSimulation simulation(&inputs, stamps);
+  const ExtendedModel model = {{m, 0.0, d, 0.0}, {{FindEffect("position_stiffness"), {}, {k}}}};
+  EffectOutputs outputs;
+  ASSERT_TRUE(simulation.Run(model, {0.0, 3.0}, &outputs));
+  const double decay = d / (2.0 * m);
+  const double frequency = std::sqrt(k / m - decay * decay);
+  for (size_t i = 0; i < stamps.displacement.size(); ++i) {
+    const double t = stamps.displacement[i];
+    const double expected = 3.0 * std::exp(-decay * t) *
+                            (std::cos(frequency * t) + decay / frequency * std::sin(frequency * t));
+    EXPECT_NEAR(outputs.displacement[i], expected, 1e-5) << "t = " << t;
+  }
+}
+
+// A user's own effect: a water jet that pushes with a constant power, added from outside.
+struct SquareRootDrag {
+  static EffectInfo Info() {
+    return {.name = "square_root_drag",
+            .place = Place::kWater,
+            .scope = Scope::kVehicle,
+            .parameters = {{.name = "coefficient",
+                            .quantity = {"N s/m", "N m s/rad", 1, -1, 0},
+                            .null = 0.0,
+                            .lower = 0.0,
+                            .upper = kInfinity}},
+            .cause = "the drag has a part that grows with the root of the speed",
+            .advice = "Keep it."};
+  }
+  template <typename T>
+  static T Resistance(const T* p,
+                      const EffectSetting&,
+                      const WaterState<T>& water,
+                      const Instant<T>&) {
+    using std::sqrt;
+    const T size = sqrt(water.speed * water.speed + 1e-4);
+    return p[0] * water.speed / sqrt(size);
+  }
+};
+
+TEST(EffectSimulation, TakesAnEffectFromOutsideTheLibrary) {
+  const EffectOf<SquareRootDrag> effect;
+  EXPECT_TRUE(effect.laws().has.resistance);
+  EXPECT_FALSE(effect.laws().has.thrust);
+  const EffectInputs inputs = Inputs();
+  const EffectSimulation simulation(&inputs, Stamps());
+  EffectOutputs low, high, at;
+  ASSERT_TRUE(simulation.Run({kSurge, {{&effect, {}, {19.99}}}}, {}, &low));
+  ASSERT_TRUE(simulation.Run({kSurge, {{&effect, {}, {20.01}}}}, {}, &high));
+  ASSERT_TRUE(simulation.RunWithSensitivities({kSurge, {{&effect, {}, {20.0}}}}, {}, &at));
+  for (size_t i = 0; i < low.velocity.size(); i += 50) {
+    const double difference = (high.velocity[i] - low.velocity[i]) / 0.02;
+    EXPECT_NEAR(at.velocity_sensitivity(static_cast<Eigen::Index>(i), 6), difference, 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
