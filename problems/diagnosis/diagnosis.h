@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// What a diagnosis ends with.
+enum class Verdict {
+  kConsistent,   // nothing beyond noise
+  kExplained,    // one or more causes are named
+  kAmbiguous,    // something is missing, and these logs cannot tell which of several causes it is
+  kUnexplained,  // something is missing, and nothing in the catalogue accounts for it
+};
+
+// "consistent", "explained", "ambiguous" or "unexplained".
+std::string_view Name(Verdict verdict);
+
+struct DiagnosisOptions {
+  // Chance of naming anything at all where nothing is missing. In (0, 0.5].
+  double false_alarm_rate = 0.05;
+
+  // At most so many causes at once, 1 to 3.
+  int most_causes = 3;
+
+  // A rival is told apart from the named cause only if it is worse by this much: twice the
+  // log-likelihood, after each one's own number of parameters is paid for.
+  double separation = 8.0;
+
+  // Of the draws behind thresholds and intervals.
+  std::uint64_t seed = 1;
+
+  // The effects that are tried; empty: EffectCatalogue().
+  std::vector<const Effect*> effects;
+};
+
+// A model fitted to the training data by generalised least squares.
+struct DiagnosedModel {
+  static constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
+  ExtendedModel model;
+
+  // Of the baseline's parameters in the order of kParameterInfo, then the effects' in theirs.
+  Eigen::MatrixXd covariance;
+
+  FitFigures train;     // of free runs
+  FitFigures held_out;  // on data that no fit has seen; where every block was left out in turn,
+                        // over the blocks
+
+  double log_likelihood = kNotComputed;  // with the noise learned along with the model
+};
+
+// One effect (with its partner, if it has one) that was tried.
+struct Candidate {
+  const Effect* effect = nullptr;
+  EffectSetting setting;
+  std::string label;  // "thruster_lag", "velocity_coupling(sway)"
+
+  std::vector<double> values;  // as fitted on top of the baseline alone; empty: not refitted
+  std::vector<double> stds;
+  double score = 0.0;  // twice the log-likelihood gained over the baseline, by the linear screen
+  double gain = 0.0;   // the same after refitting, the noise learned along; NaN: not refitted
+  double delta_bic = 0.0;  // of that gain; above 0: better than the baseline
+  double p_value = 1.0;  // of as good a score anywhere among all candidates, if nothing is missing
+  bool is_kept = false;
+  std::string why;  // kept or dropped, and why: a sentence
+};
+
+// A cause that the data call for.
+struct Cause {
+  int effect_index = 0;  // in Diagnosis::extended.model.effects
+  double p_value = 1.0;
+  double delta_bic = 0.0;                 // lost when this cause alone is taken out again
+  double held_out_gain = 0.0;             // 1 - NMAE with / NMAE without it
+  std::vector<std::string> alternatives;  // labels of what these logs cannot tell from it
+  std::string experiment;                 // that would decide between them; empty if there are none
+};
+
+// What the baseline's free run misses, as a force in time; with its standard deviation.
+struct MissingForce {
+  std::vector<double> time;       // log time [s]
+  std::vector<double> mean;       // [N] or [N m]
+  std::vector<double> std;        // [N] or [N m]
+  std::vector<double> explained;  // the part that the named causes account for
+  // What it may depend on, at the same times.
+  std::vector<double> command, command_rate, velocity, displacement;
+  std::vector<std::vector<double>> partner_velocities;  // one per entry of partner_names
+  std::vector<std::string> partner_names;               // "sway"
+};
+
+// Residuals of one segment of the training data at the velocity's stamps (the displacement's where
+// there is no velocity).
+struct ResidualTrace {
+  std::string log;
+  std::vector<double> time;      // log time [s]
+  std::vector<double> measured;  // [m/s] or [rad/s]; displacement [m] or [rad]
+  std::vector<double> before;    // baseline's free run
+  std::vector<double> after;     // extended model's free run
+  bool is_held_out = false;
+};
+
+struct Diagnosis {
+  Dof dof = Dof::kSurge;
+  std::string force_unit;
+  std::vector<std::string> logs;
+  bool fits_displacement = false;  // poses were used too, or alone
+  bool has_velocity = true;
+
+  Verdict verdict = Verdict::kConsistent;
+  DiagnosedModel baseline;
+  DiagnosedModel extended;  // the baseline again where nothing is named
+  std::vector<Cause> causes;
+  std::vector<Candidate> candidates;  // best first
+
+  // Share of the baseline's squared error that is structure rather than noise, 0 to 1; and of that
+  // structure, what the causes account for.
+  double structure_share = 0.0;
+  double explained_share = 0.0;
+
+  // p-value of what is left with the causes in: structure that no effect of the catalogue has.
+  double remaining_p_value = 1.0;
+
+  // 1 - NMAE of the extended model / NMAE of the baseline on data that neither has seen, with its
+  // 95 % interval over blocks; NaN where nothing was held out.
+  double held_out_gain = 0.0;
+  double held_out_gain_low = 0.0;
+  double held_out_gain_high = 0.0;
+  bool by_left_out_blocks = false;  // the logs hold nothing out: blocks were left out in turn
+
+  MissingForce missing_force;
+  std::vector<ResidualTrace> traces;
+  std::vector<std::string> remarks;  // what was dropped, counted; what could not be tried, and why
+};
+
+// Finds what the baseline misses in `logs` along `dof`, names the cause as far as the data force it
+// to, and measures what naming it gains. docs/diagnosis.md.
+//
+// The same input gives the same answer to the last bit. Throws InputError if the logs cannot be
+// used (no command, no motion, too short) or have different command units.
+Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options = {});
+
+}  // namespace fathom
