@@ -7,6 +7,7 @@
 #include "fathom/log/log.h"
 #include "fathom/simulate/input_signal.h"
 #include "fathom/simulate/pid.h"
+#include "fathom/simulate/turbulence.h"
 
 #include <array>
 #include <optional>
@@ -50,6 +51,7 @@ struct Drive {
   InputSignal input;  // a force, or a position in the world if there is a PID
   std::optional<PidGains> pid;
   double initial_speed = 0.0;  // [m/s] or [rad/s]
+  TurbulenceSpec turbulence = {};
 };
 
 // What is done with a vehicle and how it is measured; docs/file_formats.md. The vehicle starts with

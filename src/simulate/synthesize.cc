@@ -4,10 +4,11 @@
 #include "fathom/simulate/synthesize.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/simulate/pid.h"
 #include "fathom/simulate/random_stream.h"
 #include "fathom/simulate/resolution.h"
 #include "fathom/simulate/sampling.h"
+#include "fathom/simulate/shown_velocity.h"
+#include "fathom/simulate/true_run.h"
 #include "fathom/simulate/vehicle_motion.h"
 
 #include <algorithm>
@@ -66,81 +67,76 @@ std::vector<Dof> DrivenDofs(const Vehicle& vehicle, const Experiment& experiment
   return dofs;
 }
 
-// The command of one DOF, from stamp to stamp.
-class Driver {
- public:
-  Driver(const Experiment& experiment, const Drive& drive, std::uint64_t seed)
-      : dof_(drive.dof),
-        input_(drive.input),
-        resolution_(experiment.command_resolution),
-        measurement_(seed, Purpose("control", drive.dof)) {
-    RandomStream random(seed, Purpose("input", drive.dof));
-    DrawRandomParts(input_, random);
-    if (drive.pid) pid_.emplace(*drive.pid, 1.0 / experiment.command_rate);
-    if (experiment.pose) {
-      noise_ = IsAngular(dof_) ? experiment.pose->angle_noise : experiment.pose->position_noise;
+void RequireTraces(const Experiment& experiment, std::span<const ActiveEffect> effects) {
+  for (const ActiveEffect& active : effects) {
+    const bool is_driven =
+        std::any_of(experiment.drives.begin(), experiment.drives.end(), [&](const Drive& drive) {
+          return drive.dof == active.setting.dof;
+        });
+    if (!is_driven) {
+      throw InputError(
+          fmt::format("experiment '{}': does not drive {}, expected it to since {} is "
+                      "to be hidden there.",
+                      experiment.name,
+                      Name(active.setting.dof),
+                      active.effect->info().name));
+    }
+    if (active.effect->info().needs_pose && !(experiment.pose && experiment.pose->is_logged)) {
+      throw InputError(
+          fmt::format("experiment '{}': logs no pose, expected one since {} shows in "
+                      "nothing else.",
+                      experiment.name,
+                      active.effect->info().name));
     }
   }
-
-  double Force(double t, const MotionState& state) {
-    const double value = Value(input_, t);
-    if (!pid_) return RoundTo(value, resolution_);
-    const double measured = state.travel[Index(dof_)] + noise_ * measurement_.Normal();
-    return RoundTo(pid_->Force(value, measured), resolution_);
-  }
-
- private:
-  Dof dof_;
-  InputSignal input_;
-  double resolution_;
-  double noise_ = 0.0;
-  RandomStream measurement_;
-  std::optional<Pid> pid_;
-};
-
-// The vehicle's state at each command stamp and the forces held from there on.
-struct Truth {
-  std::vector<double> time;  // since the start [s]
-  std::vector<MotionState> states;
-  std::vector<std::array<double, 6>> forces;
-};
-
-Truth Run(const VehicleMotion& motion, const Experiment& experiment, std::uint64_t seed) {
-  std::vector<Driver> drivers;
-  MotionState state;
-  for (const Drive& drive : experiment.drives) {
-    drivers.emplace_back(experiment, drive, seed);
-    state.velocity[Index(drive.dof)] = drive.initial_speed;
-  }
-  Truth truth;
-  for (int k = 0; k / experiment.command_rate < experiment.duration; ++k) {
-    const double t = RoundTo(k / experiment.command_rate, kStampResolution);
-    if (k > 0) state = motion.After(state, truth.forces.back(), t - truth.time.back());
-    std::array<double, 6> force{};
-    for (std::size_t i = 0; i < drivers.size(); ++i) {
-      force[Index(experiment.drives[i].dof)] = drivers[i].Force(t, state);
-    }
-    truth.time.push_back(t);
-    truth.states.push_back(state);
-    truth.forces.push_back(force);
-  }
-  return truth;
 }
 
-// Calls take(t, state) at each sample, in order; lost ones too, so that noise goes on underneath.
-template <typename Take>
-void Measure(const VehicleMotion& motion,
-             const Truth& truth,
-             const SampleTimes& samples,
-             const Take& take) {
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < samples.time.size(); ++i) {
-    const double t = samples.time[i];
-    while (k + 1 < truth.time.size() && truth.time[k + 1] <= t) ++k;
-    take(t,
-         motion.After(truth.states[k], truth.forces[k], t - truth.time[k]),
-         samples.has_arrived[i]);
+std::array<Turbulence, 6> TurbulenceOf(const Experiment& experiment,
+                                       std::span<const ActiveEffect> effects,
+                                       std::uint64_t seed) {
+  std::array<Turbulence, 6> turbulence;
+  for (const Drive& drive : experiment.drives) {
+    // To the last command, see LastCommand().
+    const double ahead = std::max(0.0, -EffectChain(drive.dof, effects).Delay());
+    turbulence[Index(drive.dof)] = Turbulence(drive.turbulence,
+                                              experiment.duration + ahead,
+                                              RandomStream(seed, Purpose("turbulence", drive.dof)));
   }
+  return turbulence;
+}
+
+// How much later than the truth the poses are stamped [s].
+double PoseDelay(std::span<const ActiveEffect> effects) {
+  double delay = 0.0;
+  for (const ActiveEffect& active : effects) {
+    if (!active.effect->laws().has.pose_delay) continue;
+    delay += active.effect->laws().In<double>().PoseDelay(active.values.data());
+  }
+  return delay;
+}
+
+// What the poses show of where the vehicle is, along and about each driven DOF.
+MotionState ShownPose(const VehicleMotion& motion,
+                      MotionState state,
+                      const HeldForces& held,
+                      double t,
+                      const std::vector<Drive>& drives) {
+  const Surroundings now = {t, state.velocity, held.sent};
+  for (const Drive& drive : drives) {
+    const EffectChain& chain = motion.chain(drive.dof);
+    const int i = Index(drive.dof);
+    if (!IsAngular(drive.dof)) {
+      state.body_in_world[i] = chain.Displacement(state.body_in_world[i], now);
+      continue;
+    }
+    const double turn = chain.Displacement(state.travel[i], now) - state.travel[i];
+    if (turn == 0.0) continue;
+    const Eigen::Map<Eigen::Quaterniond> world_from_body(state.world_from_body.data());
+    const Eigen::Quaterniond shown(Eigen::Quaterniond(world_from_body) *
+                                   Eigen::AngleAxisd(turn, Eigen::Vector3d::Unit(i - 3)));
+    state.world_from_body = shown.coeffs();
+  }
+  return state;
 }
 
 void AddRow(Stream& stream, double stamp, const std::vector<double>& row) {
@@ -179,20 +175,20 @@ void RequireUsable(const Stream& stream, const char* file, const Experiment& exp
   }
 }
 
-Stream CommandStream(const Truth& truth, const Experiment& experiment) {
+Stream CommandStream(const TrueRun& truth, const Experiment& experiment) {
   Stream stream;
   for (const Drive& drive : experiment.drives) stream.columns.emplace_back(ForceColumn(drive.dof));
   stream.values.resize(stream.columns.size());
-  for (std::size_t k = 0; k < truth.time.size(); ++k) {
+  for (std::size_t k = 0; k < truth.command_time.size(); ++k) {
     std::vector<double> row;
-    for (const Drive& drive : experiment.drives) row.push_back(truth.forces[k][Index(drive.dof)]);
-    AddRow(stream, RoundTo(experiment.start_time + truth.time[k], kStampResolution), row);
+    for (const Drive& drive : experiment.drives) row.push_back(truth.command[k][Index(drive.dof)]);
+    AddRow(stream, RoundTo(experiment.start_time + truth.command_time[k], kStampResolution), row);
   }
   return stream;
 }
 
 Stream VelocityStream(const VehicleMotion& motion,
-                      const Truth& truth,
+                      const TrueRun& truth,
                       const Experiment& experiment,
                       std::uint64_t seed,
                       Log& log) {
@@ -208,21 +204,26 @@ Stream VelocityStream(const VehicleMotion& motion,
                        sensor.noise_correlation);
   }
   stream.values.resize(stream.columns.size());
-  Measure(motion, truth, samples, [&](double t, const MotionState& state, bool has_arrived) {
-    std::vector<double> row;
+  ShownVelocity shown(motion, truth);
+  for (std::size_t k = 0; k < samples.time.size(); ++k) {
+    const double t = samples.time[k];
+    const std::array<double, 6> velocity = shown.At(t);
+    std::vector<double> row;  // of lost samples too: noise goes on underneath
     for (std::size_t i = 0; i < experiment.drives.size(); ++i) {
       const int dof = Index(experiment.drives[i].dof);
-      const double measured = state.velocity[dof] + sensor.noise[dof] * noise[i].Next();
+      const double measured = velocity[dof] + sensor.noise[dof] * noise[i].Next();
       row.push_back(RoundTo(measured, sensor.resolution));
     }
-    if (has_arrived) AddRow(stream, RoundTo(experiment.start_time + t, kStampResolution), row);
-  });
+    if (!samples.has_arrived[k]) continue;
+    AddRow(stream, RoundTo(experiment.start_time + t, kStampResolution), row);
+  }
   return stream;
 }
 
 Stream PoseStream(const VehicleMotion& motion,
-                  const Truth& truth,
+                  const TrueRun& truth,
                   const Experiment& experiment,
+                  double delay,
                   std::uint64_t seed,
                   Log& log) {
   const PoseSensor& sensor = *experiment.pose;
@@ -238,28 +239,41 @@ Stream PoseStream(const VehicleMotion& motion,
   Stream stream;
   stream.columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
   stream.values.resize(stream.columns.size());
-  Measure(motion, truth, samples, [&](double t, const MotionState& state, bool has_arrived) {
+  std::size_t place = 0;
+  for (std::size_t k = 0; k < samples.time.size(); ++k) {
+    const double t = samples.time[k];
+    place = truth.Before(t, place);
+    const MotionState state =
+        ShownPose(motion, truth.StateAt(motion, place, t), truth.held[place], t, experiment.drives);
     const Eigen::Vector3d p = state.body_in_world + normal3(position_noise, sensor.position_noise);
     const Eigen::Vector3d turn = normal3(angle_noise, sensor.angle_noise);
     const double angle = turn.norm();
     const Eigen::Quaterniond body_from_measured(Eigen::AngleAxisd(
         angle, angle > 0.0 ? Eigen::Vector3d(turn / angle) : Eigen::Vector3d::UnitX()));
     const Eigen::Quaterniond q = Eigen::Quaterniond(state.world_from_body) * body_from_measured;
-    if (!has_arrived) return;
+    if (!samples.has_arrived[k]) continue;
     std::vector<double> row = {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
     for (double& number : row) number = RoundTo(number, sensor.resolution);
-    AddRow(stream, RoundTo(experiment.start_time + t, kStampResolution), row);
-  });
+    AddRow(stream, RoundTo(experiment.start_time + t + delay, kStampResolution), row);
+  }
   return stream;
 }
 
 }  // namespace
 
 Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64_t seed) {
+  return Synthesize(vehicle, experiment, {}, seed);
+}
+
+Log Synthesize(const Vehicle& vehicle,
+               const Experiment& experiment,
+               std::span<const ActiveEffect> effects,
+               std::uint64_t seed) {
   CHECK_GT(experiment.duration, 0.0);
   CHECK_GT(experiment.command_rate, 0.0);
   CHECK(!experiment.drives.empty());
   RequireAxesThatStay(experiment);
+  RequireTraces(experiment, effects);
   Log log;
   log.name = experiment.name;
   log.dofs = DrivenDofs(vehicle, experiment);
@@ -267,8 +281,8 @@ Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64
   log.notes = experiment.notes;
   log.held_out = experiment.held_out;
 
-  const VehicleMotion motion(vehicle, log.dofs);
-  const Truth truth = Run(motion, experiment, seed);
+  const VehicleMotion motion(vehicle, log.dofs, effects, TurbulenceOf(experiment, effects, seed));
+  const TrueRun truth = DriveThrough(motion, experiment, seed);
   log.command = CommandStream(truth, experiment);
   RequireUsable(*log.command, "command.csv", experiment);
   if (experiment.velocity) {
@@ -276,10 +290,30 @@ Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64
     RequireUsable(*log.velocity, "velocity.csv", experiment);
   }
   if (experiment.pose && experiment.pose->is_logged) {
-    log.pose = PoseStream(motion, truth, experiment, seed, log);
+    log.pose = PoseStream(motion, truth, experiment, PoseDelay(effects), seed, log);
     RequireUsable(*log.pose, "pose.csv", experiment);
   }
   return log;
+}
+
+std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,
+                               const Experiment& experiment,
+                               std::uint64_t seed) {
+  RequireAxesThatStay(experiment);
+  const VehicleMotion motion(vehicle, DrivenDofs(vehicle, experiment));
+  const TrueRun truth = DriveThrough(motion, experiment, seed);
+  std::array<Scales, 6> scales;
+  const double n = static_cast<double>(truth.time.size());
+  for (const Drive& drive : experiment.drives) {
+    const int i = Index(drive.dof);
+    double force2 = 0.0, speed2 = 0.0;
+    for (std::size_t k = 0; k < truth.time.size(); ++k) {
+      force2 += truth.command[k][i] * truth.command[k][i];
+      speed2 += truth.states[k].velocity[i] * truth.states[k].velocity[i];
+    }
+    scales[i] = {std::sqrt(force2 / n), std::sqrt(speed2 / n), experiment.duration};
+  }
+  return scales;
 }
 
 }  // namespace fathom
