@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glog/logging.h>
 
@@ -65,10 +66,12 @@ Eigen::Matrix4d CovarianceOf(const Regression& regression,
   }
   // An order that the data can carry.
   const int order = std::min(max_order, static_cast<int>(residual.size() / 10));
-  const Autoregression noise = FitAutoregression(pieces, order);
+  const Autoregression noise = FitAutoregression(std::move(pieces), order);
+  ColouredGram coloured(noise, 4);
   Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
   for (size_t k = 0; k + 1 < begin.size(); ++k) {
-    gram += ColouredGram(noise, regression.F.middleRows(begin[k], begin[k + 1] - begin[k]));
+    coloured.Add(regression.F.middleRows(begin[k], begin[k + 1] - begin[k]));
+    gram += coloured.EndPiece();
   }
   const auto n = static_cast<double>(residual.size());
   return n / (n - 4.0) * inverse_gram * gram * inverse_gram;

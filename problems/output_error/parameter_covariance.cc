@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -14,74 +15,21 @@ namespace {
 
 constexpr int kColumns = kNumParameters + 1;  // the parameters and a time offset
 constexpr int kSensitivities = Simulation::kNumSensitivities;
+constexpr size_t kStretch = 4096;  // samples simulated at once: they fit into the cache
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 using Matrix = Eigen::MatrixXd;
-
-// A segment's signatures (columns: parameters, time offset, initial state) and residuals.
-struct Signatures {
-  Matrix J;                           // by the whitened output
-  std::vector<double> influence;      // psi(r): r where it is small, k beyond
-  std::vector<Eigen::Index> clipped;  // rows where psi'(r) is 0, not 1
-  double sum_of_squares = 0.0;        // of the raw residuals
-};
-
-bool Simulate(const UncoupledModel<double>& model,
-              const Segment& segment,
-              const InitialState& initial,
-              FittedOutput output,
-              double sigma,
-              double huber_k,
-              Signatures* signatures) {
-  const auto n = static_cast<Eigen::Index>(segment.time.size());
-  const Simulation simulation(segment.command, segment.time);
-  const bool is_velocity = output == FittedOutput::kVelocity;
-  std::vector<double> v(n), x(is_velocity ? 0 : n), derivatives(n * kSensitivities);
-  const std::span<double> none;
-  if (!simulation.RunWithSensitivities(model,
-                                       initial,
-                                       v,
-                                       x,
-                                       is_velocity ? derivatives : none,
-                                       is_velocity ? none : derivatives)) {
-    return false;
-  }
-  Matrix& J = signatures->J;
-  J.resize(n, kColumns + StateSize(output));
-  signatures->influence.reserve(n);
-  const HeldCommand& command = segment.command;
-  size_t num_given = 0;  // command samples given so far
-  for (Eigen::Index i = 0; i < n; ++i) {
-    while (num_given < command.time.size() && command.time[num_given] <= segment.time[i]) {
-      ++num_given;
-    }
-    const double force = num_given > 0 ? command.value[num_given - 1] : 0.0;
-    const double* row = &derivatives[i * kSensitivities];
-    for (int j = 0; j < kNumParameters; ++j) J(i, j) = row[j];
-    // A command that comes later shifts the response: d y / d offset = -dy/dt.
-    const double acceleration = model.Acceleration(v[i], force);
-    J(i, kNumParameters) = is_velocity ? -acceleration : -v[i];
-    J(i, kColumns) = row[kNumParameters];
-    if (!is_velocity) J(i, kColumns + 1) = 1.0;
-
-    const double miss = is_velocity ? v[i] - segment.velocity[i] : x[i] - segment.position[i];
-    const double r = miss / sigma;
-    signatures->influence.push_back(std::clamp(r, -huber_k, huber_k));
-    if (std::abs(r) > huber_k) signatures->clipped.push_back(i);
-    signatures->sum_of_squares += miss * miss;
-  }
-  J /= sigma;
-  return true;
-}
+using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, kSensitivities, Eigen::RowMajor>;
+using Pieces = std::vector<std::pair<size_t, size_t>>;
 
 // Row ranges without a missing sample inside: the autoregression counts samples, not seconds.
-std::vector<std::pair<size_t, size_t>> UnbrokenPieces(const std::vector<double>& time) {
+Pieces UnbrokenPieces(const std::vector<double>& time) {
   std::vector<double> steps(time.size() - 1);
   for (size_t i = 0; i + 1 < time.size(); ++i) steps[i] = time[i + 1] - time[i];
   auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   const double longest = 1.8 * *middle;
-  std::vector<std::pair<size_t, size_t>> pieces;
+  Pieces pieces;
   size_t begin = 0;
   for (size_t i = 1; i <= time.size(); ++i) {
     if (i == time.size() || time[i] - time[i - 1] > longest) {
@@ -92,6 +40,91 @@ std::vector<std::pair<size_t, size_t>> UnbrokenPieces(const std::vector<double>&
   return pieces;
 }
 
+// Derivatives by the parameters and the velocity at the start of a stretch, turned into those by
+// the parameters and the velocity at the start of the segment; `start` is how the former velocity
+// follows the latter ones.
+Derivatives Chained(const Derivatives& by_stretch, const Derivatives& start) {
+  Derivatives by_segment = by_stretch.col(kNumParameters) * start;
+  by_segment.leftCols(kNumParameters) += by_stretch.leftCols(kNumParameters);
+  return by_segment;
+}
+
+// Simulates a segment, a stretch of it at a time so that memory does not grow with the log, and
+// calls visit(J, residual, is_end) for consecutive samples of an unbroken piece, both by the
+// whitened output. J holds the signatures: of the parameters, the time offset, the initial state.
+// `is_end` tells that the piece ends. False if the simulation diverges.
+template <typename Visit>
+bool VisitSamples(const UncoupledModel<double>& model,
+                  const Segment& segment,
+                  const Pieces& pieces,
+                  InitialState state,
+                  FittedOutput output,
+                  double sigma,
+                  Visit visit) {
+  const bool is_velocity = output == FittedOutput::kVelocity;
+  const HeldCommand& command = segment.command;
+  size_t num_given = 0;  // command samples given so far
+  auto piece = pieces.begin();
+  // Derivatives of the state at the start of the stretch.
+  Derivatives v_start = Derivatives::Zero(1, kSensitivities), x_start = v_start;
+  v_start(kNumParameters) = 1.0;
+  Derivatives dv, dx;
+  std::vector<double> v, x;
+  Matrix J;
+  Eigen::ArrayXd residual;
+  for (size_t begin = 0; begin < segment.time.size(); begin += kStretch) {
+    // The next stretch's first sample is simulated as well: that is where it starts.
+    const size_t end = std::min(begin + kStretch, segment.time.size());
+    const size_t num_outputs = std::min(end + 1, segment.time.size()) - begin;
+    const size_t num_positions = is_velocity ? 0 : num_outputs;
+    const auto time = std::span(segment.time).subspan(begin, num_outputs);
+    v.resize(num_outputs);
+    x.resize(num_positions);
+    dv.resize(static_cast<Eigen::Index>(num_outputs), kSensitivities);
+    dx.resize(static_cast<Eigen::Index>(num_positions), kSensitivities);
+    if (!Simulation(command, time)
+             .RunWithSensitivities(model,
+                                   state,
+                                   v,
+                                   x,
+                                   {dv.data(), num_outputs * kSensitivities},
+                                   {dx.data(), num_positions * kSensitivities})) {
+      return false;
+    }
+    dx = Chained(dx, v_start).rowwise() + x_start.row(0);
+    dv = Chained(dv, v_start);
+    state = {v.back(), is_velocity ? 0.0 : x.back()};
+    v_start = dv.bottomRows(1);
+    if (!is_velocity) x_start = dx.bottomRows(1);
+
+    const auto n = static_cast<Eigen::Index>(end - begin);
+    const Derivatives& dy = is_velocity ? dv : dx;
+    J.setOnes(n, kColumns + StateSize(output));  // the last column: of the initial position
+    J.leftCols(kNumParameters) = dy.topLeftCorner(n, kNumParameters);
+    J.col(kColumns) = dy.col(kNumParameters).head(n);
+    residual.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      while (num_given < command.time.size() && command.time[num_given] <= time[i]) ++num_given;
+      const double force = num_given > 0 ? command.value[num_given - 1] : 0.0;
+      // A command that comes later shifts the response: d y / d offset = -dy/dt.
+      J(i, kNumParameters) = is_velocity ? -model.Acceleration(v[i], force) : -v[i];
+      residual[i] =
+          is_velocity ? v[i] - segment.velocity[begin + i] : x[i] - segment.position[begin + i];
+    }
+    J /= sigma;
+    residual /= sigma;
+    for (size_t first = begin; first < end;) {
+      const size_t last = std::min(end, piece->second);
+      const auto from = static_cast<Eigen::Index>(first - begin);
+      const auto count = static_cast<Eigen::Index>(last - first);
+      visit(J.middleRows(from, count), residual.segment(from, count), last == piece->second);
+      if (last == piece->second) ++piece;
+      first = last;
+    }
+  }
+  return true;
+}
+
 // Normal matrix A and score variance B of the parameters and the offset, after the segments'
 // initial states are eliminated; docs/output_error.md (7).
 struct Reduced {
@@ -100,25 +133,18 @@ struct Reduced {
   Eigen::VectorXd norm_squared = Eigen::VectorXd::Zero(kColumns);  // of the full signatures
 };
 
-void Accumulate(const Signatures& signatures,
-                const std::vector<std::pair<size_t, size_t>>& pieces,
-                const Autoregression& noise,
-                Reduced* reduced) {
-  const Matrix& J = signatures.J;
-  const Eigen::Index num_states = J.cols() - kColumns;
-  Matrix A = J.transpose() * J;
-  for (const Eigen::Index row : signatures.clipped) A -= J.row(row).transpose() * J.row(row);
-  Matrix B = Matrix::Zero(J.cols(), J.cols());
-  for (const auto& [begin, end] : pieces) {
-    B += ColouredGram(
-        noise,
-        J.middleRows(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
-  }
+// Adds a segment, given the two matrices before elimination.
+void Eliminate(const Matrix& A, const Matrix& B, Reduced* reduced) {
+  const Eigen::Index num_states = A.cols() - kColumns;
   const Matrix A_ps = A.topRightCorner(kColumns, num_states);
-  const Matrix A_ss = A.bottomRightCorner(num_states, num_states);
-  Matrix eliminate(kColumns, J.cols());
-  eliminate << Matrix::Identity(kColumns, kColumns), -A_ps * A_ss.inverse();
-  reduced->A += A.topLeftCorner(kColumns, kColumns) - A_ps * A_ss.inverse() * A_ps.transpose();
+  // Where (nearly) all samples are clipped, an initial state leaves no trace in A, and nothing of
+  // the parameters' can be laid at its door: the pseudoinverse.
+  Eigen::CompleteOrthogonalDecomposition<Matrix> A_ss;
+  A_ss.setThreshold(1e-13);
+  A_ss.compute(A.bottomRightCorner(num_states, num_states));
+  Matrix eliminate(kColumns, A.cols());
+  eliminate << Matrix::Identity(kColumns, kColumns), -A_ps * A_ss.pseudoInverse();
+  reduced->A += eliminate * A.leftCols(kColumns);
   reduced->B += eliminate * B * eliminate.transpose();
   reduced->norm_squared += A.diagonal().head(kColumns);
 }
@@ -182,33 +208,49 @@ ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
   evidence.change_per_second_of_offset.setConstant(kNotComputed);
   evidence.condition_number = evidence.residual_sd = evidence.noise_correlation = kNotComputed;
 
-  std::vector<Signatures> signatures(segments.size());
-  std::vector<std::vector<std::pair<size_t, size_t>>> pieces;
-  std::vector<std::vector<double>> residuals;
+  // First the residuals and their colour, then what the colour does to the parameters: simulating
+  // twice is cheaper than keeping the signatures of a long log.
+  std::vector<Pieces> pieces;
+  std::vector<std::vector<double>> influence;  // psi(r), by piece: r where it is small, k beyond
   double num_samples = 0.0, sum_of_squares = 0.0, product = 0.0, power = 0.0;
   for (size_t s = 0; s < segments.size(); ++s) {
-    if (!Simulate(model, segments[s], initial_states[s], output, sigma, huber_k, &signatures[s])) {
+    pieces.push_back(UnbrokenPieces(segments[s].time));
+    size_t piece = influence.size();
+    for (const auto& [begin, end] : pieces[s]) influence.emplace_back().reserve(end - begin);
+    const auto visit = [&](const auto& /*J*/, const auto& residual, bool is_end) {
+      for (const double r : residual) influence[piece].push_back(std::clamp(r, -huber_k, huber_k));
+      sum_of_squares += sigma * sigma * residual.square().sum();
+      if (is_end) ++piece;
+    };
+    if (!VisitSamples(model, segments[s], pieces[s], initial_states[s], output, sigma, visit)) {
       return evidence;
     }
-    pieces.push_back(UnbrokenPieces(segments[s].time));
-    const auto& influence = signatures[s].influence;
-    for (const auto& [begin, end] : pieces.back()) {
-      residuals.emplace_back(influence.begin() + static_cast<std::ptrdiff_t>(begin),
-                             influence.begin() + static_cast<std::ptrdiff_t>(end));
-      for (size_t i = begin + 1; i < end; ++i) product += influence[i] * influence[i - 1];
+  }
+  for (const auto& psi : influence) {
+    num_samples += static_cast<double>(psi.size());
+    for (size_t i = 0; i < psi.size(); ++i) {
+      power += psi[i] * psi[i];
+      if (i > 0) product += psi[i] * psi[i - 1];
     }
-    for (const double psi : influence) power += psi * psi;
-    num_samples += static_cast<double>(influence.size());
-    sum_of_squares += signatures[s].sum_of_squares;
   }
   const int max_order =
       static_cast<int>(std::min({60.0, 10.0 * std::log10(num_samples), num_samples / 10.0}));
-  evidence.noise = FitAutoregression(residuals, max_order);
+  evidence.noise = FitAutoregression(std::move(influence), max_order);
   evidence.noise_correlation = product / power;
 
   Reduced reduced;
+  const int num_columns = kColumns + StateSize(output);
+  ColouredGram coloured(evidence.noise, num_columns);
   for (size_t s = 0; s < segments.size(); ++s) {
-    Accumulate(signatures[s], pieces[s], evidence.noise, &reduced);
+    Matrix A = Matrix::Zero(num_columns, num_columns), B = A;
+    const auto visit = [&](const auto& J, const auto& residual, bool is_end) {
+      const Eigen::VectorXd is_small = (residual.abs() <= huber_k).template cast<double>();
+      A += J.transpose() * is_small.asDiagonal() * J;
+      coloured.Add(J);
+      if (is_end) B += coloured.EndPiece();
+    };
+    VisitSamples(model, segments[s], pieces[s], initial_states[s], output, sigma, visit);
+    Eliminate(A, B, &reduced);
   }
   const double num_unknowns =
       kNumParameters + static_cast<double>(segments.size()) * StateSize(output);
@@ -222,6 +264,9 @@ ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
   const Solved with_offset = Solve(reduced, kColumns);
   evidence.covariance_with_time_offset =
       freedom * with_offset.covariance.topLeftCorner(kNumParameters, kNumParameters);
+  if (std::isfinite(alone.condition_number) && !std::isfinite(with_offset.condition_number)) {
+    evidence.covariance_with_time_offset.setConstant(std::numeric_limits<double>::infinity());
+  }
   evidence.share_with_time_offset = with_offset.share.head(kNumParameters);
   // The residuals that an offset leaves, fitted by the parameters alone.
   const Matrix A_pp = reduced.A.topLeftCorner(kNumParameters, kNumParameters);

@@ -17,7 +17,8 @@ namespace fathom {
 // What the data say about the parameters at the optimum.
 struct ParameterEvidence {
   // Sandwich covariance with the residuals' own colour, docs/output_error.md (7); and what it would
-  // be if a time offset of the command were to be fitted too (EFFECTS.md's `time_offset`).
+  // be if a time offset of the command were to be fitted too (EFFECTS.md's `time_offset`): infinite
+  // if the parameters imitate an offset exactly.
   ParameterCovariance covariance;
   ParameterCovariance covariance_with_time_offset;
 

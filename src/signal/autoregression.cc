@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fathom {
 namespace {
@@ -13,31 +14,46 @@ namespace {
 // So many orders without a better criterion end the search for one.
 constexpr int kPatience = 10;
 
-// Forward and backward prediction errors of one piece, as Burg's recursion carries them.
+constexpr Eigen::Index kBlock = 512;  // rows filtered at once: they fit into the fastest cache
+
+// Forward and backward prediction errors of one piece, as Burg's recursion carries them. At
+// `order`, forward[i] belongs to sample i, backward[i] to sample i + order.
 struct PredictionErrors {
   std::vector<double> forward;
   std::vector<double> backward;
 };
 
-// The reflection coefficient that minimises both prediction errors of the next order.
-double Reflection(const std::vector<PredictionErrors>& pieces, int order) {
-  double cross = 0.0, power = 0.0;
-  for (const auto& [forward, backward] : pieces) {
-    for (size_t i = order + 1; i < forward.size(); ++i) {
-      cross += forward[i] * backward[i - 1];
-      power += forward[i] * forward[i] + backward[i - 1] * backward[i - 1];
-    }
-  }
-  return power > 0.0 ? 2.0 * cross / power : 0.0;
-}
+// What the next reflection coefficient is made of.
+struct ErrorProducts {
+  double cross = 0.0, forward_power = 0.0, backward_power = 0.0;
 
-void Advance(double reflection, int order, PredictionErrors* errors) {
-  auto& [forward, backward] = *errors;
-  for (size_t i = forward.size(); i-- > static_cast<size_t>(order) + 1;) {
-    const double f = forward[i], b = backward[i - 1];
-    forward[i] = f - reflection * b;
-    backward[i] = b - reflection * f;
+  // The coefficient that minimises both prediction errors of the next order.
+  double Reflection() const {
+    const double power = forward_power + backward_power;
+    return power > 0.0 ? 2.0 * cross / power : 0.0;
   }
+};
+
+// Takes the errors from `order` to the next one and adds up their products, in one go over them.
+void Advance(double reflection, int order, PredictionErrors* errors, ErrorProducts* products) {
+  auto& [forward, backward] = *errors;
+  const size_t first = order + 1;
+  ErrorProducts sums;
+  double previous = 0.0;  // backward error one sample earlier; of none before the first
+  for (size_t i = first; i < forward.size(); ++i) {
+    const double f = forward[i], b = backward[i - first];
+    const double advanced = f - reflection * b;
+    if (i > first) {
+      sums.cross += advanced * previous;
+      sums.forward_power += advanced * advanced;
+      sums.backward_power += previous * previous;
+    }
+    forward[i] = advanced;
+    previous = backward[i - first] = b - reflection * f;
+  }
+  products->cross += sums.cross;
+  products->forward_power += sums.forward_power;
+  products->backward_power += sums.backward_power;
 }
 
 // Levinson's update of the coefficients from one order to the next.
@@ -49,36 +65,39 @@ void Extend(double reflection, std::vector<double>* coefficients) {
   coefficients->push_back(reflection);
 }
 
-// values[i] += sum_k phi_k values[i + k], from the last to the first; what lies beyond the last is
-// `later`, or zero.
-void RunBackwards(const Autoregression& noise,
-                  std::span<const double> later,
-                  std::span<double> values) {
-  const auto n = static_cast<std::ptrdiff_t>(values.size());
-  const auto num_later = static_cast<std::ptrdiff_t>(later.size());
-  const std::ptrdiff_t order = noise.order();
-  const double* const phi = noise.coefficients.data();
-  for (std::ptrdiff_t i = n - 1; i >= 0; --i) {
-    double sum = values[i];
-    const std::ptrdiff_t num_inside = std::min(order, n - 1 - i);
-    for (std::ptrdiff_t k = 0; k < num_inside; ++k) sum += phi[k] * values[i + 1 + k];
-    for (std::ptrdiff_t k = num_inside; k < order && i + 1 + k - n < num_later; ++k) {
-      sum += phi[k] * later[i + 1 + k - n];
-    }
-    values[i] = sum;
+// P such that S' P S is what the filtered rows beyond the end of a piece add to the Gram matrix,
+// S holding the last rows inside, the latest first. With the recursion as z_{i+1} = F z_i over such
+// states, P = f f' + F' P F, where f' is the first row of F; summed up by doubling.
+Eigen::MatrixXd EchoOf(const Autoregression& noise) {
+  constexpr int kMostDoublings = 40;  // more samples than any log has
+  const Eigen::Index order = noise.order();
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(order, order);
+  if (order == 0) return F;
+  F.row(0) = Eigen::RowVectorXd::Map(noise.coefficients.data(), order);
+  F.diagonal(-1).setOnes();
+  Eigen::MatrixXd P = F.row(0).transpose() * F.row(0);
+  for (int i = 0; i < kMostDoublings; ++i) {
+    const Eigen::MatrixXd before = P;
+    P += F.transpose() * before * F;
+    if (P == before) break;
+    F = (F * F).eval();
   }
+  return P;
 }
 
 }  // namespace
 
-Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, int max_order) {
+Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int max_order) {
   std::vector<PredictionErrors> errors;
   double sum_of_squares = 0.0;
   double num_samples = 0.0;
-  for (const auto& piece : pieces) {
-    errors.push_back({piece, piece});
+  ErrorProducts products;
+  for (auto& piece : pieces) {
     num_samples += static_cast<double>(piece.size());
     for (const double e : piece) sum_of_squares += e * e;
+    std::vector<double> backward = piece;
+    errors.push_back({std::move(piece), std::move(backward)});
+    Advance(0.0, -1, &errors.back(), &products);  // of order 0: the samples themselves
   }
   Autoregression current;
   if (num_samples == 0.0) return current;
@@ -94,27 +113,50 @@ Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, in
     }
     const bool is_hopeless = order >= best.order() + kPatience;
     if (order == max_order || is_hopeless || !(current.innovation_variance > 0.0)) break;
-    const double reflection = Reflection(errors, order);
-    for (auto& piece : errors) Advance(reflection, order, &piece);
+    const double reflection = products.Reflection();
+    products = {};
+    for (auto& piece : errors) Advance(reflection, order, &piece, &products);
     Extend(reflection, &current.coefficients);
     current.innovation_variance *= 1.0 - reflection * reflection;
   }
   return best;
 }
 
-Eigen::MatrixXd ColouredGram(const Autoregression& noise, Eigen::MatrixXd J) {
-  // e = H w with H the recursion's impulse responses and w white, so J' Gamma J = s^2 (H'J)'(H'J).
-  // Row i of H'J is what innovation i contributes to the sum: the recursion run backwards in time,
-  // and on past the first sample, since innovations before it still echo in the piece.
-  const auto n = static_cast<size_t>(J.rows());
-  if (noise.order() == 0) return noise.innovation_variance * J.transpose() * J;
-  for (auto column : J.colwise()) RunBackwards(noise, {}, {column.data(), n});
-  // The echo of a stable recursion dies out; one longer than the piece itself is cut there.
-  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(J.rows(), J.cols());
-  for (Eigen::Index k = 0; k < J.cols(); ++k) {
-    RunBackwards(noise, {J.col(k).data(), n}, {before.col(k).data(), n});
+ColouredGram::ColouredGram(Autoregression noise, Eigen::Index num_columns)
+    : noise_(std::move(noise)),
+      echo_(EchoOf(noise_)),
+      gram_(Eigen::MatrixXd::Zero(num_columns, num_columns)),
+      filtered_(Eigen::MatrixXd::Zero(noise_.order() + kBlock, num_columns)) {}
+
+void ColouredGram::Add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  for (Eigen::Index begin = 0; begin < rows.rows(); begin += kBlock) {
+    AddBlock(rows.middleRows(begin, std::min(kBlock, rows.rows() - begin)));
   }
-  return noise.innovation_variance * (J.transpose() * J + before.transpose() * before);
+}
+
+Eigen::MatrixXd ColouredGram::EndPiece() {
+  const Eigen::MatrixXd last = filtered_.topRows(noise_.order()).colwise().reverse();
+  const Eigen::MatrixXd gram =
+      noise_.innovation_variance * (gram_ + last.transpose() * echo_ * last);
+  gram_.setZero();
+  filtered_.setZero();
+  return gram;
+}
+
+// e = H w with H the recursion's impulse responses and w white, so J' Gamma J = s^2 (H'J)'(H'J).
+// H'J is the recursion run backwards in time over the columns of J; but Gamma is the same in either
+// direction of time, and so is the sum: it may run forwards.
+void ColouredGram::AddBlock(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  const Eigen::Index order = noise_.order(), n = rows.rows();
+  filtered_.middleRows(order, n) = rows;
+  for (auto column : filtered_.colwise()) {
+    for (double* z = column.data() + order; z != column.data() + order + n; ++z) {
+      for (Eigen::Index k = order; k > 0; --k) *z += noise_.coefficients[k - 1] * z[-k];
+    }
+  }
+  const auto block = filtered_.middleRows(order, n);
+  gram_.noalias() += block.transpose() * block;
+  filtered_.topRows(order) = filtered_.middleRows(n, order).eval();
 }
 
 }  // namespace fathom

@@ -24,12 +24,30 @@ struct Autoregression {
 
 // Fits by Burg's method over all `pieces` together; a piece is an unbroken run of samples, its mean
 // taken as zero. The order, at most `max_order`, is the one with the least AIC; the search ends
-// after ten orders in a row that bring nothing.
-Autoregression FitAutoregression(std::span<const std::vector<double>> pieces, int max_order);
+// after ten orders in a row that bring nothing. Hand the pieces over with std::move to save a copy.
+Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int max_order);
 
-// J' Gamma J for the samples of one piece, where Gamma is the covariance matrix of the noise
-// (docs/output_error.md (6)): the variance of sum_i J_i e_i. Rows of J belong to consecutive
-// samples.
-Eigen::MatrixXd ColouredGram(const Autoregression& noise, Eigen::MatrixXd J);
+// The variance of sum_i J_i e_i over the samples i of one piece: J' Gamma J, where Gamma is the
+// covariance matrix of the noise, docs/output_error.md (6). Rows of J belong to consecutive samples
+// and arrive in the order of time, some at once; they are not kept.
+class ColouredGram {
+ public:
+  ColouredGram(Autoregression noise, Eigen::Index num_columns);
+
+  // The next rows.
+  void Add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+
+  // The sum over all rows so far; the piece is over, and the next row begins another one, with
+  // noise of its own.
+  Eigen::MatrixXd EndPiece();
+
+ private:
+  void AddBlock(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+
+  const Autoregression noise_;
+  const Eigen::MatrixXd echo_;  // what the last filtered rows still cause after a piece
+  Eigen::MatrixXd gram_;        // of the filtered rows so far
+  Eigen::MatrixXd filtered_;    // the last order() filtered rows, then the block's
+};
 
 }  // namespace fathom

@@ -120,10 +120,11 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   const double correlation = a.dot(force) / (a.norm() * force.norm());
   const double slope = a.dot(force) / force.squaredNorm();
   const Eigen::VectorXd residual = a - slope * force;
-  const std::vector<std::vector<double>> pieces = {{residual.begin(), residual.end()}};
-  const Autoregression noise =
-      FitAutoregression(pieces, std::min(kMaxNoiseOrder, static_cast<int>(n / 10)));
-  const double error = std::sqrt(ColouredGram(noise, force)(0, 0)) / force.squaredNorm();
+  ColouredGram coloured(FitAutoregression({{residual.begin(), residual.end()}},
+                                          std::min(kMaxNoiseOrder, static_cast<int>(n / 10))),
+                        1);
+  coloured.Add(force);
+  const double error = std::sqrt(coloured.EndPiece()(0, 0)) / force.squaredNorm();
   if (correlation > -kSignCorrelation || slope > -kSignErrors * error) return;
   Warn("force_sign",
        fmt::format("At equal velocity a push slows the vehicle down: acceleration over force is "

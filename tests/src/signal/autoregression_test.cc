@@ -40,28 +40,64 @@ TEST(FitAutoregression, FindsAlmostNothingInWhiteNoise) {
   EXPECT_NEAR(noise.innovation_variance, 4.0, 0.2);
 }
 
-// Against the covariance matrix of AR(1) noise written out: s^2 phi^|i-j| / (1 - phi^2).
-TEST(ColouredGram, MatchesTheDenseCovarianceMatrix) {
-  const double phi = 0.8, variance = 0.5;
-  const int n = 40;
+Eigen::MatrixXd TwoColumns(int n) {
   Eigen::MatrixXd J(n, 2);
-  for (int i = 0; i < n; ++i) J.row(i) << std::sin(0.3 * i) + 0.2, 0.1 * i - 1.0;
+  for (int i = 0; i < n; ++i) J.row(i) << std::sin(0.3 * i) + 0.2, 0.01 * i - 0.3;
+  return J;
+}
+
+// J' Gamma J with Gamma written out from the autocovariances of AR(2) noise:
+//   g_0 = s^2 (1 - phi_2) / ((1 + phi_2) ((1 - phi_2)^2 - phi_1^2)),   g_1 = phi_1 g_0 / (1 -
+//   phi_2), g_k = phi_1 g_{k-1} + phi_2 g_{k-2}
+Eigen::MatrixXd DenseGram(double phi1, double phi2, double variance, const Eigen::MatrixXd& J) {
+  const Eigen::Index n = J.rows();
+  Eigen::VectorXd g(n);
+  g[0] = variance * (1.0 - phi2) / ((1.0 + phi2) * (1.0 - phi2 - phi1) * (1.0 - phi2 + phi1));
+  g[1] = phi1 * g[0] / (1.0 - phi2);
+  for (Eigen::Index k = 2; k < n; ++k) g[k] = phi1 * g[k - 1] + phi2 * g[k - 2];
   Eigen::MatrixXd Gamma(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      Gamma(i, j) = variance * std::pow(phi, std::abs(i - j)) / (1.0 - phi * phi);
-    }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) Gamma(i, j) = g[std::abs(i - j)];
   }
-  const Eigen::MatrixXd expected = J.transpose() * Gamma * J;
-  const Eigen::MatrixXd gram = ColouredGram({{phi}, variance}, J);
+  return J.transpose() * Gamma * J;
+}
+
+void ExpectClose(const Eigen::MatrixXd& gram, const Eigen::MatrixXd& expected) {
   EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(ColouredGram, MatchesTheDenseCovarianceMatrix) {
+  const Eigen::MatrixXd J = TwoColumns(700);
+  ColouredGram coloured({{1.2, -0.5}, 0.3}, 2);
+  coloured.Add(J);
+  ExpectClose(coloured.EndPiece(), DenseGram(1.2, -0.5, 0.3, J));
+}
+
+// Noise that remembers a thousand samples, in a piece of forty.
+TEST(ColouredGram, HoldsForAPieceShorterThanTheMemoryOfTheNoise) {
+  const Eigen::MatrixXd J = TwoColumns(40);
+  ColouredGram coloured({{0.999}, 0.5}, 2);
+  coloured.Add(J);
+  ExpectClose(coloured.EndPiece(), DenseGram(0.999, 0.0, 0.5, J));
+}
+
+TEST(ColouredGram, TakesRowsInAnyPortionsAndOnePieceAfterTheOther) {
+  const Eigen::MatrixXd J = TwoColumns(1300);
+  ColouredGram coloured({{1.2, -0.5}, 0.3}, 2);
+  coloured.Add(J.topRows(300));
+  coloured.EndPiece();
+  coloured.Add(J.topRows(1));
+  coloured.Add(J.middleRows(1, 1100));
+  coloured.Add(J.bottomRows(199));
+  ExpectClose(coloured.EndPiece(), DenseGram(1.2, -0.5, 0.3, J));
 }
 
 TEST(ColouredGram, IsThePlainGramForWhiteNoise) {
   Eigen::MatrixXd J(3, 2);
   J << 1.0, 2.0, -0.5, 0.7, 3.0, -1.1;
-  const Eigen::MatrixXd gram = ColouredGram({{}, 2.5}, J);
-  EXPECT_LT((gram - 2.5 * J.transpose() * J).cwiseAbs().maxCoeff(), 1e-14);
+  ColouredGram coloured({{}, 2.5}, 2);
+  coloured.Add(J);
+  EXPECT_LT((coloured.EndPiece() - 2.5 * J.transpose() * J).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 }  // namespace
