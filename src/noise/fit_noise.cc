@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/noise/fit_noise.h"
+
+#include "fathom/noise/noise_search.h"
+#include "fathom/noise/noise_structure.h"
+#include "fathom/noise/restricted_likelihood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+using Result = NoiseSearch::Result;
+
+// One call of FitNoise().
+class Fitting {
+ public:
+  Fitting(const RestrictedLikelihood& likelihood,
+          const NoiseSampling& sampling,
+          const FitNoiseOptions& options)
+      : likelihood_(likelihood), sampling_(sampling), options_(options), search_(likelihood) {}
+
+  int num_evaluations() const { return search_.num_evaluations(); }
+
+  // One component after another, the best first, for as long as each is worth its price.
+  Result FromNothing() {
+    NoiseModel white;
+    white.velocity.white_std = likelihood_.RootMeanSquare(NoiseChannel::kVelocity);
+    white.displacement.white_std = likelihood_.RootMeanSquare(NoiseChannel::kDisplacement);
+    const NoiseStructure structure = Structure({});
+    Result best = search_.From(structure, structure.Parameters(white));
+    if (options_.selection == NoiseSelection::kWhite) return best;
+    for (;;) {
+      std::optional<Result> next;
+      for (const NoiseComponent component : Missing(best.structure.components())) {
+        Result result = Extended(best, component);
+        if (!next || result.log_likelihood() > next->log_likelihood()) next = std::move(result);
+      }
+      if (!next || !(next->log_likelihood() - best.log_likelihood() > Price())) return best;
+      best = *std::move(next);
+    }
+  }
+
+  // The components that `start` has, from its values.
+  Result FromModel(NoiseModel start) {
+    std::vector<NoiseComponent> components;
+    if (sampling_.has_velocity && start.velocity.coloured.IsPresent()) {
+      components.push_back(NoiseComponent::kVelocityColour);
+    }
+    if (sampling_.has_displacement && start.displacement.coloured.IsPresent()) {
+      components.push_back(NoiseComponent::kDisplacementColour);
+    }
+    if (start.disturbance.IsPresent()) components.push_back(NoiseComponent::kDisturbance);
+    start.damping_rate = options_.damping_rate;
+    const NoiseStructure structure = Structure(std::move(components));
+    return search_.From(structure, structure.Parameters(start));
+  }
+
+ private:
+  NoiseStructure Structure(std::vector<NoiseComponent> components) const {
+    return {sampling_, std::move(components), options_.damping_rate, options_.longest_time};
+  }
+
+  // The components that are not there yet, and may be.
+  std::vector<NoiseComponent> Missing(const std::vector<NoiseComponent>& present) const {
+    std::vector<NoiseComponent> missing;
+    const auto add = [&](NoiseComponent component) {
+      const auto found = std::find(present.begin(), present.end(), component);
+      if (found == present.end()) missing.push_back(component);
+    };
+    if (options_.allow_coloured && sampling_.has_velocity) add(NoiseComponent::kVelocityColour);
+    if (options_.allow_coloured && sampling_.has_displacement) {
+      add(NoiseComponent::kDisplacementColour);
+    }
+    if (options_.allow_disturbance) add(NoiseComponent::kDisturbance);
+    return missing;
+  }
+
+  // The best fit with one component more; its start is the best of a grid of sizes and times.
+  Result Extended(const Result& result, NoiseComponent component) {
+    std::vector<NoiseComponent> components = result.structure.components();
+    components.push_back(component);
+    const NoiseStructure structure = Structure(std::move(components));
+    const Eigen::Index m = structure.num_parameters();
+    const double shortest = structure.lower()[m - 1], longest = structure.upper()[m - 1];
+    std::optional<NoiseSearch::Point> start;
+    for (const double ratio : {0.2, 0.6, 2.0}) {
+      for (const double share : {0.15, 0.4, 0.65, 0.9}) {
+        Eigen::VectorXd parameters(m);
+        parameters << result.best.parameters, std::log(ratio),
+            shortest + share * (longest - shortest);
+        NoiseSearch::Point point = search_.At(structure, std::move(parameters));
+        if (!start || point.value.log_likelihood > start->value.log_likelihood) {
+          start = std::move(point);
+        }
+      }
+    }
+    return search_.From(structure, start->parameters);
+  }
+
+  // What a component must add to the log-likelihood to be let in: half of what the criterion asks
+  // for its two parameters.
+  double Price() const {
+    switch (options_.selection) {
+      case NoiseSelection::kAic:
+        return 2.0;
+      case NoiseSelection::kBic:
+        return std::log(static_cast<double>(likelihood_.samples().size()));
+      case NoiseSelection::kAll:
+        return -std::numeric_limits<double>::infinity();
+      case NoiseSelection::kWhite:
+        break;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+  const RestrictedLikelihood& likelihood_;
+  const NoiseSampling& sampling_;
+  const FitNoiseOptions& options_;
+  NoiseSearch search_;
+};
+
+}  // namespace
+
+std::vector<std::string> FitNoiseOptions::Problems() const {
+  std::vector<std::string> problems;
+  if (!(damping_rate > 0.0)) problems.push_back("damping_rate must be above 0.");
+  if (!(longest_time > 0.0)) problems.push_back("longest_time must be above 0.");
+  if (start && start->velocity.white_std <= 0.0 && start->displacement.white_std <= 0.0) {
+    problems.push_back("start must have white noise.");
+  }
+  return problems;
+}
+
+NoiseFit FitNoise(std::span<const NoiseSample> samples,
+                  std::span<const double> residual,
+                  const Eigen::Ref<const RowMajorMatrix>& design,
+                  const FitNoiseOptions& options) {
+  NoiseFit fit;
+  const std::vector<std::string> problems = options.Problems();
+  if (!problems.empty()) {
+    fit.message = problems.front();
+    return fit;
+  }
+  const RestrictedLikelihood likelihood(samples, residual, design);
+  const NoiseSampling sampling(samples);
+  constexpr int kLeastFreedom = 20;
+  const int num_free = static_cast<int>(samples.size()) - likelihood.rank();
+  if (num_free < kLeastFreedom || !(sampling.median_step > 0.0)) {
+    fit.message = "Too few samples for a noise model: " + std::to_string(samples.size()) +
+                  " for a design of rank " + std::to_string(likelihood.rank()) + ".";
+    return fit;
+  }
+  const bool is_silent =
+      (sampling.has_velocity && !(likelihood.RootMeanSquare(NoiseChannel::kVelocity) > 0.0)) ||
+      (sampling.has_displacement &&
+       !(likelihood.RootMeanSquare(NoiseChannel::kDisplacement) > 0.0));
+  if (is_silent) {
+    fit.message = "A channel of the residual is zero throughout, or not a number.";
+    return fit;
+  }
+  Fitting fitting(likelihood, sampling, options);
+  const Result result = options.start ? fitting.FromModel(*options.start) : fitting.FromNothing();
+  fit.converged = result.converged && std::isfinite(result.log_likelihood());
+  fit.message = fit.converged ? "Converged." : "No maximum of the likelihood was reached.";
+  fit.model = Scaled(result.structure.Model(result.best.parameters), result.best.value.factor);
+  fit.log_likelihood = result.log_likelihood();
+  fit.num_parameters = result.structure.num_parameters() + 1;
+  fit.num_evaluations = fitting.num_evaluations();
+  return fit;
+}
+
+}  // namespace fathom
