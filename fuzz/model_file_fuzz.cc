@@ -17,6 +17,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fathom::ParseModel("m.json", std::string_view(reinterpret_cast<const char*>(data), size));
     const auto again = fathom::ParseModel("m.json", fathom::FormatModel(model));
     if (fathom::ToVector(again.model) != fathom::ToVector(model.model)) std::abort();
+    if (again.effects.size() != model.effects.size()) std::abort();
+    for (std::size_t k = 0; k < model.effects.size(); ++k) {
+      if (again.effects[k].effect != model.effects[k].effect) std::abort();
+      if (again.effects[k].values != model.effects[k].values) std::abort();
+      if (again.effects[k].setting.partner != model.effects[k].setting.partner) std::abort();
+    }
   } catch (const fathom::InputError&) {
   }
   return 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/parameters.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
@@ -11,6 +12,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace fathom {
 
@@ -27,15 +30,23 @@ struct FittedModel {
   Dof dof = Dof::kSurge;
   std::string force_unit;  // "N", "N m", or the log's command_unit
   UncoupledModel<double> model;
+  std::vector<ActiveEffect> effects;  // on top of it, as in ExtendedModel; mostly none
 
-  // In the order of kParameterInfo, in products of the parameters' units. NaN where not known.
-  ParameterCovariance covariance =
+  // Of the model's parameters in the order of kParameterInfo, then the effects' in theirs; in
+  // products of the parameters' units. NaN where not known.
+  Eigen::MatrixXd covariance =
       ParameterCovariance::Constant(std::numeric_limits<double>::quiet_NaN());
 
   FitFigures train;
   FitFigures held_out;
   std::vector<std::string> caveats;               // what the intervals do not cover
   std::map<std::string, std::string> provenance;  // log, family, source, options, version
+
+  // FingerprintOf() the logs that it was identified from: in these alone hold those of its effects
+  // that belong to a run.
+  std::vector<std::string> log_fingerprints;
+
+  ExtendedModel Extended() const { return {model, effects}; }
 };
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <filesystem>
@@ -10,6 +11,14 @@
 #include <string_view>
 
 namespace fathom {
+
+// An effect as people and files tell it from others of its kind: "thruster_lag",
+// "velocity_coupling(sway)".
+std::string LabelOf(const EffectInfo& info, const EffectSetting& setting);
+
+// A parameter of an effect as files name it: "thruster_lag.time_constant",
+// "velocity_coupling(sway).coefficient".
+std::string KeyOf(const ActiveEffect& active, const EffectParameter& parameter);
 
 // The text of a model file, schema "fathom-model-1"; docs/file_formats.md.
 std::string FormatModel(const FittedModel& model);
