@@ -6,15 +6,19 @@
 //   fathom_synthesize --vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/output_file.h"
 #include "fathom/log/write_log.h"
+#include "fathom/simulate/effect_list.h"
 #include "fathom/simulate/experiment_file.h"
 #include "fathom/simulate/synthesize.h"
+#include "fathom/simulate/truth_file.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -25,6 +29,11 @@ DEFINE_string(experiment, "", "Experiment file (YAML).");
 DEFINE_uint64(seed, 1, "Seed of every random number: the same seed gives the same bytes.");
 DEFINE_string(out, "", "Folder of the log to write: a new or an empty one.");
 DEFINE_bool(overwrite, false, "Replace the log in --out if there is one.");
+DEFINE_string(effects,
+              "",
+              "Effects to hide in the log, [DOF.]NAME[:PARAMETER=VALUE]... separated by commas; "
+              "what is not given is drawn. docs/synthesize.md lists them.");
+DEFINE_string(truth, "", "Write what the log was made from to this file (JSON).");
 
 namespace fathom {
 namespace {
@@ -32,10 +41,15 @@ namespace {
 const ToolInfo kInfo = {
     .name = "fathom_synthesize",
     .summary = "Makes the log of an experiment with a vehicle whose motion model is known.",
-    .usage = "--vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG [--seed=1]",
+    .usage =
+        "--vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG [--seed=1 "
+        "--effects=EFFECTS --truth=TRUTH.json]",
     .example =
         "fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
-        "--experiment=data/experiments/table1.yaml --seed=1 --out=flatfish",
+        "--experiment=data/experiments/table1.yaml --seed=1 --out=flatfish\n"
+        "  fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
+        "--experiment=data/experiments/table1.yaml --out=slow "
+        "--effects=thruster_lag:time_constant=0.5,heave.coulomb_friction",
     .details =
         "The files are described in docs/file_formats.md, the method in docs/synthesize.md."};
 
@@ -104,7 +118,15 @@ int Run() {
       ReadExperimentFile(RequireFlag("experiment", FLAGS_experiment, "an experiment file"));
   const std::filesystem::path folder = OutputFolder();
 
-  const Log log = Synthesize(vehicle, experiment, FLAGS_seed);
+  std::vector<ActiveEffect> effects;
+  if (!FLAGS_effects.empty()) {
+    const auto scales = ScalesOf(vehicle, experiment, FLAGS_seed);
+    effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
+  }
+  const Log log = Synthesize(vehicle, experiment, effects, FLAGS_seed);
+  if (!FLAGS_truth.empty()) {
+    WriteFile(FLAGS_truth, FormatTruth(vehicle, experiment, effects, FLAGS_seed));
+  }
   const FolderInTheMaking made(folder);
   WriteLog(made.path(), log);
   made.Finish();
@@ -112,6 +134,7 @@ int Run() {
   fmt::print("{}: {} s of", folder.string(), experiment.duration);
   for (const Dof dof : log.dofs) fmt::print(" {}", Name(dof));
   fmt::print(", vehicle {}, seed {}\n", vehicle.name, FLAGS_seed);
+  for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", Describe(effect));
   PrintStream("command.csv", log.command);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);

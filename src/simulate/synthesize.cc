@@ -306,12 +306,16 @@ std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,
   const double n = static_cast<double>(truth.time.size());
   for (const Drive& drive : experiment.drives) {
     const int i = Index(drive.dof);
-    double force2 = 0.0, speed2 = 0.0;
+    double force2 = 0.0, speed2 = 0.0, travel = 0.0, travel2 = 0.0;
     for (std::size_t k = 0; k < truth.time.size(); ++k) {
       force2 += truth.command[k][i] * truth.command[k][i];
       speed2 += truth.states[k].velocity[i] * truth.states[k].velocity[i];
+      travel += truth.states[k].travel[i];
+      travel2 += truth.states[k].travel[i] * truth.states[k].travel[i];
     }
-    scales[i] = {std::sqrt(force2 / n), std::sqrt(speed2 / n), experiment.duration};
+    const double spread2 = std::max(0.0, travel2 / n - travel * travel / (n * n));
+    scales[i] = {
+        std::sqrt(force2 / n), std::sqrt(speed2 / n), std::sqrt(spread2), experiment.duration};
   }
   return scales;
 }

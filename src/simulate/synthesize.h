@@ -39,6 +39,7 @@ Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64
 struct Scales {
   double force = 0.0;     // RMS command [N] or [N m]
   double speed = 0.0;     // RMS [m/s] or [rad/s]
+  double length = 0.0;    // RMS distance from the mean place [m] or [rad]
   double duration = 0.0;  // [s]
 };
 
