@@ -32,17 +32,22 @@ struct Sampling {
 
 struct VelocitySensor {
   Sampling sampling;
-  std::array<double, 6> noise{};   // standard deviation, by Index(Dof) [m/s] or [rad/s]
-  double noise_correlation = 0.0;  // from one sample to the next, in [0, 1); 0: white
-  double resolution = 0.0;         // values are rounded to multiples of it; 0: not rounded
+  std::array<double, 6> noise{};         // standard deviation, by Index(Dof) [m/s] or [rad/s]
+  double noise_correlation = 0.0;        // from one sample to the next, in [0, 1); 0: white
+  double outlier_probability = 0.0;      // that a sample is one, in [0, 1]
+  std::array<double, 6> outlier_size{};  // standard deviation of what is then added
+  double resolution = 0.0;               // values are rounded to multiples of it; 0: not rounded
 };
 
 struct PoseSensor {
   Sampling sampling;
-  double position_noise = 0.0;  // standard deviation along each world axis [m]
-  double angle_noise = 0.0;     // standard deviation about each body axis [rad]
-  double resolution = 0.0;      // as above
-  bool is_logged = true;        // false: only the controllers see it
+  double position_noise = 0.0;       // standard deviation along each world axis [m]
+  double angle_noise = 0.0;          // standard deviation about each body axis [rad]
+  double outlier_probability = 0.0;  // that a sample is one, in [0, 1]
+  double outlier_position = 0.0;     // standard deviation of what is then added, as above [m]
+  double outlier_angle = 0.0;        // [rad]
+  double resolution = 0.0;           // as above
+  bool is_logged = true;             // false: only the controllers see it
 };
 
 // How one DOF is driven.

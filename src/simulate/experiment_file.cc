@@ -6,7 +6,10 @@
 #include "fathom/base/input_file.h"
 #include "fathom/base/yaml_file.h"
 #include "fathom/log/csv_table.h"
+#include "fathom/simulate/input_reader.h"
+#include "fathom/simulate/yaml_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -17,36 +20,11 @@
 namespace fathom {
 namespace {
 
-constexpr double kMostSamples = 1e6;  // of one stream
-constexpr double kLongest = 1e5;      // [s]
-constexpr double kLargest = 1e9;      // of any amplitude: no force or position is larger
-constexpr double kHighestRate = 1e4;  // [Hz]
-constexpr double kLowestRate = 0.1;   // [Hz]; a log's clocks ask for no less
-
-double Within(const YamlMap& map, std::string_view key, double number, double from, double to) {
-  if (from <= number && number <= to) return number;
-  map.Fail(key, fmt::format("is {}, expected a number from {} to {}.", number, from, to));
-}
-
-double NumberWithin(const YamlMap& map, std::string_view key, double from, double to) {
-  return Within(map, key, map.Number(key), from, to);
-}
-
-double NumberWithin(
-    const YamlMap& map, std::string_view key, double from, double to, double if_missing) {
-  return Within(map, key, map.Number(key, if_missing), from, to);
-}
-
-// A number above 0.
-double Positive(const YamlMap& map, std::string_view key) {
-  const double number = map.Number(key);
-  if (number > 0.0 && number <= kLargest) return number;
-  map.Fail(key, fmt::format("is {}, expected a number above 0 and at most {}.", number, kLargest));
-}
-
-double Amplitude(const YamlMap& map, std::string_view key) {
-  return NumberWithin(map, key, -kLargest, kLargest);
-}
+constexpr double kMostSamples = 1e6;          // of one stream
+constexpr double kLongest = 1e5;              // [s]
+constexpr double kShortestCorrelation = 0.1;  // [s], of turbulence
+constexpr double kHighestRate = 1e4;          // [Hz]
+constexpr double kLowestRate = 0.1;           // [Hz]; a log's clocks ask for no less
 
 double Resolution(const YamlMap& map, std::string_view key) {
   const double resolution = map.Number(key, 0.0);
@@ -88,12 +66,24 @@ Sampling ReadSampling(const YamlMap& map, double duration) {
   return sampling;
 }
 
+// Chance of an outlier at a sample; may be 1.
+double OutlierProbability(const YamlMap& outliers) {
+  return NumberWithin(outliers, "probability", 0.0, 1.0);
+}
+
 VelocitySensor ReadVelocitySensor(const YamlMap& map, const Experiment& experiment) {
   VelocitySensor sensor;
   sensor.sampling = ReadSampling(map, experiment.duration);
   if (const auto noise = map.OptionalMap("noise")) {
     for (const Drive& drive : experiment.drives) {
       sensor.noise[Index(drive.dof)] = NumberWithin(*noise, Name(drive.dof), 0.0, kLargest, 0.0);
+    }
+  }
+  if (const auto outliers = map.OptionalMap("outliers")) {
+    sensor.outlier_probability = OutlierProbability(*outliers);
+    for (const Drive& drive : experiment.drives) {
+      sensor.outlier_size[Index(drive.dof)] =
+          NumberWithin(*outliers, Name(drive.dof), 0.0, kLargest, 0.0);
     }
   }
   sensor.noise_correlation = map.Number("noise_correlation", 0.0);
@@ -112,6 +102,11 @@ PoseSensor ReadPoseSensor(const YamlMap& map, const Experiment& experiment) {
     sensor.position_noise = NumberWithin(*noise, "position", 0.0, kLargest, 0.0);
     sensor.angle_noise = NumberWithin(*noise, "angle", 0.0, std::numbers::pi, 0.0);
   }
+  if (const auto outliers = map.OptionalMap("outliers")) {
+    sensor.outlier_probability = OutlierProbability(*outliers);
+    sensor.outlier_position = NumberWithin(*outliers, "position", 0.0, kLargest, 0.0);
+    sensor.outlier_angle = NumberWithin(*outliers, "angle", 0.0, std::numbers::pi, 0.0);
+  }
   sensor.resolution = Resolution(map, "resolution");
   if (sensor.resolution > 1e-4) {
     map.Fail("resolution",
@@ -122,102 +117,27 @@ PoseSensor ReadPoseSensor(const YamlMap& map, const Experiment& experiment) {
   return sensor;
 }
 
-// Reads one input; frequencies and holding times are such that the command stream can carry them.
-class InputReader {
- public:
-  InputReader(const YamlMap& map, double command_rate) : map_(map), rate_(command_rate) {}
+TurbulenceSpec ReadTurbulence(const YamlMap& map, double duration) {
+  TurbulenceSpec turbulence;
+  turbulence.force = NumberWithin(map, "force", 0.0, kLargest);
+  // Its sequence has some steps to each correlation time.
+  const double shortest = std::max(kShortestCorrelation,
+                                   duration * Turbulence::kStepsPerCorrelationTime / kMostSamples);
+  turbulence.correlation_time = NumberWithin(map, "correlation_time", shortest, kLongest);
+  return turbulence;
+}
 
-  InputSignal Read() const {
-    InputSignal input;
-    input.offset = NumberWithin(map_, "offset", -kLargest, kLargest, 0.0);
-    const std::string kind = map_.String("kind");
-    if (kind == "sine") {
-      input.kind = SineInput{.amplitude = Amplitude(map_, "amplitude"),
-                             .frequency = Frequency(map_.Number("frequency")),
-                             .phase = NumberWithin(map_, "phase", -kLargest, kLargest, 0.0)};
-    } else if (kind == "multisine") {
-      input.kind = Multisine();
-    } else if (kind == "chirp") {
-      const std::vector<double> range = map_.Numbers("frequency", 2);
-      input.kind = ChirpInput{.amplitude = Amplitude(map_, "amplitude"),
-                              .first_frequency = Frequency(range[0]),
-                              .last_frequency = Frequency(range[1]),
-                              .sweep = Hold("sweep")};
-    } else if (kind == "steps") {
-      input.kind = Steps();
-    } else if (kind == "prbs") {
-      input.kind = PrbsInput{.amplitude = Amplitude(map_, "amplitude"), .hold = Hold("hold")};
-    } else if (kind == "square") {
-      input.kind = SquareInput{.amplitude = Amplitude(map_, "amplitude"),
-                               .frequency = Frequency(map_.Number("frequency"))};
-    } else if (kind == "file") {
-      input.kind = ReplayInput{.file = map_.String("file"), .command = {}};
-    } else {
-      map_.Fail(
-          "kind",
-          fmt::format("is '{}', expected sine, multisine, chirp, steps, prbs, square or file.",
-                      kind));
-    }
-    return input;
-  }
-
- private:
-  MultisineInput Multisine() const {
-    const std::vector<double> range = map_.Numbers("frequency", 2);
-    MultisineInput sines;
-    sines.rms = Amplitude(map_, "rms");
-    sines.lowest_frequency = Frequency(range[0]);
-    sines.highest_frequency = Frequency(range[1]);
-    if (range[0] > range[1]) {
-      map_.Fail("frequency",
-                fmt::format("is [{}, {}], expected lowest, highest.", range[0], range[1]));
-    }
-    const auto num_lines = map_.Integer("lines");
-    if (num_lines < 1 || num_lines > 1000) {
-      map_.Fail("lines", fmt::format("is {}, expected a whole number from 1 to 1000.", num_lines));
-    }
-    sines.num_lines = static_cast<int>(num_lines);
-    return sines;
-  }
-
-  StepsInput Steps() const {
-    StepsInput steps{.levels = map_.Numbers("levels"), .hold = Hold("hold")};
-    if (steps.levels.empty()) map_.Fail("levels", "is empty, expected at least one level.");
-    for (const double level : steps.levels) Within(map_, "levels", level, -kLargest, kLargest);
-    return steps;
-  }
-
-  double Frequency(double frequency) const {
-    const double highest = std::numbers::pi * rate_;
-    if (frequency > 0.0 && frequency < highest) return frequency;
-    map_.Fail("frequency",
-              fmt::format("holds {} rad/s, expected above 0 and below {:.4g} rad/s, half of the "
-                          "command_rate.",
-                          frequency,
-                          highest));
-  }
-
-  double Hold(std::string_view key) const {
-    const double hold = map_.Number(key);
-    if (hold * rate_ >= 1.0 - 1e-9 && hold <= kLargest) return hold;
-    map_.Fail(key,
-              fmt::format("is {} s, expected at least one period of the command_rate, {:.4g} s.",
-                          hold,
-                          1.0 / rate_));
-  }
-
-  const YamlMap& map_;
-  double rate_;
-};
-
-Drive ReadDrive(const YamlMap& map, Dof dof, double command_rate) {
+Drive ReadDrive(const YamlMap& map, Dof dof, double command_rate, double duration) {
   Drive drive{.dof = dof, .input = {}, .pid = {}};
   drive.initial_speed = NumberWithin(map, "initial_speed", -1e3, 1e3, 0.0);
+  if (const auto turbulence = map.OptionalMap("turbulence")) {
+    drive.turbulence = ReadTurbulence(*turbulence, duration);
+  }
   const std::string control = map.String("control");
   if (control == "open_loop") {
-    drive.input = InputReader(map.Map("input"), command_rate).Read();
+    drive.input = ReadInput(map.Map("input"), command_rate);
   } else if (control == "closed_loop") {
-    drive.input = InputReader(map.Map("setpoint"), command_rate).Read();
+    drive.input = ReadInput(map.Map("setpoint"), command_rate);
     const YamlMap pid = map.Map("pid");
     drive.pid = PidGains{.kp = Positive(pid, "kp"),
                          .ki = NumberWithin(pid, "ki", 0.0, kLargest, 0.0),
@@ -264,7 +184,8 @@ Experiment ParseExperiment(const std::string& name, const std::string& text) {
   experiment.command_resolution = Resolution(file, "command_resolution");
   for (const Dof dof : kAllDofs) {
     if (const auto map = file.OptionalMap(Name(dof))) {
-      experiment.drives.push_back(ReadDrive(*map, dof, experiment.command_rate));
+      experiment.drives.push_back(
+          ReadDrive(*map, dof, experiment.command_rate, experiment.duration));
     }
   }
   if (experiment.drives.empty()) {

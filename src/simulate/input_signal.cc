@@ -3,9 +3,11 @@
 
 #include "fathom/simulate/input_signal.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 
 #include <glog/logging.h>
@@ -76,15 +78,46 @@ struct ValueAt {
     return is_first_half ? square.amplitude : -square.amplitude;
   }
 
+  double operator()(const PilotInput& pilot) const {
+    CHECK(!pilot.moves.empty());
+    const auto move = std::upper_bound(
+        pilot.moves.begin(), std::prev(pilot.moves.end()), t, [](double at, const auto& other) {
+          return at < other.end;
+        });
+    const double begin = move == pilot.moves.begin() ? 0.0 : std::prev(move)->end;
+    const double share = std::min((t - begin) / (move->end - begin), 1.0);
+    const double stick = move->from + share * (move->to - move->from);
+    return pilot.amplitude * std::round(stick * pilot.num_levels) / pilot.num_levels;
+  }
+
   double operator()(const ReplayInput& replay) const {
     CHECK(!replay.command.time.empty());
     return replay.command.At(replay.command.time.front() + t);
   }
 };
 
+// Of a quarter each: back to rest, stay, move there at once, move there evenly.
+void DrawMoves(PilotInput& pilot, double duration, RandomStream& random) {
+  pilot.moves.clear();
+  double stick = 0.0, last_side = random.Uniform() < 0.5 ? -1.0 : 1.0, end = 0.0;
+  while (end <= duration) {
+    // Four numbers a move, used or not.
+    const double kind = 4.0 * random.Uniform();
+    const double length = pilot.hold * (0.5 + random.Uniform());
+    const double side = random.Uniform() < 0.7 ? -last_side : last_side;
+    const double place = side * (0.2 + 0.8 * random.Uniform());
+    end += length;
+    const double next = kind < 1.0 ? 0.0 : kind < 2.0 ? stick : place;
+    const bool is_even = kind >= 3.0;
+    pilot.moves.push_back({end, is_even ? stick : next, next});
+    if (kind >= 2.0) last_side = side;
+    stick = next;
+  }
+}
+
 }  // namespace
 
-void DrawRandomParts(InputSignal& input, RandomStream& random) {
+void DrawRandomParts(InputSignal& input, double duration, RandomStream& random) {
   if (auto* sines = std::get_if<MultisineInput>(&input.kind)) {
     sines->phases.clear();
     for (int line = 0; line < sines->num_lines; ++line) {
@@ -92,6 +125,8 @@ void DrawRandomParts(InputSignal& input, RandomStream& random) {
     }
   } else if (auto* prbs = std::get_if<PrbsInput>(&input.kind)) {
     prbs->start = static_cast<int>(kPrbsLength * random.Uniform());
+  } else if (auto* pilot = std::get_if<PilotInput>(&input.kind)) {
+    DrawMoves(*pilot, duration, random);
   }
 }
 

@@ -15,7 +15,7 @@ namespace fathom {
 
 // What drives a DOF, over the time t since the start of the experiment [s]: a force in open loop, a
 // position in closed loop. Amplitudes are in its unit: [N], [N m], [m] or [rad]; docs/synthesize.md
-// (1) to (6).
+// (1) to (6) and (11).
 
 // amplitude * sin(frequency * t + phase)
 struct SineInput {
@@ -60,6 +60,22 @@ struct SquareInput {
   double frequency = 0.0;  // [rad/s]
 };
 
+// A person at a joystick: the stick rests at zero, is held, or is moved evenly to a new place, each
+// for some time about `hold`; it leans to the side away from the last. Its places are multiples of
+// amplitude / num_levels, up to +amplitude or -amplitude.
+struct PilotInput {
+  struct Move {
+    double end = 0.0;   // when it is over [s]
+    double from = 0.0;  // of the amplitude, -1 to 1
+    double to = 0.0;
+  };
+
+  double amplitude = 0.0;
+  double hold = 1.0;  // [s], above 0
+  int num_levels = 10;
+  std::vector<Move> moves;  // drawn by DrawRandomParts
+};
+
 // A recorded command, its first stamp at t = 0.
 struct ReplayInput {
   std::filesystem::path file;
@@ -74,12 +90,14 @@ struct InputSignal {
                StepsInput,
                PrbsInput,
                SquareInput,
+               PilotInput,
                ReplayInput>
       kind;
 };
 
-// Draws what the seed decides: the phases of a multisine, the start of a PRBS.
-void DrawRandomParts(InputSignal& input, RandomStream& random);
+// Draws what the seed decides: the phases of a multisine, the start of a PRBS, a pilot's moves from
+// 0 to `duration` [s].
+void DrawRandomParts(InputSignal& input, double duration, RandomStream& random);
 
 // Value at time t since the start of the experiment [s], t >= 0.
 double Value(const InputSignal& input, double t);

@@ -29,7 +29,7 @@ class Driver {
         resolution_(experiment.command_resolution),
         measurement_(seed, "control." + std::string(Name(dof_))) {
     RandomStream random(seed, "input." + std::string(Name(dof_)));
-    DrawRandomParts(input_, random);
+    DrawRandomParts(input_, LastCommand(motion, experiment), random);
     if (drive.pid) pid_.emplace(*drive.pid, 1.0 / experiment.command_rate);
     if (experiment.pose) {
       noise_ = IsAngular(dof_) ? experiment.pose->angle_noise : experiment.pose->position_noise;

@@ -29,7 +29,7 @@ TEST(InputSignal, GivesEachLineOfAMultisineItsShareOfTheRms) {
   sines.num_lines = 4;  // 0.5, 0.7, 0.9, 1.1: all multiples of 0.1
   InputSignal input{0.0, sines};
   RandomStream random(3, "test");
-  DrawRandomParts(input, random);
+  DrawRandomParts(input, 100.0, random);
 
   // Discrete Fourier sums over a common period are exact: the lines are orthogonal there.
   const int num_samples = 1000;
@@ -83,7 +83,7 @@ TEST(InputSignal, HoldsEachLevelAndStartsAgain) {
 TEST(InputSignal, RunsThroughAMaximalLengthSequence) {
   InputSignal input{0.0, PrbsInput{.amplitude = 2.0, .hold = 0.5}};
   RandomStream random(5, "test");
-  DrawRandomParts(input, random);
+  DrawRandomParts(input, 100.0, random);
   std::vector<double> bits;
   for (int i = 0; i < 1023; ++i) {
     bits.push_back(Value(input, 0.5 * i + 0.25) / 2.0);
@@ -107,7 +107,7 @@ TEST(InputSignal, StartsAPrbsWhereTheSeedSays) {
   const auto bits = [&](std::uint64_t seed) {
     InputSignal drawn = input;
     RandomStream random(seed, "input.surge");
-    DrawRandomParts(drawn, random);
+    DrawRandomParts(drawn, 100.0, random);
     std::vector<double> values;
     for (int i = 0; i < 50; ++i) values.push_back(Value(drawn, 0.5 * i));
     return values;
