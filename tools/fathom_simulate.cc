@@ -6,20 +6,30 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
 #include "fathom/comparison/comparison.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/signal/log_column.h"
+#include "fathom/simulate/effect_inputs.h"
+#include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
 #include "fathom/tools/identifier_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(model, "", "Model or verdict file (JSON).");
 DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file.");
+DEFINE_bool(
+    keep_run_effects,
+    false,
+    "Keep effects that belong to one run (a current, a bias, a lost thruster) on other logs "
+    "than that run's, too; their times then count from this log's first command.");
 
 namespace fathom {
 namespace {
@@ -27,11 +37,14 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity from its command by a free-running simulation, and scores it.",
-    "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE]",
+    "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction stands at the stamps of the log's motion stream (its command stream where "
     "there "
-    "is none) and starts from the first measured speed; a silence of over 30 s starts it anew."};
+    "is none) and starts from the first measured speed; a silence of over 30 s starts it anew. A "
+    "verdict of fathom_diagnose is simulated with its causes, as the sensor would show it; what "
+    "other DOFs take part is taken from the log. Causes that belong to one run are left out on any "
+    "other log."};
 
 constexpr double kLongestGap = 30.0;  // [s], as in SignalsOptions
 
@@ -57,26 +70,81 @@ std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
   return {segment};
 }
 
+// Leaves out of the model what belongs to another run than the log's, and says what that was.
+std::vector<std::string> LeaveOutRunEffects(const Log& log, FittedModel* fitted) {
+  const auto& known = fitted->log_fingerprints;
+  const bool is_own_run = std::find(known.begin(), known.end(), FingerprintOf(log)) != known.end();
+  std::vector<std::string> left_out;
+  if (is_own_run || FLAGS_keep_run_effects) return left_out;
+  std::erase_if(fitted->effects, [&](const ActiveEffect& active) {
+    const EffectInfo& info = active.effect->info();
+    if (info.scope != Scope::kRun) return false;
+    left_out.push_back(LabelOf(info, active.setting));
+    return true;
+  });
+  return left_out;
+}
+
+// Free runs of a model over the segments of a log, with effects or without.
+class FreeRuns {
+ public:
+  FreeRuns(const FittedModel& fitted, const Log& log)
+      : model_(fitted.Extended()), segments_(SegmentsOf(log, fitted.dof)) {
+    if (model_.effects.empty()) return;
+    inputs_ = EffectInputsOf(log, fitted.dof);
+    RequirePartners(model_, inputs_, log);
+    for (const Segment& segment : segments_) {
+      positions_.push_back(PositionAt(log, fitted.dof, segment.time.front()));
+    }
+    is_measured_ = std::isfinite(segments_.front().velocity.back());
+  }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+
+  // Started from the first measured speed; nothing if it diverges.
+  std::optional<std::vector<double>> Predict(size_t k) const {
+    const Segment& segment = segments_[k];
+    const double first = segment.velocity.front();
+    if (model_.effects.empty()) return PredictVelocity(model_.baseline, segment, first);
+    const double start =
+        is_measured_ ? VelocityBehind(model_, inputs_, segment.time.front(), first) : first;
+    if (!std::isfinite(start)) return std::nullopt;
+    return PredictReadings(model_, inputs_, segment.time, {start, positions_[k]});
+  }
+
+  FitFigures Figures() const {
+    return model_.effects.empty() ? FiguresOf(model_.baseline, segments_)
+                                  : FiguresOf(model_, inputs_, segments_, positions_);
+  }
+
+ private:
+  const ExtendedModel model_;
+  const std::vector<Segment> segments_;
+  EffectInputs inputs_;
+  std::vector<double> positions_;
+  bool is_measured_ = false;
+};
+
 int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  const FittedModel fitted = ReadModel(FLAGS_model);
+  FittedModel fitted = ReadModel(FLAGS_model);
   const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof, /*may_lack_motion=*/true);
   const std::string log_unit =
       log.command_unit.empty() ? std::string(ForceUnit(fitted.dof)) : log.command_unit;
   if (log_unit != fitted.force_unit) {
     throw InputError(
         fmt::format("{}: its commands are in {}, but the model was identified from commands in {}: "
-                    "expected the "
-                    "same unit.",
+                    "expected the same unit.",
                     FLAGS_log,
                     log_unit,
                     fitted.force_unit));
   }
-  const std::vector<Segment> segments = SegmentsOf(log, fitted.dof);
+  const std::vector<std::string> left_out = LeaveOutRunEffects(log, &fitted);
+  const FreeRuns runs(fitted, log);
   std::string csv = fmt::format("t,{}\n", VelocityColumn(fitted.dof));
-  for (const Segment& segment : segments) {
-    const auto predicted = PredictVelocity(fitted.model, segment, segment.velocity.front());
+  for (size_t k = 0; k < runs.segments().size(); ++k) {
+    const auto predicted = runs.Predict(k);
     if (!predicted) {
       std::fprintf(stderr,
                    "fathom_simulate: the simulation of %s diverges or is too stiff: inertia %g, "
@@ -87,10 +155,10 @@ int Run() {
       return 2;
     }
     for (size_t i = 0; i < predicted->size(); ++i) {
-      csv += fmt::format("{},{}\n", segment.time[i], (*predicted)[i]);
+      csv += fmt::format("{},{}\n", runs.segments()[k].time[i], (*predicted)[i]);
     }
   }
-  const FitFigures figures = FiguresOf(fitted.model, segments);
+  const FitFigures figures = runs.Figures();
   if (std::isfinite(figures.mae)) {
     std::printf("%s: MAE %.5f %s, NMAE %s over %d samples, %.0f s\n",
                 std::string(Name(fitted.dof)).c_str(),
@@ -103,6 +171,12 @@ int Run() {
     std::printf("%s: predicted from rest; the log has no column '%s' and no pose to score it by\n",
                 std::string(Name(fitted.dof)).c_str(),
                 std::string(VelocityColumn(fitted.dof)).c_str());
+  }
+  if (!left_out.empty()) {
+    std::printf(
+        "note: left out: %s. What belongs to the run that the model was identified from need not "
+        "hold in another one; --keep_run_effects keeps it.\n",
+        fmt::format("{}", fmt::join(left_out, ", ")).c_str());
   }
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, csv);
   return 0;

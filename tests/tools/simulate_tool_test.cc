@@ -184,5 +184,98 @@ TEST(SimulateTool, AModelThatCannotBeSimulatedEndsWithExitCodeTwoAndNoFile) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+// A verdict whose baseline is the vehicle's truth and whose one cause is `cause`.
+std::string VerdictJson(const nlohmann::json& cause) {
+  const auto number = [](double value) { return nlohmann::json{{"value", value}}; };
+  const nlohmann::json verdict = {{"schema", "fathom-verdict-1"},
+                                  {"dof", "surge"},
+                                  {"causes", {cause}},
+                                  {"extended",
+                                   {{"parameters",
+                                     {{"inertia", number(40)},
+                                      {"quadratic_damping", number(30)},
+                                      {"linear_damping", number(5)},
+                                      {"buoyancy", number(1)}}}}}};
+  return verdict.dump(1);
+}
+
+// Steps in surge, measured without noise, with `effects` hidden by the other simulation.
+Path SynthesizeSteps(const Path& folder, const std::string& effects) {
+  const Path vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml());
+  const Path experiment = WriteTestFile(folder / "steps.yaml",
+                                        "name: steps\nstart_time: 50\nduration: 60\n"
+                                        "command_rate: 10\n"
+                                        "surge: {control: open_loop, input: {kind: steps, "
+                                        "levels: [20, -8, 8, -20], hold: 6}}\n"
+                                        "velocity: {rate: 10}\n");
+  const Path log = folder / ("log_" + effects.substr(0, effects.find(':')));
+  const ToolRun run = RunToolBinary("fathom_synthesize",
+                                    {"--vehicle=" + vehicle.string(),
+                                     "--experiment=" + experiment.string(),
+                                     "--seed=1",
+                                     "--effects=" + effects,
+                                     "--out=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return log;
+}
+
+TEST(SimulateTool, SimulatesTheCausesOfAVerdict) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SynthesizeSteps(folder, "thruster_lag:time_constant=0.8");
+  const Path verdict =
+      WriteTestFile(folder / "verdict.json",
+                    VerdictJson({{"effect", "thruster_lag"},
+                                 {"parameters", {{"time_constant", {{"value", 0.8}}}}}}));
+  const Path without = WriteTestFile(folder / "model.json", SmallModelJson());
+  const ToolRun with_lag =
+      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+  const ToolRun baseline =
+      RunToolBinary("fathom_simulate", {"--model=" + without.string(), "--log=" + log.string()});
+  ASSERT_EQ(with_lag.exit_code, 0) << with_lag.err;
+  ASSERT_EQ(baseline.exit_code, 0) << baseline.err;
+  // The force of a step of h = 0.1 s is its mean: within it the speed is off by up to
+  // (40 N / 0.8 s) h^2 / 8 / 40 kg = 1.6e-3 m/s, on which drag acts (about 0.9 1/s) for 0.8 s.
+  EXPECT_LT(NumberBehind("MAE ", with_lag.out), 1e-3);
+  EXPECT_GT(NumberBehind("MAE ", baseline.out), 0.02);
+}
+
+TEST(SimulateTool, LeavesOutWhatBelongsToAnotherRunAndSaysSo) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SynthesizeSteps(folder, "sensor_bias:bias=0.2");
+  const Path verdict = WriteTestFile(
+      folder / "verdict.json",
+      VerdictJson({{"effect", "sensor_bias"}, {"parameters", {{"bias", {{"value", 0.2}}}}}}));
+  const std::vector<std::string> arguments = {"--model=" + verdict.string(),
+                                              "--log=" + log.string()};
+  const ToolRun without = RunToolBinary("fathom_simulate", arguments);
+  ASSERT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.out, HasSubstr("note: left out: sensor_bias."));
+  EXPECT_GT(NumberBehind("MAE ", without.out), 0.1);
+
+  auto keeping = arguments;
+  keeping.push_back("--keep_run_effects");
+  const ToolRun with = RunToolBinary("fathom_simulate", keeping);
+  ASSERT_EQ(with.exit_code, 0) << with.err;
+  EXPECT_THAT(with.out, ::testing::Not(HasSubstr("left out")));
+  EXPECT_LT(NumberBehind("MAE ", with.out), 1e-4);
+}
+
+TEST(SimulateTool, RefusesALogThatLacksAPartner) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  const Path verdict =
+      WriteTestFile(folder / "verdict.json",
+                    VerdictJson({{"effect", "velocity_coupling"},
+                                 {"partner", "sway"},
+                                 {"parameters", {{"coefficient", {{"value", 3}}}}}}));
+  const ToolRun run =
+      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err,
+              HasSubstr("the model's velocity_coupling(sway) needs the measured sway velocity, "
+                        "expected column 'v' in velocity.csv, or a pose.csv."));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/log_fingerprint.h"
+
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+class Hash {
+ public:
+  void Add(const std::vector<double>& numbers) {
+    for (const double number : numbers) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &number, sizeof bits);
+      for (int shift = 0; shift < 64; shift += 8) AddByte((bits >> shift) & 0xFF);
+    }
+  }
+  void Add(const std::string& text) {
+    for (const char c : text) AddByte(static_cast<unsigned char>(c));
+    AddByte(0);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  void AddByte(std::uint64_t byte) { value_ = (value_ ^ byte) * 0x100000001b3; }
+
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+}  // namespace
+
+std::string FingerprintOf(const Log& log) {
+  Hash hash;
+  for (const std::optional<Stream>* stream : {&log.command, &log.velocity, &log.pose}) {
+    hash.Add(*stream ? "stream" : "none");
+    if (!*stream) continue;
+    hash.Add((*stream)->time);
+    for (std::size_t i = 0; i < (*stream)->columns.size(); ++i) {
+      hash.Add((*stream)->columns[i]);
+      hash.Add((*stream)->values[i]);
+    }
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+}  // namespace fathom

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/log.h"
+
+#include <string>
+
+namespace fathom {
+
+// Tells one log's data from another's, whatever their names and folders: 16 hexadecimal digits over
+// every stamp and value of its command, velocity and pose (FNV-1a, 64 bits). Not for security.
+std::string FingerprintOf(const Log& log);
+
+}  // namespace fathom

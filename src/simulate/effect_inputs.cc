@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/effect_inputs.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/signal/log_column.h"
+#include "fathom/signal/pose_velocity.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+double MedianStep(const std::vector<double>& time) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// Of every DOF, where the local polynomials of the poses tell it.
+std::vector<SampledSignal> VelocitiesFromPoses(const Stream& stream) {
+  const Poses poses = PosesOf(stream);
+  SavitzkyGolayOptions options;
+  options.window = std::max(1.0, 10.5 * MedianStep(stream.time));  // 11 samples, and 1 s, at least
+  const BodyVelocity body = VelocityOf(poses, options);
+  std::vector<SampledSignal> signals(kAllDofs.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!body.velocity[i].allFinite()) continue;
+    for (const Dof dof : kAllDofs) {
+      signals[Index(dof)].time.push_back(poses.time[i]);
+      signals[Index(dof)].value.push_back(body.velocity[i][Index(dof)]);
+    }
+  }
+  return signals;
+}
+
+// A generic instant: no effect is silent in it by chance.
+Instant<double> GenericInstant() { return {3.7, {0.37, 0.23, 11.0}}; }
+
+// Everything an effect does at one instant, in one number.
+double ResponseAt(const ActiveEffect& active, const Instant<double>& now) {
+  const EffectLaws& laws = active.effect->laws();
+  const EffectLaw<double>& law = laws.In<double>();
+  const double* const p = active.values.data();
+  double sum = 0.0;
+  if (laws.has.thrust) sum += law.Thrust(p, active.setting, 7.3, now);
+  if (laws.has.resistance) {
+    sum += law.Resistance(p, active.setting, {0.31, 0.29, 0.53, 0.17, 2.0, 3.0}, now);
+  }
+  if (laws.has.reading) sum += law.Reading(p, active.setting, 0.31, now);
+  return sum;
+}
+
+}  // namespace
+
+EffectInputs EffectInputsOf(const Log& log, Dof dof) {
+  EffectInputs inputs;
+  inputs.command = CommandOf(log, dof);
+  std::vector<SampledSignal> from_poses(kAllDofs.size());
+  if (log.pose) from_poses = VelocitiesFromPoses(*log.pose);
+  for (const Dof other : kAllDofs) {
+    if (log.command) {
+      if (const auto* force = log.command->Find(ForceColumn(other))) {
+        inputs.force[Index(other)] = {log.command->time, *force};
+      }
+    }
+    const auto* velocity = log.velocity ? log.velocity->Find(VelocityColumn(other)) : nullptr;
+    inputs.velocity[Index(other)] = velocity != nullptr
+                                        ? SampledSignal{log.velocity->time, *velocity}
+                                        : from_poses[Index(other)];
+  }
+  return inputs;
+}
+
+PartnerNeeds NeedsOf(const ActiveEffect& effect) {
+  PartnerNeeds needs;
+  if (!effect.effect->info().has_partner) return needs;
+  const double response = ResponseAt(effect, GenericInstant());
+  const auto changes_with = [&](double PartnerReading<double>::*measurement) {
+    Instant<double> now = GenericInstant();
+    now.partner.*measurement *= 1.61;
+    return ResponseAt(effect, now) != response;
+  };
+  needs.velocity = changes_with(&PartnerReading<double>::velocity);
+  needs.yaw_rate = changes_with(&PartnerReading<double>::yaw_rate);
+  needs.force = changes_with(&PartnerReading<double>::force);
+  return needs;
+}
+
+void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, const Log& log) {
+  for (const ActiveEffect& active : model.effects) {
+    const PartnerNeeds needs = NeedsOf(active);
+    const std::string label = LabelOf(active.effect->info(), active.setting);
+    const auto require_velocity = [&](Dof dof) {
+      if (!inputs.velocity[Index(dof)].time.empty()) return;
+      throw InputError(
+          fmt::format("{}: the model's {} needs the measured {} velocity, expected column '{}' in "
+                      "velocity.csv, or a pose.csv.",
+                      log.path.string(),
+                      label,
+                      Name(dof),
+                      VelocityColumn(dof)));
+    };
+    if (needs.velocity) require_velocity(active.setting.partner);
+    if (needs.yaw_rate) require_velocity(Dof::kYaw);
+    if (needs.force && inputs.force[Index(active.setting.partner)].time.empty()) {
+      throw InputError(
+          fmt::format("{}: the model's {} needs the command of {}, expected column '{}' in "
+                      "command.csv.",
+                      log.path.string(),
+                      label,
+                      Name(active.setting.partner),
+                      ForceColumn(active.setting.partner)));
+    }
+  }
+}
+
+}  // namespace fathom

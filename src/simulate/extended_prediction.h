@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+#include "fathom/signal/signals.h"
+#include "fathom/simulate/effect_simulation.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// As prediction.h, for a model with effects: what the velocity sensor shows in a free run.
+
+// At `time` [s], from `initial`, which holds at its first stamp. Nothing if the simulation
+// diverges.
+std::optional<std::vector<double>> PredictReadings(const ExtendedModel& model,
+                                                   const EffectInputs& inputs,
+                                                   const std::vector<double>& time,
+                                                   const InitialState& initial);
+
+// The velocity at `time` at which the model's sensor shows `reading`: what it shows is affine in
+// the velocity, so two probes tell. NaN if it shows the same at every velocity.
+double VelocityBehind(const ExtendedModel& model,
+                      const EffectInputs& inputs,
+                      double time,
+                      double reading);
+
+// The displacement along `dof` at `time` where the log has poses, in line between them; else 0.
+double PositionAt(const Log& log, Dof dof, double time);
+
+// MAE and NMAE of free runs over `segments`, each started where its InitialVelocity() is shown, at
+// the position of the same index. NaN as FiguresOf() of the baseline.
+FitFigures FiguresOf(const ExtendedModel& model,
+                     const EffectInputs& inputs,
+                     std::span<const Segment> segments,
+                     std::span<const double> positions);
+
+}  // namespace fathom
