@@ -21,7 +21,10 @@ using Unit = double (*)(const Natural&);
 
 double One(const Natural&) { return 1.0; }
 double Force(const Natural& n) { return n.own.force; }
+double PeakForce(const Natural& n) { return n.own.peak_force; }
+double ForceRate(const Natural& n) { return n.own.force_rate; }
 double Speed(const Natural& n) { return n.own.speed; }
+double Place(const Natural& n) { return n.own.place; }
 double Length(const Natural& n) { return n.own.length; }
 double Duration(const Natural& n) { return n.own.duration; }
 double PerDuration(const Natural& n) { return 1.0 / n.own.duration; }
@@ -50,13 +53,13 @@ struct SizeRange {
 constexpr SizeRange kRanges[] = {
     {"time_offset", "offset", 0.1, 1.5, One, true},
     {"thrust_dead_zone", "width", 0.05, 0.6, Force},
-    {"thrust_saturation", "limit", 0.5, 1.2, Force},
+    {"thrust_saturation", "limit", 0.25, 0.85, PeakForce},
     {"thrust_curve", "exponent", 0.5, 2.0, One},
     {"thrust_asymmetry", "reverse_loss", 0.05, 0.5, One},
     {"thrust_fade", "rate", 0.08, 0.6, PerDuration},
     {"thrust_step_loss", "loss", 0.08, 0.6, One},
     {"thrust_step_loss", "time", 0.2, 0.8, Duration},
-    {"thrust_slew_limit", "rate", 0.1, 1.0, Force},
+    {"thrust_slew_limit", "rate", 0.5, 1.5, ForceRate},
     {"thruster_lag", "time_constant", 0.1, 2.0, One},
     {"thrust_inflow_loss", "coefficient", 0.05, 0.4, Inflow},
     {"damping_asymmetry", "ratio", 0.2, 2.0, One},
@@ -90,8 +93,8 @@ constexpr SizeRange kRanges[] = {
     {"unlisted.thrust_wash_drag", "coefficient", 0.1, 0.5, WashDrag},
     {"unlisted.power_damping", "coefficient", 0.2, 2.0, PowerDrag},
     {"unlisted.place_bump", "force", 0.2, 1.0, Force, true},
-    {"unlisted.place_bump", "place", 0.05, 1.0, Length, true},
-    {"unlisted.place_bump", "width", 0.1, 0.5, Length},
+    {"unlisted.place_bump", "place", 0.7, 1.2, Place},
+    {"unlisted.place_bump", "width", 0.2, 0.8, Length},
     {"unlisted.slack_tether", "stiffness", 0.3, 2.0, Stiffness},
     {"unlisted.slack_tether", "length", 0.1, 0.8, Length},
     {"unlisted.wandering_current", "speed", 0.1, 0.6, Speed},

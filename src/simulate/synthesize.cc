@@ -166,16 +166,23 @@ std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,
   const double n = static_cast<double>(truth.time.size());
   for (const Drive& drive : experiment.drives) {
     const int i = Index(drive.dof);
-    double force2 = 0.0, speed2 = 0.0, travel = 0.0, travel2 = 0.0;
+    Scales& scale = scales[i];
+    double force2 = 0.0, speed2 = 0.0, travel = 0.0, travel2 = 0.0, change = 0.0;
     for (std::size_t k = 0; k < truth.time.size(); ++k) {
-      force2 += truth.command[k][i] * truth.command[k][i];
+      const double force = truth.command[k][i];
+      force2 += force * force;
+      scale.peak_force = std::max(scale.peak_force, std::abs(force));
+      if (k > 0) change += std::abs(force - truth.command[k - 1][i]);
       speed2 += truth.states[k].velocity[i] * truth.states[k].velocity[i];
       travel += truth.states[k].travel[i];
       travel2 += truth.states[k].travel[i] * truth.states[k].travel[i];
     }
-    const double spread2 = std::max(0.0, travel2 / n - travel * travel / (n * n));
-    scales[i] = {
-        std::sqrt(force2 / n), std::sqrt(speed2 / n), std::sqrt(spread2), experiment.duration};
+    scale.force = std::sqrt(force2 / n);
+    scale.force_rate = change / experiment.duration;
+    scale.speed = std::sqrt(speed2 / n);
+    scale.place = travel / n;
+    scale.length = std::sqrt(std::max(0.0, travel2 / n - scale.place * scale.place));
+    scale.duration = experiment.duration;
   }
   return scales;
 }

@@ -79,6 +79,46 @@ TEST(SynthesizeTool, SaysWhatItWroteAndWritesALogThatReads) {
                       " of 3000 samples")));
 }
 
+TEST(SynthesizeTool, HidesEffectsAndTellsOnlyTheTruthFile) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path experiment = WriteTestFile(folder / "e.yaml", kShortExperiment);
+  const std::string given = "--experiment=" + experiment.string();
+  ASSERT_EQ(Synthesize({kVehicle, given, "--out=" + (folder / "plain").string()}).exit_code, 0);
+  const ToolRun run = Synthesize({kVehicle,
+                                  given,
+                                  "--out=" + (folder / "hidden").string(),
+                                  "--effects=thruster_lag:time_constant=0.5,buoyancy_step",
+                                  "--truth=" + (folder / "truth.json").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("hidden: surge.thruster_lag: time_constant = 0.5 s\n"),
+                    HasSubstr("hidden: surge.buoyancy_step: jump = ")));
+  EXPECT_THAT(Bytes(folder / "truth.json"),
+              AllOf(HasSubstr("fathom-truth-1"), HasSubstr("thruster_lag"), HasSubstr("851.05")));
+  EXPECT_EQ(Bytes(folder / "hidden/log.yaml"), Bytes(folder / "plain/log.yaml"));
+  EXPECT_EQ(Bytes(folder / "hidden/command.csv"), Bytes(folder / "plain/command.csv"));
+  EXPECT_NE(Bytes(folder / "hidden/velocity.csv"), Bytes(folder / "plain/velocity.csv"));
+  EXPECT_THAT(Entries(folder / "hidden"), testing::SizeIs(3));
+}
+
+TEST(SynthesizeTool, RefusesEffectsThatThereAreNot) {
+  const fs::path folder = EmptyTestFolder();
+  const auto message = [&](const std::string& effects) {
+    const ToolRun run =
+        Synthesize({kVehicle, kExperiment, "--out=" + (folder / "log").string(), effects});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_FALSE(fs::exists(folder / "log"));
+    return run.err;
+  };
+  EXPECT_THAT(message("--effects=slow"),
+              StartsWith("fathom_synthesize: --effects: 'slow' is no effect, expected one of "));
+  EXPECT_THAT(message("--effects=thruster_lag:time_constant=-1"),
+              HasSubstr("time_constant is '-1', expected a number from 0 to 20."));
+  EXPECT_THAT(message("--effects=pose_scale"),
+              HasSubstr("logs no pose, expected one since pose_scale shows in nothing else"));
+}
+
 TEST(SynthesizeTool, ReplacesALogOnlyWhenTold) {
   const fs::path folder = EmptyTestFolder();
   const std::string experiment =

@@ -29,6 +29,7 @@ command_resolution: 0.1
 surge:
   control: open_loop
   initial_speed: 0.2
+  turbulence: {force: 4, correlation_time: 7.5}
   input: {kind: sine, amplitude: 52.9, frequency: 0.3, phase: 0.5, offset: 2}
 heave:
   control: closed_loop
@@ -38,12 +39,14 @@ velocity:
   rate: 20
   jitter: 0.004
   noise: {surge: 0.01}
+  outliers: {probability: 0.02, heave: 0.4}
   noise_correlation: 0.5
   resolution: 0.001
   drop_outs: {probability: 0.01, length: [1, 2]}
 pose:
   rate: 8
   noise: {position: 0.02, angle: 0.03}
+  outliers: {probability: 0.03, position: 0.7, angle: 0.6}
   logged: false
 held_out: [1040, 1060]
 )";
@@ -76,6 +79,9 @@ TEST(ExperimentFile, ReadsEveryKey) {
   EXPECT_EQ(e.drives[0].initial_speed, 0.2);
   EXPECT_EQ(e.drives[0].input.offset, 2.0);
   EXPECT_FALSE(e.drives[0].pid);
+  EXPECT_EQ(e.drives[0].turbulence.force, 4.0);
+  EXPECT_EQ(e.drives[0].turbulence.correlation_time, 7.5);
+  EXPECT_EQ(e.drives[1].turbulence.force, 0.0);
   const auto& sine = std::get<SineInput>(e.drives[0].input.kind);
   EXPECT_EQ(sine.amplitude, 52.9);
   EXPECT_EQ(sine.frequency, 0.3);
@@ -97,6 +103,8 @@ TEST(ExperimentFile, ReadsEveryKey) {
   EXPECT_EQ(e.velocity->sampling.drop_outs.shortest, 1.0);
   EXPECT_EQ(e.velocity->sampling.drop_outs.longest, 2.0);
   EXPECT_THAT(e.velocity->noise, testing::ElementsAre(0.01, 0.0, 0.0, 0.0, 0.0, 0.0));
+  EXPECT_EQ(e.velocity->outlier_probability, 0.02);
+  EXPECT_THAT(e.velocity->outlier_size, testing::ElementsAre(0.0, 0.0, 0.4, 0.0, 0.0, 0.0));
   EXPECT_EQ(e.velocity->noise_correlation, 0.5);
   EXPECT_EQ(e.velocity->resolution, 0.001);
 
@@ -104,6 +112,9 @@ TEST(ExperimentFile, ReadsEveryKey) {
   EXPECT_EQ(e.pose->sampling.rate, 8.0);
   EXPECT_EQ(e.pose->position_noise, 0.02);
   EXPECT_EQ(e.pose->angle_noise, 0.03);
+  EXPECT_EQ(e.pose->outlier_probability, 0.03);
+  EXPECT_EQ(e.pose->outlier_position, 0.7);
+  EXPECT_EQ(e.pose->outlier_angle, 0.6);
   EXPECT_FALSE(e.pose->is_logged);
 
   ASSERT_EQ(e.held_out.size(), 1u);
@@ -136,6 +147,11 @@ TEST(ExperimentFile, ReadsEveryKindOfInput) {
   const auto square = std::get<SquareInput>(input("{kind: square, amplitude: 9, frequency: 2}"));
   EXPECT_EQ(square.amplitude, 9.0);
   EXPECT_EQ(square.frequency, 2.0);
+  const auto pilot =
+      std::get<PilotInput>(input("{kind: pilot, amplitude: 9, hold: 3, levels: 12}"));
+  EXPECT_EQ(pilot.amplitude, 9.0);
+  EXPECT_EQ(pilot.hold, 3.0);
+  EXPECT_EQ(pilot.num_levels, 12);
   EXPECT_EQ(std::get<ReplayInput>(input("{kind: file, file: c.csv}")).file, "c.csv");
 }
 
@@ -145,7 +161,7 @@ TEST(ExperimentFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(MessageWith("command_rate: 5", "command_rate: 0.01"),
               AllOf(StartsWith("e.yaml:5: key 'command_rate' is 0.01"), HasSubstr("from 0.1")));
   EXPECT_THAT(MessageWith("frequency: 0.3", "frequency: 16"),
-              AllOf(StartsWith("e.yaml:10: key 'surge.input.frequency' holds 16 rad/s"),
+              AllOf(StartsWith("e.yaml:11: key 'surge.input.frequency' holds 16 rad/s"),
                     HasSubstr("half of the command_rate")));
   EXPECT_THAT(MessageWith("kind: sine", "kind: sinus"),
               AllOf(HasSubstr("key 'surge.input.kind' is 'sinus'"), HasSubstr("multisine")));
@@ -161,6 +177,21 @@ TEST(ExperimentFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(MessageWith("correlation: 0.5", "correlation: 1"), HasSubstr("is 1, expected"));
   EXPECT_THAT(MessageWith("resolution: 0.001", "resolution: -1"), HasSubstr("velocity.resolution"));
   EXPECT_THAT(MessageWith("probability: 0.01", "probability: 2"), HasSubstr("is 2, expected"));
+  EXPECT_THAT(
+      MessageWith("probability: 0.02", "probability: 1.5"),
+      HasSubstr("key 'velocity.outliers.probability' is 1.5, expected a number from 0 to 1"));
+  EXPECT_THAT(MessageWith("heave: 0.4", "heave: -0.4"),
+              HasSubstr("key 'velocity.outliers.heave' is -0.4, expected a number from 0"));
+  EXPECT_THAT(MessageWith("heave: 0.4", "sway: 0.4"), HasSubstr("velocity.outliers.sway"));
+  EXPECT_THAT(MessageWith("position: 0.7", "position: -1"),
+              HasSubstr("key 'pose.outliers.position' is -1"));
+  EXPECT_THAT(MessageWith("angle: 0.6", "angle: 4"), HasSubstr("key 'pose.outliers.angle' is 4"));
+  EXPECT_THAT(MessageWith("force: 4,", "force: -4,"),
+              HasSubstr("key 'surge.turbulence.force' is -4, expected a number from 0"));
+  EXPECT_THAT(MessageWith("correlation_time: 7.5", "correlation_time: 0.01"),
+              HasSubstr("key 'surge.turbulence.correlation_time' is 0.01, expected a number from "
+                        "0.1"));
+  EXPECT_THAT(MessageWith(", correlation_time: 7.5", ""), HasSubstr("'surge.turbulence"));
   EXPECT_THAT(MessageWith("length: [1, 2]", "length: [2, 1]"),
               HasSubstr("is [2, 1], expected [shortest, longest] in seconds"));
   EXPECT_THAT(MessageWith("{surge: 0.01}", "{sway: 0.01}"), HasSubstr("velocity.noise.sway"));
@@ -171,6 +202,16 @@ TEST(ExperimentFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(MessageWith("rate: 20", "rate: 1e9"), HasSubstr("key 'velocity.rate'"));
   EXPECT_THAT(MessageWith("duration: 60", "duration: 90000"),
               HasSubstr("samples, expected at most"));
+}
+
+TEST(ExperimentFile, RefusesAPilotThatCannotSteer) {
+  const std::string sine = "{kind: sine, amplitude: 52.9, frequency: 0.3, phase: 0.5, offset: 2}";
+  EXPECT_THAT(MessageWith(sine, "{kind: pilot, amplitude: 9, hold: 3, levels: 0}"),
+              HasSubstr("key 'surge.input.levels' is 0, expected a whole number from 1 to 1000"));
+  EXPECT_THAT(MessageWith(sine, "{kind: pilot, amplitude: 9, hold: 0.1, levels: 5}"),
+              HasSubstr("key 'surge.input.hold' is 0.1 s, expected at least one period"));
+  EXPECT_THAT(MessageWith(sine, "{kind: pilot, hold: 3, levels: 5}"),
+              HasSubstr("'surge.input.amplitude' is missing"));
 }
 
 TEST(ExperimentFile, RefusesAnExperimentWithoutDriveOrMotion) {

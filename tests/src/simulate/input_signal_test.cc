@@ -3,8 +3,10 @@
 
 #include "fathom/simulate/input_signal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -122,6 +124,57 @@ TEST(InputSignal, SwitchesASquareWaveEveryHalfPeriod) {
   EXPECT_EQ(Value(input, 2.9), 4.5);
   EXPECT_EQ(Value(input, 3.0), -3.5);
   EXPECT_EQ(Value(input, 6.0), 4.5);
+}
+
+InputSignal Pilot(double hold, int num_levels, double duration, std::uint64_t seed) {
+  PilotInput pilot;
+  pilot.amplitude = 40.0;
+  pilot.hold = hold;
+  pilot.num_levels = num_levels;
+  InputSignal input{0.0, pilot};
+  RandomStream random(seed, "input.surge");
+  DrawRandomParts(input, duration, random);
+  return input;
+}
+
+TEST(InputSignal, MovesAPilotsStickInStepsOfItsOwn) {
+  const InputSignal input = Pilot(3.0, 8, 600.0, 1);
+  double largest = 0.0;
+  for (int i = 0; i < 6000; ++i) {
+    const double levels = Value(input, 0.1 * i) / 5.0;
+    ASSERT_NEAR(levels, std::round(levels), 1e-12);
+    largest = std::max(largest, std::abs(levels));
+  }
+  EXPECT_GE(largest, 7.0);
+  EXPECT_LE(largest, 8.0);
+  EXPECT_NE(Value(input, 100.0), Value(Pilot(3.0, 8, 600.0, 2), 100.0));
+  // What is drawn further on leaves the beginning as it is.
+  const InputSignal longer = Pilot(3.0, 8, 900.0, 1);
+  for (int i = 0; i < 6000; ++i) ASSERT_EQ(Value(longer, 0.1 * i), Value(input, 0.1 * i));
+}
+
+TEST(InputSignal, LetsAPilotRestHoldAndPushBothWaysAsOftenAsItsLawSays) {
+  const int num_samples = 2000000;  // at 20 Hz, moves of 1 s in the mean: 1e5 of them
+  const InputSignal input = Pilot(1.0, 1000, 0.05 * num_samples, 1);
+  double sum = 0.0, sum2 = 0.0;
+  int num_zeros = 0;
+  for (int i = 0; i < num_samples; ++i) {
+    const double stick = Value(input, 0.05 * i) / 40.0;
+    sum += stick;
+    sum2 += stick * stick;
+    num_zeros += stick == 0.0 ? 1 : 0;
+  }
+  // A quarter of the moves goes to zero and a quarter stays: the stick is at zero before one in
+  // three of them. So it rests for 1/4 + 1/4 1/3 of the time; 1/1000 more where it sweeps through
+  // zero.
+  const double five_sigma = 5.0 / std::sqrt(1e5);
+  EXPECT_NEAR(static_cast<double>(num_zeros) / num_samples, 1.0 / 3.0, 0.5 * five_sigma + 2e-3);
+  EXPECT_NEAR(sum / num_samples, 0.0, 0.5 * five_sigma);
+  // Places have mean square S = (1 - 0.2^3) / 2.4 and mean size 0.6; a new one lies on the other
+  // side in 7 of 10 cases. Held ones give 2/3 S and S, an even move from a to b (aa + ab + bb) / 3.
+  const double S = 0.992 / 2.4;
+  const double even = (2.0 / 3.0 * S - 2.0 / 3.0 * 0.4 * 0.36 + S) / 3.0;
+  EXPECT_NEAR(sum2 / num_samples, 0.25 * (2.0 / 3.0 * S + S + even), 0.4 * five_sigma);
 }
 
 TEST(InputSignal, ReplaysACommandFromItsFirstStamp) {

@@ -165,6 +165,46 @@ TEST(Synthesize, AddsNoiseOfTheGivenSpreadAndCorrelation) {
   EXPECT_NEAR(product / n, 0.6, five_sigma);
 }
 
+TEST(Synthesize, AddsOutliersAsOftenAndAsLargeAsTold) {
+  Experiment experiment = SurgeRun(2000.0, Sines(20.0));
+  experiment.velocity->noise[0] = 0.01;
+  experiment.pose = PoseSensor{};
+  const Log clean = Synthesize(Probe(), experiment, 1);
+  experiment.velocity->outlier_probability = 0.05;
+  experiment.velocity->outlier_size[0] = 0.5;
+  experiment.pose->outlier_probability = 0.05;
+  experiment.pose->outlier_position = 0.3;
+  const Log log = Synthesize(Probe(), experiment, 1);
+  const auto expect_outliers = [](const auto& values, const auto& clean_values, double size) {
+    const double n = static_cast<double>(values.size());
+    double num_outliers = 0.0, sum2 = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double e = values[i] - clean_values[i];
+      num_outliers += e != 0.0 ? 1.0 : 0.0;
+      sum2 += e * e;
+    }
+    EXPECT_NEAR(num_outliers / n, 0.05, 5.0 * std::sqrt(0.05 * 0.95 / n));
+    EXPECT_NEAR(sum2 / num_outliers / (size * size), 1.0, 5.0 * std::sqrt(2.0 / num_outliers));
+  };
+  expect_outliers(log.velocity->values[0], clean.velocity->values[0], 0.5);
+  expect_outliers(log.pose->values[0], clean.pose->values[0], 0.3);
+  expect_outliers(log.pose->values[2], clean.pose->values[2], 0.3);
+  EXPECT_EQ(log.pose->values[6], clean.pose->values[6]);
+  EXPECT_EQ(log.velocity->time, clean.velocity->time);
+}
+
+TEST(Synthesize, MovesNothingElseWithTurbulence) {
+  Experiment experiment = SurgeRun(60.0, Sines(20.0));
+  experiment.velocity->noise[0] = 0.01;
+  const Log still = Synthesize(Probe(), experiment, 1);
+  experiment.drives[0].turbulence = {.force = 3.0, .correlation_time = 2.0};
+  const Log rough = Synthesize(Probe(), experiment, 1);
+  EXPECT_EQ(rough.command->values, still.command->values);
+  EXPECT_EQ(rough.velocity->time, still.velocity->time);
+  EXPECT_NE(rough.velocity->values, still.velocity->values);
+  EXPECT_EQ(rough.velocity->values[0][0], still.velocity->values[0][0]);
+}
+
 TEST(Synthesize, LosesOnlyWholeSamplesInDropOuts) {
   Experiment experiment = SurgeRun(300.0, Sines(20.0));
   experiment.velocity->noise[0] = 0.03;
