@@ -24,4 +24,11 @@ struct ExtendedModel {
   std::vector<ActiveEffect> effects;  // in the order in which they act, that of EffectCatalogue()
 };
 
+// The model with one more effect, put where it acts: by EffectCatalogue()'s order; an effect from
+// outside the catalogue comes last of its place.
+ExtendedModel WithEffect(ExtendedModel model, ActiveEffect effect);
+
+// The model without its effect `index`.
+ExtendedModel WithoutEffect(ExtendedModel model, int index);
+
 }  // namespace fathom

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/diagnosis.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/diagnosis/held_out.h"
+#include "fathom/diagnosis/missing_force.h"
+#include "fathom/diagnosis/outliers.h"
+#include "fathom/diagnosis/ranking.h"
+#include "fathom/diagnosis/records.h"
+#include "fathom/diagnosis/remaining_structure.h"
+#include "fathom/diagnosis/robust_start.h"
+#include "fathom/diagnosis/search.h"
+#include "fathom/diagnosis/structure_fit.h"
+#include "fathom/diagnosis/suspects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kSmallestPValue = 0.01;  // of remaining structure, at which it is said to remain
+constexpr double kMaterialShare = 0.05;   // of all structure, below which the rest is no matter
+constexpr int kNumFolds = 4;              // of left-out blocks, where nothing is held out
+
+void RequireUsable(const DiagnosisOptions& options) {
+  if (!(options.false_alarm_rate > 0.0 && options.false_alarm_rate <= 0.5)) {
+    throw InputError(fmt::format("false_alarm_rate is {}, expected a number in (0, 0.5].",
+                                 options.false_alarm_rate));
+  }
+  if (options.most_causes < 1 || options.most_causes > 3) {
+    throw InputError(fmt::format("most_causes is {}, expected 1 to 3.", options.most_causes));
+  }
+  if (!(options.separation >= 0.0)) {
+    throw InputError(
+        fmt::format("separation is {}, expected a number of at least 0.", options.separation));
+  }
+}
+
+std::vector<Record> Part(const std::vector<Record>& records, bool held_out) {
+  std::vector<Record> part;
+  for (const Record& record : records) {
+    if (record.is_held_out == held_out) part.push_back(record);
+  }
+  return part;
+}
+
+DiagnosedModel Describe(const TrainingData& data, const StructureFit& fit) {
+  DiagnosedModel described;
+  described.model = fit.model;
+  described.covariance = fit.covariance;
+  described.log_likelihood = fit.log_likelihood;
+  std::vector<FreeRun> runs;
+  for (size_t r = 0; r < data.records().size(); ++r) {
+    if (auto run = FreeRunOver(data.records()[r], fit.model, fit.initial[r])) {
+      runs.push_back(std::move(*run));
+    }
+  }
+  described.train = FiguresOfRuns(runs);
+  return described;
+}
+
+// Free runs of two models over records that neither was fitted to.
+struct Scored {
+  std::vector<FreeRun> before, after;
+};
+
+void Score(const std::vector<Record>& records,
+           const ExtendedModel& before,
+           const ExtendedModel& after,
+           Scored* scored) {
+  for (const Record& record : records) {
+    auto run_before = FreeRunOver(record, before);
+    auto run_after = FreeRunOver(record, after);
+    if (!run_before || !run_after) continue;
+    scored->before.push_back(std::move(*run_before));
+    scored->after.push_back(std::move(*run_after));
+  }
+}
+
+// The samples of a record within [from, to].
+Record Between(const Record& record, double from, double to) {
+  Record part = record;
+  const auto cut = [&](std::vector<double>* time, std::vector<double>* value) {
+    const auto begin = std::lower_bound(time->begin(), time->end(), from) - time->begin();
+    const auto end = std::upper_bound(time->begin(), time->end(), to) - time->begin();
+    *time = {time->begin() + begin, time->begin() + end};
+    *value = {value->begin() + begin, value->begin() + end};
+  };
+  cut(&part.stamps.velocity, &part.velocity);
+  cut(&part.stamps.displacement, &part.displacement);
+  return part;
+}
+
+// Both structures refitted with a block left out at a time, and run over that block.
+Scored LeaveBlocksOut(const TrainingData& data,
+                      const StructureFit& baseline,
+                      const StructureFit& extended) {
+  Scored scored;
+  double total = 0.0;
+  for (const Record& record : data.records()) total += record.duration();
+  for (int fold = 0; fold < kNumFolds; ++fold) {
+    std::vector<Record> kept, left_out;
+    double passed = 0.0;
+    const double from = total * fold / kNumFolds, to = total * (fold + 1) / kNumFolds;
+    for (const Record& record : data.records()) {
+      const double start = record.stamps.start, end = start + record.duration();
+      const double low = std::clamp(start + from - passed, start, end);
+      const double high = std::clamp(start + to - passed, start, end);
+      passed += record.duration();
+      const auto add = [](Record part, std::vector<Record>* to_list) {
+        const auto& time = part.velocity.empty() ? part.stamps.displacement : part.stamps.velocity;
+        if (time.size() < 20) return;
+        RestartAt(time.front(), &part);
+        to_list->push_back(std::move(part));
+      };
+      if (low > start) add(Between(record, start, low - 1e-9), &kept);
+      if (high > low) add(Between(record, low, high), &left_out);
+      if (high < end) add(Between(record, high + 1e-9, end), &kept);
+    }
+    if (kept.empty() || left_out.empty()) continue;
+    std::vector<InitialState> initial;
+    for (const Record& record : kept) initial.push_back(record.initial);
+    const TrainingData rest(std::move(kept));
+    const Whitener whitener(extended.noise, rest.bins().samples());
+    const Whitener baseline_whitener(baseline.noise, rest.bins().samples());
+    const StructureFit before = FitStructure(rest, baseline.model, initial, baseline_whitener);
+    const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
+    Score(left_out, before.model, after.model, &scored);
+  }
+  return scored;
+}
+
+// Share of the baseline's squared error that is more than noise.
+double StructureShare(const StructureFit& baseline, const StructureFit& best) {
+  const double before = baseline.residual.squaredNorm();
+  return before > 0.0 ? std::clamp(1.0 - best.residual.squaredNorm() / before, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+std::string_view Name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConsistent:
+      return "consistent";
+    case Verdict::kExplained:
+      return "explained";
+    case Verdict::kAmbiguous:
+      return "ambiguous";
+    case Verdict::kUnexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options) {
+  RequireUsable(options);
+  const Records records = RecordsOf(logs, dof);
+  Diagnosis diagnosis;
+  diagnosis.dof = dof;
+  diagnosis.force_unit = records.force_unit;
+  for (const Log& log : logs) diagnosis.logs.push_back(log.name);
+  diagnosis.fits_displacement = records.has_displacement;
+  diagnosis.has_velocity = records.has_velocity;
+  diagnosis.remarks = records.remarks;
+
+  std::vector<Record> train = Part(records.all, false);
+  const auto start = FindRobustStart(train);
+  if (!start) {
+    throw InputError(fmt::format(
+        "{}: output error finds no physical baseline model along {}, and without one there is "
+        "nothing to diagnose. fathom_identify says why.",
+        diagnosis.logs.front(),
+        Name(dof)));
+  }
+  if (const int count = RemoveOutliers(start->model, start->initial, &train); count > 0) {
+    diagnosis.remarks.push_back(fmt::format("Left out: {} single sample{} far from {} neighbours.",
+                                            count,
+                                            count == 1 ? "" : "s",
+                                            count == 1 ? "its" : "their"));
+  }
+  const TrainingData data(std::move(train));
+  const StructureFit baseline = FitBaseline(data, start->model, start->initial);
+  if (baseline.jacobian.size() == 0) {
+    throw InputError(fmt::format("{}: the baseline model cannot be simulated over this log.",
+                                 diagnosis.logs.front()));
+  }
+
+  const std::vector<const Effect*> effects =
+      options.effects.empty()
+          ? std::vector<const Effect*>(EffectCatalogue().begin(), EffectCatalogue().end())
+          : options.effects;
+  const std::vector<Suspect> suspects = SuspectsFor(records, dof, effects);
+  const SearchResult search = SearchCauses(data, baseline, suspects, options);
+  const Hypothesis& best = search.tried[search.best];
+  const RemainingStructure remaining = FindRemainingStructure(data, best.fit);
+
+  diagnosis.baseline = Describe(data, baseline);
+  diagnosis.extended = Describe(data, best.fit);
+  diagnosis.remaining_p_value = remaining.p_value;
+  const double all_structure = best.gain + remaining.gain;
+  const bool remains = remaining.p_value < kSmallestPValue &&
+                       remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
+  diagnosis.explained_share = all_structure > 0.0 ? best.gain / all_structure : 0.0;
+  diagnosis.structure_share = StructureShare(baseline, best.fit);
+  if (remains) {
+    diagnosis.verdict = Verdict::kUnexplained;
+  } else if (best.suspects.empty()) {
+    diagnosis.verdict = Verdict::kConsistent;
+  } else {
+    diagnosis.verdict = search.rivals.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
+  }
+  diagnosis.causes = CausesOf(data, search, suspects);
+  diagnosis.candidates = RankCandidates(search, suspects);
+
+  const std::vector<Record> held_out = Part(records.all, true);
+  Scored scored;
+  if (!held_out.empty()) {
+    Score(held_out, baseline.model, best.fit.model, &scored);
+  } else {
+    diagnosis.by_left_out_blocks = true;
+    scored = LeaveBlocksOut(data, baseline, best.fit);
+  }
+  diagnosis.baseline.held_out = FiguresOfRuns(scored.before);
+  diagnosis.extended.held_out = FiguresOfRuns(scored.after);
+  const Gain gain = GainOf(scored.before, scored.after, options.seed);
+  diagnosis.held_out_gain = gain.value;
+  diagnosis.held_out_gain_low = gain.low;
+  diagnosis.held_out_gain_high = gain.high;
+  for (Cause& cause : diagnosis.causes) {
+    const ExtendedModel without = WithoutCause(search, suspects, cause);
+    Scored own;
+    if (!held_out.empty()) {
+      Score(held_out, without, best.fit.model, &own);
+      cause.held_out_gain = GainOf(own.before, own.after, options.seed).value;
+    } else {
+      cause.held_out_gain = gain.value;
+    }
+  }
+
+  diagnosis.missing_force = FindMissingForce(data, baseline, best.fit, records.partners);
+  for (size_t r = 0; r < data.records().size(); ++r) {
+    diagnosis.traces.push_back(TraceOf(data.records()[r],
+                                       baseline.model,
+                                       baseline.initial[r],
+                                       best.fit.model,
+                                       best.fit.initial[r]));
+  }
+  for (const Record& record : held_out) {
+    diagnosis.traces.push_back(
+        TraceOf(record, baseline.model, record.initial, best.fit.model, record.initial));
+  }
+  return diagnosis;
+}
+
+}  // namespace fathom

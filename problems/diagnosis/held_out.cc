@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/held_out.h"
+
+#include "fathom/simulate/random_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kBlock = 10.0;  // [s], several times the vehicle's memory of an error
+constexpr int kNumResamples = 2000;
+
+struct BlockSums {
+  double before = 0.0, after = 0.0;
+};
+
+std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
+                                   std::span<const FreeRun> after) {
+  std::vector<BlockSums> blocks;
+  for (size_t r = 0; r < before.size(); ++r) {
+    double block_end = -1e300;
+    for (size_t i = 0; i < before[r].time.size(); ++i) {
+      if (before[r].time[i] >= block_end) {
+        block_end = before[r].time[i] + kBlock;
+        blocks.emplace_back();
+      }
+      blocks.back().before += std::abs(before[r].predicted[i] - before[r].measured[i]);
+      blocks.back().after += std::abs(after[r].predicted[i] - after[r].measured[i]);
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model) {
+  return FreeRunOver(record, model, record.initial);
+}
+
+std::optional<FreeRun> FreeRunOver(const Record& record,
+                                   const ExtendedModel& model,
+                                   const InitialState& initial) {
+  EffectOutputs outputs;
+  const EffectSimulation simulation(record.inputs.get(), record.stamps);
+  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
+  if (!record.velocity.empty()) {
+    return FreeRun{record.stamps.velocity, record.velocity, std::move(outputs.velocity)};
+  }
+  return FreeRun{record.stamps.displacement, record.displacement, std::move(outputs.displacement)};
+}
+
+FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
+  FitFigures figures;
+  double errors = 0.0, sizes = 0.0;
+  for (const FreeRun& run : runs) {
+    for (size_t i = 0; i < run.time.size(); ++i) {
+      errors += std::abs(run.predicted[i] - run.measured[i]);
+      sizes += std::abs(run.measured[i]);
+    }
+    figures.num_samples += static_cast<int>(run.time.size());
+    figures.duration += run.time.back() - run.time.front();
+  }
+  if (figures.num_samples == 0) return {};
+  figures.mae = errors / figures.num_samples;
+  if (sizes > 0.0) figures.nmae = errors / sizes;
+  return figures;
+}
+
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed) {
+  const std::vector<BlockSums> blocks = SumsByBlock(before, after);
+  if (blocks.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  const auto gain = [](const BlockSums& sums) { return 1.0 - sums.after / sums.before; };
+  BlockSums all;
+  for (const BlockSums& block : blocks) {
+    all.before += block.before;
+    all.after += block.after;
+  }
+  RandomStream random(seed, "diagnosis.gain");
+  std::vector<double> gains;
+  for (int k = 0; k < kNumResamples; ++k) {
+    BlockSums sums;
+    for (size_t i = 0; i < blocks.size(); ++i) {
+      const auto pick =
+          std::min(blocks.size() - 1,
+                   static_cast<size_t>(random.Uniform() * static_cast<double>(blocks.size())));
+      sums.before += blocks[pick].before;
+      sums.after += blocks[pick].after;
+    }
+    gains.push_back(gain(sums));
+  }
+  std::sort(gains.begin(), gains.end());
+  return {gain(all), gains[kNumResamples / 40], gains[kNumResamples - 1 - kNumResamples / 40]};
+}
+
+}  // namespace fathom

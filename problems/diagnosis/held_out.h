@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/records.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// A free run beside what was measured, sample by sample.
+struct FreeRun {
+  std::vector<double> time;       // log time [s]
+  std::vector<double> measured;   // velocity [m/s] or [rad/s]; displacement where there is none
+  std::vector<double> predicted;  // the same
+};
+
+// The free run of a model over a record, from the start that was guessed from the record's first
+// samples; nothing if it diverges.
+std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model);
+
+// The same from a given start.
+std::optional<FreeRun> FreeRunOver(const Record& record,
+                                   const ExtendedModel& model,
+                                   const InitialState& initial);
+
+// MAE and NMAE over several runs together (docs/models.md (7), (8)); NaN if there are none.
+FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
+
+// How much less the second model's runs miss than the first's, over the same records:
+// 1 - sum |miss after| / sum |miss before|, with a 95 % interval from resampling blocks of 10 s.
+struct Gain {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
+
+}  // namespace fathom

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/structure_fit.h"
+
+#include <vector>
+
+namespace fathom {
+
+// The force that the baseline misses: a force that wanders (Ornstein-Uhlenbeck), smoothed from the
+// baseline's residual under sensor noise alone; beside it what the extended model adds, and what it
+// may depend on. Of all records of `data`, at their bins. docs/diagnosis.md (9).
+MissingForce FindMissingForce(const TrainingData& data,
+                              const StructureFit& baseline,
+                              const StructureFit& extended,
+                              const std::vector<Dof>& partners);
+
+// Measured against both models' free runs over one record.
+ResidualTrace TraceOf(const Record& record,
+                      const ExtendedModel& before,
+                      const InitialState& before_start,
+                      const ExtendedModel& after,
+                      const InitialState& after_start);
+
+}  // namespace fathom

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/outliers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr int kReach = 5;       // neighbours on either side
+constexpr double kLimit = 6.0;  // robust standard deviations
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Removes the wild samples of one channel.
+int RemoveFrom(const std::vector<double>& simulated,
+               std::vector<double>* time,
+               std::vector<double>* measured) {
+  const int n = static_cast<int>(time->size());
+  if (n < 2 * kReach + 1) return 0;
+  std::vector<double> residual, deviation;
+  for (int i = 0; i < n; ++i) residual.push_back((*measured)[i] - simulated[i]);
+  for (int i = 0; i < n; ++i) {
+    const int first = std::clamp(i - kReach, 0, n - 2 * kReach - 1);
+    const auto begin = residual.begin() + first;
+    deviation.push_back(residual[i] - Median({begin, begin + 2 * kReach + 1}));
+  }
+  std::vector<double> sizes;
+  for (const double d : deviation) sizes.push_back(std::abs(d));
+  const double spread = 1.4826 * Median(std::move(sizes));
+  if (!(spread > 0.0)) return 0;
+  std::vector<double> kept_time, kept;
+  for (int i = 0; i < n; ++i) {
+    if (std::abs(deviation[i]) > kLimit * spread) continue;
+    kept_time.push_back((*time)[i]);
+    kept.push_back((*measured)[i]);
+  }
+  *time = std::move(kept_time);
+  *measured = std::move(kept);
+  return n - static_cast<int>(time->size());
+}
+
+}  // namespace
+
+int RemoveOutliers(const ExtendedModel& model,
+                   const std::vector<InitialState>& initial,
+                   std::vector<Record>* records) {
+  int num_removed = 0;
+  for (size_t r = 0; r < records->size(); ++r) {
+    Record& record = (*records)[r];
+    EffectOutputs outputs;
+    const EffectSimulation simulation(record.inputs.get(), record.stamps);
+    if (!simulation.Run(model, initial[r], &outputs)) continue;
+    num_removed += RemoveFrom(outputs.velocity, &record.stamps.velocity, &record.velocity);
+    num_removed +=
+        RemoveFrom(outputs.displacement, &record.stamps.displacement, &record.displacement);
+  }
+  return num_removed;
+}
+
+}  // namespace fathom

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/ranking.h"
+
+#include "fathom/diagnosis/experiments.h"
+#include "fathom/diagnosis/suspects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Place of a suspect's effect in a model; -1 if it is not there.
+int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
+  for (size_t k = 0; k < model.effects.size(); ++k) {
+    if (model.effects[k].effect == suspect.effect &&
+        model.effects[k].setting.partner == suspect.setting.partner) {
+      return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
+const Hypothesis* Find(const SearchResult& search, const std::vector<int>& suspects) {
+  for (const Hypothesis& hypothesis : search.tried) {
+    if (hypothesis.suspects == suspects) return &hypothesis;
+  }
+  return nullptr;
+}
+
+std::string WhyOf(const Candidate& candidate, const SearchResult& search, bool is_rival) {
+  if (candidate.is_kept) {
+    return fmt::format(
+        "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, search.threshold);
+  }
+  if (is_rival) return "cannot be told from a kept cause on these logs";
+  if (std::isnan(candidate.gain)) {
+    return fmt::format("dropped: the screen finds no more than noise ({:.1f})", candidate.score);
+  }
+  if (candidate.gain < search.threshold) {
+    return fmt::format(
+        "dropped: gains {:.1f}, noise alone would reach {:.1f}", candidate.gain, search.threshold);
+  }
+  return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
+}
+
+std::vector<bool> RivalsOf(const SearchResult& search, size_t num_suspects) {
+  std::vector<bool> is_rival(num_suspects, false);
+  const auto& kept = search.tried[search.best].suspects;
+  for (const int index : search.rivals) {
+    for (const int suspect : search.tried[index].suspects) {
+      if (std::count(kept.begin(), kept.end(), suspect) == 0) is_rival[suspect] = true;
+    }
+  }
+  return is_rival;
+}
+
+}  // namespace
+
+std::vector<Cause> CausesOf(const TrainingData& /*data*/,
+                            const SearchResult& search,
+                            const std::vector<Suspect>& suspects) {
+  const Hypothesis& best = search.tried[search.best];
+  std::vector<Cause> causes;
+  for (const int suspect : best.suspects) {
+    Cause cause;
+    cause.effect_index = PlaceIn(best.fit.model, suspects[suspect]);
+    std::vector<int> others = best.suspects;
+    std::erase(others, suspect);
+    if (const Hypothesis* without = Find(search, others)) {
+      const double own_gain = best.gain - without->gain;
+      cause.delta_bic = best.delta_bic - without->delta_bic;
+      cause.p_value = FamilyWisePValue(own_gain, search.num_independent);
+    } else {
+      cause.delta_bic = best.delta_bic;
+      cause.p_value = FamilyWisePValue(best.gain, search.num_independent);
+    }
+    std::vector<Suspect> rivals;
+    for (const int index : search.rivals) {
+      const auto& other = search.tried[index].suspects;
+      if (std::count(other.begin(), other.end(), suspect) > 0) continue;
+      for (const int replacing : other) {
+        if (std::count(best.suspects.begin(), best.suspects.end(), replacing) > 0) continue;
+        cause.alternatives.push_back(LabelOf(suspects[replacing]));
+        rivals.push_back(suspects[replacing]);
+      }
+    }
+    if (!rivals.empty()) cause.experiment = DecidingExperiment(suspects[suspect], rivals);
+    causes.push_back(std::move(cause));
+  }
+  std::sort(causes.begin(), causes.end(), [](const Cause& a, const Cause& b) {
+    return a.effect_index < b.effect_index;
+  });
+  return causes;
+}
+
+std::vector<Candidate> RankCandidates(const SearchResult& search,
+                                      const std::vector<Suspect>& suspects) {
+  const Hypothesis& best = search.tried[search.best];
+  const std::vector<bool> is_rival = RivalsOf(search, suspects.size());
+  std::vector<Candidate> candidates;
+  for (size_t k = 0; k < suspects.size(); ++k) {
+    Candidate candidate;
+    candidate.effect = suspects[k].effect;
+    candidate.setting = suspects[k].setting;
+    candidate.label = LabelOf(suspects[k]);
+    candidate.score = search.scores[k];
+    candidate.gain = std::numeric_limits<double>::quiet_NaN();
+    const int index = static_cast<int>(k);
+    if (const Hypothesis* alone = Find(search, {index})) {
+      candidate.gain = alone->gain;
+      candidate.delta_bic = alone->delta_bic;
+      const ActiveEffect& active = alone->fit.model.effects[0];
+      candidate.values = active.values;
+      for (size_t i = 0; i < active.values.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(kNumParameters + i);
+        candidate.stds.push_back(std::sqrt(alone->fit.covariance(at, at)));
+      }
+    }
+    const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
+    candidate.p_value = FamilyWisePValue(gain, search.num_independent);
+    candidate.is_kept = std::count(best.suspects.begin(), best.suspects.end(), index) > 0;
+    candidate.why = WhyOf(candidate, search, is_rival[k]);
+    candidates.push_back(std::move(candidate));
+  }
+  const auto worth = [](const Candidate& candidate) {
+    return std::isnan(candidate.gain) ? candidate.score - 1e6 : candidate.gain;
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    if (a.is_kept != b.is_kept) return a.is_kept;
+    return worth(a) > worth(b);
+  });
+  return candidates;
+}
+
+ExtendedModel WithoutCause(const SearchResult& search,
+                           const std::vector<Suspect>& suspects,
+                           const Cause& cause) {
+  const Hypothesis& best = search.tried[search.best];
+  for (const int suspect : best.suspects) {
+    if (PlaceIn(best.fit.model, suspects[suspect]) != cause.effect_index) continue;
+    std::vector<int> others = best.suspects;
+    std::erase(others, suspect);
+    if (const Hypothesis* without = Find(search, others)) return without->fit.model;
+  }
+  return WithoutEffect(best.fit.model, cause.effect_index);
+}
+
+}  // namespace fathom

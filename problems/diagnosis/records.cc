@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/records.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/signal/log_column.h"
+#include "fathom/signal/pose_velocity.h"
+#include "fathom/signal/savitzky_golay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestGap = 30.0;       // [s], as in SignalsOptions
+constexpr size_t kFewestSamples = 20;      // of a record's leading channel
+constexpr double kLargestAxisTurn = 0.12;  // RMS [rad] at which a world coordinate still serves
+constexpr double kStartWindow = 2.0;       // [s] of samples behind the guess of the start
+
+struct Channel {
+  std::vector<double> time, value;
+};
+
+bool IsHeldOut(const Log& log, double t) {
+  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
+    return interval.Contains(t);
+  });
+}
+
+// How far the DOF's axis turns about its mean [rad, RMS]; angles have no such axis.
+double AxisTurn(Dof dof, const Poses& poses) {
+  if (IsAngular(dof)) return 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& rotation : poses.world_from_body) {
+    mean += rotation.toRotationMatrix().col(Index(dof));
+  }
+  mean.normalize();
+  double sum = 0.0;
+  for (const auto& rotation : poses.world_from_body) {
+    const double cosine = rotation.toRotationMatrix().col(Index(dof)).dot(mean);
+    sum += 2.0 * (1.0 - cosine);
+  }
+  return std::sqrt(sum / static_cast<double>(poses.size()));
+}
+
+std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::string>* remarks) {
+  if (!log.pose || log.pose->time.size() < kFewestSamples) return std::nullopt;
+  const Poses poses = PosesOf(*log.pose);
+  const Displacement displacement = DisplacementAlong(dof, poses);
+  const double turn = AxisTurn(dof, poses);
+  if (turn > kLargestAxisTurn && log.velocity) {
+    remarks->push_back(
+        fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so that no "
+                    "world coordinate is its displacement.",
+                    log.name,
+                    Name(dof),
+                    turn));
+    return std::nullopt;
+  }
+  return Channel{poses.time, displacement.value};
+}
+
+std::shared_ptr<const EffectInputs> InputsOf(const Log& log, Dof dof) {
+  auto inputs = std::make_shared<EffectInputs>();
+  inputs->command = CommandOf(log, dof);
+  for (const Dof other : kAllDofs) {
+    if (log.velocity) {
+      if (const auto* column = log.velocity->Find(VelocityColumn(other))) {
+        inputs->velocity[Index(other)] = {log.velocity->time, *column};
+      }
+    }
+    if (log.command) {
+      if (const auto* column = log.command->Find(ForceColumn(other))) {
+        inputs->force[Index(other)] = {log.command->time, *column};
+      }
+    }
+  }
+  return inputs;
+}
+
+// Value and slope at the first sample, by a straight line over the first two seconds.
+std::pair<double, double> StartOf(std::span<const double> time, std::span<const double> value) {
+  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
+  for (size_t i = 0; i < time.size(); ++i) {
+    const double t = time[i] - time[0];
+    if (t > kStartWindow && i >= 5) break;
+    n += 1.0;
+    st += t;
+    sy += value[i];
+    stt += t * t;
+    sty += t * value[i];
+  }
+  const double slope = (n * sty - st * sy) / std::max(1e-12, n * stt - st * st);
+  return {(sy - slope * st) / n, slope};
+}
+
+void Append(const Channel& channel, double from, double to, Channel* out) {
+  const auto begin = std::lower_bound(channel.time.begin(), channel.time.end(), from);
+  const auto end = std::upper_bound(channel.time.begin(), channel.time.end(), to);
+  out->time.assign(begin, end);
+  const auto offset = begin - channel.time.begin();
+  out->value.assign(channel.value.begin() + offset,
+                    channel.value.begin() + (end - channel.time.begin()));
+}
+
+struct LogChannels {
+  const Log* log;
+  std::optional<Channel> velocity, displacement;
+};
+
+// The stretches of one log, cut at silences and at the ends of held-out intervals.
+void AppendRecords(const LogChannels& channels,
+                   Dof dof,
+                   bool use_velocity,
+                   bool use_displacement,
+                   Records* records) {
+  const Log& log = *channels.log;
+  const auto inputs = InputsOf(log, dof);
+  const Channel& leading = use_velocity ? *channels.velocity : *channels.displacement;
+  const std::vector<double>& time = leading.time;
+  const size_t first =
+      std::lower_bound(time.begin(), time.end(), inputs->command.time.front()) - time.begin();
+  if (first > 0) {
+    records->remarks.push_back(
+        fmt::format("{}: left out: {} motion samples before the first command.", log.name, first));
+  }
+  size_t num_short = 0, num_short_samples = 0;
+  for (size_t begin = first; begin < time.size();) {
+    const bool held_out = IsHeldOut(log, time[begin]);
+    size_t end = begin + 1;
+    while (end < time.size() && time[end] - time[end - 1] <= kLongestGap &&
+           IsHeldOut(log, time[end]) == held_out) {
+      ++end;
+    }
+    if (end - begin < kFewestSamples) {
+      ++num_short;
+      num_short_samples += end - begin;
+    } else {
+      Record record;
+      record.log = log.name;
+      record.is_held_out = held_out;
+      record.inputs = inputs;
+      record.stamps.start = time[begin];
+      Channel part;
+      if (use_velocity) {
+        Append(*channels.velocity, time[begin], time[end - 1], &part);
+        record.stamps.velocity = std::move(part.time);
+        record.velocity = std::move(part.value);
+      }
+      if (use_displacement) {
+        Append(*channels.displacement, time[begin], time[end - 1], &part);
+        record.stamps.displacement = std::move(part.time);
+        record.displacement = std::move(part.value);
+      }
+      RestartAt(time[begin], &record);
+      records->all.push_back(std::move(record));
+    }
+    begin = end;
+  }
+  if (num_short > 0) {
+    records->remarks.push_back(
+        fmt::format("{}: left out: {} segments of fewer than {} samples ({} samples).",
+                    log.name,
+                    num_short,
+                    kFewestSamples,
+                    num_short_samples));
+  }
+}
+
+}  // namespace
+
+double Record::duration() const {
+  const double last_velocity = stamps.velocity.empty() ? stamps.start : stamps.velocity.back();
+  const double last_pose = stamps.displacement.empty() ? stamps.start : stamps.displacement.back();
+  return std::max(last_velocity, last_pose) - stamps.start;
+}
+
+Records RecordsOf(std::span<const Log> logs, Dof dof) {
+  if (logs.empty()) throw InputError("A diagnosis needs at least one log.");
+  Records records;
+  std::vector<LogChannels> channels;
+  bool every_velocity = true, every_displacement = true;
+  for (const Log& log : logs) {
+    const std::string unit =
+        log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
+    if (!records.force_unit.empty() && unit != records.force_unit) {
+      throw InputError(
+          fmt::format("{}: its commands are in {}, those of {} in {}: expected logs of one unit.",
+                      log.name,
+                      unit,
+                      logs.front().name,
+                      records.force_unit));
+    }
+    records.force_unit = unit;
+    LogChannels own = {&log, std::nullopt, std::nullopt};
+    if (log.velocity) {
+      if (const auto* column = log.velocity->Find(VelocityColumn(dof))) {
+        own.velocity = Channel{log.velocity->time, *column};
+      }
+    }
+    own.displacement = DisplacementOf(log, dof, &records.remarks);
+    if (!own.velocity && !own.displacement) MotionStream(log, dof, Source::kPoseEstimator);
+    every_velocity = every_velocity && own.velocity.has_value();
+    every_displacement = every_displacement && own.displacement.has_value();
+    channels.push_back(std::move(own));
+  }
+  if (!every_velocity && !every_displacement) {
+    throw InputError(
+        "Some of the logs have velocities only and some have poses only: expected "
+        "velocities in all of them or poses in all of them.");
+  }
+  records.has_velocity = every_velocity;
+  records.has_displacement = every_displacement;
+  for (const LogChannels& own : channels) {
+    AppendRecords(own, dof, every_velocity, every_displacement, &records);
+  }
+  const bool has_train = std::any_of(
+      records.all.begin(), records.all.end(), [](const Record& r) { return !r.is_held_out; });
+  if (!has_train) {
+    throw InputError(
+        fmt::format("{}: nothing is left to train on: expected a segment of at least "
+                    "{} motion samples after the first command and outside held_out.",
+                    logs.front().name,
+                    kFewestSamples));
+  }
+  for (const Dof other : kAllDofs) {
+    const bool everywhere =
+        other != dof && std::all_of(records.all.begin(), records.all.end(), [&](const Record& r) {
+          const auto& signal = r.inputs->velocity[Index(other)].value;
+          if (signal.empty()) return false;
+          const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
+          return *most > *least;
+        });
+    if (everywhere) records.partners.push_back(other);
+  }
+  return records;
+}
+
+void RestartAt(double time, Record* record) {
+  record->stamps.start = time;
+  if (!record->velocity.empty()) {
+    record->initial.velocity = StartOf(record->stamps.velocity, record->velocity).first;
+  }
+  if (record->displacement.size() < 2) return;
+  const auto [value, slope] = StartOf(record->stamps.displacement, record->displacement);
+  record->initial.position = value - slope * (record->stamps.displacement.front() - time);
+  if (record->velocity.empty()) record->initial.velocity = slope;
+}
+
+Segment SegmentOfRecord(const Record& record) {
+  Segment segment;
+  segment.command = record.inputs->command;
+  if (!record.velocity.empty()) {
+    segment.time = record.stamps.velocity;
+    segment.velocity = record.velocity;
+  } else {
+    segment.time = record.stamps.displacement;
+    segment.position = record.displacement;
+    // A slope over a second: only the start of a search.
+    const size_t n = segment.time.size();
+    for (size_t i = 0; i < n; ++i) {
+      size_t low = i, high = i;
+      while (low > 0 && segment.time[i] - segment.time[low] < 0.5) --low;
+      while (high + 1 < n && segment.time[high] - segment.time[i] < 0.5) ++high;
+      segment.velocity.push_back((segment.position[high] - segment.position[low]) /
+                                 (segment.time[high] - segment.time[low]));
+    }
+  }
+  segment.initial_velocity = record.initial.velocity;
+  return segment;
+}
+
+Bins::Bins(std::span<const Record> records) {
+  for (size_t index = 0; index < records.size(); ++index) {
+    const Record& record = records[index];
+    first_rows_.push_back(size());
+    const double width = std::clamp(record.duration() / 3000.0, 0.2, 0.5);
+    struct Row {
+      double time;
+      Bin bin;
+    };
+    std::vector<Row> rows;
+    const auto add = [&](const std::vector<double>& time, NoiseChannel channel) {
+      for (size_t begin = 0; begin < time.size();) {
+        size_t end = begin + 1;
+        double sum = time[begin];
+        while (end < time.size() && time[end] - time[begin] < width - 1e-6) sum += time[end++];
+        rows.push_back({sum / static_cast<double>(end - begin), {channel, begin, end}});
+        begin = end;
+      }
+    };
+    add(record.stamps.velocity, NoiseChannel::kVelocity);
+    add(record.stamps.displacement, NoiseChannel::kDisplacement);
+    std::stable_sort(
+        rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.time < b.time; });
+    std::array<std::vector<size_t>, 2> counts;
+    for (const Row& row : rows) {
+      counts[static_cast<size_t>(row.bin.channel)].push_back(row.bin.end - row.bin.begin);
+    }
+    std::array<double, 2> usual = {1.0, 1.0};
+    for (size_t channel = 0; channel < 2; ++channel) {
+      auto& of_channel = counts[channel];
+      if (of_channel.empty()) continue;
+      const auto middle = of_channel.begin() + static_cast<std::ptrdiff_t>(of_channel.size() / 2);
+      std::nth_element(of_channel.begin(), middle, of_channel.end());
+      usual[channel] = static_cast<double>(*middle);
+    }
+    for (const Row& row : rows) {
+      const auto count = static_cast<double>(row.bin.end - row.bin.begin);
+      bins_.push_back(row.bin);
+      samples_.push_back({row.time,
+                          row.bin.channel,
+                          usual[static_cast<size_t>(row.bin.channel)] / count,
+                          static_cast<int>(index)});
+    }
+  }
+  first_rows_.push_back(size());
+}
+
+void Bins::Average(std::size_t index,
+                   const std::vector<double>& velocity,
+                   const std::vector<double>& displacement,
+                   std::span<double> to) const {
+  for (int row = first_row(index); row < first_row(index + 1); ++row) {
+    const Bin& bin = bins_[row];
+    const auto& from = bin.channel == NoiseChannel::kVelocity ? velocity : displacement;
+    double sum = 0.0;
+    for (size_t i = bin.begin; i < bin.end; ++i) sum += from[i];
+    to[row - first_row(index)] = sum / static_cast<double>(bin.end - bin.begin);
+  }
+}
+
+void Bins::Average(std::size_t index,
+                   const SensitivityMatrix& velocity,
+                   const SensitivityMatrix& displacement,
+                   Eigen::Ref<SensitivityMatrix> to) const {
+  for (int row = first_row(index); row < first_row(index + 1); ++row) {
+    const Bin& bin = bins_[row];
+    const auto& from = bin.channel == NoiseChannel::kVelocity ? velocity : displacement;
+    to.row(row - first_row(index)) = from.middleRows(static_cast<Eigen::Index>(bin.begin),
+                                                     static_cast<Eigen::Index>(bin.end - bin.begin))
+                                         .colwise()
+                                         .mean();
+  }
+}
+
+}  // namespace fathom

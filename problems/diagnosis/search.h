@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/screen.h"
+#include "fathom/diagnosis/structure_fit.h"
+
+#include <vector>
+
+namespace fathom {
+
+// A set of suspects with the model that has them all.
+struct Hypothesis {
+  std::vector<int> suspects;  // indices, ascending; none: the baseline
+  StructureFit fit;
+
+  // 2 log-likelihood over the baseline's.
+  double gain = 0.0;
+
+  // BIC of the baseline less its own: above 0, better than the baseline.
+  double delta_bic = 0.0;
+};
+
+// What was tried and what came of it.
+struct SearchResult {
+  std::vector<Hypothesis> tried;  // the baseline first, then as they came
+  int best = 0;                   // index into `tried`
+
+  // Indices of hypotheses that explain the data as well as the best one, each with one of its
+  // suspects replaced.
+  std::vector<int> rivals;
+
+  double threshold = 0.0;        // gain per cause that noise alone reaches at the false alarm rate
+  double num_independent = 1.0;  // tests that the many trials amount to
+
+  // Per suspect: the best score of the linear screens about the baseline.
+  std::vector<double> scores;
+};
+
+// Searches the sets of up to options.most_causes suspects for the one that the data call for.
+// docs/diagnosis.md (6).
+SearchResult SearchCauses(const TrainingData& data,
+                          const StructureFit& baseline,
+                          const std::vector<Suspect>& suspects,
+                          const DiagnosisOptions& options);
+
+// Probability that the greatest of `num_independent` chi squared numbers of one degree of freedom
+// exceeds `gain`.
+double FamilyWisePValue(double gain, double num_independent);
+
+}  // namespace fathom

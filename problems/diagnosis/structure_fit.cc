@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/structure_fit.h"
+
+#include "fathom/noise/fit_noise.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+namespace {
+
+constexpr int kEffectColumn = EffectSimulation::kFirstEffectColumn;
+constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
+constexpr int kMostIterations = 40;
+constexpr double kMostDamping = 1e10;
+
+// All unknowns in one vector: parameters of the baseline and the effects, then the free states.
+struct Unknowns {
+  Eigen::VectorXd value, lower, upper;
+};
+
+int NumParameters(const ExtendedModel& model) {
+  return EffectSimulation::NumColumns(model) - kEffectColumn + kNumParameters;
+}
+
+Unknowns Pack(const TrainingData& data,
+              const ExtendedModel& model,
+              std::span<const InitialState> initial) {
+  const int num_parameters = NumParameters(model);
+  const int size = num_parameters + data.num_states() * static_cast<int>(initial.size());
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Unknowns unknowns = {Eigen::VectorXd(size),
+                       Eigen::VectorXd::Constant(size, -kInfinity),
+                       Eigen::VectorXd::Constant(size, kInfinity)};
+  unknowns.value.head<kNumParameters>() = ToVector(model.baseline);
+  unknowns.lower[kInertia] = 1e-3 * model.baseline.inertia;
+  unknowns.lower[kQuadraticDamping] = unknowns.lower[kLinearDamping] = 0.0;
+  int i = kNumParameters;
+  for (const ActiveEffect& active : model.effects) {
+    for (size_t k = 0; k < active.values.size(); ++k, ++i) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      unknowns.value[i] = active.values[k];
+      unknowns.lower[i] = parameter.lower;
+      unknowns.upper[i] = parameter.upper;
+    }
+  }
+  for (const InitialState& state : initial) {
+    unknowns.value[i++] = state.velocity;
+    if (data.has_displacement()) unknowns.value[i++] = state.position;
+  }
+  return unknowns;
+}
+
+void Unpack(const TrainingData& data,
+            const Eigen::VectorXd& value,
+            ExtendedModel* model,
+            std::vector<InitialState>* initial) {
+  model->baseline = ModelFromVector(value.head<kNumParameters>());
+  int i = kNumParameters;
+  for (ActiveEffect& active : model->effects) {
+    for (double& number : active.values) number = value[i++];
+  }
+  for (InitialState& state : *initial) {
+    state.velocity = value[i++];
+    if (data.has_displacement()) state.position = value[i++];
+  }
+}
+
+// Normal equations of the whitened problem.
+struct Normal {
+  Eigen::MatrixXd A;
+  Eigen::VectorXd g;  // J' r: downhill
+};
+
+Normal NormalOf(const Whitener& whitener,
+                const RowMajorMatrix& jacobian,
+                const Eigen::VectorXd& residual) {
+  RowMajorMatrix whitened(jacobian.rows(), jacobian.cols() + 1);
+  whitened.leftCols(jacobian.cols()) = jacobian;
+  whitened.rightCols(1) = residual;
+  whitener.Apply(whitened, whitened);
+  const auto J = whitened.leftCols(jacobian.cols());
+  return {J.transpose() * J, J.transpose() * whitened.rightCols(1)};
+}
+
+double ChiSquared(const Whitener& whitener, const Eigen::VectorXd& residual) {
+  Eigen::VectorXd whitened(residual.size());
+  whitener.Apply(std::span(residual.data(), residual.size()),
+                 std::span(whitened.data(), whitened.size()));
+  return whitened.squaredNorm();
+}
+
+std::vector<int> FreeOf(const Unknowns& unknowns, const Eigen::VectorXd& downhill) {
+  std::vector<int> free;
+  for (int i = 0; i < unknowns.value.size(); ++i) {
+    const bool presses_low = unknowns.value[i] <= unknowns.lower[i] && downhill[i] <= 0.0;
+    const bool presses_high = unknowns.value[i] >= unknowns.upper[i] && downhill[i] >= 0.0;
+    if (!presses_low && !presses_high) free.push_back(i);
+  }
+  return free;
+}
+
+// The damped step of the free unknowns; the others stay.
+Eigen::VectorXd StepOf(const Normal& normal, const std::vector<int>& free, double damping) {
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd A(n, n);
+  Eigen::VectorXd g(n), scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    scale[i] = 1.0 / std::sqrt(std::max(normal.A(free[i], free[i]), 1e-300));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    g[i] = scale[i] * normal.g[free[i]];
+    for (Eigen::Index j = 0; j < n; ++j) {
+      A(i, j) = scale[i] * scale[j] * normal.A(free[i], free[j]);
+    }
+    A(i, i) += damping + 1e-12;
+  }
+  const Eigen::VectorXd solved = A.ldlt().solve(g);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(normal.g.size());
+  for (Eigen::Index i = 0; i < n; ++i) step[free[i]] = scale[i] * solved[i];
+  return step;
+}
+
+// Inverse of the normal matrix of the free unknowns, its leading parameters; zero for those held.
+Eigen::MatrixXd CovarianceOf(const Normal& normal,
+                             const std::vector<int>& free,
+                             int num_parameters) {
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd A(n, n);
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    scale[i] = 1.0 / std::sqrt(std::max(normal.A(free[i], free[i]), 1e-300));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      A(i, j) = scale[i] * scale[j] * normal.A(free[i], free[j]);
+    }
+  }
+  const Eigen::MatrixXd inverse = A.completeOrthogonalDecomposition().pseudoInverse();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(num_parameters, num_parameters);
+  for (Eigen::Index i = 0; i < n && free[i] < num_parameters; ++i) {
+    for (Eigen::Index j = 0; j < n && free[j] < num_parameters; ++j) {
+      covariance(free[i], free[j]) = scale[i] * scale[j] * inverse(i, j);
+    }
+  }
+  return covariance;
+}
+
+}  // namespace
+
+TrainingData::TrainingData(std::vector<Record> records)
+    : records_(std::move(records)), bins_(records_) {
+  measured_.resize(bins_.size());
+  for (size_t r = 0; r < records_.size(); ++r) {
+    simulations_.emplace_back(records_[r].inputs.get(), records_[r].stamps);
+    has_displacement_ = has_displacement_ || !records_[r].displacement.empty();
+    const int first = bins_.first_row(r);
+    bins_.Average(r,
+                  records_[r].velocity,
+                  records_[r].displacement,
+                  std::span(measured_.data() + first, bins_.first_row(r + 1) - first));
+  }
+}
+
+std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model,
+                                                      std::span<const InitialState> initial) const {
+  Eigen::VectorXd simulated(bins_.size());
+  EffectOutputs outputs;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
+    const int first = bins_.first_row(r);
+    bins_.Average(r,
+                  outputs.velocity,
+                  outputs.displacement,
+                  std::span(simulated.data() + first, bins_.first_row(r + 1) - first));
+  }
+  return simulated;
+}
+
+std::optional<TrainingData::Linearised> TrainingData::Linearise(
+    const ExtendedModel& model, std::span<const InitialState> initial) const {
+  const int num_parameters = NumParameters(model);
+  const int num_columns = num_parameters + num_states() * static_cast<int>(records_.size());
+  Linearised linearised = {Eigen::VectorXd(bins_.size()),
+                           RowMajorMatrix::Zero(bins_.size(), num_columns)};
+  EffectOutputs outputs;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    if (!simulations_[r].RunWithSensitivities(model, initial[r], &outputs)) return std::nullopt;
+    const int first = bins_.first_row(r);
+    const int num_rows = bins_.first_row(r + 1) - first;
+    bins_.Average(r,
+                  outputs.velocity,
+                  outputs.displacement,
+                  std::span(linearised.simulated.data() + first, num_rows));
+    SensitivityMatrix rows(num_rows, EffectSimulation::NumColumns(model));
+    bins_.Average(r, outputs.velocity_sensitivity, outputs.displacement_sensitivity, rows);
+    auto to = linearised.jacobian.middleRows(first, num_rows);
+    to.leftCols(kNumParameters) = rows.leftCols(kNumParameters);
+    const int num_effect_parameters = num_parameters - kNumParameters;
+    to.middleCols(kNumParameters, num_effect_parameters) = rows.rightCols(num_effect_parameters);
+    const int state = num_parameters + num_states() * static_cast<int>(r);
+    to.col(state) = rows.col(EffectSimulation::kInitialVelocityColumn);
+    if (has_displacement_) {
+      to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
+    }
+  }
+  return linearised;
+}
+
+StructureFit FitStructure(const TrainingData& data,
+                          const ExtendedModel& start,
+                          std::span<const InitialState> initial,
+                          const Whitener& whitener) {
+  StructureFit fit;
+  fit.model = start;
+  fit.initial.assign(initial.begin(), initial.end());
+  Unknowns unknowns = Pack(data, start, initial);
+  unknowns.value = unknowns.value.cwiseMax(unknowns.lower).cwiseMin(unknowns.upper);
+  Unpack(data, unknowns.value, &fit.model, &fit.initial);
+  auto at = data.Linearise(fit.model, fit.initial);
+  if (!at) return fit;
+  fit.residual = data.measured() - at->simulated;
+  fit.chi_squared = ChiSquared(whitener, fit.residual);
+  Normal normal = NormalOf(whitener, at->jacobian, fit.residual);
+  double damping = 1e-4;
+  for (int iteration = 0; iteration < kMostIterations && !fit.converged; ++iteration) {
+    const std::vector<int> free = FreeOf(unknowns, normal.g);
+    bool moved = false;
+    while (!moved && !fit.converged && damping < kMostDamping) {
+      const Eigen::VectorXd step = StepOf(normal, free, damping);
+      const Eigen::VectorXd value =
+          (unknowns.value + step).cwiseMax(unknowns.lower).cwiseMin(unknowns.upper);
+      const Eigen::VectorXd way = value - unknowns.value;
+      const double promised = 2.0 * normal.g.dot(way) - way.dot(normal.A * way);
+      if (!(std::abs(promised) > kSmallestGain)) {
+        fit.converged = true;
+        break;
+      }
+      ExtendedModel model = fit.model;
+      std::vector<InitialState> states = fit.initial;
+      Unpack(data, value, &model, &states);
+      const auto simulated = data.Simulate(model, states);
+      const double chi_squared = simulated ? ChiSquared(whitener, data.measured() - *simulated)
+                                           : std::numeric_limits<double>::infinity();
+      if (!(chi_squared < fit.chi_squared)) {
+        damping *= 10.0;
+        continue;
+      }
+      moved = true;
+      const double gained = fit.chi_squared - chi_squared;
+      damping = std::max(1e-9, gained > 0.5 * promised ? 0.1 * damping : damping);
+      unknowns.value = value;
+      fit.model = std::move(model);
+      fit.initial = std::move(states);
+    }
+    if (!moved) {
+      fit.converged = true;  // nowhere lower, as far as the arithmetic can tell
+      break;
+    }
+    at = data.Linearise(fit.model, fit.initial);
+    if (!at) return fit;
+    fit.residual = data.measured() - at->simulated;
+    fit.chi_squared = ChiSquared(whitener, fit.residual);
+    normal = NormalOf(whitener, at->jacobian, fit.residual);
+  }
+  fit.jacobian = std::move(at->jacobian);
+  const std::vector<int> free = FreeOf(unknowns, normal.g);
+  const int num_parameters = NumParameters(fit.model);
+  fit.covariance = CovarianceOf(normal, free, num_parameters);
+  fit.is_on_bound.assign(num_parameters, true);
+  for (const int i : free) {
+    if (i < num_parameters) fit.is_on_bound[i] = false;
+  }
+  fit.log_likelihood = whitener.LogLikelihood(std::span(fit.residual.data(), fit.residual.size()));
+  return fit;
+}
+
+double DampingRate(const TrainingData& data, const UncoupledModel<double>& model) {
+  double sum = 0.0, n = 0.0;
+  for (const Record& record : data.records()) {
+    const Segment segment = SegmentOfRecord(record);
+    for (const double v : segment.velocity) sum += std::abs(v);
+    n += static_cast<double>(segment.velocity.size());
+  }
+  const double rate =
+      (model.linear_damping + 2.0 * model.quadratic_damping * sum / n) / model.inertia;
+  return std::clamp(rate, 1e-3, 5.0);
+}
+
+NoiseModel LearnNoise(const TrainingData& data,
+                      const StructureFit& fit,
+                      const std::optional<NoiseModel>& start) {
+  FitNoiseOptions options;
+  options.damping_rate = DampingRate(data, fit.model.baseline);
+  options.start = start;
+  const NoiseFit learned = FitNoise(data.bins().samples(),
+                                    std::span(fit.residual.data(), fit.residual.size()),
+                                    fit.jacobian,
+                                    options);
+  return learned.model;
+}
+
+NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& residual) {
+  NoiseModel noise;
+  for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
+    std::vector<double> values;
+    for (int i = 0; i < data.bins().size(); ++i) {
+      if (data.bins().samples()[i].channel == channel) values.push_back(residual[i]);
+    }
+    if (values.size() < 3) continue;
+    double sum = 0.0;
+    for (size_t i = 2; i < values.size(); ++i) {
+      const double d = values[i] - 2.0 * values[i - 1] + values[i - 2];
+      sum += d * d;
+    }
+    const double std = std::sqrt(sum / (6.0 * static_cast<double>(values.size() - 2)));
+    (channel == NoiseChannel::kVelocity ? noise.velocity : noise.displacement).white_std =
+        std::max(std, 1e-12);
+  }
+  return noise;
+}
+
+StructureFit FitBaseline(const TrainingData& data,
+                         const ExtendedModel& start,
+                         std::span<const InitialState> initial) {
+  const auto simulated = data.Simulate(start, initial);
+  if (!simulated) return {};
+  const Whitener sensor(SensorNoiseOnly(data, data.measured() - *simulated), data.bins().samples());
+  const StructureFit first = FitStructure(data, start, initial, sensor);
+  if (first.jacobian.size() == 0) return first;
+  return FitStructureAndNoise(data, first.model, first.initial, FirstNoise(data, first));
+}
+
+NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {
+  return LearnNoise(data, fit, std::nullopt);
+}
+
+StructureFit FitStructureAndNoise(const TrainingData& data,
+                                  const ExtendedModel& start,
+                                  std::span<const InitialState> initial,
+                                  const NoiseModel& noise) {
+  NoiseModel current = noise;
+  StructureFit fit;
+  fit.model = start;
+  fit.initial.assign(initial.begin(), initial.end());
+  constexpr int kMostTurns = 5;
+  double previous = -std::numeric_limits<double>::infinity();
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    const Whitener whitener(current, data.bins().samples());
+    fit = FitStructure(data, ExtendedModel(fit.model), std::vector(fit.initial), whitener);
+    if (fit.jacobian.size() == 0) return fit;
+    fit.noise = current;
+    if (fit.log_likelihood < previous + 0.1) break;
+    previous = fit.log_likelihood;
+    current = LearnNoise(data, fit, turn == 0 ? std::nullopt : std::optional(current));
+  }
+  return fit;
+}
+
+}  // namespace fathom
