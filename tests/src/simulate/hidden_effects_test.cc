@@ -311,11 +311,18 @@ TEST(HiddenEffects, ReachAClosedLoopThroughItsMotion) {
       Synthesize(LinearVehicle(), experiment, std::vector{Hidden("thruster_lag", {0.5})}, 1);
   EXPECT_EQ(lagged.command->values[0][0], plain.command->values[0][0]);
   EXPECT_NE(lagged.command->values[0][30], plain.command->values[0][30]);
-  // A command clock that is ahead by three periods: the same motion, the same commands, stamped
-  // 0.3 s later.
+  // A command clock that is ahead by three periods: until the setpoint changes, the same commands
+  // stamped 0.3 s later, and the same motion. (Without ki: its first three calls, before anything
+  // moves, would add up.)
+  experiment.drives[0].pid->ki = 0.0;
+  const Log in_time = Synthesize(LinearVehicle(), experiment, 1);
   const Log ahead =
       Synthesize(LinearVehicle(), experiment, std::vector{Hidden("time_offset", {-0.3})}, 1);
-  EXPECT_EQ(ahead.command->time.size(), plain.command->time.size() + 3);
+  ASSERT_EQ(ahead.command->time.size(), in_time.command->time.size() + 3);
+  for (std::size_t k = 0; k < 50; ++k) {
+    ASSERT_NEAR(ahead.command->values[0][k + 3], in_time.command->values[0][k], 1e-9);
+    ASSERT_NEAR(ahead.velocity->values[0][k], in_time.velocity->values[0][k], 1e-9);
+  }
   const auto late =
       Synthesize(LinearVehicle(), experiment, std::vector{Hidden("time_offset", {0.3})}, 1);
   EXPECT_NE(late.command->values[0][30], plain.command->values[0][30]);
