@@ -18,6 +18,9 @@ namespace {
 
 using Result = NoiseSearch::Result;
 
+// How exactly the log-likelihood is maximised: to compare components, and in the end.
+constexpr double kRough = 2e-3, kExact = 1e-4;
+
 // One call of FitNoise().
 class Fitting {
  public:
@@ -34,7 +37,7 @@ class Fitting {
     white.velocity.white_std = likelihood_.RootMeanSquare(NoiseChannel::kVelocity);
     white.displacement.white_std = likelihood_.RootMeanSquare(NoiseChannel::kDisplacement);
     const NoiseStructure structure = Structure({});
-    Result best = search_.From(structure, structure.Parameters(white));
+    Result best = search_.From(structure, structure.Parameters(white), kExact);
     if (options_.selection == NoiseSelection::kWhite) return best;
     for (;;) {
       std::optional<Result> next;
@@ -42,7 +45,9 @@ class Fitting {
         Result result = Extended(best, component);
         if (!next || result.log_likelihood() > next->log_likelihood()) next = std::move(result);
       }
-      if (!next || !(next->log_likelihood() - best.log_likelihood() > Price())) return best;
+      if (!next || !(next->log_likelihood() - best.log_likelihood() > Price())) {
+        return search_.From(best.structure, best.best.parameters, kExact);
+      }
       best = *std::move(next);
     }
   }
@@ -59,7 +64,7 @@ class Fitting {
     if (start.disturbance.IsPresent()) components.push_back(NoiseComponent::kDisturbance);
     start.damping_rate = options_.damping_rate;
     const NoiseStructure structure = Structure(std::move(components));
-    return search_.From(structure, structure.Parameters(start));
+    return search_.From(structure, structure.Parameters(start), kExact);
   }
 
  private:
@@ -82,26 +87,45 @@ class Fitting {
     return missing;
   }
 
-  // The best fit with one component more; its start is the best of a grid of sizes and times.
+  // The best fit with one component more. The one let in last had to stand in for both: its time
+  // lies between theirs. So there are two searches, with its time kept and much shorter, each from
+  // the best of a grid of the new one's size and time.
   Result Extended(const Result& result, NoiseComponent component) {
     std::vector<NoiseComponent> components = result.structure.components();
+    // Only the disturbance shares a channel with the others.
+    const bool may_stand_in =
+        !components.empty() && (component == NoiseComponent::kDisturbance ||
+                                components.back() == NoiseComponent::kDisturbance);
     components.push_back(component);
     const NoiseStructure structure = Structure(std::move(components));
+    std::optional<Result> best;
+    for (const bool is_shorter : {false, true}) {
+      if (is_shorter && !may_stand_in) break;
+      Eigen::VectorXd parameters = result.best.parameters;
+      if (is_shorter) parameters.tail(2) -= Eigen::Vector2d(0.7, 2.0);  // logarithms: size, time
+      Result next = search_.From(structure, BestOfGrid(structure, parameters), kRough);
+      if (!best || next.log_likelihood() > best->log_likelihood()) best = std::move(next);
+    }
+    return *std::move(best);
+  }
+
+  // The likeliest of several sizes and times of the last component, the rest as given.
+  Eigen::VectorXd BestOfGrid(const NoiseStructure& structure, const Eigen::VectorXd& rest) {
     const Eigen::Index m = structure.num_parameters();
     const double shortest = structure.lower()[m - 1], longest = structure.upper()[m - 1];
-    std::optional<NoiseSearch::Point> start;
-    for (const double ratio : {0.2, 0.6, 2.0}) {
+    std::optional<NoiseSearch::Point> best;
+    for (const double ratio : {0.25, 1.0}) {
       for (const double share : {0.15, 0.4, 0.65, 0.9}) {
         Eigen::VectorXd parameters(m);
-        parameters << result.best.parameters, std::log(ratio),
-            shortest + share * (longest - shortest);
+        parameters << rest, std::log(ratio), shortest + share * (longest - shortest);
+        parameters = parameters.cwiseMax(structure.lower()).cwiseMin(structure.upper());
         NoiseSearch::Point point = search_.At(structure, std::move(parameters));
-        if (!start || point.value.log_likelihood > start->value.log_likelihood) {
-          start = std::move(point);
+        if (!best || point.value.log_likelihood > best->value.log_likelihood) {
+          best = std::move(point);
         }
       }
     }
-    return search_.From(structure, start->parameters);
+    return best->parameters;
   }
 
   // What a component must add to the log-likelihood to be let in: half of what the criterion asks

@@ -17,7 +17,7 @@
 namespace fathom {
 
 // How it is decided which of coloured velocity noise, coloured displacement noise and disturbance
-// there are, beside white noise.
+// there are, beside white noise. docs/residual_noise.md has the false alarms of each.
 enum class NoiseSelection {
   kAic,    // each two parameters must raise the log-likelihood by 2
   kBic,    // by log n
@@ -26,7 +26,7 @@ enum class NoiseSelection {
 };
 
 struct FitNoiseOptions {
-  NoiseSelection selection = NoiseSelection::kAic;
+  NoiseSelection selection = NoiseSelection::kAll;
 
   // Which components may be there at all.
   bool allow_coloured = true;

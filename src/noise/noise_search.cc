@@ -12,10 +12,8 @@
 namespace fathom {
 namespace {
 
-constexpr int kMaxIterations = 40;
-// A search ends where the next step would raise the log-likelihood by less.
-constexpr double kWorthwhile = 1e-4;
-// So many steps in a row that raise it by less also end a search.
+constexpr int kMaxIterations = 100;
+// So many steps in a row that raise the log-likelihood by less than is worthwhile end a search.
 constexpr int kPatience = 3;
 // Longest step in the logarithm of a parameter.
 constexpr double kLongestStep = 2.0;
@@ -64,7 +62,8 @@ NoiseSearch::Point NoiseSearch::At(const NoiseStructure& structure, Eigen::Vecto
 }
 
 NoiseSearch::Result NoiseSearch::From(const NoiseStructure& structure,
-                                      const Eigen::VectorXd& start) {
+                                      const Eigen::VectorXd& start,
+                                      double worthwhile) {
   Result search{structure, At(structure, start)};
   const Eigen::Index m = structure.num_parameters();
   search.converged = m == 0;
@@ -80,15 +79,16 @@ NoiseSearch::Result NoiseSearch::From(const NoiseStructure& structure,
     const Eigen::VectorXd step = Step(structure, x, gradient, curvature, damping);
     Point next = At(structure, (x + step).cwiseMax(structure.lower()).cwiseMin(structure.upper()));
     const double gain = next.value.log_likelihood - search.best.value.log_likelihood;
-    search.converged = !(0.5 * gradient.dot(step) > kWorthwhile);
+    const double promise = 0.5 * gradient.dot(step);
+    search.converged = !(promise > worthwhile);
     if (!(gain > 0.0)) {
-      damping = std::max(10.0 * damping, 0.1);
+      damping = std::max(5.0 * damping, 0.05);
       continue;
     }
     search.best = std::move(next);
-    num_idle = gain > kWorthwhile ? 0 : num_idle + 1;
+    num_idle = gain > worthwhile ? 0 : num_idle + 1;
     if (num_idle == kPatience) search.converged = true;
-    damping = std::max(1e-6, 0.1 * damping);
+    if (gain > 0.5 * promise) damping = std::max(1e-6, 0.3 * damping);
     if (search.converged) break;
     const Eigen::VectorXd before = gradient;
     Differentiate(structure, search.best, &gradient, nullptr);

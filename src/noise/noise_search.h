@@ -34,8 +34,9 @@ class NoiseSearch {
   Point At(const NoiseStructure& structure, Eigen::VectorXd parameters);
 
   // The maximum uphill of `start`, which is within the bounds: from Fisher's information as the
-  // first guess of the curvature, BFGS with Levenberg's damping; docs/residual_noise.md (12).
-  Result From(const NoiseStructure& structure, const Eigen::VectorXd& start);
+  // first guess of the curvature, BFGS with Levenberg's damping; docs/residual_noise.md (12). It
+  // ends where a step would raise the log-likelihood by less than `worthwhile`.
+  Result From(const NoiseStructure& structure, const Eigen::VectorXd& start, double worthwhile);
 
  private:
   // Gradient of the log-likelihood and, where asked for, its expected negative curvature, the

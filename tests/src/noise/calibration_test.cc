@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "dense_covariance.h"
+#include "null_noises.h"
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
@@ -65,11 +66,16 @@ Signatures MakeSignatures(const std::vector<NoiseSample>& samples) {
   return s;
 }
 
-// z-scores of the columns, each tested by itself after the design, by generalised least squares.
-Eigen::VectorXd Scores(const NoiseModel& model,
-                       const std::vector<NoiseSample>& samples,
-                       const Signatures& signatures,
-                       const Eigen::VectorXd& e) {
+// Each column tested by itself after the design, by generalised least squares.
+struct ScoredColumns {
+  std::array<double, 4> z;
+  std::array<double, 4> sharpness;  // expected z of an effect of size 1
+};
+
+ScoredColumns Score(const NoiseModel& model,
+                    const std::vector<NoiseSample>& samples,
+                    const Signatures& signatures,
+                    const Eigen::VectorXd& e) {
   RowMajorMatrix all(e.size(), 10);
   all << signatures.design, signatures.columns, e;
   Whitener(model, samples).Apply(all, all);
@@ -77,38 +83,12 @@ Eigen::VectorXd Scores(const NoiseModel& model,
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(D);
   const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(e.size(), 5);
   const Eigen::MatrixXd rest = all.rightCols(5) - Q * (Q.transpose() * all.rightCols(5));
-  Eigen::VectorXd z(4);
-  for (int k = 0; k < 4; ++k) z[k] = rest.col(k).dot(rest.col(4)) / rest.col(k).norm();
-  return z;
-}
-
-struct Noise {
-  std::string name;
-  NoiseModel model;
-};
-
-std::vector<Noise> Noises(bool all) {
-  std::vector<Noise> noises;
-  NoiseModel model;
-  model.velocity.white_std = 0.02;
-  noises.push_back({"white", model});
-  // AR(1) 0.9 at 10 Hz.
-  model.velocity = {.white_std = 1e-6, .coloured = {.std = 0.02, .time = -0.1 / std::log(0.9)}};
-  noises.push_back({"AR(1) 0.9", model});
-  for (const double ratio : {0.1, 0.3, 1.0, 2.0}) {
-    for (const double tau : {1.0, 3.0, 10.001, 30.0}) {
-      if (!all && (ratio == 0.1 || ratio == 2.0 || tau == 3.0)) continue;
-      NoiseModel disturbed;
-      disturbed.velocity.white_std = 0.02;
-      disturbed.damping_rate = 0.1;
-      disturbed.disturbance = {.std = 1.0, .time = tau};
-      disturbed.disturbance.std = ratio * 0.02 / disturbed.DisturbedVelocityStd();
-      char name[64];
-      std::snprintf(name, sizeof(name), "%.1f, tau %.0f s", ratio, tau);
-      noises.push_back({name, disturbed});
-    }
+  ScoredColumns scored;
+  for (int c = 0; c < 4; ++c) {
+    scored.sharpness[c] = rest.col(c).norm();
+    scored.z[c] = rest.col(c).dot(rest.col(4)) / scored.sharpness[c];
   }
-  return noises;
+  return scored;
 }
 
 struct Variant {
@@ -118,75 +98,146 @@ struct Variant {
   bool is_oracle = false;
 };
 
-void PrintTable(const std::vector<Variant>& variants, int num_draws, bool all) {
-  const auto samples = VelocitySamples(kDuration, kStep);
-  const Signatures signatures = MakeSignatures(samples);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(signatures.design);
-  std::vector<double> seconds(variants.size());
-  std::vector<std::array<int, 4>> totals(variants.size());
-  int num_logs = 0;
-  for (const Noise& noise : Noises(all)) {
-    DenseDraws draws(noise.model, samples, 4321 + static_cast<unsigned>(num_logs));
-    std::vector<std::array<int, 4>> hits(variants.size());
-    std::vector<std::array<double, 4>> squares(variants.size());
-    for (int draw = 0; draw < num_draws; ++draw) {
-      const Eigen::VectorXd e = draws.Draw();
-      Eigen::VectorXd projected = qr.solve(e);
-      projected = e - signatures.design * projected;
-      for (size_t k = 0; k < variants.size(); ++k) {
-        FitNoiseOptions options;
-        options.selection = variants[k].selection;
-        NoiseModel model = noise.model;
-        if (!variants[k].is_oracle) {
-          const auto start = std::chrono::steady_clock::now();
-          const NoiseFit fit = FitNoise(
-              samples,
-              Span(projected),
-              variants[k].restricted ? signatures.design : RowMajorMatrix(samples.size(), 0),
-              options);
-          seconds[k] +=
-              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-          EXPECT_TRUE(fit.IsUsable()) << noise.name << " " << draw << " " << fit.message;
-          model = fit.model;
-        }
-        const Eigen::VectorXd z = Scores(model, samples, signatures, projected);
-        for (int c = 0; c < 4; ++c) {
-          hits[k][c] += std::abs(z[c]) > 1.96;
-          squares[k][c] += z[c] * z[c];
-        }
-      }
+// How the z-scores of one variant fared.
+struct Tally {
+  double num_scores = 0.0, beyond_196 = 0.0, beyond_3 = 0.0;
+  std::array<double, 4> beyond_196_of_column = {};
+  double sharpness = 0.0;  // sum of the expected z of a unit effect, relative to that of the truth
+
+  void Add(const ScoredColumns& scored, const ScoredColumns& oracle) {
+    for (int c = 0; c < 4; ++c) {
+      num_scores += 1.0;
+      beyond_196 += std::abs(scored.z[c]) > 1.96;
+      beyond_196_of_column[c] += std::abs(scored.z[c]) > 1.96;
+      beyond_3 += std::abs(scored.z[c]) > 3.0;
+      sharpness += scored.sharpness[c] / oracle.sharpness[c];
     }
-    num_logs += num_draws;
-    for (size_t k = 0; k < variants.size(); ++k) {
-      std::printf("| %-13s | %-12s |", noise.name.c_str(), variants[k].name);
-      for (int c = 0; c < 4; ++c) {
-        totals[k][c] += hits[k][c];
-        std::printf(" %4.1f (%.2f) |",
-                    100.0 * hits[k][c] / num_draws,
-                    std::sqrt(squares[k][c] / num_draws));
-      }
-      std::printf("\n");
+  }
+};
+
+struct Tallies {
+  std::vector<Tally> of_variant;
+  double num_unusable = 0.0;
+  std::vector<double> seconds;
+
+  void Print(const char* name) const {
+    std::printf("| %-13s |", name);
+    for (const Tally& tally : of_variant) {
+      const double n = tally.num_scores / 100.0;
+      std::printf(" %4.1f  %4.2f |", tally.beyond_196 / n, tally.beyond_3 / n);
     }
+    std::printf("\n");
     std::fflush(stdout);
   }
-  for (size_t k = 0; k < variants.size(); ++k) {
-    std::printf("| %-13s | %-12s |", "all", variants[k].name);
-    for (int c = 0; c < 4; ++c) std::printf(" %4.1f        |", 100.0 * totals[k][c] / num_logs);
-    std::printf(" %.1f ms per fit\n", 1e3 * seconds[k] / num_logs);
+
+  void Add(const Tallies& other) {
+    for (size_t k = 0; k < of_variant.size(); ++k) {
+      Tally& sum = of_variant[k];
+      const Tally& tally = other.of_variant[k];
+      sum.num_scores += tally.num_scores;
+      sum.beyond_196 += tally.beyond_196;
+      sum.beyond_3 += tally.beyond_3;
+      sum.sharpness += tally.sharpness;
+      for (int c = 0; c < 4; ++c) sum.beyond_196_of_column[c] += tally.beyond_196_of_column[c];
+      seconds[k] += other.seconds[k];
+    }
+    num_unusable += other.num_unusable;
   }
+};
+
+Tallies ScoreDraws(const NullNoise& noise,
+                   const std::vector<NoiseSample>& samples,
+                   const std::vector<Variant>& variants,
+                   int num_draws,
+                   unsigned seed) {
+  const Signatures signatures = MakeSignatures(samples);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(signatures.design);
+  DenseDraws draws(noise.model, samples, seed);
+  Tallies tallies{std::vector<Tally>(variants.size()), 0.0, std::vector<double>(variants.size())};
+  for (int draw = 0; draw < num_draws; ++draw) {
+    Eigen::VectorXd e = draws.Draw();
+    e -= signatures.design * qr.solve(e);
+    const ScoredColumns oracle = Score(noise.model, samples, signatures, e);
+    for (size_t k = 0; k < variants.size(); ++k) {
+      if (variants[k].is_oracle) {
+        tallies.of_variant[k].Add(oracle, oracle);
+        continue;
+      }
+      FitNoiseOptions options;
+      options.selection = variants[k].selection;
+      RowMajorMatrix design(e.size(), 0);
+      if (variants[k].restricted) design = signatures.design;
+      const auto start = std::chrono::steady_clock::now();
+      const NoiseFit fit = FitNoise(samples, Span(e), design, options);
+      const auto end = std::chrono::steady_clock::now();
+      tallies.seconds[k] += std::chrono::duration<double>(end - start).count();
+      tallies.num_unusable += !fit.IsUsable();
+      tallies.of_variant[k].Add(Score(fit.model, samples, signatures, e), oracle);
+    }
+  }
+  return tallies;
 }
 
-TEST(Calibration, Table) {
+TEST(Calibration, FalseAlarmsAreAsManyAsPromised) {
+  const auto samples = VelocitySamples(kDuration, kStep);
+  const std::vector<Variant> variants = {{"default", true, FitNoiseOptions().selection},
+                                         {"white", false, NoiseSelection::kWhite}};
+  Tallies sum{std::vector<Tally>(2), 0.0, std::vector<double>(2)};
+  const std::vector<NullNoise> noises = NullNoises();
+  for (const unsigned kind : {0u, 1u, 6u, 9u, 12u}) {
+    const Tallies tallies = ScoreDraws(noises[kind], samples, variants, 25, 100u + kind);
+    tallies.Print(noises[kind].name.c_str());
+    sum.Add(tallies);
+  }
+  sum.Print("all");
+  EXPECT_EQ(sum.num_unusable, 0.0);
+  // 500 scores, of which the four of a log may be correlated: as good as 250 at the least, whose
+  // shares have standard deviations of 1.4 % and 0.33 %; three of these.
+  EXPECT_NEAR(sum.of_variant[0].beyond_196 / 500.0, 0.05, 0.042);
+  EXPECT_LT(sum.of_variant[0].beyond_3 / 500.0, 0.0027 + 3.0 * 0.0033);
+  // What comes of the assumption that residuals are white.
+  EXPECT_GT(sum.of_variant[1].beyond_196 / 500.0, 0.2);
+}
+
+TEST(Calibration, TableOfAllVariants) {
   const char* draws = std::getenv("FATHOM_NOISE_DRAWS");
-  PrintTable({{"oracle", true, NoiseSelection::kAic, true},
-              {"ML white", false, NoiseSelection::kWhite},
-              {"ML AIC", false, NoiseSelection::kAic},
-              {"ML all", false, NoiseSelection::kAll},
-              {"REML AIC", true, NoiseSelection::kAic},
-              {"REML BIC", true, NoiseSelection::kBic},
-              {"REML all", true, NoiseSelection::kAll}},
-             draws != nullptr ? std::atoi(draws) : 10,
-             draws != nullptr);
+  if (draws == nullptr) GTEST_SKIP() << "FATHOM_NOISE_DRAWS is not set.";
+  const auto samples = VelocitySamples(kDuration, kStep);
+  const std::vector<Variant> variants = {{"truth", true, NoiseSelection::kAic, true},
+                                         {"ML white", false, NoiseSelection::kWhite},
+                                         {"ML BIC", false, NoiseSelection::kBic},
+                                         {"ML AIC", false, NoiseSelection::kAic},
+                                         {"ML all", false, NoiseSelection::kAll},
+                                         {"REML BIC", true, NoiseSelection::kBic},
+                                         {"REML AIC", true, NoiseSelection::kAic},
+                                         {"REML all", true, NoiseSelection::kAll}};
+  const size_t num_variants = variants.size();
+  std::printf("| %-13s |", "");
+  for (const Variant& variant : variants) std::printf(" %-10s |", variant.name);
+  std::printf("\n");
+  Tallies sum{std::vector<Tally>(num_variants), 0.0, std::vector<double>(num_variants)};
+  unsigned seed = 1;
+  double num_logs = 0.0;
+  for (const NullNoise& noise : NullNoises()) {
+    const Tallies tallies = ScoreDraws(noise, samples, variants, std::atoi(draws), seed++);
+    tallies.Print(noise.name.c_str());
+    sum.Add(tallies);
+    num_logs += std::atof(draws);
+  }
+  sum.Print("all");
+  const auto print = [&](const char* name, const auto& value) {
+    std::printf("| %-13s |", name);
+    for (size_t k = 0; k < num_variants; ++k) std::printf(" %10.2f |", value(k));
+    std::printf("\n");
+  };
+  for (size_t c = 0; c < 4; ++c) {
+    print(kColumns[c],
+          [&](size_t k) { return 100.0 * sum.of_variant[k].beyond_196_of_column[c] / num_logs; });
+  }
+  print("sharpness",
+        [&](size_t k) { return sum.of_variant[k].sharpness / sum.of_variant[k].num_scores; });
+  print("ms per fit", [&](size_t k) { return 1e3 * sum.seconds[k] / num_logs; });
+  std::printf("not converged: %.0f\n", sum.num_unusable);
 }
 
 }  // namespace
