@@ -87,7 +87,7 @@ MissingForce FindMissingForce(const TrainingData& data,
       missing.velocity.push_back(run.velocity[i]);
       missing.displacement.push_back(run.displacement[i]);
       for (size_t k = 0; k < partners.size(); ++k) {
-        missing.partner_velocities[k].push_back(signals[k].At(t, t).velocity);
+        missing.partner_velocities[k].push_back(signals[k].At(t, t, t).velocity);
       }
     }
   }

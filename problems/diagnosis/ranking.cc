@@ -34,18 +34,18 @@ const Hypothesis* Find(const SearchResult& search, const std::vector<int>& suspe
   return nullptr;
 }
 
-std::string WhyOf(const Candidate& candidate, const SearchResult& search, bool is_rival) {
+std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival) {
   if (candidate.is_kept) {
     return fmt::format(
-        "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, search.threshold);
+        "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, threshold);
   }
   if (is_rival) return "cannot be told from a kept cause on these logs";
   if (std::isnan(candidate.gain)) {
     return fmt::format("dropped: the screen finds no more than noise ({:.1f})", candidate.score);
   }
-  if (candidate.gain < search.threshold) {
+  if (candidate.gain < threshold) {
     return fmt::format(
-        "dropped: gains {:.1f}, noise alone would reach {:.1f}", candidate.gain, search.threshold);
+        "dropped: gains {:.1f}, noise alone would reach {:.1f}", candidate.gain, threshold);
   }
   return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
 }
@@ -76,10 +76,10 @@ std::vector<Cause> CausesOf(const TrainingData& /*data*/,
     if (const Hypothesis* without = Find(search, others)) {
       const double own_gain = best.gain - without->gain;
       cause.delta_bic = best.delta_bic - without->delta_bic;
-      cause.p_value = FamilyWisePValue(own_gain, search.num_independent);
+      cause.p_value = search.significance.FamilyWisePValue(suspect, own_gain);
     } else {
       cause.delta_bic = best.delta_bic;
-      cause.p_value = FamilyWisePValue(best.gain, search.num_independent);
+      cause.p_value = search.significance.FamilyWisePValue(suspect, best.gain);
     }
     std::vector<Suspect> rivals;
     for (const int index : search.rivals) {
@@ -124,9 +124,9 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
       }
     }
     const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
-    candidate.p_value = FamilyWisePValue(gain, search.num_independent);
+    candidate.p_value = search.significance.FamilyWisePValue(index, gain);
     candidate.is_kept = std::count(best.suspects.begin(), best.suspects.end(), index) > 0;
-    candidate.why = WhyOf(candidate, search, is_rival[k]);
+    candidate.why = WhyOf(candidate, search.significance.Threshold(index), is_rival[k]);
     candidates.push_back(std::move(candidate));
   }
   const auto worth = [](const Candidate& candidate) {

@@ -153,7 +153,7 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
     }
     Instant<double> now;
     now.time = point.time - time_zero;
-    if (!partner.empty()) now.partner = partner.At(point.time, point.time);
+    if (!partner.empty()) now.partner = partner.At(point.time, point.time, point.time);
     const WaterState<double> water = {point.velocity,
                                       point.velocity,
                                       point.position,
@@ -274,10 +274,10 @@ double Screen::PairScore(int a, int b) const {
   return solved.allFinite() ? projected.dot(solved) : 0.0;
 }
 
-std::vector<double> Screen::NullMaxima(int num_draws, std::uint64_t seed) const {
+Eigen::MatrixXd Screen::NullMaxima(int num_draws, int num_suspects, std::uint64_t seed) const {
   RandomStream random(seed, "diagnosis.null");
   const Eigen::Index n = unit_.rows();
-  std::vector<double> maxima;
+  Eigen::MatrixXd maxima = Eigen::MatrixXd::Zero(num_draws, num_suspects);
   constexpr int kBlock = 64;
   for (int done = 0; done < num_draws; done += kBlock) {
     const int count = std::min(kBlock, num_draws - done);
@@ -285,17 +285,15 @@ std::vector<double> Screen::NullMaxima(int num_draws, std::uint64_t seed) const 
     for (double& number : noise.reshaped()) number = random.Normal();
     const Eigen::MatrixXd z = unit_.transpose() * noise;
     for (int draw = 0; draw < count; ++draw) {
-      double most = 0.0;
       for (const Trial& trial : trials_->trials) {
         const auto own = z.col(draw).segment(trial.first_column, trial.num_columns);
         // Half of the one-sided trials would have the wrong sign.
         if (!trial.any_sign && trial.num_columns == 1 && own[0] <= 0.0) continue;
+        double& most = maxima(done + draw, trial.suspect);
         most = std::max(most, own.squaredNorm());
       }
-      maxima.push_back(most);
     }
   }
-  std::sort(maxima.begin(), maxima.end());
   return maxima;
 }
 

@@ -59,8 +59,9 @@ class Screen {
   // Score of two trials taken together.
   double PairScore(int a, int b) const;
 
-  // Draws of the greatest score where nothing is missing: `num_draws` values, ascending.
-  std::vector<double> NullMaxima(int num_draws, std::uint64_t seed) const;
+  // Draws of each suspect's greatest score where nothing is missing: a row per draw, a column per
+  // suspect.
+  Eigen::MatrixXd NullMaxima(int num_draws, int num_suspects, std::uint64_t seed) const;
 
  private:
   const Trials* trials_;

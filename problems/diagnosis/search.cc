@@ -32,7 +32,7 @@ class Searcher {
            const std::vector<Suspect>& suspects,
            const DiagnosisOptions& options)
       : data_(data), suspects_(suspects), options_(options) {
-    num_data_ = std::log(static_cast<double>(data.bins().size()));
+    log_num_data_ = std::log(static_cast<double>(data.bins().size()));
     result_.tried.push_back({{}, baseline, 0.0, 0.0});
     known_[{}] = 0;
     result_.scores.assign(suspects.size(), 0.0);
@@ -64,10 +64,16 @@ class Searcher {
   }
 
  private:
-  // Gain less what noise would reach with as many causes.
+  // Gain less what noise would reach with the same causes.
   double Worth(int index) const {
     const Hypothesis& hypothesis = result_.tried[index];
-    return hypothesis.gain - result_.threshold * static_cast<double>(hypothesis.suspects.size());
+    return hypothesis.gain - Threshold(hypothesis.suspects);
+  }
+
+  double Threshold(const std::vector<int>& suspects) const {
+    double sum = 0.0;
+    for (const int suspect : suspects) sum += result_.significance.Threshold(suspect);
+    return sum;
   }
 
   // Hypotheses with one suspect more, refitted where the screen gives hope.
@@ -99,7 +105,7 @@ class Searcher {
     if (trials_.trials.empty()) return scores;
     const Whitener own(base.fit.noise, data_.bins().samples());
     const Screen screen(base.fit, &trials_, own);
-    if (base.suspects.empty()) Calibrate(screen);
+    if (!is_calibrated_) Calibrate(screen);
     const Whitener sensor(SensorNoiseOnly(data_, base.fit.residual), data_.bins().samples());
     const Screen sharp(base.fit, &trials_, sensor);
     const double sharpest = *std::max_element(sharp.scores().begin(), sharp.scores().end());
@@ -125,14 +131,13 @@ class Searcher {
   }
 
   void Calibrate(const Screen& screen) {
-    const std::vector<double> maxima = screen.NullMaxima(kNullDraws, options_.seed);
-    const double place = (1.0 - options_.false_alarm_rate) * (kNullDraws - 1);
-    const double quantile = maxima[static_cast<size_t>(std::ceil(place))];
-    // The median tells how many independent tests the trials amount to.
-    const double median = maxima[maxima.size() / 2];
-    const double single = std::erfc(std::sqrt(0.5 * median));
-    result_.num_independent = std::max(1.0, std::log(0.5) / std::log1p(-std::min(0.5, single)));
-    result_.threshold = quantile;
+    std::vector<int> num_amounts(suspects_.size(), 1);
+    for (const Trial& trial : trials_.trials) num_amounts[trial.suspect] = trial.num_columns;
+    const int num_suspects = static_cast<int>(suspects_.size());
+    result_.significance = Significance(screen.NullMaxima(kNullDraws, num_suspects, options_.seed),
+                                        std::move(num_amounts),
+                                        options_.false_alarm_rate);
+    is_calibrated_ = true;
   }
 
   // A start for the refit: a trial and its amounts by the screen.
@@ -213,7 +218,7 @@ class Searcher {
     const Hypothesis& baseline = result_.tried[0];
     hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
     hypothesis.delta_bic =
-        hypothesis.gain - num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));
+        hypothesis.gain - log_num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));
     const int index = static_cast<int>(result_.tried.size());
     known_[suspects] = index;
     result_.tried.push_back(std::move(hypothesis));
@@ -225,6 +230,7 @@ class Searcher {
   std::vector<int> Pairs() {
     const Hypothesis base = result_.tried[0];
     ScreenAbout(base);
+    if (trials_.trials.empty()) return {};
     int best_single = 0;
     for (size_t i = 1; i < result_.tried.size(); ++i) {
       if (result_.tried[i].suspects.size() == 1 &&
@@ -267,7 +273,7 @@ class Searcher {
     constexpr size_t kMostPairs = 4;
     for (size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i) {
       const Pair& pair = pairs[i];
-      if (pair.score < 2.0 * result_.threshold) break;
+      if (pair.score < Threshold({pair.a, pair.b})) continue;
       const auto effect = [&](int suspect, int trial) {
         const Trial& at = trials_.trials[trial];
         return ActiveEffect{suspects_[suspect].effect, suspects_[suspect].setting, at.values};
@@ -394,7 +400,8 @@ class Searcher {
   const TrainingData& data_;
   const std::vector<Suspect>& suspects_;
   const DiagnosisOptions& options_;
-  double num_data_ = 1.0;  // log of the number of bins
+  double log_num_data_ = 1.0;  // of bins
+  bool is_calibrated_ = false;
   SearchResult result_;
   std::map<std::vector<int>, int> known_;  // index into result_.tried
 
@@ -410,11 +417,6 @@ SearchResult SearchCauses(const TrainingData& data,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& options) {
   return Searcher(data, baseline, suspects, options).Run();
-}
-
-double FamilyWisePValue(double gain, double num_independent) {
-  const double single = std::erfc(std::sqrt(0.5 * std::max(0.0, gain)));
-  return -std::expm1(num_independent * std::log1p(-std::min(single, 1.0 - 1e-16)));
 }
 
 }  // namespace fathom

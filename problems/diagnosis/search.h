@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/screen.h"
+#include "fathom/diagnosis/significance.h"
 #include "fathom/diagnosis/structure_fit.h"
 
 #include <vector>
@@ -32,8 +33,7 @@ struct SearchResult {
   // suspects replaced.
   std::vector<int> rivals;
 
-  double threshold = 0.0;        // gain per cause that noise alone reaches at the false alarm rate
-  double num_independent = 1.0;  // tests that the many trials amount to
+  Significance significance;  // of what a suspect gains
 
   // Per suspect: the best score of the linear screens about the baseline.
   std::vector<double> scores;
@@ -45,9 +45,5 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& options);
-
-// Probability that the greatest of `num_independent` chi squared numbers of one degree of freedom
-// exceeds `gain`.
-double FamilyWisePValue(double gain, double num_independent);
 
 }  // namespace fathom

@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <glog/logging.h>
-
 // The integration behind EffectSimulation, for one scalar. Not for other includers.
 
 namespace fathom {
@@ -44,13 +42,13 @@ class EffectRun {
  public:
   EffectRun(const EffectInputs& inputs, ScalarModel<T> model, const OutputStamps& stamps)
       : inputs_(inputs), model_(std::move(model)), stamps_(stamps) {
-    CHECK_LE(model_.effects.size(), kMostEffects);
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
       const EffectHooks& has = effect.laws->has;
       if (has.delay) delay_ = delay_ + effect.law->Delay(effect.parameters.data());
       if (has.pose_delay) pose_delay_ = effect.law->PoseDelay(effect.parameters.data());
       acts_on_water_ = acts_on_water_ || has.resistance || has.relative_speed;
+      follows_force_ = follows_force_ || has.follow;
       follows_reading_ = follows_reading_ || has.follow_reading;
       moves_stamps_ = moves_stamps_ || has.delay || has.pose_delay;
       if (effect.has_partner) partners_[k] = PartnerSignals(inputs, effect.setting);
@@ -96,7 +94,7 @@ class EffectRun {
   }
 
  private:
-  static constexpr size_t kMostEffects = 6;
+  static constexpr size_t kMostEffects = EffectSimulation::kMostEffects;
   static constexpr double kLongestStep = 0.1;    // [s]
   static constexpr double kShortestStep = 1e-4;  // [s]
   static constexpr double kLargestSpeed = 1e6;   // [m/s] or [rad/s]; beyond, it has diverged
@@ -121,12 +119,14 @@ class EffectRun {
   Instant<T> AtTime(size_t k, const T& t) {
     Instant<T> now;
     now.time = t - time_zero_;
-    if (!partners_[k].empty()) now.partner = partners_[k].At(t, Value(t));
+    if (!partners_[k].empty()) now.partner = partners_[k].At(t, Value(t), held_time_);
     return now;
   }
 
+  using ThrusterStates = std::array<T, kMostEffects>;
+
   // The mean force of a step in which `command` is held; moves the thrusters' states on.
-  T MeanForce(double command, const T& begin, const T& duration) {
+  T MeanForce(double command, const T& begin, const T& duration, ThrusterStates* thrust) {
     T force(command);
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
@@ -135,7 +135,7 @@ class EffectRun {
       if (has.thrust) {
         force = effect.law->Thrust(p, effect.setting, force, At(k, T(begin + 0.5 * duration)));
       }
-      if (has.follow) force = effect.law->Follow(p, force, duration, &thrust_[k]);
+      if (has.follow) force = effect.law->Follow(p, force, duration, &(*thrust)[k]);
     }
     return force;
   }
@@ -150,10 +150,11 @@ class EffectRun {
     for (T& state : thrust_) state = T(0.0);
     // Long enough for any thruster to have reached what was commanded before.
     constexpr double kForEver = 1e6;
-    if (first < next_edge) MeanForce(command_before, T(edges[first]), T(kForEver));
+    if (first < next_edge) MeanForce(command_before, T(edges[first]), T(kForEver), &thrust_);
     for (size_t i = first; i < next_edge; ++i) {
       const double end = i + 1 < next_edge ? edges[i + 1] : start;
-      if (end > edges[i]) MeanForce(inputs_.command.value[i], T(edges[i]), T(end - edges[i]));
+      if (end > edges[i])
+        MeanForce(inputs_.command.value[i], T(edges[i]), T(end - edges[i]), &thrust_);
     }
   }
 
@@ -214,7 +215,10 @@ class EffectRun {
   // One step of the classical scheme; keeps both ends for the outputs in between.
   template <typename H>
   bool Step(double command, const T& begin, const H& h) {
-    force_ = MeanForce(command, begin, T(h));
+    held_time_ = Value(begin) + 0.5 * Value(T(h)) + Value(delay_);
+    thrust_before_ = thrust_;
+    command_ = command;
+    force_ = MeanForce(command, begin, T(h), &thrust_);
     before_ = state_;
     const T middle = begin + 0.5 * h;
     const State k1 = Slope(before_, force_, begin);
@@ -294,9 +298,15 @@ class EffectRun {
                        ? at(T((t - delay_ - begin) / duration))
                        : at((t - shift - Value(begin)) / Value(duration));
       }
+      const T since = t - delay_ - begin;
+      if (follows_force_ && Value(since) > 1e-9) {
+        // A force with a memory is not even over the step: its own impulse so far.
+        ThrusterStates thrust = thrust_before_;
+        const T mean_so_far = MeanForce(command_, begin, since, &thrust);
+        velocity = velocity + (mean_so_far - force_) * since / model_.baseline.inertia;
+      }
       T reading = Reading(velocity, T(t));
       if (follows_reading_) {
-        const T since = t - delay_ - begin;
         if (Value(since) > 1e-9) {
           T shown = shown_;
           Show(reading, since, &shown);
@@ -368,15 +378,18 @@ class EffectRun {
   T delay_{0.0};            // of the command [s]
   T pose_delay_{0.0};       // of the poses' stamps [s]
   bool acts_on_water_ = false;
+  bool follows_force_ = false;
   bool follows_reading_ = false;
   bool moves_stamps_ = false;
 
-  State state_, before_;                // at both ends of the present step
-  T slope_before_{0.0};                 // of the velocity
-  T force_{0.0};                        // mean over the step
-  std::array<T, kMostEffects> thrust_;  // the thrusters' states
-  T reading_{0.0};                      // of the velocity at the step's begin, before any lag
-  T shown_{0.0};                        // what the lagging sensor shows there
+  State state_, before_;                   // at both ends of the present step
+  T slope_before_{0.0};                    // of the velocity
+  double command_ = 0.0;                   // held over the present step [N] or [N m]
+  double held_time_ = 0.0;                 // middle of the present step, in log time [s]
+  T force_{0.0};                           // mean over the step
+  ThrusterStates thrust_, thrust_before_;  // at both ends of the present step
+  T reading_{0.0};                         // of the velocity at the step's begin, before any lag
+  T shown_{0.0};                           // what the lagging sensor shows there
 };
 
 }  // namespace fathom

@@ -55,6 +55,7 @@ bool RunIn(const EffectInputs& inputs,
            const ExtendedModel& model,
            const InitialState& initial,
            EffectOutputs* outputs) {
+  CHECK_LE(model.effects.size(), EffectSimulation::kMostEffects);
   outputs->velocity.resize(stamps.velocity.size());
   outputs->displacement.resize(stamps.displacement.size());
   if constexpr (!std::is_same_v<T, double>) {

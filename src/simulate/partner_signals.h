@@ -22,14 +22,15 @@ class PartnerSignals {
 
   bool empty() const { return velocity_ == nullptr; }
 
-  // `t` in log time [s], with `plain_t` its plain value.
+  // `t` in log time [s], with `plain_t` its plain value. The partner's command is the one held at
+  // `held_t`, so that one step sees one command.
   template <typename T>
-  PartnerReading<T> At(const T& t, double plain_t) {
+  PartnerReading<T> At(const T& t, double plain_t, double held_t) {
     const Line velocity = LineAt(*velocity_, plain_t, &velocity_place_);
     const Line yaw_rate = LineAt(*yaw_rate_, plain_t, &yaw_rate_place_);
     return {velocity.value + velocity.slope * (t - plain_t),
             yaw_rate.value + yaw_rate.slope * (t - plain_t),
-            T(HeldAt(plain_t))};
+            T(HeldAt(held_t))};
   }
 
  private:

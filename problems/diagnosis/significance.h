@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// What noise alone reaches, suspect by suspect: one that is tried at many times or frequencies must
+// gain more than one that is tried once. docs/diagnosis.md (7).
+class Significance {
+ public:
+  // Nothing is ever significant.
+  Significance() = default;
+
+  // `null_maxima`: draws of each suspect's greatest gain where nothing is missing, a row per draw;
+  // `num_amounts`: by suspect, 1 or 2.
+  Significance(const Eigen::MatrixXd& null_maxima,
+               std::vector<int> num_amounts,
+               double false_alarm_rate);
+
+  // Probability that noise alone lets this suspect gain as much.
+  double PValue(int suspect, double gain) const;
+
+  // Probability that noise alone lets any suspect gain something as rare.
+  double FamilyWisePValue(int suspect, double gain) const;
+
+  // Gain of this suspect at which the family-wise p-value is the false alarm rate.
+  double Threshold(int suspect) const { return thresholds_[suspect]; }
+
+ private:
+  std::vector<int> num_amounts_;
+  std::vector<double> num_tests_;  // independent ones that the suspect's trials amount to
+  double num_families_ = 1.0;      // independent suspects that all suspects amount to
+  std::vector<double> thresholds_;
+};
+
+}  // namespace fathom
