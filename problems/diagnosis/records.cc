@@ -131,6 +131,11 @@ void AppendRecords(const LogChannels& channels,
     records->remarks.push_back(
         fmt::format("{}: left out: {} motion samples before the first command.", log.name, first));
   }
+  // Without poses the position counts from the first sample, along the measured velocity.
+  std::vector<double> way(time.size(), 0.0);
+  for (size_t i = first + 1; i < time.size() && !use_displacement; ++i) {
+    way[i] = way[i - 1] + 0.5 * (time[i] - time[i - 1]) * (leading.value[i - 1] + leading.value[i]);
+  }
   size_t num_short = 0, num_short_samples = 0;
   for (size_t begin = first; begin < time.size();) {
     const bool held_out = IsHeldOut(log, time[begin]);
@@ -148,6 +153,7 @@ void AppendRecords(const LogChannels& channels,
       record.is_held_out = held_out;
       record.inputs = inputs;
       record.stamps.start = time[begin];
+      record.initial.position = way[begin];
       Channel part;
       if (use_velocity) {
         Append(*channels.velocity, time[begin], time[end - 1], &part);

@@ -18,8 +18,13 @@ namespace {
 constexpr int kNullDraws = 512;
 constexpr int kBeam = 3;                // hypotheses that are carried on from each size
 constexpr int kMostRefined = 10;        // suspects refitted about one hypothesis
+constexpr int kMostRefinedMore = 4;     // and about one with causes
+constexpr double kLeastShare = 0.3;     // of the best one's gain, below which one is not carried on
 constexpr double kWorthRefining = 5.0;  // score below which nothing can come of it
-constexpr double kRivalSlack = 40.0;    // screens are linear: so much worse may still be a rival
+constexpr double kWorthRefiningMore = 0.6;  // of the threshold, beside other causes
+// The sharper screen is scaled to the strongest score of the other, or to this.
+constexpr double kSharpest = 12.0;
+constexpr double kRivalSlack = 40.0;  // screens are linear: so much worse may still be a rival
 
 int NumParameters(const Hypothesis& hypothesis) {
   return static_cast<int>(hypothesis.fit.covariance.rows());
@@ -50,14 +55,17 @@ class Searcher {
       }
       std::sort(next.begin(), next.end());
       next.erase(std::unique(next.begin(), next.end()), next.end());
-      std::sort(next.begin(), next.end(), [&](int a, int b) { return Worth(a) > Worth(b); });
-      if (next.size() > kBeam) next.resize(kBeam);
-      if (next.empty()) break;
-      const bool better = Worth(next.front()) > Worth(result_.best);
+      std::stable_sort(next.begin(), next.end(), [&](int a, int b) { return Worth(a) > Worth(b); });
+      const bool better = !next.empty() && Worth(next.front()) > Worth(result_.best);
       if (better && HoldsUnderTheBaselinesNoise(next.front())) result_.best = next.front();
-      // Nothing to build on: neither did this size help, nor could a pair.
       if (!better && size >= 2) break;
-      beam = next;
+      // What alone is no better than noise may still be half of a pair: Pairs() sees to that.
+      const double most = next.empty() ? 0.0 : result_.tried[next.front()].gain;
+      std::erase_if(next, [&](int index) {
+        return Worth(index) <= 0.0 || result_.tried[index].gain < kLeastShare * most;
+      });
+      if (next.size() > kBeam) next.resize(kBeam);
+      beam = std::move(next);
     }
     FindRivals();
     return std::move(result_);
@@ -87,7 +95,11 @@ class Searcher {
     std::vector<int> extended;
     int num_refined = 0;
     for (const int suspect : order) {
-      if (best_scores[suspect] < kWorthRefining || num_refined == kMostRefined) break;
+      const bool is_alone = base.suspects.empty();
+      if (num_refined == (is_alone ? kMostRefined : kMostRefinedMore)) break;
+      const double least =
+          is_alone ? kWorthRefining : kWorthRefiningMore * result_.significance.Threshold(suspect);
+      if (best_scores[suspect] < least) continue;
       if (std::count(base.suspects.begin(), base.suspects.end(), suspect) > 0) continue;
       ++num_refined;
       const int index = Refine(base, {suspect});
@@ -110,7 +122,8 @@ class Searcher {
     const Screen sharp(base.fit, &trials_, sensor);
     const double sharpest = *std::max_element(sharp.scores().begin(), sharp.scores().end());
     const double strongest = *std::max_element(screen.scores().begin(), screen.scores().end());
-    const double scale = sharpest > 0.0 ? std::min(1.0, std::max(strongest, 30.0) / sharpest) : 0.0;
+    const double scale =
+        sharpest > 0.0 ? std::min(1.0, std::max(strongest, kSharpest) / sharpest) : 0.0;
     for (size_t t = 0; t < trials_.trials.size(); ++t) {
       const int suspect = trials_.trials[t].suspect;
       const double score = std::max(screen.scores()[t], scale * sharp.scores()[t]);
@@ -214,8 +227,16 @@ class Searcher {
     hypothesis.suspects = suspects;
     const NoiseModel noise = FirstNoise(data_, start);
     hypothesis.fit = FitStructureAndNoise(data_, start.model, start.initial, noise);
-    if (hypothesis.fit.jacobian.size() == 0) return -1;
     const Hypothesis& baseline = result_.tried[0];
+    // Worse than with less: the search went astray under the noise it began with.
+    if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
+      ExtendedModel model = start.model;
+      model.baseline = baseline.fit.model.baseline;
+      StructureFit again =
+          FitStructureAndNoise(data_, model, baseline.fit.initial, baseline.fit.noise);
+      if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
+    }
+    if (hypothesis.fit.jacobian.size() == 0) return -1;
     hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
     hypothesis.delta_bic =
         hypothesis.gain - log_num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));
@@ -395,6 +416,7 @@ class Searcher {
       }
     }
     LOG(FATAL) << "A hypothesis has the effects of its suspects.";
+    return -1;
   }
 
   const TrainingData& data_;
