@@ -19,6 +19,7 @@ constexpr int kNullDraws = 512;
 constexpr int kBeam = 3;                // hypotheses that are carried on from each size
 constexpr int kMostRefined = 10;        // suspects refitted about one hypothesis
 constexpr int kMostRefinedMore = 4;     // and about one with causes
+constexpr double kRough = 1e-3;         // share of the error at which a first fit is near enough
 constexpr double kLeastShare = 0.3;     // of the best one's gain, below which one is not carried on
 constexpr double kWorthRefining = 5.0;  // score below which nothing can come of it
 constexpr double kWorthRefiningMore = 0.6;  // of the threshold, beside other causes
@@ -210,7 +211,8 @@ class Searcher {
       StructureFit fit = FitStructure(data_,
                                       WithEffect(base.fit.model, StartingEffect(added[0], start)),
                                       base.fit.initial,
-                                      sensor);
+                                      sensor,
+                                      kRough);
       if (fit.jacobian.size() == 0) continue;
       if (!best || fit.chi_squared < best_chi_squared) {
         best_chi_squared = fit.chi_squared;
@@ -301,7 +303,7 @@ class Searcher {
       };
       ExtendedModel model = WithEffect(base.fit.model, effect(pair.a, pair.trial_a));
       model = WithEffect(std::move(model), effect(pair.b, pair.trial_b));
-      const StructureFit fit = FitStructure(data_, model, base.fit.initial, whitener);
+      const StructureFit fit = FitStructure(data_, model, base.fit.initial, whitener, kRough);
       if (fit.jacobian.size() == 0) continue;
       const int index = Add({pair.a, pair.b}, fit);
       if (index >= 0) refined.push_back(index);

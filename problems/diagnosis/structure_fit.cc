@@ -216,7 +216,8 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
 StructureFit FitStructure(const TrainingData& data,
                           const ExtendedModel& start,
                           std::span<const InitialState> initial,
-                          const Whitener& whitener) {
+                          const Whitener& whitener,
+                          double smallest_share) {
   StructureFit fit;
   fit.model = start;
   fit.initial.assign(initial.begin(), initial.end());
@@ -238,7 +239,7 @@ StructureFit FitStructure(const TrainingData& data,
           (unknowns.value + step).cwiseMax(unknowns.lower).cwiseMin(unknowns.upper);
       const Eigen::VectorXd way = value - unknowns.value;
       const double promised = 2.0 * normal.g.dot(way) - way.dot(normal.A * way);
-      if (!(std::abs(promised) > kSmallestGain)) {
+      if (!(std::abs(promised) > std::max(kSmallestGain, smallest_share * fit.chi_squared))) {
         fit.converged = true;
         break;
       }
@@ -358,7 +359,7 @@ StructureFit FitStructureAndNoise(const TrainingData& data,
     fit.noise = current;
     if (fit.log_likelihood < previous + 0.1) break;
     previous = fit.log_likelihood;
-    current = LearnNoise(data, fit, turn == 0 ? std::nullopt : std::optional(current));
+    current = LearnNoise(data, fit, current);
   }
   return fit;
 }

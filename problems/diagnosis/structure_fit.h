@@ -73,10 +73,13 @@ struct StructureFit {
 // (inertia above 0, dampings at least 0, the effects' own). Levenberg and Marquardt's method on the
 // normal equations; parameters that press on a bound are held there and let go again when they no
 // longer do, docs/diagnosis.md (3).
+//
+// Ends when no step promises more than `smallest_share` of what is left of the error (or 0.01).
 StructureFit FitStructure(const TrainingData& data,
                           const ExtendedModel& start,
                           std::span<const InitialState> initial,
-                          const Whitener& whitener);
+                          const Whitener& whitener,
+                          double smallest_share = 0.0);
 
 // The same with the noise learned along: fit and noise in turns, from `noise`.
 StructureFit FitStructureAndNoise(const TrainingData& data,

@@ -41,12 +41,16 @@ template <typename T>
 class EffectRun {
  public:
   EffectRun(const EffectInputs& inputs, ScalarModel<T> model, const OutputStamps& stamps)
-      : inputs_(inputs), model_(std::move(model)), stamps_(stamps) {
+      : inputs_(inputs),
+        model_(std::move(model)),
+        stamps_(stamps),
+        needs_position_(!stamps.displacement.empty()) {
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
       const EffectHooks& has = effect.laws->has;
       if (has.delay) delay_ = delay_ + effect.law->Delay(effect.parameters.data());
       if (has.pose_delay) pose_delay_ = effect.law->PoseDelay(effect.parameters.data());
+      needs_position_ = needs_position_ || has.resistance;
       acts_on_water_ = acts_on_water_ || has.resistance || has.relative_speed;
       follows_force_ = follows_force_ || has.follow;
       follows_reading_ = follows_reading_ || has.follow_reading;
@@ -190,7 +194,7 @@ class EffectRun {
   State Slope(const State& at, const T& mean_force, const T& s) {
     State slope;
     slope.velocity = Acceleration(at, mean_force, s);
-    slope.position = at.velocity;
+    if (needs_position_) slope.position = at.velocity;
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
       if (!effect.laws->has.memory_rate) continue;
@@ -203,7 +207,7 @@ class EffectRun {
   State Moved(const State& from, const H& h, const State& slope) const {
     State to;
     to.velocity = from.velocity + h * slope.velocity;
-    to.position = from.position + h * slope.position;
+    if (needs_position_) to.position = from.position + h * slope.position;
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       if (model_.effects[k].laws->has.memory_rate) {
         to.memory[k] = from.memory[k] + h * slope.memory[k];
@@ -377,6 +381,7 @@ class EffectRun {
   double time_zero_ = 0.0;  // of the effects' time, in log time [s]
   T delay_{0.0};            // of the command [s]
   T pose_delay_{0.0};       // of the poses' stamps [s]
+  bool needs_position_;     // for the outputs or for a force that may depend on it
   bool acts_on_water_ = false;
   bool follows_force_ = false;
   bool follows_reading_ = false;
