@@ -5,19 +5,21 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
-#include "fathom/comparison/comparison.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
 #include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
-#include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/log_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,18 +5,12 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
-#include "fathom/vehicle/vehicle_file.h"
 
-#include <cstdio>
 #include <limits>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(log,
-              "",
-              "Log folder, or a single CSV with columns t, tau, v (then --dof is needed).");
-DEFINE_string(velocity, "", "Read this CSV as the velocity stream instead of the log's.");
 DEFINE_string(gains,
               "",
               "Gains of the adaptive law, a_m,l1,l2,l3,l4 (a_m below 0, the others above); chosen "
@@ -49,18 +43,6 @@ double NeverIfZero(double value) {
 
 }  // namespace
 
-std::vector<std::string> SplitAtCommas(const std::string& text) {
-  std::vector<std::string> parts;
-  if (text.empty()) return parts;
-  size_t begin = 0;
-  while (true) {
-    const size_t comma = text.find(',', begin);
-    parts.push_back(text.substr(begin, comma - begin));
-    if (comma == std::string::npos) return parts;
-    begin = comma + 1;
-  }
-}
-
 IdentificationOptions IdentificationOptionsFromFlags() {
   IdentificationOptions options;
   if (FLAGS_integrator == "euler") {
@@ -83,27 +65,6 @@ IdentificationOptions IdentificationOptionsFromFlags() {
   options.output_error.huber_k = NeverIfZero(FLAGS_huber);
   options.output_error.shooting_window = NeverIfZero(FLAGS_shooting_window);
   return options;
-}
-
-Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {
-  ReadLogOptions options;
-  options.dof = dof;
-  options.velocity = FLAGS_velocity;
-  options.may_lack_motion = may_lack_motion;
-  Log log = ReadLog(path, options);
-  const bool has_thrusters = log.command && !log.command->columns.empty() &&
-                             log.command->columns[0].starts_with("thruster");
-  if (has_thrusters) {
-    if (!log.vehicle.ends_with(".yaml")) {
-      throw InputError(fmt::format(
-          "{}: command.csv holds thruster speeds, but log.yaml names no vehicle file to turn them "
-          "into forces. Add `vehicle: file.yaml`.",
-          path));
-    }
-    log.command = ForcesFromThrusters(*log.command, ReadVehicleFile(log.path / log.vehicle));
-  }
-  for (const std::string& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
-  return log;
 }
 
 }  // namespace fathom

@@ -59,7 +59,8 @@ void SetFlag(const Flag& flag, const std::string& value) {
   }
 }
 
-void ReadFlags(const std::vector<std::string>& arguments, const std::string& tool) {
+void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
+  const std::string& tool = info.name;
   const std::vector<Flag> flags = OwnFlags();
   std::set<std::string> given;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -91,7 +92,13 @@ void ReadFlags(const std::vector<std::string>& arguments, const std::string& too
       throw InputError(
           fmt::format("--{}: there is no such flag. See {} --help.", Printable(name), tool));
     }
+    const bool may_repeat = std::ranges::count(info.repeatable_flags, flag->name) > 0;
     if (!given.insert(flag->name).second) {
+      std::string before;
+      if (may_repeat && gflags::GetCommandLineOption(flag->name.c_str(), &before)) {
+        SetFlag(*flag, before + "," + value);
+        continue;
+      }
       throw InputError(fmt::format("--{}: is given twice, expected once.", flag->name));
     }
     SetFlag(*flag, value);
@@ -129,7 +136,7 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
     fmt::print("{} {}\n", info.name, FATHOM_VERSION);
     return 0;
   }
-  ReadFlags(arguments, info.name);
+  ReadFlags(arguments, info);
   return run();
 }
 

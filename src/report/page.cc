@@ -6,6 +6,7 @@
 #include "fathom/report/html_text.h"
 #include "fathom/report/palette.h"
 #include "fathom/report/parameter_chart.h"
+#include "fathom/report/scatter_chart.h"
 #include "fathom/report/table_html.h"
 #include "fathom/report/time_chart.h"
 #include "fathom/report/web/assets.h"
@@ -101,6 +102,7 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   for (std::size_t i = 0; i < section.time_panels.size(); ++i) {
     html += TimeChartHtml(section.time_panels[i], index, i);
   }
+  html += ScatterChartsHtml(section.scatter_panels);
   html += ParameterChartsHtml(section.parameter_panels, palette);
   for (const Table& table : section.tables) html += TableHtml(table);
   return html + "</section>\n";

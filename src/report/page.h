@@ -25,6 +25,7 @@ struct PageSection {
   std::vector<TimePanel> time_panels;
   std::vector<ParameterPanel> parameter_panels;
   std::vector<Table> tables;
+  std::vector<ScatterPanel> scatter_panels = {};  // below the charts over time
 };
 
 struct Page {

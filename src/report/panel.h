@@ -18,6 +18,9 @@ struct Series {
   std::string name;
   std::vector<double> values;
   std::string note = {};  // shown beside the name: "MAE 0.012 m/s"
+
+  // Of a band to either side of the curve, shaded; one for each value, or empty: no band.
+  std::vector<double> half_width = {};
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus
@@ -51,6 +54,20 @@ struct ParameterPanel {
   std::vector<Estimate> estimates = {};
   std::optional<double> reference = {};  // a line across: the truth, a value from a data sheet
   std::string reference_name = "truth";
+};
+
+// Points of one quantity over another, with the course of their means and of another quantity's
+// means over the same bins.
+struct ScatterPanel {
+  std::string x_name;  // "command"
+  std::string x_unit;  // "N"; may be empty
+  std::string y_name;
+  std::string y_unit;
+  std::vector<double> x;
+  std::vector<double> y;         // one for each x; points with a NaN in either are left out
+  std::vector<double> second_y;  // as many, or empty: nothing to compare with
+  std::string second_name;       // "explained"
+  std::string note;              // beside the name of x; may be empty
 };
 
 }  // namespace fathom

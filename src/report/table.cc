@@ -67,6 +67,7 @@ std::string WithoutSpacesAtTheEnd(std::string line) {
 std::string_view Mark(RowFlag flag) {
   switch (flag) {
     case RowFlag::kBest:
+    case RowFlag::kKept:
       return "* ";
     case RowFlag::kUnusable:
       return "! ";

@@ -8,7 +8,7 @@
 
 namespace fathom {
 
-enum class RowFlag { kNone, kBest, kUnusable };
+enum class RowFlag { kNone, kBest, kKept, kUnusable };
 
 struct TableColumn {
   std::string heading;
@@ -27,8 +27,8 @@ struct Table {
 };
 
 // The table for a terminal: two spaces between the columns, a line below the headings, "* " before
-// a best row and "! " before an unusable one where there is such a row. UTF-8; a character counts
-// as one column wide. Ends with a newline.
+// a best or kept row and "! " before an unusable one where there is such a row. UTF-8; a character
+// counts as one column wide. Ends with a newline.
 //
 //     DOF    family        inertia [kg]
 //     -----  ------------  ------------

@@ -43,6 +43,8 @@ std::string_view RowClass(RowFlag flag) {
   switch (flag) {
     case RowFlag::kBest:
       return "best";
+    case RowFlag::kKept:
+      return "kept";
     case RowFlag::kUnusable:
       return "unusable";
     case RowFlag::kNone:

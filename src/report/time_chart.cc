@@ -32,10 +32,20 @@ json SeriesJson(const Series& series,
                 const std::vector<std::size_t>& indices) {
   json values = json::array();
   for (const std::size_t index : indices) values.push_back(ToSevenDigits(series.values[index]));
-  return {{"name", series.name},
-          {"note", series.note},
-          {"color", color},
-          {"values", std::move(values)}};
+  json curve = {{"name", series.name},
+                {"note", series.note},
+                {"color", color},
+                {"values", std::move(values)}};
+  if (!series.half_width.empty()) {
+    json low = json::array(), high = json::array();
+    for (const std::size_t index : indices) {
+      low.push_back(ToSevenDigits(series.values[index] - series.half_width[index]));
+      high.push_back(ToSevenDigits(series.values[index] + series.half_width[index]));
+    }
+    curve["low"] = std::move(low);
+    curve["high"] = std::move(high);
+  }
+  return curve;
 }
 
 }  // namespace
@@ -45,6 +55,8 @@ void CheckPanel(const TimePanel& panel) {
   if (panel.measured) CHECK_EQ(panel.measured->values.size(), panel.time.size());
   for (const Series& response : panel.responses) {
     CHECK_EQ(response.values.size(), panel.time.size()) << response.name;
+    if (response.half_width.empty()) continue;
+    CHECK_EQ(response.half_width.size(), panel.time.size()) << response.name;
   }
 }
 

@@ -82,6 +82,10 @@
     return group;
   };
 
+  // The edges of the bands of those curves that have one: low and high of each in turn. They are
+  // drawn as curves without ink behind the others.
+  const edgesOf = (series) => series.flatMap((one) => (one.low ? [one.low, one.high] : []));
+
   const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
     const own = [panel.time[0], panel.time[panel.time.length - 1]];
     const axis = {stroke: INK, font: FONT, labelFont: FONT, grid: {stroke: GRID, width: 1},
@@ -106,6 +110,11 @@
                      : {...axis, size: 10, values: (_, ticks) => ticks.map(() => "")},
         {...axis, label, labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
       ],
+      bands: series.flatMap((one, i) => {
+        if (!one.low) return [];
+        const low = 1 + series.length + 2 * series.slice(0, i).filter((other) => other.low).length;
+        return [{series: [low + 1, low], fill: `${one.color}38`}];
+      }),
       series: [{}, ...series.map((one) => ({
         label: one.name,
         stroke: one.color,
@@ -113,7 +122,7 @@
         spanGaps: false,
         paths: panel.is_stepped ? uPlot.paths.stepped({align: 1}) : undefined,
         points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: one.color},
-      }))],
+      })), ...edgesOf(series).map(() => ({width: 0, spanGaps: false, points: {show: false}}))],
       hooks: {
         drawClear: [shade(panel.held_out)],
         draw: [labelShades(panel.held_out)],
@@ -121,7 +130,7 @@
           if (scale === "x") group.zoom(self.scales.x.min, self.scales.x.max);
         }],
       },
-    }, [panel.time, ...series.map((one) => one.values)], place);
+    }, [panel.time, ...series.map((one) => one.values), ...edgesOf(series)], place);
     group.plots.push(plot);
     new ResizeObserver(() => {
       if (place.clientWidth && place.clientWidth !== plot.width) {
@@ -154,7 +163,7 @@
       button.addEventListener("click", () => {
         const show = button.getAttribute("aria-pressed") === "false";
         button.setAttribute("aria-pressed", String(show));
-        for (const [plot, index] of curve.drawn) plot.setSeries(index, {show});
+        for (const [plot, index] of [...curve.drawn, ...(curve.edges ?? [])]) plot.setSeries(index, {show});
       });
       button.addEventListener("mouseenter", () => {
         for (const [plot, index] of curve.drawn) plot.setSeries(index, {focus: true});
@@ -214,11 +223,15 @@
       label: withUnit(panel.quantity, panel.unit), series: curves,
       height: isSmall ? HEIGHTS.lone : HEIGHTS.response, hasTimeLabel: !panel.has_residuals,
     }));
-    curves.forEach((curve, i) => curve.drawn.push([plots[0], i + 1]));
+    let edge = curves.length;
+    curves.forEach((curve, i) => {
+      curve.drawn.push([plots[0], i + 1]);
+      if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
+    });
     if (panel.has_residuals) {
       plots.push(makePlot(group, panel, place, {
         label: withUnit("residual", panel.unit),
-        series: curves.slice(1).map((curve) => ({...curve, values: curve.residual, width: 1.2})),
+        series: curves.slice(1).map((curve) => ({...curve, values: curve.residual, low: null, width: 1.2})),
         height: HEIGHTS.residual, hasTimeLabel: true,
       }));
       curves.slice(1).forEach((curve, i) => curve.drawn.push([plots[1], i + 1]));

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a simulation gets wrong, and why: names the cause as far as the logs force it.
+
+#include "fathom/base/output_file.h"
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/diagnosis_page.h"
+#include "fathom/diagnosis/verdict_file.h"
+#include "fathom/diagnosis/verdict_sentence.h"
+#include "fathom/log/log_fingerprint.h"
+#include "fathom/tools/log_flags.h"
+#include "fathom/tools/tool.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+DEFINE_string(verdict, "", "Write the verdict, with the extended model in it, to this JSON file.");
+DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_double(false_alarm_rate,
+              0.05,
+              "Chance of naming any cause where nothing is missing, above 0 and at most 0.5.");
+DEFINE_uint64(seed, 1, "Of the draws behind thresholds and intervals.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_diagnose",
+    "Says what the model of one degree of freedom gets wrong on logs, names the cause as far as "
+    "the "
+    "data force it, and measures what the cause gains.",
+    "--log=LOG [--log=LOG ...] --dof=DOF [--verdict=FILE] [--report=FILE]",
+    "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
+    "  fathom_simulate --model=surge.json --log=data/flatfish",
+    "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Any verdict, "
+    "`consistent` "
+    "and `unexplained` among them, is a usable result. The kept candidates are marked *.",
+    {"log"}};
+
+constexpr std::size_t kMostCandidates = 8;
+
+Dof DofFromFlagOrLog(const Log& log) {
+  if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
+  if (log.dofs.size() == 1) return log.dofs.front();
+  throw InputError(
+      fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
+}
+
+DiagnosisOptions OptionsFromFlags() {
+  DiagnosisOptions options;
+  if (!(FLAGS_false_alarm_rate > 0.0 && FLAGS_false_alarm_rate <= 0.5)) {
+    throw InputError(fmt::format("--false_alarm_rate: is {}, expected above 0 and at most 0.5.",
+                                 FLAGS_false_alarm_rate));
+  }
+  options.false_alarm_rate = FLAGS_false_alarm_rate;
+  options.seed = FLAGS_seed;
+  return options;
+}
+
+std::vector<Log> LogsFromFlags() {
+  std::optional<Dof> dof;
+  if (!FLAGS_dof.empty()) dof = ParseFlag("dof", FLAGS_dof, ParseDof);
+  const std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
+  if (!FLAGS_velocity.empty() && paths.size() > 1) {
+    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  }
+  std::vector<Log> logs;
+  for (const std::string& path : paths) logs.push_back(ReadLogFromFlags(path, dof));
+  return logs;
+}
+
+void Print(const Diagnosis& diagnosis) {
+  std::printf("%s: %s\n%s\n",
+              std::string(Name(diagnosis.dof)).c_str(),
+              std::string(Name(diagnosis.verdict)).c_str(),
+              VerdictSentence(diagnosis).c_str());
+  const auto print = [](const Table& table) { std::printf("\n%s", FormatTable(table).c_str()); };
+  if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
+  print(BeforeAndAfterTable(diagnosis));
+  if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
+  std::printf("\n");
+  for (const std::string& step : NextSteps(diagnosis)) std::printf("next: %s\n", step.c_str());
+  for (const std::string& remark : diagnosis.remarks) std::printf("note: %s\n", remark.c_str());
+}
+
+int Run() {
+  RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  const DiagnosisOptions options = OptionsFromFlags();
+  const std::vector<Log> logs = LogsFromFlags();
+  const Diagnosis diagnosis = Diagnose(logs, DofFromFlagOrLog(logs.front()), options);
+  if (!std::isfinite(diagnosis.baseline.train.nmae)) {
+    std::fprintf(stderr,
+                 "fathom_diagnose: the baseline model cannot be simulated over these logs.\n");
+    return 2;
+  }
+  Print(diagnosis);
+  if (!FLAGS_verdict.empty()) {
+    std::vector<std::string> fingerprints;
+    for (const Log& log : logs) fingerprints.push_back(FingerprintOf(log));
+    WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, fingerprints));
+  }
+  if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(DiagnosisPage(diagnosis)));
+  return 0;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gflags/gflags_declare.h>
+
+// Flags of every tool that reads logs.
+DECLARE_string(log);
+DECLARE_string(velocity);
+
+namespace fathom {
+
+// Splits at commas; empty for an empty text.
+std::vector<std::string> SplitAtCommas(const std::string& text);
+
+// parse(text), with the flag's name before what it says of a text it cannot use.
+template <typename Parse>
+auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
+  try {
+    return parse(text);
+  } catch (const InputError& error) {
+    throw InputError("--" + flag + ": " + error.what());
+  }
+}
+
+// Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
+// says how, and prints the reader's remarks to stderr.
+// `may_lack_motion` as in ReadLogOptions.
+Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
+
+}  // namespace fathom
