@@ -17,13 +17,18 @@ namespace fathom {
 namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kBefore = "without the causes";
-constexpr const char* kAfter = "with the causes";
+constexpr const char* kBefore = "before";
+constexpr const char* kAccounted = "what the causes account for";
+constexpr const char* kAfter = "after";
 
 std::string WithSpaces(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
+}
+
+std::string MissingName(const Diagnosis& diagnosis) {
+  return IsAngular(diagnosis.dof) ? "missing moment" : "missing force";
 }
 
 std::string DisplacementUnit(Dof dof) { return IsAngular(dof) ? "rad" : "m"; }
@@ -93,8 +98,12 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
       "What would have to be added to the command for the model without causes to follow the "
       "measurement, as a random walk smoothed over the run; the band is two standard deviations. "
       "{}",
-      diagnosis.causes.empty() ? "Where it follows one of the suspects below, look there."
-                               : "What the causes account for should lie inside it.")};
+      diagnosis.causes.empty() ? "Where it follows one of the suspects below, look there: the "
+                                 "share is that of its variance that "
+                                 "the mean has."
+                               : "What the causes account for should lie inside it. The points "
+                                 "show it over each suspect: how far it "
+                                 "follows one is the share of its variance that the mean has.")};
   section.time_panels = MissingForcePanels(diagnosis);
   section.scatter_panels = SuspectPanels(diagnosis);
   return section;
@@ -188,10 +197,10 @@ std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < missing.time.size(); ++i) {
     if (i == 0 || missing.time[i] < missing.time[i - 1]) {
       TimePanel& panel = panels.emplace_back();
-      panel.quantity = IsAngular(diagnosis.dof) ? "missing moment" : "missing force";
+      panel.quantity = MissingName(diagnosis);
       panel.unit = diagnosis.force_unit;
-      panel.responses.push_back({"missing", {}, ""});
-      if (has_explained) panel.responses.push_back({"accounted for by the causes", {}, ""});
+      panel.responses.push_back({MissingName(diagnosis), {}, ""});
+      if (has_explained) panel.responses.push_back({kAccounted, {}, ""});
     }
     TimePanel& panel = panels.back();
     if (!panel.time.empty() && missing.time[i] - panel.time.back() > longest_step) AddGap(&panel);
@@ -214,19 +223,19 @@ std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
         if (!(*most > *least)) return;
         ScatterPanel panel = {name,
                               unit,
-                              IsAngular(diagnosis.dof) ? "missing moment" : "missing force",
+                              MissingName(diagnosis),
                               diagnosis.force_unit,
                               values,
                               missing.mean,
                               {},
-                              "what the causes account for, its mean",
+                              kAccounted,
                               ""};
         if (!diagnosis.causes.empty() && missing.explained.size() == values.size()) {
           panel.second_y = missing.explained;
         }
         const double share = ShareBetweenBins(values, missing.mean, kNumBins);
         if (std::isfinite(share)) {
-          panel.note = fmt::format("its mean holds {:.0f} % of the variance", 100.0 * share);
+          panel.note = fmt::format("follows it by {:.0f} %", 100.0 * share);
         }
         panels.push_back(std::move(panel));
       };

@@ -102,7 +102,7 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   for (std::size_t i = 0; i < section.time_panels.size(); ++i) {
     html += TimeChartHtml(section.time_panels[i], index, i);
   }
-  html += ScatterChartsHtml(section.scatter_panels);
+  html += ScatterChartsHtml(section.scatter_panels, palette);
   html += ParameterChartsHtml(section.parameter_panels, palette);
   for (const Table& table : section.tables) html += TableHtml(table);
   return html + "</section>\n";

@@ -106,17 +106,22 @@ std::string PointsSvg(const Frame& frame, const std::vector<Pair>& pairs) {
   return fmt::format(R"(<path class="points" d="{}"/>)", path);
 }
 
-std::string CurveSvg(const Frame& frame, const std::vector<BinMean>& means, const char* kind) {
+std::string CurveSvg(const Frame& frame,
+                     const std::vector<BinMean>& means,
+                     const char* kind,
+                     std::string_view color) {
   std::string path;
   for (const BinMean& mean : means) {
     path += fmt::format(
         "{}{:.1f} {:.1f}", path.empty() ? "M" : "L", frame.Left(mean.x), frame.Top(mean.y));
   }
-  return fmt::format(R"(<path class="{}" d="{}"/>)", kind, path);
+  return fmt::format(R"(<path class="{}" style="stroke:{}" d="{}"/>)", kind, color, path);
 }
 
 // Two standard errors about the means, as if a tenth of the bin's points were independent.
-std::string SpreadSvg(const Frame& frame, const std::vector<BinMean>& means) {
+std::string SpreadSvg(const Frame& frame,
+                      const std::vector<BinMean>& means,
+                      std::string_view color) {
   std::string path;
   const auto half = [](const BinMean& mean) {
     return 2.0 * mean.spread / std::sqrt(std::max(0.1 * mean.num_points, 1.0));
@@ -129,7 +134,7 @@ std::string SpreadSvg(const Frame& frame, const std::vector<BinMean>& means) {
   };
   for (const BinMean& mean : means) add(mean, mean.y + half(mean));
   for (auto mean = means.rbegin(); mean != means.rend(); ++mean) add(*mean, mean->y - half(*mean));
-  return fmt::format(R"(<path class="spread" d="{}Z"/>)", path);
+  return fmt::format(R"(<path class="spread" style="fill:{}" d="{}Z"/>)", color, path);
 }
 
 // All but the outermost two in a thousand of the points, and every mean.
@@ -199,7 +204,7 @@ double ShareBetweenBins(const std::vector<double>& x, const std::vector<double>&
                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string ScatterChartHtml(const ScatterPanel& panel) {
+std::string ScatterChartHtml(const ScatterPanel& panel, Palette& palette) {
   const std::vector<Pair> pairs = FinitePairs(panel.x, panel.y);
   std::string html =
       fmt::format("<figure class=\"scatter\"><figcaption><b>{}</b>", HtmlText(panel.x_name));
@@ -219,8 +224,11 @@ std::string ScatterChartHtml(const ScatterPanel& panel) {
                       HtmlText(panel.y_name + " over " + panel.x_name));
   html += AxesSvg(frame) + PointsSvg(frame, pairs);
   if (means.size() > 1) {
-    html += SpreadSvg(frame, means) + CurveSvg(frame, means, "means");
-    if (second.size() > 1) html += CurveSvg(frame, second, "second");
+    const std::string_view color = palette.ColorOf(panel.y_name);
+    html += SpreadSvg(frame, means, color) + CurveSvg(frame, means, "means", color);
+    if (second.size() > 1) {
+      html += CurveSvg(frame, second, "second", palette.ColorOf(panel.second_name));
+    }
   }
   html += Label(0.5 * (kLeft + kWidth - kRight),
                 kHeight - 6.0,
@@ -229,21 +237,25 @@ std::string ScatterChartHtml(const ScatterPanel& panel) {
   return html + "</svg></figure>\n";
 }
 
-std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels) {
+std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& palette) {
   if (panels.empty()) return "";
   const ScatterPanel& first = panels.front();
   std::string html = fmt::format(
-      "<div class=\"scatter-key\"><span><i style=\"color:#8d96a3\"></i>{}</span>"
-      "<span><i style=\"color:#0072b2\"></i>its mean, and two standard errors</span>",
-      HtmlText(WithUnit(first.y_name, first.y_unit)));
+      "<div class=\"scatter-key\"><span><i style=\"color:{}\"></i>{}</span>"
+      "<span><i style=\"color:{}\"></i>its mean, and two standard errors</span>",
+      kMeasuredColor,
+      HtmlText(WithUnit(first.y_name, first.y_unit)),
+      palette.ColorOf(first.y_name));
   const bool has_second = std::ranges::any_of(
       panels, [](const ScatterPanel& panel) { return !panel.second_y.empty(); });
   if (has_second) {
-    html += fmt::format("<span><i style=\"color:#d55e00;border-top-style:dashed\"></i>{}</span>",
-                        HtmlText(first.second_name));
+    html +=
+        fmt::format("<span><i style=\"color:{};border-top-style:dashed\"></i>{}, its mean</span>",
+                    palette.ColorOf(first.second_name),
+                    HtmlText(first.second_name));
   }
   html += "</div>\n<div class=\"scatters\">\n";
-  for (const ScatterPanel& panel : panels) html += ScatterChartHtml(panel);
+  for (const ScatterPanel& panel : panels) html += ScatterChartHtml(panel, palette);
   return html + "</div>\n";
 }
 

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include "fathom/report/palette.h"
 #include "fathom/report/panel.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,10 +34,11 @@ std::vector<BinMean> MeansByBins(const std::vector<double>& x,
 // (the correlation ratio). NaN if nothing varies.
 double ShareBetweenBins(const std::vector<double>& x, const std::vector<double>& y, int num_bins);
 
-// One panel as a figure with an SVG in it, which needs no script.
-std::string ScatterChartHtml(const ScatterPanel& panel);
+// One panel as a figure with an SVG in it, which needs no script. The mean has the colour of its
+// y_name, the second mean that of its second_name, as curves over time have.
+std::string ScatterChartHtml(const ScatterPanel& panel, Palette& palette);
 
 // Panels beside each other, under one key; empty if there are none.
-std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels);
+std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& palette);
 
 }  // namespace fathom
