@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Scores the diagnosis on logs with hidden effects.
+//
+//   hidden_scores --jobs=2 --out=docs/diagnosis_scores.md
+//   hidden_scores --only=thruster_lag,time_offset --logs=8 --list --oracle_cache=/tmp/oracle.txt
+
+#include "fathom/base/output_file.h"
+#include "fathom/log/write_log.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "log_plan.h"
+#include "run_logs.h"
+#include "score_board.h"
+#include "scores_page.h"
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+#include <unistd.h>
+
+DEFINE_int32(logs,
+             8,
+             "logs for each effect; 15 times as many with nothing hidden, 5 times as many "
+             "with two effects and with one outside the catalogue");
+DEFINE_uint64(seed, 1, "of everything that is drawn");
+DEFINE_int32(jobs, 2, "logs at a time");
+DEFINE_string(only,
+              "",
+              "comma between: names of effects hidden alone, of single logs "
+              "(thruster_lag.3), 'nothing', 'one', 'two', 'unlisted'");
+DEFINE_bool(list, false, "print every log with its verdict, in order");
+DEFINE_string(out, "", "the page to write, Markdown");
+DEFINE_string(oracle_cache, "", "file that keeps the oracle's answers from run to run");
+DEFINE_string(save, "", "folder to write the logs to instead of diagnosing them");
+
+namespace fathom::hidden {
+namespace {
+
+bool IsWanted(const LogPlan& plan, const std::string& only) {
+  if (only.empty()) return true;
+  std::istringstream words(only);
+  for (std::string word; std::getline(words, word, ',');) {
+    const std::string name = plan.Name();
+    const std::string kind = plan.hidden == HiddenClass::kNothing      ? "nothing"
+                             : plan.hidden == HiddenClass::kOneEffect  ? "one"
+                             : plan.hidden == HiddenClass::kTwoEffects ? "two"
+                                                                       : "unlisted";
+    if (word == kind || word == name || name.substr(0, name.rfind('.')) == word) return true;
+  }
+  return false;
+}
+
+int Save(const std::vector<LogPlan>& plans) {
+  for (const LogPlan& plan : plans) {
+    const HiddenLog hidden = DrawHiddenLog(plan, FLAGS_seed);
+    WriteLog(std::filesystem::path(FLAGS_save) / plan.Name(), hidden.log);
+    std::printf("%s: %s\n", plan.Name().c_str(), hidden.truth.setup.c_str());
+  }
+  return 0;
+}
+
+int Run() {
+  std::vector<LogPlan> plans =
+      DrawPlans({15 * FLAGS_logs, FLAGS_logs, 5 * FLAGS_logs, 5 * FLAGS_logs}, FLAGS_seed);
+  std::erase_if(plans, [](const LogPlan& plan) { return !IsWanted(plan, FLAGS_only); });
+  if (plans.empty()) {
+    std::fprintf(stderr, "hidden_scores: --only=%s fits no log.\n", FLAGS_only.c_str());
+    return 1;
+  }
+  if (!FLAGS_save.empty()) return Save(plans);
+  OracleCache oracle(FLAGS_oracle_cache);
+  std::size_t num_done = 0;
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  const auto scores = RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, [&](const LogScore&) {
+    ++num_done;
+    if (is_terminal) std::fprintf(stderr, "\r%zu of %zu ", num_done, plans.size());
+  });
+  if (is_terminal) std::fprintf(stderr, "\n");
+  if (FLAGS_list) {
+    for (const LogScore& score : scores) std::printf("%s\n", Line(score).c_str());
+  }
+  std::printf("%s", Summary(scores).c_str());
+  const ScoreBoard board = BoardOf(scores);
+  std::printf("%zu logs; diagnosis %.1f s in all, %.2f s a log, slowest %.1f s; oracle %.0f s\n",
+              scores.size(),
+              board.diagnosis_seconds,
+              board.diagnosis_seconds / static_cast<double>(scores.size()),
+              board.slowest_diagnosis,
+              board.oracle_seconds);
+  if (FLAGS_out.empty()) return 0;
+  std::string command = "hidden_scores";
+  if (FLAGS_logs != 8) command += fmt::format(" --logs={}", FLAGS_logs);
+  if (FLAGS_seed != 1) command += fmt::format(" --seed={}", FLAGS_seed);
+  if (!FLAGS_only.empty()) command += " --only=" + FLAGS_only;
+  WriteFile(FLAGS_out, ScoresPage(scores, command + " --out=docs/diagnosis_scores.md"));
+  return 0;
+}
+
+}  // namespace
+}  // namespace fathom::hidden
+
+int main(int argc, char** argv) {
+  gflags::SetUsageMessage("scores the diagnosis on logs with hidden effects");
+  gflags::ParseCommandLineFlags(&argc, &argv, true);
+  FLAGS_logtostderr = true;
+  google::InitGoogleLogging(argv[0]);
+  return fathom::hidden::Run();
+}
