@@ -104,17 +104,21 @@ void DescribeTimeOffset(std::span<const Segment> segments, OutputErrorSummary* s
   const std::string input = tone.share >= kSingleTone
                                 ? fmt::format("its single sine of {:.2g} rad/s", tone.frequency)
                                 : std::string("its slow command");
+  const double with_offset = HalfWidth(evidence.covariance_with_time_offset, kInertia);
+  const std::string known = std::isfinite(with_offset)
+                                ? fmt::format("is known to +- {:.2g}, not +- {:.2g} (95 %)",
+                                              with_offset,
+                                              HalfWidth(summary->covariance, kInertia))
+                                : std::string("is not known at all");
   summary->caveats.push_back(fmt::format(
       "Inertia, damping and a delay of the command cannot be separated in this log under {}: the "
       "values hold if there is no delay. One second of delay would change the inertia by {:.2g}, "
-      "the linear damping by {:.2g}; with the delay unknown the inertia is known to +- {:.2g}, not "
-      "+- {:.2g} (95 %). A square wave of 10 to 20 s, or several tones up to 1.5 rad/s, would "
-      "decide.",
+      "the linear damping by {:.2g}; with the delay unknown the inertia {}. A square wave of 10 to "
+      "20 s, or several tones up to 1.5 rad/s, would decide.",
       input,
       evidence.change_per_second_of_offset[kInertia],
       evidence.change_per_second_of_offset[kLinearDamping],
-      HalfWidth(evidence.covariance_with_time_offset, kInertia),
-      HalfWidth(summary->covariance, kInertia)));
+      known));
 }
 
 }  // namespace

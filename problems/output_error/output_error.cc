@@ -297,6 +297,7 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   summary.converged = solution.converged;
   if (!solution.converged) return summary;
 
+  problem.reset();  // its buffers are as large as what the evidence needs next
   summary.final_cost = solution.cost;
   summary.model = ModelOf(unknowns);
   for (const int index : solution.held_at_zero) summary.on_bound[index] = true;

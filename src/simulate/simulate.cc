@@ -94,10 +94,12 @@ Simulation::Simulation(const HeldCommand& command, std::span<const double> outpu
     : num_outputs_(static_cast<int>(output_time.size())) {
   CHECK(!output_time.empty());
   CHECK_EQ(command.time.size(), command.value.size());
-  steps_.reserve(output_time.size() + command.time.size());
   double t = output_time[0];
-  size_t next_command =
-      std::upper_bound(command.time.begin(), command.time.end(), t) - command.time.begin();
+  const auto index_after = [&](double time) -> size_t {
+    return std::upper_bound(command.time.begin(), command.time.end(), time) - command.time.begin();
+  };
+  size_t next_command = index_after(t);
+  steps_.reserve(output_time.size() + index_after(output_time.back()) - next_command);
   double force = command.At(t);
   for (int output = 1; output < num_outputs_; ++output) {
     const double t_output = output_time[output];
