@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as a command, a velocity, a pose, a single CSV, and a table whose stamps may repeat.
+// Any bytes as a command, a velocity, a pose, a single CSV, and detections.
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/csv_table.h"
@@ -30,9 +30,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Try([&] { fathom::ParseVelocity("velocity.csv", text).Remark(); });
   Try([&] { fathom::ParsePose("pose.csv", text).Remark(); });
   Try([&] { fathom::ParseSingleCsv("run.csv", text, fathom::Dof::kYaw); });
-  fathom::CsvSpec tags;
-  tags.required = {"tag_id"};
-  tags.allow_equal_stamps = true;
-  Try([&] { fathom::ParseCsvTable("detections.csv", text, tags); });
+  Try([&] { fathom::ParseDetections("detections.csv", text).Remark(); });
   return 0;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A whole log folder. Its files follow each other in the input, parted by lines of "====":
-// log.yaml, command.csv, velocity.csv, pose.csv. An empty third or fourth part stands for a missing
+// log.yaml, command.csv, velocity.csv, pose.csv, detections.csv. An empty part stands for a missing
 // file.
 
 #include "fathom/base/input_error.h"
@@ -16,7 +16,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr char kSeparator[] = "====\n";
   const std::string input(reinterpret_cast<const char*>(data), size);
-  std::string parts[4];
+  std::string parts[5];
   std::size_t begin = 0;
   for (std::string& part : parts) {
     const std::size_t end = std::min(input.find(kSeparator, begin), input.size());
@@ -26,9 +26,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fathom::LogText text;
   text.path = "log";
   text.log_yaml = {"log/log.yaml", parts[0]};
-  text.command = {"log/command.csv", parts[1]};
+  if (!parts[1].empty()) text.command = {"log/command.csv", parts[1]};
   if (!parts[2].empty()) text.velocity = {"log/velocity.csv", parts[2]};
   if (!parts[3].empty()) text.pose = {"log/pose.csv", parts[3]};
+  if (!parts[4].empty()) text.detections = {"log/detections.csv", parts[4]};
   try {
     fathom::ParseLog(text);
   } catch (const fathom::InputError&) {

@@ -49,27 +49,28 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
                     meaning));
   };
   require("log.yaml", "name and dof of the log");
-  require("command.csv", "the commanded forces");
+  if (!options.may_lack_command) require("command.csv", "the commanded forces");
   const bool has_own_velocity = Exists(folder / "velocity.csv");
-  const bool has_motion =
-      has_own_velocity || !options.velocity.empty() || Exists(folder / "pose.csv");
+  const bool has_motion = has_own_velocity || !options.velocity.empty() ||
+                          Exists(folder / "pose.csv") || Exists(folder / "detections.csv");
   if (!has_motion && !options.may_lack_motion) {
     throw InputError(fmt::format(
-        "{}: holds neither velocity.csv nor pose.csv, expected the vehicle's motion in one "
-        "of them. A camera log gets its pose.csv from fathom_track.",
+        "{}: holds neither velocity.csv nor pose.csv nor detections.csv, expected the vehicle's "
+        "motion in one of them. Images become detections and poses by fathom_track.",
         folder.string()));
   }
 
   LogText text;
   text.path = folder;
   text.log_yaml = ReadText(folder / "log.yaml");
-  text.command = ReadText(folder / "command.csv");
+  if (Exists(folder / "command.csv")) text.command = ReadText(folder / "command.csv");
   if (!options.velocity.empty()) {
     text.velocity = ReadText(FindVelocity(folder, options.velocity));
   } else if (has_own_velocity) {
     text.velocity = ReadText(folder / "velocity.csv");
   }
   if (Exists(folder / "pose.csv")) text.pose = ReadText(folder / "pose.csv");
+  if (Exists(folder / "detections.csv")) text.detections = ReadText(folder / "detections.csv");
 
   Log log = ParseLog(text);
   std::error_code error;

@@ -16,7 +16,7 @@ namespace fathom {
 
 // One file of a log: columns of equal length over stamps of its own clock.
 struct Stream {
-  std::vector<double> time;                 // [s], strictly increasing
+  std::vector<double> time;                 // [s], strictly increasing (detections: not falling)
   std::vector<std::string> columns;         // names, without "t"
   std::vector<std::vector<double>> values;  // values[column][row], SI, finite
 
@@ -38,6 +38,10 @@ struct Log {
   std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame
   std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body
 
+  // tag_id u0 v0 ... u3 v3 [px]: corners of markers, a row for each tag of each frame. What they
+  // mean takes the calibration: fathom/vision/detections_file.h, camera_rig.h.
+  std::optional<Stream> detections;
+
   // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are
   // not read: ..."). Tools print them.
   std::vector<std::string> remarks;
@@ -50,8 +54,12 @@ struct ReadLogOptions {
   // Read this file as the velocity stream instead of the log's velocity.csv.
   std::filesystem::path velocity;
 
-  // True: a folder with neither velocity.csv nor pose.csv will do, for predictions.
+  // True: a folder with none of velocity.csv, pose.csv, detections.csv will do, for predictions and
+  // for images.
   bool may_lack_motion = false;
+
+  // True: a folder without command.csv will do, where only the motion is asked for.
+  bool may_lack_command = false;
 };
 
 // Reads a log folder, or a single CSV with columns t, tau, v.

@@ -33,18 +33,26 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
+void Add(const Stream& stream, Hash* hash) {
+  hash->Add(stream.time);
+  for (std::size_t i = 0; i < stream.columns.size(); ++i) {
+    hash->Add(stream.columns[i]);
+    hash->Add(stream.values[i]);
+  }
+}
+
 }  // namespace
 
 std::string FingerprintOf(const Log& log) {
   Hash hash;
   for (const std::optional<Stream>* stream : {&log.command, &log.velocity, &log.pose}) {
     hash.Add(*stream ? "stream" : "none");
-    if (!*stream) continue;
-    hash.Add((*stream)->time);
-    for (std::size_t i = 0; i < (*stream)->columns.size(); ++i) {
-      hash.Add((*stream)->columns[i]);
-      hash.Add((*stream)->values[i]);
-    }
+    if (*stream) Add(**stream, &hash);
+  }
+  // Logs without a camera keep the fingerprints they had.
+  if (log.detections) {
+    hash.Add("detections");
+    Add(*log.detections, &hash);
   }
   return fmt::format("{:016x}", hash.value());
 }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -70,6 +71,30 @@ CsvTable ParsePose(const std::string& name, const std::string& text) {
                       norm,
                       kTolerance));
     }
+  }
+  return table;
+}
+
+CsvTable ParseDetections(const std::string& name, const std::string& text) {
+  CsvSpec spec;
+  spec.required = {"tag_id", "u0", "v0", "u1", "v1", "u2", "v2", "u3", "v3"};
+  spec.allow_equal_stamps = true;
+  CsvTable table = ParseCsvTable(name, text, spec);
+  if (table.stream.time.front() == table.stream.time.back()) {
+    throw InputError(fmt::format("{}: column 't' is {} in every row, expected at least two frames.",
+                                 name,
+                                 table.stream.time.front()));
+  }
+  const auto& ids = *table.stream.Find("tag_id");
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    if (ids[row] >= 0.0 && ids[row] <= std::numeric_limits<int>::max() &&
+        ids[row] == std::floor(ids[row])) {
+      continue;
+    }
+    throw InputError(fmt::format("{}:{}: column 'tag_id' is {}, expected a whole number from 0 on.",
+                                 name,
+                                 table.line_of_row[row],
+                                 ids[row]));
   }
   return table;
 }

@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-// The three streams of a log folder, each with the columns and rules of its own. `name` stands for
+// The streams of a log folder, each with the columns and rules of its own. `name` stands for
 // the file in messages. They throw InputError, naming file, line and column.
 
 // Some of tau_surge ... tau_yaw, or all of thruster_1 ... thruster_n, but not both.
@@ -20,5 +20,8 @@ CsvTable ParseVelocity(const std::string& name, const std::string& text);
 
 // x y z qx qy qz qw; quaternions of length 1 within 1e-3.
 CsvTable ParsePose(const std::string& name, const std::string& text);
+
+// tag_id u0 v0 u1 v1 u2 v2 u3 v3; stamps may repeat, ids are whole numbers from 0 on.
+CsvTable ParseDetections(const std::string& name, const std::string& text);
 
 }  // namespace fathom

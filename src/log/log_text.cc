@@ -23,6 +23,16 @@ void Keep(CsvTable table, std::optional<Stream>* stream, Log* log) {
   *stream = std::move(table.stream);
 }
 
+// The table's name and stamps; detections hold a row for each tag of a frame.
+CsvTable WithEachStampOnce(const CsvTable& table) {
+  CsvTable stamps;
+  stamps.name = table.name;
+  stamps.stream.time = table.stream.time;
+  auto& time = stamps.stream.time;
+  time.erase(std::unique(time.begin(), time.end()), time.end());
+  return stamps;
+}
+
 bool HoldsASample(const TimeInterval& interval, const std::optional<Stream>& stream) {
   return stream && std::any_of(stream->time.begin(), stream->time.end(), [&](double t) {
            return interval.Contains(t);
@@ -31,7 +41,10 @@ bool HoldsASample(const TimeInterval& interval, const std::optional<Stream>& str
 
 void RemarkOnEmptyHeldOut(Log* log) {
   for (const TimeInterval& interval : log->held_out) {
-    if (HoldsASample(interval, log->velocity) || HoldsASample(interval, log->pose)) continue;
+    if (HoldsASample(interval, log->velocity) || HoldsASample(interval, log->pose) ||
+        HoldsASample(interval, log->detections)) {
+      continue;
+    }
     log->remarks.push_back(fmt::format(
         "log.yaml: held_out [{}, {}] holds no sample of the motion.", interval.from, interval.to));
   }
@@ -43,17 +56,22 @@ Log ParseLog(const LogText& text) {
   Log log = ParseLogYaml(text.log_yaml.name, text.log_yaml.text);
   log.path = text.path;
 
-  CsvTable command = ParseCommand(text.command.name, text.command.text);
+  std::optional<CsvTable> command;
+  if (text.command) command = ParseCommand(text.command->name, text.command->text);
   const auto keep_motion = [&](CsvTable motion, std::optional<Stream>* stream) {
-    RefuseStampsThatAreNotSeconds(command, motion);
-    RefuseDisjointClocks(command, motion);
+    const CsvTable stamps = WithEachStampOnce(motion);
+    RefuseStampsThatAreNotSeconds(command ? *command : stamps, stamps);
+    if (command) RefuseDisjointClocks(*command, stamps);
     Keep(std::move(motion), stream, &log);
   };
   if (text.velocity) {
     keep_motion(ParseVelocity(text.velocity->name, text.velocity->text), &log.velocity);
   }
   if (text.pose) keep_motion(ParsePose(text.pose->name, text.pose->text), &log.pose);
-  Keep(std::move(command), &log.command, &log);
+  if (text.detections) {
+    keep_motion(ParseDetections(text.detections->name, text.detections->text), &log.detections);
+  }
+  if (command) Keep(std::move(*command), &log.command, &log);
   RemarkOnEmptyHeldOut(&log);
   return log;
 }

@@ -19,9 +19,10 @@ struct LogText {
   };
   std::filesystem::path path;
   File log_yaml;
-  File command;
-  std::optional<File> velocity;  // one of these two at least
+  std::optional<File> command;   // needed but for where only the motion is asked for
+  std::optional<File> velocity;  // one of these three at least
   std::optional<File> pose;
+  std::optional<File> detections;
 };
 
 // ReadLog for files that are in memory already. They throw InputError, naming file, line and

@@ -76,6 +76,7 @@ void WriteLog(const std::filesystem::path& folder, const Log& log) {
   WriteOrRequireNone(folder / "command.csv", log.command);
   WriteOrRequireNone(folder / "velocity.csv", log.velocity);
   WriteOrRequireNone(folder / "pose.csv", log.pose);
+  WriteOrRequireNone(folder / "detections.csv", log.detections);
   WriteFile(folder / "log.yaml", LogYaml(log));
 }
 

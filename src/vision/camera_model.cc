@@ -79,12 +79,17 @@ bool IsInView(const CameraModel& camera, const Eigen::Vector3d& x_camera) {
 }
 
 std::optional<Eigen::Vector3d> RayOf(const CameraModel& camera, const Eigen::Vector2d& pixel) {
+  return RayOf(camera, pixel, LargestAngle(camera));
+}
+
+std::optional<Eigen::Vector3d> RayOf(const CameraModel& camera,
+                                     const Eigen::Vector2d& pixel,
+                                     double largest_angle) {
   constexpr int kMostIterations = 50;
   constexpr double kTolerance = 1e-9;  // [px]
   constexpr double kStep = 1e-6;       // of the central differences
   const Eigen::Vector2d start((pixel.x() - camera.cx) / camera.fx,
                               (pixel.y() - camera.cy) / camera.fy);
-  const double largest_angle = LargestAngle(camera);
   const double largest =
       camera.lens == LensModel::kEquidistant ? largest_angle : std::tan(largest_angle);
   const auto miss = [&](const Eigen::Vector2d& ray) -> Eigen::Vector2d {

@@ -106,4 +106,9 @@ bool IsInView(const CameraModel& camera, const Eigen::Vector3d& x_camera);
 // method to 1e-9 px. Nothing if no ray within LargestAngle() is drawn there.
 std::optional<Eigen::Vector3d> RayOf(const CameraModel& camera, const Eigen::Vector2d& pixel);
 
+// The same for many pixels of one camera: `largest_angle` is LargestAngle(camera).
+std::optional<Eigen::Vector3d> RayOf(const CameraModel& camera,
+                                     const Eigen::Vector2d& pixel,
+                                     double largest_angle);
+
 }  // namespace fathom

@@ -47,6 +47,7 @@ std::vector<Detection> ObserveCorners(const CameraModel& camera,
   const Pose camera_from_world = world_from_camera.Inverse();
   std::vector<Detection> detections;
   for (const Marker& marker : map.markers) {
+    if (!marker.is_surveyed) continue;
     const Pose camera_from_tag = camera_from_world * marker.world_from_tag;
     if (!FacesTheCamera(camera_from_tag)) continue;
     const auto corners_in_tag = CornersInTag(marker.size);

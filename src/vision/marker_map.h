@@ -21,6 +21,9 @@ struct Marker {
   double size = 0.0;   // side of the black square [m], above 0
   std::string family;  // of libapriltag, "tag36h11"
   Pose world_from_tag;
+
+  // False: its place is not known, and world_from_tag means nothing yet.
+  bool is_surveyed = true;
 };
 
 // The markers of a log, each id once, also across families: detections tell them apart by id alone.
@@ -37,9 +40,9 @@ struct MarkerMap {
 // The corners of a marker in the tag frame, in the order of Detection::corners [m].
 std::array<Eigen::Vector3d, 4> CornersInTag(double size);
 
-// What an ideal detector would report of one view: every marker that faces the camera and whose
-// four corners are in view, in the order of the map, without noise. The marker's light margin and
-// its size in pixels do not count.
+// What an ideal detector would report of one view: every surveyed marker that faces the camera and
+// whose four corners are in view, in the order of the map, without noise. The marker's light margin
+// and its size in pixels do not count.
 std::vector<Detection> ObserveCorners(const CameraModel& camera,
                                       const MarkerMap& map,
                                       const Pose& world_from_camera,

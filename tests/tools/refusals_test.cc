@@ -103,8 +103,8 @@ TEST_P(LogTools, RefusesALogWithoutMotion) {
   }
   EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
               StartsWith(GetParam() + ": " + inputs.log.string() +
-                         ": holds neither velocity.csv nor pose.csv, expected the vehicle's "
-                         "motion in one of them."));
+                         ": holds neither velocity.csv nor pose.csv nor detections.csv, "
+                         "expected the vehicle's motion in one of them."));
 }
 
 TEST_P(LogTools, RefusesACommandWithoutTheDofsColumn) {

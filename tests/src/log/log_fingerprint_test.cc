@@ -44,7 +44,12 @@ TEST(LogFingerprint, ChangesWithEveryPieceOfTheData) {
   log.pose = log.velocity;
   log.velocity.reset();
   fingerprints.insert(FingerprintOf(log));
-  EXPECT_EQ(fingerprints.size(), 5u);
+  log = SmallLog();
+  log.detections = Stream{{0.5, 0.5}, {"tag_id"}, {{1.0, 2.0}}};
+  fingerprints.insert(FingerprintOf(log));
+  log.detections->values[0][1] = 3.0;
+  fingerprints.insert(FingerprintOf(log));
+  EXPECT_EQ(fingerprints.size(), 7u);
 }
 
 }  // namespace

@@ -164,8 +164,54 @@ TEST(ReadLog, RefusesAFolderThatLacksAFile) {
             "docs/file_formats.md.");
   EXPECT_EQ(
       Error({{"velocity.csv", "-"}}),
-      ": holds neither velocity.csv nor pose.csv, expected the vehicle's motion in one of them. A "
-      "camera log gets its pose.csv from fathom_track.");
+      ": holds neither velocity.csv nor pose.csv nor detections.csv, expected the vehicle's motion "
+      "in one of them. Images become detections and poses by fathom_track.");
+}
+
+constexpr char kDetections[] =
+    "t,tag_id,u0,v0,u1,v1,u2,v2,u3,v3\n"
+    "0.5,4,1,2,3,4,5,6,7,8\n0.5,2,1,2,3,4,5,6,7,9\n0.6,4,1,2,3,4,5,6,7,10\n"
+    "0.7,4,1,2,3,4,5,6,7,11\n0.7,2,1,2,3,4,5,6,7,12\n";
+
+TEST(ReadLog, ReadsALogOfNothingButDetections) {
+  const Log log = ReadLog(Folder(With({{"velocity.csv", "-"}, {"detections.csv", kDetections}})));
+  ASSERT_TRUE(log.detections);
+  EXPECT_FALSE(log.velocity || log.pose);
+  EXPECT_THAT(log.detections->time, ElementsAre(0.5, 0.5, 0.6, 0.7, 0.7));
+  EXPECT_THAT(*log.detections->Find("v3"), ElementsAre(8, 9, 10, 11, 12));
+  EXPECT_THAT(log.remarks, IsEmpty());
+}
+
+TEST(ReadLog, ReadsImagesOfALogWithoutCommand) {
+  const auto folder = Folder(With({{"velocity.csv", "-"}, {"command.csv", "-"}}));
+  ReadLogOptions options;
+  options.may_lack_motion = true;
+  options.may_lack_command = true;
+  const Log log = ReadLog(folder, options);
+  EXPECT_FALSE(log.command || log.velocity || log.pose || log.detections);
+}
+
+TEST(ReadLog, RefusesDetectionsItCannotUse) {
+  std::string text = kDetections;
+  text.replace(text.find("0.6,4"), 5, "0.6,4.5");
+  EXPECT_EQ(Error({{"detections.csv", text}}),
+            "detections.csv:4: column 'tag_id' is 4.5, expected a whole number from 0 on.");
+  text = kDetections;
+  text.replace(text.find("0.6,4"), 5, "0.6,-1");
+  EXPECT_EQ(Error({{"detections.csv", text}}),
+            "detections.csv:4: column 'tag_id' is -1, expected a whole number from 0 on.");
+  EXPECT_EQ(Error({{"detections.csv", "t,tag_id,u0\n1,2,3\n"}}),
+            "detections.csv:1: column 'v0' is missing, found t, tag_id, u0; expected t, tag_id, "
+            "u0, v0, u1, v1, u2, v2, u3, v3.");
+  text = kDetections;
+  text.replace(text.find("0.7,4"), 5, "0.4,4");
+  EXPECT_THAT(Error({{"detections.csv", text}}),
+              StartsWith("detections.csv:5: column 't' goes back from 0.6 to 0.4"));
+  text = "t,tag_id,u0,v0,u1,v1,u2,v2,u3,v3\n5,4,1,2,3,4,5,6,7,8\n5,3,1,2,3,4,5,6,7,8\n";
+  EXPECT_EQ(Error({{"detections.csv", text}}),
+            "detections.csv: column 't' is 5 in every row, expected at least two frames.");
+  text = "t,tag_id,u0,v0,u1,v1,u2,v2,u3,v3\n50,4,1,2,3,4,5,6,7,8\n51,4,1,2,3,4,5,6,7,8\n";
+  EXPECT_THAT(Error({{"detections.csv", text}}), HasSubstr("expected some time in common"));
 }
 
 TEST(ReadLog, RefusesAFolderInPlaceOfAStream) {

@@ -56,6 +56,7 @@ void ExpectSameLog(const Log& a, const Log& b) {
   ExpectSameStream(a.command, b.command);
   ExpectSameStream(a.velocity, b.velocity);
   ExpectSameStream(a.pose, b.pose);
+  ExpectSameStream(a.detections, b.detections);
 }
 
 Stream RandomStream(const std::vector<std::string>& columns, int num_rows) {
