@@ -2,7 +2,7 @@
 # have, or brings in a library that belongs into .cc files. Run with cmake -P.
 
 cmake_minimum_required(VERSION 3.22)
-set(heavy ceres opencv2 opencv4 yaml-cpp nlohmann fmt glog gflags csv.h)
+set(heavy ceres opencv2 opencv4 yaml-cpp nlohmann fmt glog gflags csv.h apriltag turbojpeg.h)
 
 list(REMOVE_ITEM INCLUDE_DIRS "")
 list(TRANSFORM INCLUDE_DIRS PREPEND -I)

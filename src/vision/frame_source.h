@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vision/camera_model.h"
+#include "fathom/vision/gray_image.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct Frame {
+  double time = 0.0;  // log time [s]
+  std::string name;   // as in messages: "frames/0012.png", "camera.mp4, frame 12"
+  GrayImage image;
+};
+
+// The frames of a camera log in the order of their stamps, whether images or a video.
+//
+//   const auto frames = OpenFrames(folder, log.video, camera);
+//   for (Frame frame; frames->Next(&frame);) { ... }
+//   frames->unreadable();  // what was passed over
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  // Frames there should be: those listed, or announced by the video; 0 where nothing says.
+  virtual int num_expected() const = 0;
+
+  // The next frame that can be read; false at the end. Throws InputError where a frame has another
+  // size than the camera's calibration, or a video more frames than there are stamps.
+  virtual bool Next(Frame* frame) = 0;
+
+  // Frames that were expected and could not be read so far.
+  int num_unreadable() const { return num_unreadable_; }
+
+  // What was the matter with them, a sentence for each image or each gap of a video.
+  const std::vector<std::string>& unreadable() const { return unreadable_; }
+
+ protected:
+  int num_unreadable_ = 0;
+  std::vector<std::string> unreadable_;
+};
+
+// Opens the frames of a log folder: `video` (log.yaml), stamped by frame_times.csv where there is
+// one and by the container else, or the images of frames.csv. `camera_file` names the calibration
+// in messages. Throws InputError if there are neither, or both, or they cannot be opened.
+std::unique_ptr<FrameSource> OpenFrames(const std::filesystem::path& folder,
+                                        const std::string& video,
+                                        const CameraModel& camera,
+                                        const std::string& camera_file);
+
+}  // namespace fathom

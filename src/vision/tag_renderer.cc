@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vision/tag_renderer.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/vision/pixel_noise.h"
+#include "fathom/vision/tag_family.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glog/logging.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace fathom {
+namespace {
+
+constexpr int kNumSamples = 64;  // of a pixel that an edge crosses
+
+// A printed marker: its pattern with a white rim of one cell around it.
+struct Panel {
+  Marker marker;
+  TagPattern pattern;
+  double cell = 0.0;  // side [m]
+  double half = 0.0;  // of the panel [m]
+
+  Panel(const Marker& marker_, const TagPattern& pattern_)
+      : marker(marker_),
+        pattern(pattern_),
+        cell(marker_.size / pattern_.border_width),
+        half(cell * (0.5 * pattern_.width + 1.0)) {}
+
+  // Row and column of the cell at a point of the tag plane, counted with the rim; nothing beyond.
+  std::optional<std::array<int, 2>> CellAt(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d place = (p.array() + half) / cell;
+    const int last = pattern.width + 2;
+    if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < last)) return std::nullopt;
+    return std::array<int, 2>{static_cast<int>(place.y()), static_cast<int>(place.x())};
+  }
+
+  // From 0, black, to 1.
+  double WhiteOf(const std::array<int, 2>& cell_index) const {
+    const int row = cell_index[0] - 1;
+    const int column = cell_index[1] - 1;
+    const bool is_rim = row < 0 || column < 0 || row >= pattern.width || column >= pattern.width;
+    return is_rim ? 1.0 : pattern.At(column, row) / 255.0;
+  }
+};
+
+// Where the ray from a camera meets the plane of a marker; NaN if it does not.
+struct Plane {
+  Eigen::Matrix3d tag_from_camera;
+  Eigen::Vector3d camera_in_tag;
+
+  explicit Plane(const Pose& tag_from_camera_pose)
+      : tag_from_camera(tag_from_camera_pose.rotation.toRotationMatrix()),
+        camera_in_tag(tag_from_camera_pose.translation) {}
+
+  bool IsSeenFromAhead() const { return camera_in_tag.z() < 0.0; }
+
+  Eigen::Vector2d Meet(const Eigen::Vector3d& ray_in_camera) const {
+    const Eigen::Vector3d ray = tag_from_camera * ray_in_camera;
+    const double along = -camera_in_tag.z() / ray.z();
+    if (!(ray.z() > 0.0))
+      return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return camera_in_tag.head<2>() + along * ray.head<2>();
+  }
+
+  // [m]
+  double DistanceOf(const Eigen::Vector2d& p) const {
+    return (Eigen::Vector3d(p.x(), p.y(), 0.0) - camera_in_tag).norm();
+  }
+};
+
+// Pixels from .. to, without the last.
+struct PixelBox {
+  int u_from = 0, u_to = 0, v_from = 0, v_to = 0;
+};
+
+double RadicalInverse(unsigned index) {
+  double result = 0.0;
+  for (double digit = 0.5; index > 0; index >>= 1, digit *= 0.5) {
+    if (index & 1U) result += digit;
+  }
+  return result;
+}
+
+std::array<Eigen::Vector2d, kNumSamples> HammersleyNet() {
+  std::array<Eigen::Vector2d, kNumSamples> net;
+  for (int i = 0; i < kNumSamples; ++i) {
+    net[i] = {(i + 0.5) / kNumSamples, RadicalInverse(i) + 0.5 / kNumSamples};
+  }
+  return net;
+}
+
+// A shift of the net for each pixel and exposure, evenly spread over both (Roberts' sequence).
+Eigen::Vector2d ShiftOf(int u, int v, int exposure) {
+  const double n = u + 0.5 * v * (v + 1.0) + 17.0 * exposure;
+  Eigen::Vector2d shift(n * 0.7548776662466927, n * 0.5698402909980532);
+  return shift - shift.array().floor().matrix();
+}
+
+}  // namespace
+
+struct TagRenderer::Implementation {
+  CameraModel camera;
+  WaterView view;
+  std::vector<Panel> panels;
+  std::vector<Eigen::Vector3f> rays;  // of the corners of the pixels, (width + 1) x (height + 1)
+  std::array<Eigen::Vector2d, kNumSamples> net = HammersleyNet();
+
+  const Eigen::Vector3f& CornerRay(int u, int v) const {
+    return rays[static_cast<std::size_t>(v) * (camera.width + 1) + u];
+  }
+
+  // The ray of a point of a pixel, a and b from 0 at its top left to 1.
+  Eigen::Vector3d RayIn(int u, int v, double a, double b) const {
+    const Eigen::Vector3d top =
+        (1.0 - a) * CornerRay(u, v).cast<double>() + a * CornerRay(u + 1, v).cast<double>();
+    const Eigen::Vector3d bottom =
+        (1.0 - a) * CornerRay(u, v + 1).cast<double>() + a * CornerRay(u + 1, v + 1).cast<double>();
+    return (1.0 - b) * top + b * bottom;
+  }
+
+  double Seen(double brightness, double distance) const {
+    const double passed = std::exp(-view.attenuation * distance);
+    return brightness * passed + view.veiling_light * (1.0 - passed);
+  }
+
+  // The wall behind the markers.
+  void DrawWall(const Pose& world_from_camera, std::vector<float>* light) const;
+
+  // The pixels on which the panel may be; all where it leaves the view.
+  PixelBox BoxOf(const Panel& panel, std::span<const Pose> world_from_camera) const;
+
+  void DrawPanel(const Panel& panel,
+                 std::span<const Pose> world_from_camera,
+                 std::vector<float>* light) const;
+
+  // The light of a panel on one pixel, over what is behind it.
+  double LightOf(
+      const Panel& panel, const Plane& plane, int u, int v, int exposure, double behind) const;
+
+  void Vignette(std::vector<float>* light) const;
+};
+
+void TagRenderer::Implementation::DrawWall(const Pose& world_from_camera,
+                                           std::vector<float>* light) const {
+  light->assign(static_cast<std::size_t>(camera.width) * camera.height,
+                static_cast<float>(view.veiling_light));
+  if (panels.empty()) return;
+  const Plane plane(panels.front().marker.world_from_tag.Inverse() * world_from_camera);
+  if (!plane.IsSeenFromAhead()) return;
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const Eigen::Vector2d p = plane.Meet(CornerRay(u, v).cast<double>());
+      if (!p.allFinite()) continue;
+      (*light)[static_cast<std::size_t>(v) * camera.width + u] =
+          static_cast<float>(Seen(view.wall, plane.DistanceOf(p)));
+    }
+  }
+}
+
+PixelBox TagRenderer::Implementation::BoxOf(const Panel& panel,
+                                            std::span<const Pose> world_from_camera) const {
+  constexpr int kPointsPerSide = 16;
+  constexpr double kMargin = 3.0;  // [px], for what a side bulges between its points
+  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array2d high = -low;
+  for (const Pose& pose : world_from_camera) {
+    const Pose camera_from_tag = pose.Inverse() * panel.marker.world_from_tag;
+    for (int i = 0; i < 4 * kPointsPerSide; ++i) {
+      const double s = 2.0 * (i % kPointsPerSide) / kPointsPerSide - 1.0;
+      const std::array<Eigen::Vector2d, 4> sides = {{{s, -1.0}, {1.0, s}, {-s, 1.0}, {-1.0, -s}}};
+      const Eigen::Vector2d p = panel.half * sides[i / kPointsPerSide];
+      const Eigen::Vector3d x_camera = camera_from_tag * Eigen::Vector3d(p.x(), p.y(), 0.0);
+      if (!IsInView(camera, x_camera)) return {0, camera.width, 0, camera.height};
+      const Eigen::Array2d pixel = Project(camera, x_camera).array();
+      low = low.min(pixel);
+      high = high.max(pixel);
+    }
+  }
+  return {std::max(0, static_cast<int>(low.x() - kMargin)),
+          std::min(camera.width, static_cast<int>(high.x() + kMargin) + 1),
+          std::max(0, static_cast<int>(low.y() - kMargin)),
+          std::min(camera.height, static_cast<int>(high.y() + kMargin) + 1)};
+}
+
+double TagRenderer::Implementation::LightOf(
+    const Panel& panel, const Plane& plane, int u, int v, int exposure, double behind) const {
+  const std::array<Eigen::Vector2d, 4> corners = {
+      plane.Meet(CornerRay(u, v).cast<double>()),
+      plane.Meet(CornerRay(u + 1, v).cast<double>()),
+      plane.Meet(CornerRay(u + 1, v + 1).cast<double>()),
+      plane.Meet(CornerRay(u, v + 1).cast<double>())};
+  Eigen::Array2d low = corners[0].array(), high = low;
+  for (const Eigen::Vector2d& corner : corners) {
+    if (!corner.allFinite()) return behind;
+    low = low.min(corner.array());
+    high = high.max(corner.array());
+  }
+  if ((low > panel.half).any() || (high < -panel.half).any()) return behind;
+
+  const auto light_at = [&](const Eigen::Vector2d& p, const std::array<int, 2>& cell) {
+    const double white = panel.WhiteOf(cell);
+    return Seen(view.black + white * (view.white - view.black), plane.DistanceOf(p));
+  };
+  // Straight lines stay straight from pixel to tag, as far as the lens bends them within a pixel.
+  const auto first = panel.CellAt(corners[0]);
+  const bool is_one_cell = first && std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
+                             return panel.CellAt(p) == first;
+                           });
+  if (is_one_cell) return light_at(0.5 * (corners[0] + corners[2]), *first);
+
+  const Eigen::Vector2d shift = ShiftOf(u, v, exposure);
+  double sum = 0.0;
+  for (const Eigen::Vector2d& point : net) {
+    Eigen::Vector2d place = point + shift;
+    place -= place.array().floor().matrix();
+    const Eigen::Vector2d p = plane.Meet(RayIn(u, v, place.x(), place.y()));
+    const auto cell = panel.CellAt(p);
+    sum += cell ? light_at(p, *cell) : behind;
+  }
+  return sum / kNumSamples;
+}
+
+void TagRenderer::Implementation::DrawPanel(const Panel& panel,
+                                            std::span<const Pose> world_from_camera,
+                                            std::vector<float>* light) const {
+  std::vector<Plane> planes;
+  for (const Pose& pose : world_from_camera) {
+    planes.emplace_back(panel.marker.world_from_tag.Inverse() * pose);
+    if (!planes.back().IsSeenFromAhead()) return;
+  }
+  const PixelBox box = BoxOf(panel, world_from_camera);
+  for (int v = box.v_from; v < box.v_to; ++v) {
+    for (int u = box.u_from; u < box.u_to; ++u) {
+      float& pixel = (*light)[static_cast<std::size_t>(v) * camera.width + u];
+      double sum = 0.0;
+      for (std::size_t i = 0; i < planes.size(); ++i) {
+        sum += LightOf(panel, planes[i], u, v, static_cast<int>(i), pixel);
+      }
+      pixel = static_cast<float>(sum / static_cast<double>(planes.size()));
+    }
+  }
+}
+
+void TagRenderer::Implementation::Vignette(std::vector<float>* light) const {
+  if (view.vignetting == 0.0) return;
+  const double u_most = std::max(camera.cx, camera.width - 1 - camera.cx);
+  const double v_most = std::max(camera.cy, camera.height - 1 - camera.cy);
+  const double most = u_most * u_most + v_most * v_most;
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const double du = u - camera.cx, dv = v - camera.cy;
+      (*light)[static_cast<std::size_t>(v) * camera.width + u] *=
+          static_cast<float>(1.0 - view.vignetting * (du * du + dv * dv) / most);
+    }
+  }
+}
+
+TagRenderer::TagRenderer(const CameraModel& camera, const MarkerMap& map, const WaterView& view) {
+  if (const auto problems = view.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("rendered view: {}.", fmt::join(problems, "; ")));
+  }
+  auto made = std::make_unique<Implementation>();
+  made->camera = camera;
+  made->view = view;
+  for (const Marker& marker : map.markers) {
+    made->panels.emplace_back(marker, PatternOf(marker.family, marker.id));
+  }
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int v = 0; v <= camera.height; ++v) {
+    for (int u = 0; u <= camera.width; ++u) {
+      const auto ray = RayOf(camera, {u - 0.5, v - 0.5});
+      made->rays.push_back(ray ? Eigen::Vector3f(ray->cast<float>())
+                               : Eigen::Vector3f::Constant(nan));
+    }
+  }
+  implementation_ = std::move(made);
+}
+
+TagRenderer::~TagRenderer() = default;
+TagRenderer::TagRenderer(TagRenderer&&) noexcept = default;
+TagRenderer& TagRenderer::operator=(TagRenderer&&) noexcept = default;
+
+GrayImage TagRenderer::Render(std::span<const Pose> world_from_camera, std::uint64_t seed) const {
+  CHECK(!world_from_camera.empty());
+  const Implementation& it = *implementation_;
+  const Pose& middle = world_from_camera[world_from_camera.size() / 2];
+  std::vector<float> light;
+  it.DrawWall(middle, &light);
+
+  // The farthest first, so that nearer markers hide it.
+  std::vector<const Panel*> panels;
+  for (const Panel& panel : it.panels) panels.push_back(&panel);
+  const auto distance = [&](const Panel* panel) {
+    return (panel->marker.world_from_tag.translation - middle.translation).norm();
+  };
+  std::stable_sort(panels.begin(), panels.end(), [&](const Panel* a, const Panel* b) {
+    return distance(a) > distance(b);
+  });
+  for (const Panel* panel : panels) it.DrawPanel(*panel, world_from_camera, &light);
+
+  if (it.view.blur > 0.0) {
+    cv::Mat matrix(it.camera.height, it.camera.width, CV_32F, light.data());
+    cv::GaussianBlur(matrix, matrix, {}, it.view.blur, it.view.blur, cv::BORDER_REPLICATE);
+  }
+  it.Vignette(&light);
+  return Expose(it.camera.width, it.camera.height, light, it.view.noise, it.view.shot_noise, seed);
+}
+
+}  // namespace fathom
