@@ -4,6 +4,7 @@
 #include "fathom/vision/tag_renderer.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/vision/clipped_area.h"
 #include "fathom/vision/pixel_noise.h"
 #include "fathom/vision/tag_family.h"
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,8 +23,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr int kNumSamples = 64;  // of a pixel that an edge crosses
 
 // A printed marker: its pattern with a white rim of one cell around it.
 struct Panel {
@@ -39,18 +37,15 @@ struct Panel {
         cell(marker_.size / pattern_.border_width),
         half(cell * (0.5 * pattern_.width + 1.0)) {}
 
-  // Row and column of the cell at a point of the tag plane, counted with the rim; nothing beyond.
-  std::optional<std::array<int, 2>> CellAt(const Eigen::Vector2d& p) const {
-    const Eigen::Vector2d place = (p.array() + half) / cell;
-    const int last = pattern.width + 2;
-    if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < last)) return std::nullopt;
-    return std::array<int, 2>{static_cast<int>(place.y()), static_cast<int>(place.x())};
-  }
+  int num_cells() const { return pattern.width + 2; }
+
+  // A point of the tag plane in cells from the panel's top left.
+  Eigen::Vector2d InCells(const Eigen::Vector2d& p) const { return (p.array() + half) / cell; }
 
   // From 0, black, to 1.
-  double WhiteOf(const std::array<int, 2>& cell_index) const {
-    const int row = cell_index[0] - 1;
-    const int column = cell_index[1] - 1;
+  double WhiteOf(int cell_column, int cell_row) const {
+    const int row = cell_row - 1;
+    const int column = cell_column - 1;
     const bool is_rim = row < 0 || column < 0 || row >= pattern.width || column >= pattern.width;
     return is_rim ? 1.0 : pattern.At(column, row) / 255.0;
   }
@@ -86,52 +81,26 @@ struct PixelBox {
   int u_from = 0, u_to = 0, v_from = 0, v_to = 0;
 };
 
-double RadicalInverse(unsigned index) {
-  double result = 0.0;
-  for (double digit = 0.5; index > 0; index >>= 1, digit *= 0.5) {
-    if (index & 1U) result += digit;
-  }
-  return result;
-}
-
-std::array<Eigen::Vector2d, kNumSamples> HammersleyNet() {
-  std::array<Eigen::Vector2d, kNumSamples> net;
-  for (int i = 0; i < kNumSamples; ++i) {
-    net[i] = {(i + 0.5) / kNumSamples, RadicalInverse(i) + 0.5 / kNumSamples};
-  }
-  return net;
-}
-
-// A shift of the net for each pixel and exposure, evenly spread over both (Roberts' sequence).
-Eigen::Vector2d ShiftOf(int u, int v, int exposure) {
-  const double n = u + 0.5 * v * (v + 1.0) + 17.0 * exposure;
-  Eigen::Vector2d shift(n * 0.7548776662466927, n * 0.5698402909980532);
-  return shift - shift.array().floor().matrix();
-}
-
 }  // namespace
 
 struct TagRenderer::Implementation {
   CameraModel camera;
   WaterView view;
+  double largest_angle = 0.0;  // of the lens, from its axis [rad]
   std::vector<Panel> panels;
   std::vector<Eigen::Vector3f> rays;  // of the corners of the pixels, (width + 1) x (height + 1)
-  std::array<Eigen::Vector2d, kNumSamples> net = HammersleyNet();
 
   const Eigen::Vector3f& CornerRay(int u, int v) const {
     return rays[static_cast<std::size_t>(v) * (camera.width + 1) + u];
   }
 
-  // The ray of a point of a pixel, a and b from 0 at its top left to 1.
-  Eigen::Vector3d RayIn(int u, int v, double a, double b) const {
-    const Eigen::Vector3d top =
-        (1.0 - a) * CornerRay(u, v).cast<double>() + a * CornerRay(u + 1, v).cast<double>();
-    const Eigen::Vector3d bottom =
-        (1.0 - a) * CornerRay(u, v + 1).cast<double>() + a * CornerRay(u + 1, v + 1).cast<double>();
-    return (1.0 - b) * top + b * bottom;
+  bool IsSeen(const Eigen::Vector3d& x_camera) const {
+    const double angle = std::atan2(x_camera.head<2>().norm(), x_camera.z());
+    return angle < largest_angle && camera.Contains(Project(camera, x_camera));
   }
 
   double Seen(double brightness, double distance) const {
+    if (view.attenuation == 0.0) return brightness;
     const double passed = std::exp(-view.attenuation * distance);
     return brightness * passed + view.veiling_light * (1.0 - passed);
   }
@@ -147,8 +116,7 @@ struct TagRenderer::Implementation {
                  std::vector<float>* light) const;
 
   // The light of a panel on one pixel, over what is behind it.
-  double LightOf(
-      const Panel& panel, const Plane& plane, int u, int v, int exposure, double behind) const;
+  double LightOf(const Panel& panel, const Plane& plane, int u, int v, double behind) const;
 
   void Vignette(std::vector<float>* light) const;
 };
@@ -183,7 +151,7 @@ PixelBox TagRenderer::Implementation::BoxOf(const Panel& panel,
       const std::array<Eigen::Vector2d, 4> sides = {{{s, -1.0}, {1.0, s}, {-s, 1.0}, {-1.0, -s}}};
       const Eigen::Vector2d p = panel.half * sides[i / kPointsPerSide];
       const Eigen::Vector3d x_camera = camera_from_tag * Eigen::Vector3d(p.x(), p.y(), 0.0);
-      if (!IsInView(camera, x_camera)) return {0, camera.width, 0, camera.height};
+      if (!IsSeen(x_camera)) return {0, camera.width, 0, camera.height};
       const Eigen::Array2d pixel = Project(camera, x_camera).array();
       low = low.min(pixel);
       high = high.max(pixel);
@@ -196,41 +164,48 @@ PixelBox TagRenderer::Implementation::BoxOf(const Panel& panel,
 }
 
 double TagRenderer::Implementation::LightOf(
-    const Panel& panel, const Plane& plane, int u, int v, int exposure, double behind) const {
+    const Panel& panel, const Plane& plane, int u, int v, double behind) const {
   const std::array<Eigen::Vector2d, 4> corners = {
       plane.Meet(CornerRay(u, v).cast<double>()),
       plane.Meet(CornerRay(u + 1, v).cast<double>()),
       plane.Meet(CornerRay(u + 1, v + 1).cast<double>()),
       plane.Meet(CornerRay(u, v + 1).cast<double>())};
-  Eigen::Array2d low = corners[0].array(), high = low;
-  for (const Eigen::Vector2d& corner : corners) {
-    if (!corner.allFinite()) return behind;
+  std::array<Eigen::Vector2d, 4> pixel;  // in cells
+  for (int i = 0; i < 4; ++i) {
+    if (!corners[i].allFinite()) return behind;
+    pixel[i] = panel.InCells(corners[i]);
+  }
+  Eigen::Array2d low = pixel[0].array(), high = low;
+  for (const Eigen::Vector2d& corner : pixel) {
     low = low.min(corner.array());
     high = high.max(corner.array());
   }
-  if ((low > panel.half).any() || (high < -panel.half).any()) return behind;
+  const int last = panel.num_cells() - 1;
+  if ((low >= last + 1.0).any() || (high <= 0.0).any()) return behind;
+  const Eigen::Array2i first_cell = low.max(0.0).cast<int>();
+  const Eigen::Array2i last_cell = high.min(last).cast<int>();
 
-  const auto light_at = [&](const Eigen::Vector2d& p, const std::array<int, 2>& cell) {
-    const double white = panel.WhiteOf(cell);
-    return Seen(view.black + white * (view.white - view.black), plane.DistanceOf(p));
-  };
-  // Straight lines stay straight from pixel to tag, as far as the lens bends them within a pixel.
-  const auto first = panel.CellAt(corners[0]);
-  const bool is_one_cell = first && std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
-                             return panel.CellAt(p) == first;
-                           });
-  if (is_one_cell) return light_at(0.5 * (corners[0] + corners[2]), *first);
-
-  const Eigen::Vector2d shift = ShiftOf(u, v, exposure);
-  double sum = 0.0;
-  for (const Eigen::Vector2d& point : net) {
-    Eigen::Vector2d place = point + shift;
-    place -= place.array().floor().matrix();
-    const Eigen::Vector2d p = plane.Meet(RayIn(u, v, place.x(), place.y()));
-    const auto cell = panel.CellAt(p);
-    sum += cell ? light_at(p, *cell) : behind;
+  // Straight lines stay straight from tag to pixel, as far as the lens bends them within one: each
+  // cell has the share of the pixel that its area in the tag plane has.
+  double white = 0.0, covered = 1.0;
+  if (low.minCoeff() >= 0.0 && (first_cell == last_cell).all()) {
+    white = panel.WhiteOf(first_cell.x(), first_cell.y());
+  } else {
+    const double area = AreaOf(pixel);
+    covered = 0.0;
+    for (int row = first_cell.y(); row <= last_cell.y(); ++row) {
+      for (int column = first_cell.x(); column <= last_cell.x(); ++column) {
+        const Eigen::Vector2d cell(column, row);
+        const double share = AreaWithin(pixel, cell, cell + Eigen::Vector2d::Ones()) / area;
+        covered += share;
+        white += share * panel.WhiteOf(column, row);
+      }
+    }
+    if (covered == 0.0) return behind;
   }
-  return sum / kNumSamples;
+  const double brightness = view.black * covered + white * (view.white - view.black);
+  const double distance = plane.DistanceOf(0.5 * (corners[0] + corners[2]));
+  return covered * Seen(brightness / covered, distance) + (1.0 - covered) * behind;
 }
 
 void TagRenderer::Implementation::DrawPanel(const Panel& panel,
@@ -246,8 +221,8 @@ void TagRenderer::Implementation::DrawPanel(const Panel& panel,
     for (int u = box.u_from; u < box.u_to; ++u) {
       float& pixel = (*light)[static_cast<std::size_t>(v) * camera.width + u];
       double sum = 0.0;
-      for (std::size_t i = 0; i < planes.size(); ++i) {
-        sum += LightOf(panel, planes[i], u, v, static_cast<int>(i), pixel);
+      for (const Plane& plane : planes) {
+        sum += LightOf(panel, plane, u, v, pixel);
       }
       pixel = static_cast<float>(sum / static_cast<double>(planes.size()));
     }
@@ -275,13 +250,14 @@ TagRenderer::TagRenderer(const CameraModel& camera, const MarkerMap& map, const 
   auto made = std::make_unique<Implementation>();
   made->camera = camera;
   made->view = view;
+  made->largest_angle = LargestAngle(camera);
   for (const Marker& marker : map.markers) {
     made->panels.emplace_back(marker, PatternOf(marker.family, marker.id));
   }
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (int v = 0; v <= camera.height; ++v) {
     for (int u = 0; u <= camera.width; ++u) {
-      const auto ray = RayOf(camera, {u - 0.5, v - 0.5});
+      const auto ray = RayOf(camera, {u - 0.5, v - 0.5}, made->largest_angle);
       made->rays.push_back(ray ? Eigen::Vector3f(ray->cast<float>())
                                : Eigen::Vector3f::Constant(nan));
     }

@@ -19,9 +19,8 @@ namespace fathom {
 // the exposure, vignetting, blur and noise. For tests and synthetic logs, so that a detector meets
 // images whose corners are known.
 //
-// A pixel is the mean light over its area. Where an edge crosses it, that is the mean of 64 points
-// of a net (Hammersley's, shifted for each pixel): edges are right to 0.02 px. The back of a marker
-// is not seen; a nearer marker hides one behind it.
+// A pixel is the mean light over its area, to the extent that straight lines stay straight within
+// it. The back of a marker is not seen; a nearer marker hides one behind it.
 class TagRenderer {
  public:
   // Throws InputError if a family or tag is not known, or the view breaks a rule. Holds 12 bytes

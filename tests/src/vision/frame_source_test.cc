@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vision/frame_source.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/input_file.h"
+#include "fathom/base/output_file.h"
+#include "fathom/vision/image_file.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rendered_scene.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+namespace fathom {
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kHeight = 48;
+
+CameraModel SmallCamera() {
+  CameraModel camera = PlainCamera();
+  camera.width = kWidth;
+  camera.height = kHeight;
+  return camera;
+}
+
+// A slope with some texture, different for each frame.
+cv::Mat Picture(int frame) {
+  cv::Mat picture(kHeight, kWidth, CV_8U);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      picture.at<uchar>(v, u) =
+          static_cast<uchar>((u * 3 + v * 2 + 7 * frame + (u * v) % 11) % 256);
+    }
+  }
+  return picture;
+}
+
+std::string Encoded(const cv::Mat& picture, const char* extension) {
+  std::vector<uchar> bytes;
+  cv::imencode(extension, picture, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+class FrameFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / test->test_suite_name() / test->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+
+  // frames.csv and its images, 0.5 s apart.
+  void WriteImages(int num, const char* extension) const {
+    std::string list = "t,file\n";
+    for (int i = 0; i < num; ++i) {
+      WriteFile(folder_ / fmt::format("{}{}", i, extension), Encoded(Picture(i), extension));
+      list += fmt::format("{},{}{}\n", 0.5 * i, i, extension);
+    }
+    WriteFile(folder_ / "frames.csv", list);
+  }
+
+  // A video of lossless or nearly lossless frames, 8 per second.
+  void WriteVideo(int num) const {
+    cv::VideoWriter writer((folder_ / "film.avi").string(),
+                           cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           8.0,
+                           cv::Size(kWidth, kHeight),
+                           false);
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < num; ++i) writer.write(Picture(i));
+  }
+
+  std::unique_ptr<FrameSource> Open(const std::string& video = "",
+                                    const CameraModel& camera = SmallCamera()) const {
+    return OpenFrames(folder_, video, camera, (folder_ / "camera.yaml").string());
+  }
+
+  std::string RefusalOf(const std::string& video = "",
+                        const CameraModel& camera = SmallCamera()) const {
+    try {
+      const auto source = Open(video, camera);
+      for (Frame frame; source->Next(&frame);) {
+      }
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::string Path(const char* file) const { return (folder_ / file).string(); }
+
+  static std::vector<double> TimesOf(FrameSource& source) {
+    std::vector<double> times;
+    for (Frame frame; source.Next(&frame);) times.push_back(frame.time);
+    return times;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(FrameFolder, ReadsImagesWithTheirStamps) {
+  for (const char* extension : {".png", ".pgm", ".jpg"}) {
+    WriteImages(3, extension);
+    const auto source = Open();
+    EXPECT_EQ(source->num_expected(), 3);
+    Frame frame;
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_TRUE(source->Next(&frame)) << extension;
+      EXPECT_EQ(frame.time, 0.5 * i);
+      EXPECT_EQ(frame.name, Path(fmt::format("{}{}", i, extension).c_str()));
+      ASSERT_EQ(frame.image.width, kWidth);
+      // JPEG at OpenCV's quality of 95 moves a few grey values.
+      EXPECT_NEAR(frame.image.At(20, 30),
+                  Picture(i).at<uchar>(30, 20),
+                  extension == std::string(".jpg") ? 25 : 0);
+    }
+    EXPECT_FALSE(source->Next(&frame));
+    EXPECT_EQ(source->num_unreadable(), 0);
+  }
+}
+
+TEST_F(FrameFolder, CountsDamagedAndMissingImagesAndGoesOn) {
+  WriteImages(5, ".jpg");
+  const std::string whole = ReadFile(folder_ / "1.jpg");
+  WriteFile(folder_ / "1.jpg", whole.substr(0, whole.size() / 2));
+  std::filesystem::remove(folder_ / "2.jpg");
+  WriteFile(folder_ / "3.jpg", "no image at all");
+  const auto source = Open();
+  EXPECT_EQ(TimesOf(*source), (std::vector<double>{0.0, 2.0}));
+  EXPECT_EQ(source->num_unreadable(), 3);
+  ASSERT_EQ(source->unreadable().size(), 3u);
+  EXPECT_THAT(source->unreadable()[0],
+              testing::StartsWith(Path("frames.csv") + ":3: " + Path("1.jpg") +
+                                  ": cannot decode this image: "));
+  EXPECT_EQ(
+      source->unreadable()[1],
+      Path("frames.csv") + ":4: " + Path("2.jpg") + ": there is no such file. Check the path.");
+  EXPECT_EQ(source->unreadable()[2],
+            Path("frames.csv") + ":5: " + Path("3.jpg") +
+                ": cannot decode this image: its data end too early or are of no known format. It "
+                "is damaged or cut off; restore it from its source.");
+}
+
+// Cut at many places, and with bytes changed amid the data: never a picture that is not the file's.
+TEST_F(FrameFolder, NeverTakesADamagedFileForAPicture) {
+  for (const char* extension : {".png", ".jpg", ".pgm"}) {
+    const std::string whole = Encoded(Picture(0), extension);
+    for (std::size_t share = 1; share <= 9; ++share) {
+      EXPECT_THROW(DecodeImage("a", whole.substr(0, whole.size() * share / 10)), InputError)
+          << extension << " " << share;
+    }
+  }
+  std::string png = Encoded(Picture(0), ".png");
+  png[png.size() / 2] ^= 0x40;
+  EXPECT_THROW(DecodeImage("a", png), InputError);
+}
+
+TEST_F(FrameFolder, RefusesImagesOfAnotherSizeThanTheCalibration) {
+  WriteImages(2, ".png");
+  CameraModel camera = SmallCamera();
+  camera.width = 80;
+  EXPECT_EQ(RefusalOf("", camera),
+            Path("0.png") + ": is 64 x 48 pixels, expected 80 x 48 as in " + Path("camera.yaml") +
+                ". Calibrate the camera at the size of its frames, or give the calibration that "
+                "belongs to them.");
+}
+
+TEST_F(FrameFolder, RefusesImagesOfSixteenBits) {
+  cv::Mat deep;
+  Picture(0).convertTo(deep, CV_16U, 16.0);
+  EXPECT_THROW(
+      {
+        try {
+          DecodeImage("deep.png", Encoded(deep, ".png"));
+        } catch (const InputError& error) {
+          EXPECT_STREQ(error.what(),
+                       "deep.png: has more than 8 bits per pixel, expected 8. Convert it with a "
+                       "scale that is the same for all images.");
+          throw;
+        }
+      },
+      InputError);
+}
+
+TEST_F(FrameFolder, ReadsAVideoWithTheContainersStamps) {
+  WriteVideo(9);
+  const auto source = Open("film.avi");
+  EXPECT_EQ(source->num_expected(), 9);
+  Frame frame;
+  for (int i = 0; i < 9; ++i) {
+    ASSERT_TRUE(source->Next(&frame));
+    EXPECT_NEAR(frame.time, i / 8.0, 1e-6);
+    EXPECT_EQ(frame.name, Path("film.avi") + fmt::format(", frame {}", i));
+    // Motion JPEG: texture comes back within some grey values.
+    EXPECT_NEAR(frame.image.At(20, 30), Picture(i).at<uchar>(30, 20), 30) << i;
+  }
+  EXPECT_FALSE(source->Next(&frame));
+  EXPECT_EQ(source->num_unreadable(), 0);
+}
+
+TEST_F(FrameFolder, PrefersTheStampsOfFrameTimes) {
+  WriteVideo(3);
+  WriteFile(folder_ / "frame_times.csv", "frame,t\n0,100.5\n1,100.7\n2,100.8\n");
+  const auto source = Open("film.avi");
+  EXPECT_EQ(TimesOf(*source), (std::vector<double>{100.5, 100.7, 100.8}));
+}
+
+TEST_F(FrameFolder, CountsWhatATruncatedVideoLacks) {
+  WriteVideo(40);
+  const std::string whole = ReadFile(folder_ / "film.avi");
+  WriteFile(folder_ / "film.avi", whole.substr(0, whole.size() / 2));
+  std::string times = "frame,t\n";
+  for (int i = 0; i < 40; ++i) times += fmt::format("{},{}\n", i, i / 8.0);
+  WriteFile(folder_ / "frame_times.csv", times);
+  const auto source = Open("film.avi");
+  const int num_read = static_cast<int>(TimesOf(*source).size());
+  EXPECT_GT(num_read, 10);
+  EXPECT_LT(num_read, 30);
+  EXPECT_EQ(source->num_unreadable(), 40 - num_read);
+  ASSERT_EQ(source->unreadable().size(), 1u);
+  EXPECT_EQ(
+      source->unreadable()[0],
+      fmt::format("{}: ends after {} frames, expected 40 as {} lists. The video is cut off or "
+                  "damaged.",
+                  Path("film.avi"),
+                  num_read,
+                  Path("frame_times.csv")));
+}
+
+TEST_F(FrameFolder, RefusesAVideoThatCannotBeOpened) {
+  WriteFile(folder_ / "film.mp4", "no video at all");
+  EXPECT_EQ(RefusalOf("film.mp4"),
+            Path("film.mp4") +
+                ": cannot be opened as a video. It is damaged, cut off (an MP4 has its index at "
+                "the end), or of a format that FFmpeg does not know.");
+  EXPECT_EQ(RefusalOf("other.mp4"), Path("other.mp4") + ": there is no such file. Check the path.");
+}
+
+TEST_F(FrameFolder, RefusesMoreFramesThanStamps) {
+  WriteVideo(4);
+  WriteFile(folder_ / "frame_times.csv", "frame,t\n0,1\n1,2\n2,3\n");
+  EXPECT_EQ(RefusalOf("film.avi"),
+            Path("film.avi") + ": frame 3 has no stamp: " + Path("frame_times.csv") +
+                " ends at frame 2. Expected a row for each frame.");
+}
+
+TEST_F(FrameFolder, RefusesAFolderWithoutImagesOrWithBoth) {
+  EXPECT_EQ(RefusalOf(),
+            folder_.string() +
+                ": holds no images: no frames.csv, and log.yaml names no video. See "
+                "docs/file_formats.md.");
+  WriteImages(2, ".png");
+  EXPECT_EQ(RefusalOf("film.avi"),
+            folder_.string() +
+                ": holds frames.csv, and log.yaml names the video film.avi; expected one of them. "
+                "Remove the other.");
+}
+
+}  // namespace
+}  // namespace fathom
