@@ -19,9 +19,10 @@
 namespace fathom {
 namespace {
 
-constexpr double kProbe = 0.02;   // of the natural size, where an effect names no other
-constexpr double kSpacing = 5.0;  // [s], of times of the run that are tried
-constexpr double kFastest = 3.0;  // [rad/s], of frequencies that are tried
+constexpr double kProbe = 0.02;       // of the natural size, where an effect names no other
+constexpr double kSpacing = 5.0;      // [s], of times of the run that are tried
+constexpr double kFineSpacing = 0.2;  // [s], of times about one that looks good
+constexpr double kFastest = 3.0;      // [rad/s], of frequencies that are tried
 
 // The run's own scales.
 struct NaturalSize {
@@ -54,6 +55,11 @@ NaturalSize SizeOf(const TrainingData& data, const ForceResponse& response) {
   return size;
 }
 
+double SpacingOfTimes(const NaturalSize& size) {
+  const double span = size.last_time - size.first_time;
+  return span / std::clamp(static_cast<int>(span / kSpacing), 10, 80);
+}
+
 std::vector<double> ValuesToTry(const EffectParameter& parameter, const NaturalSize& size) {
   const double natural = size.Of(parameter.quantity);
   std::vector<double> values;
@@ -71,9 +77,10 @@ std::vector<double> ValuesToTry(const EffectParameter& parameter, const NaturalS
       }
       break;
     case Search::kTimeOfRun: {
-      const double span = size.last_time - size.first_time;
-      const int count = std::clamp(static_cast<int>(span / kSpacing), 10, 80);
-      for (int i = 1; i < count; ++i) values.push_back(size.first_time + span * i / count);
+      const double spacing = SpacingOfTimes(size);
+      for (double t = size.first_time + spacing; t < size.last_time - 0.5 * spacing; t += spacing) {
+        values.push_back(t);
+      }
       break;
     }
     case Search::kFrequencyOfRun: {
@@ -166,26 +173,20 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
   return force;
 }
 
-}  // namespace
-
-Trials TrialsAbout(const TrainingData& data,
-                   const StructureFit& fit,
-                   const std::vector<Suspect>& suspects) {
-  Trials trials;
-  const ForceResponse response(&data, fit);
-  if (response.is_empty()) return trials;
-  const NaturalSize size = SizeOf(data, response);
-  for (size_t k = 0; k < suspects.size(); ++k) {
-    AppendTrials(static_cast<int>(k), suspects[k].effect->info(), size, &trials);
-  }
+// Simulates every trial.
+void AppendSignatures(const TrainingData& data,
+                      const ForceResponse& response,
+                      const StructureFit& fit,
+                      const std::vector<Suspect>& suspects,
+                      Trials* trials) {
   int num_columns = 0;
-  for (Trial& trial : trials.trials) {
+  for (Trial& trial : trials->trials) {
     trial.first_column = num_columns;
     num_columns += trial.num_columns;
   }
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(data.bins().size(), num_columns);
   const auto base = data.Simulate(fit.model, fit.initial);
-  for (const Trial& trial : trials.trials) {
+  for (const Trial& trial : trials->trials) {
     const Suspect& suspect = suspects[trial.suspect];
     for (int k = 0; k < trial.num_columns; ++k) {
       const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
@@ -200,7 +201,48 @@ Trials TrialsAbout(const TrainingData& data,
       }
     }
   }
-  trials.signatures = columns;
+  trials->signatures = columns;
+}
+
+}  // namespace
+
+Trials TrialsAbout(const TrainingData& data,
+                   const StructureFit& fit,
+                   const std::vector<Suspect>& suspects) {
+  Trials trials;
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return trials;
+  const NaturalSize size = SizeOf(data, response);
+  for (size_t k = 0; k < suspects.size(); ++k) {
+    AppendTrials(static_cast<int>(k), suspects[k].effect->info(), size, &trials);
+  }
+  AppendSignatures(data, response, fit, suspects, &trials);
+  return trials;
+}
+
+Trials TrialsNear(const TrainingData& data,
+                  const StructureFit& fit,
+                  const std::vector<Suspect>& suspects,
+                  const Trial& trial) {
+  Trials trials;
+  const auto& parameters = suspects[trial.suspect].effect->info().parameters;
+  const auto time = std::find_if(parameters.begin(), parameters.end(), [](const auto& parameter) {
+    return parameter.search == Search::kTimeOfRun;
+  });
+  if (time == parameters.end()) return trials;
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return trials;
+  const NaturalSize size = SizeOf(data, response);
+  const double middle = trial.values[time - parameters.begin()];
+  const double reach = SpacingOfTimes(size);
+  for (double t = std::max(size.first_time, middle - reach);
+       t < std::min(size.last_time, middle + reach);
+       t += kFineSpacing) {
+    Trial near = trial;
+    near.values[time - parameters.begin()] = t;
+    trials.trials.push_back(std::move(near));
+  }
+  AppendSignatures(data, response, fit, suspects, &trials);
   return trials;
 }
 

@@ -41,6 +41,13 @@ Trials TrialsAbout(const TrainingData& data,
                    const StructureFit& fit,
                    const std::vector<Suspect>& suspects);
 
+// The trial's suspect at times of the run between this trial's and its neighbours'; none if it has
+// no such time.
+Trials TrialsNear(const TrainingData& data,
+                  const StructureFit& fit,
+                  const std::vector<Suspect>& suspects,
+                  const Trial& trial);
+
 // The same columns under one noise: whitened, cleared of what the fitted model can imitate, and of
 // length 1 (orthogonal within a trial); docs/diagnosis.md (4).
 class Screen {

@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/search.h"
 
+#include "fathom/diagnosis/starts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -25,7 +27,8 @@ constexpr double kWorthRefining = 5.0;  // score below which nothing can come of
 constexpr double kWorthRefiningMore = 0.6;  // of the threshold, beside other causes
 // The sharper screen is scaled to the strongest score of the other, or to this.
 constexpr double kSharpest = 12.0;
-constexpr double kRivalSlack = 40.0;  // screens are linear: so much worse may still be a rival
+constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
+constexpr double kRivalSlack = 40.0;       // screens are linear: so much worse may still be a rival
 
 int NumParameters(const Hypothesis& hypothesis) {
   return static_cast<int>(hypothesis.fit.covariance.rows());
@@ -47,32 +50,47 @@ class Searcher {
   SearchResult Run() {
     std::vector<int> beam = {0};
     for (int size = 1; size <= options_.most_causes; ++size) {
-      std::vector<int> next;
-      for (const int from : beam) {
-        for (const int hypothesis : Extend(from)) next.push_back(hypothesis);
+      for (const int from : beam) Extend(from);
+      if (size == 2) RefinePairs();
+      const std::vector<int> ranked = RankedOfSize(size);
+      const bool better = !ranked.empty() && Worth(ranked.front()) > Worth(result_.best);
+      if (better && HoldsUnderTheBaselinesNoise(ranked.front())) {
+        result_.best = ranked.front();
+        Challenge();
       }
-      if (size == 2) {
-        for (const int hypothesis : Pairs()) next.push_back(hypothesis);
-      }
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      std::stable_sort(next.begin(), next.end(), [&](int a, int b) { return Worth(a) > Worth(b); });
-      const bool better = !next.empty() && Worth(next.front()) > Worth(result_.best);
-      if (better && HoldsUnderTheBaselinesNoise(next.front())) result_.best = next.front();
       if (!better && size >= 2) break;
-      // What alone is no better than noise may still be half of a pair: Pairs() sees to that.
-      const double most = next.empty() ? 0.0 : result_.tried[next.front()].gain;
-      std::erase_if(next, [&](int index) {
-        return Worth(index) <= 0.0 || result_.tried[index].gain < kLeastShare * most;
-      });
-      if (next.size() > kBeam) next.resize(kBeam);
-      beam = std::move(next);
+      beam = CarriedOn(size);
     }
-    FindRivals();
+    CollectRivals();
     return std::move(result_);
   }
 
  private:
+  // Hypotheses of so many causes, the best first.
+  std::vector<int> RankedOfSize(int size) const {
+    std::vector<int> ranked;
+    for (size_t i = 0; i < result_.tried.size(); ++i) {
+      if (static_cast<int>(result_.tried[i].suspects.size()) == size) {
+        ranked.push_back(static_cast<int>(i));
+      }
+    }
+    std::stable_sort(
+        ranked.begin(), ranked.end(), [&](int a, int b) { return Worth(a) > Worth(b); });
+    return ranked;
+  }
+
+  // Those of them that one more cause may be added to. What alone is no better than noise may still
+  // be half of a pair: RefinePairs() sees to that.
+  std::vector<int> CarriedOn(int size) const {
+    std::vector<int> beam = RankedOfSize(size);
+    const double most = beam.empty() ? 0.0 : result_.tried[beam.front()].gain;
+    std::erase_if(beam, [&](int index) {
+      return Worth(index) <= 0.0 || result_.tried[index].gain < kLeastShare * most;
+    });
+    if (beam.size() > kBeam) beam.resize(kBeam);
+    return beam;
+  }
+
   // Gain less what noise would reach with the same causes.
   double Worth(int index) const {
     const Hypothesis& hypothesis = result_.tried[index];
@@ -80,68 +98,81 @@ class Searcher {
   }
 
   double Threshold(const std::vector<int>& suspects) const {
-    double sum = 0.0;
-    for (const int suspect : suspects) sum += result_.significance.Threshold(suspect);
-    return sum;
+    double sum = 0.0, most_spared = 0.0;
+    for (const int suspect : suspects) {
+      const double beside = result_.significance.ThresholdBeside(suspect);
+      sum += beside;
+      most_spared = std::max(most_spared, beside - result_.significance.Threshold(suspect));
+    }
+    return sum - most_spared;  // one of them came first
   }
 
-  // Hypotheses with one suspect more, refitted where the screen gives hope.
-  std::vector<int> Extend(int from) {
+  // Refits `from` with one suspect more, where the screens give hope.
+  void Extend(int from) {
     const Hypothesis base = result_.tried[from];
-    const std::vector<double> best_scores = ScreenAbout(base);
-    std::vector<int> order(suspects_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(
-        order.begin(), order.end(), [&](int a, int b) { return best_scores[a] > best_scores[b]; });
-    std::vector<int> extended;
-    int num_refined = 0;
-    for (const int suspect : order) {
-      const bool is_alone = base.suspects.empty();
-      if (num_refined == (is_alone ? kMostRefined : kMostRefinedMore)) break;
-      const double least =
-          is_alone ? kWorthRefining : kWorthRefiningMore * result_.significance.Threshold(suspect);
-      if (best_scores[suspect] < least) continue;
-      if (std::count(base.suspects.begin(), base.suspects.end(), suspect) > 0) continue;
-      ++num_refined;
-      const int index = Refine(base, {suspect});
-      if (index >= 0) extended.push_back(index);
+    ScreenAbout(base.fit, base.fit.noise, true);
+    const bool is_alone = base.suspects.empty();
+    if (is_alone && own_) {
+      if (!is_calibrated_) Calibrate(own_->screen());
+      for (size_t k = 0; k < suspects_.size(); ++k) {
+        result_.scores[k] = std::max(result_.scores[k], own_->Score(static_cast<int>(k)));
+      }
     }
-    return extended;
+    const std::vector<double> scores = Scores();
+    int num_refined = 0;
+    for (const int suspect : InOrder(scores)) {
+      if (num_refined == (is_alone ? kMostRefined : kMostRefinedMore)) break;
+      const double least = is_alone
+                               ? kWorthRefining
+                               : kWorthRefiningMore * result_.significance.ThresholdBeside(suspect);
+      if (scores[suspect] < least || Has(base, suspect)) continue;
+      ++num_refined;
+      Refine(base, suspect);
+    }
   }
 
-  // Screens every suspect about a hypothesis under its own noise and under a sensor's alone; keeps
-  // the trials. Returns the best score of each suspect, both noises on one scale.
-  std::vector<double> ScreenAbout(const Hypothesis& base) {
-    trials_ = TrialsAbout(data_, base.fit, suspects_);
+  static bool Has(const Hypothesis& hypothesis, int suspect) {
+    return std::count(hypothesis.suspects.begin(), hypothesis.suspects.end(), suspect) > 0;
+  }
+
+  // Screens every suspect about a fit, under a noise and, if asked, under a sensor's alone: there
+  // nothing that is missing passes for a disturbance.
+  void ScreenAbout(const StructureFit& fit, const NoiseModel& noise, bool with_sensor) {
+    own_.reset();
+    sharp_.reset();
+    screened_ = fit;
+    trials_ = TrialsAbout(data_, screened_, suspects_);
+    if (trials_.trials.empty()) return;
+    own_.emplace(data_, screened_, suspects_, trials_, Whitener(noise, data_.bins().samples()));
+    if (!with_sensor) return;
+    sharp_.emplace(data_,
+                   screened_,
+                   suspects_,
+                   trials_,
+                   Whitener(SensorNoiseOnly(data_, screened_.residual), data_.bins().samples()));
+  }
+
+  // Best score of each suspect on the last screens, the sharper one scaled to the other.
+  std::vector<double> Scores() const {
     std::vector<double> scores(suspects_.size(), 0.0);
-    starts_.assign(suspects_.size(), {});
-    if (trials_.trials.empty()) return scores;
-    const Whitener own(base.fit.noise, data_.bins().samples());
-    const Screen screen(base.fit, &trials_, own);
-    if (!is_calibrated_) Calibrate(screen);
-    const Whitener sensor(SensorNoiseOnly(data_, base.fit.residual), data_.bins().samples());
-    const Screen sharp(base.fit, &trials_, sensor);
-    const double sharpest = *std::max_element(sharp.scores().begin(), sharp.scores().end());
-    const double strongest = *std::max_element(screen.scores().begin(), screen.scores().end());
+    if (!own_) return scores;
+    const double sharpest = sharp_ ? sharp_->BestScore() : 0.0;
     const double scale =
-        sharpest > 0.0 ? std::min(1.0, std::max(strongest, kSharpest) / sharpest) : 0.0;
-    for (size_t t = 0; t < trials_.trials.size(); ++t) {
-      const int suspect = trials_.trials[t].suspect;
-      const double score = std::max(screen.scores()[t], scale * sharp.scores()[t]);
-      scores[suspect] = std::max(scores[suspect], score);
-      if (base.suspects.empty()) {
-        result_.scores[suspect] = std::max(result_.scores[suspect], screen.scores()[t]);
-      }
-      starts_[suspect].push_back({screen.scores()[t], static_cast<int>(t), screen.amounts()[t]});
-      starts_[suspect].push_back(
-          {scale * sharp.scores()[t], static_cast<int>(t), sharp.amounts()[t]});
-    }
-    for (auto& starts : starts_) {
-      std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
-        return a.score > b.score;
-      });
+        sharpest > 0.0 ? std::min(1.0, std::max(own_->BestScore(), kSharpest) / sharpest) : 0.0;
+    for (size_t k = 0; k < scores.size(); ++k) {
+      const int suspect = static_cast<int>(k);
+      scores[k] = own_->Score(suspect);
+      if (sharp_) scores[k] = std::max(scores[k], scale * sharp_->Score(suspect));
     }
     return scores;
+  }
+
+  static std::vector<int> InOrder(const std::vector<double>& scores) {
+    std::vector<int> order(scores.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(
+        order.begin(), order.end(), [&](int a, int b) { return scores[a] > scores[b]; });
+    return order;
   }
 
   void Calibrate(const Screen& screen) {
@@ -154,82 +185,66 @@ class Searcher {
     is_calibrated_ = true;
   }
 
-  // A start for the refit: a trial and its amounts by the screen.
-  struct Start {
-    double score;
-    int trial;
-    std::vector<double> amounts;
-  };
-
-  ActiveEffect StartingEffect(int suspect, const Start& start) const {
-    const Trial& trial = trials_.trials[start.trial];
-    const EffectInfo& info = suspects_[suspect].effect->info();
-    std::vector<double> values = trial.values;
-    for (size_t k = 0; k < trial.amounts.size(); ++k) {
-      const EffectParameter& parameter = info.parameters[trial.amounts[k]];
-      double& value = values[trial.amounts[k]];
-      if (parameter.search == Search::kAmount) {
-        value = parameter.null + start.amounts[k] * (value - parameter.null);
-      }
-      value = std::clamp(value, parameter.lower, parameter.upper);
-    }
-    return {suspects_[suspect].effect, suspects_[suspect].setting, std::move(values)};
-  }
-
-  // Starts of a suspect that differ enough to lead to different optima.
-  std::vector<Start> StartsOf(int suspect) const {
-    std::vector<Start> chosen;
-    const EffectInfo& info = suspects_[suspect].effect->info();
-    const bool many = std::any_of(info.parameters.begin(),
-                                  info.parameters.end(),
-                                  [](const auto& p) { return p.search != Search::kAmount; });
-    const size_t most = many ? 3 : 1;
-    for (const Start& start : starts_[suspect]) {
-      if (chosen.size() == most || (start.score <= 0.0 && !chosen.empty())) break;
-      const bool is_new = std::none_of(chosen.begin(), chosen.end(), [&](const Start& other) {
-        return std::abs(other.trial - start.trial) <= 1;
-      });
-      if (is_new) chosen.push_back(start);
-    }
-    return chosen;
-  }
-
-  // Fits `base` and one more suspect from each of its starts; returns the best one's index, -1 if
-  // none can be simulated.
-  int Refine(const Hypothesis& base, const std::vector<int>& added) {
-    CHECK_EQ(added.size(), 1u);
-    std::vector<int> suspects = base.suspects;
-    suspects.push_back(added[0]);
-    std::sort(suspects.begin(), suspects.end());
-    if (const auto found = known_.find(suspects); found != known_.end()) return found->second;
-    const std::vector<Start> starts = StartsOf(added[0]);
+  // The best of the cheap fits of `base` and one suspect more under one screen's noise.
+  std::optional<StructureFit> RoughFit(const Hypothesis& base,
+                                       int suspect,
+                                       const Starts& starts) const {
+    const auto& parameters = suspects_[suspect].effect->info().parameters;
+    const bool many = std::any_of(parameters.begin(), parameters.end(), [](const auto& p) {
+      return p.search != Search::kAmount;
+    });
     std::optional<StructureFit> best;
-    double best_chi_squared = 0.0;
-    // Cheap fits under one noise from every start; the noise is learned for the best one only.
-    const Whitener sensor(SensorNoiseOnly(data_, base.fit.residual), data_.bins().samples());
-    for (const Start& start : starts) {
+    for (const Start& start : starts.Of(suspect, many ? 2 : 1)) {
       StructureFit fit = FitStructure(data_,
-                                      WithEffect(base.fit.model, StartingEffect(added[0], start)),
+                                      WithEffect(base.fit.model, start.effect),
                                       base.fit.initial,
-                                      sensor,
+                                      starts.whitener(),
                                       kRough);
       if (fit.jacobian.size() == 0) continue;
-      if (!best || fit.chi_squared < best_chi_squared) {
-        best_chi_squared = fit.chi_squared;
-        best = std::move(fit);
-      }
+      if (!best || fit.chi_squared < best->chi_squared) best = std::move(fit);
     }
-    if (!best) return -1;
-    return Add(suspects, *best);
+    return best;
   }
 
+  // Fits `base` and one more suspect, from where each of the last screens shows it best; the noise
+  // is learned for these only. If that was done before, only where it now shows elsewhere.
+  void Refine(const Hypothesis& base, int suspect) {
+    std::vector<int> suspects = base.suspects;
+    suspects.push_back(suspect);
+    std::sort(suspects.begin(), suspects.end());
+    if (const auto found = known_.find(suspects); found != known_.end()) {
+      if (!ShowsElsewhere(base, suspect, result_.tried[found->second])) return;
+    }
+    std::optional<StructureFit> sharp, own = RoughFit(base, suspect, *own_);
+    if (sharp_) sharp = RoughFit(base, suspect, *sharp_);
+    if (sharp) Add(suspects, *sharp);
+    if (own && !(sharp && AreAlike(*own, *sharp))) Add(suspects, *own);
+  }
+
+  bool ShowsElsewhere(const Hypothesis& base, int suspect, const Hypothesis& known) const {
+    if (own_->Score(suspect) < known.gain - base.gain + kWorthRefining) return false;
+    const std::vector<Start> starts = own_->Of(suspect, 1);
+    if (starts.empty()) return false;
+    const ActiveEffect& effect = known.fit.model.effects[EffectPlace(known.fit.model, suspect)];
+    return IsElsewhere(effect, starts.front().effect, data_.records().front().duration());
+  }
+
+  // True if two fits differ by less than the noise lets one see.
+  bool AreAlike(const StructureFit& a, const StructureFit& b) const {
+    Eigen::VectorXd difference = a.residual - b.residual;
+    const std::span<double> values(difference.data(), difference.size());
+    own_->whitener().Apply(values, values);
+    return difference.squaredNorm() < 0.1;
+  }
+
+  // Learns the noise of a hypothesis from a rough fit. Of two fits of the same causes the better
+  // one is kept. Returns its index, -1 if it cannot be simulated.
   int Add(const std::vector<int>& suspects, const StructureFit& start) {
-    if (const auto found = known_.find(suspects); found != known_.end()) return found->second;
+    const Hypothesis& baseline = result_.tried[0];
     Hypothesis hypothesis;
     hypothesis.suspects = suspects;
-    const NoiseModel noise = FirstNoise(data_, start);
-    hypothesis.fit = FitStructureAndNoise(data_, start.model, start.initial, noise);
-    const Hypothesis& baseline = result_.tried[0];
+    hypothesis.fit =
+        FitStructureAndNoise(data_, start.model, start.initial, FirstNoise(data_, start));
     // Worse than with less: the search went astray under the noise it began with.
     if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
       ExtendedModel model = start.model;
@@ -238,39 +253,41 @@ class Searcher {
           FitStructureAndNoise(data_, model, baseline.fit.initial, baseline.fit.noise);
       if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
     }
-    if (hypothesis.fit.jacobian.size() == 0) return -1;
+    const auto found = known_.find(suspects);
+    if (hypothesis.fit.jacobian.size() == 0) return found == known_.end() ? -1 : found->second;
     hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
     hypothesis.delta_bic =
         hypothesis.gain - log_num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));
-    const int index = static_cast<int>(result_.tried.size());
-    known_[suspects] = index;
-    result_.tried.push_back(std::move(hypothesis));
-    return index;
+    if (found == known_.end()) {
+      known_[suspects] = static_cast<int>(result_.tried.size());
+      result_.tried.push_back(std::move(hypothesis));
+      return known_[suspects];
+    }
+    if (hypothesis.gain > result_.tried[found->second].gain) {
+      result_.tried[found->second] = std::move(hypothesis);
+    }
+    return found->second;
   }
 
-  // Pairs that only together explain much, by the linear screen about the baseline under the noise
-  // of the best single suspect.
-  std::vector<int> Pairs() {
+  // Refits the pairs that only together explain much, by the linear screen about the baseline under
+  // the noise of the best single suspect.
+  void RefinePairs() {
     const Hypothesis base = result_.tried[0];
-    ScreenAbout(base);
-    if (trials_.trials.empty()) return {};
     int best_single = 0;
-    for (size_t i = 1; i < result_.tried.size(); ++i) {
-      if (result_.tried[i].suspects.size() == 1 &&
-          result_.tried[i].gain > result_.tried[best_single].gain) {
-        best_single = static_cast<int>(i);
-      }
+    for (const int index : RankedOfSize(1)) {
+      if (result_.tried[index].gain > result_.tried[best_single].gain) best_single = index;
     }
-    const Whitener whitener(result_.tried[best_single].fit.noise, data_.bins().samples());
-    const Screen screen(base.fit, &trials_, whitener);
-    // Each suspect's best trials.
+    ScreenAbout(base.fit, result_.tried[best_single].fit.noise, true);
+    if (!own_) return;
+    const Screen& screen = own_->screen();
+    const Whitener& whitener = own_->whitener();
+    // Each suspect's best trials on either screen.
     std::vector<std::vector<int>> best_trials(suspects_.size());
     for (size_t k = 0; k < suspects_.size(); ++k) {
-      for (const Start& start : starts_[k]) {
-        if (best_trials[k].size() == 4) break;
-        if (std::count(best_trials[k].begin(), best_trials[k].end(), start.trial) == 0) {
-          best_trials[k].push_back(start.trial);
-        }
+      for (const Starts* starts : {&*own_, &*sharp_}) {
+        const auto& own = starts->TrialsOf(static_cast<int>(k));
+        const auto count = std::min<size_t>(own.size(), 2);
+        best_trials[k].insert(best_trials[k].end(), own.begin(), own.begin() + count);
       }
     }
     struct Pair {
@@ -292,7 +309,6 @@ class Searcher {
     }
     std::stable_sort(
         pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.score > b.score; });
-    std::vector<int> refined;
     constexpr size_t kMostPairs = 4;
     for (size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i) {
       const Pair& pair = pairs[i];
@@ -305,10 +321,8 @@ class Searcher {
       model = WithEffect(std::move(model), effect(pair.b, pair.trial_b));
       const StructureFit fit = FitStructure(data_, model, base.fit.initial, whitener, kRough);
       if (fit.jacobian.size() == 0) continue;
-      const int index = Add({pair.a, pair.b}, fit);
-      if (index >= 0) refined.push_back(index);
+      Add({pair.a, pair.b}, fit);
     }
-    return refined;
   }
 
   // A cause must hold even against a noise that was learned without it and may have swallowed it.
@@ -323,74 +337,55 @@ class Searcher {
            kLeast * static_cast<double>(hypothesis.suspects.size());
   }
 
-  // Hypotheses with one cause replaced by another suspect that explain the data about as well.
-  void FindRivals() {
-    if (result_.best == 0) return;
-    const std::vector<int> causes = result_.tried[result_.best].suspects;
-    const NoiseModel noise = result_.tried[result_.best].fit.noise;
-    for (const int cause : causes) {
-      std::vector<int> others = causes;
-      std::erase(others, cause);
-      Hypothesis base;
-      if (const auto found = known_.find(others); found != known_.end()) {
-        base = result_.tried[found->second];
-      } else {
-        StructureFit start = result_.tried[result_.best].fit;
-        const auto position = std::find(causes.begin(), causes.end(), cause) - causes.begin();
-        start.model = WithoutEffect(start.model, EffectPlace(start.model, causes[position]));
-        start = FitStructureAndNoise(data_, start.model, start.initial, noise);
-        if (start.jacobian.size() == 0) continue;
-        const int index = Add(others, start);
-        if (index < 0) continue;
-        base = result_.tried[index];
+  // Tries the best hypothesis with each cause left out and with each replaced, until none of these
+  // is better.
+  void Challenge() {
+    constexpr int kMostRounds = 3;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const int challenged = result_.best;
+      const std::vector<int> causes = result_.tried[challenged].suspects;
+      for (const int cause : causes) ReplaceCause(challenged, cause);
+      for (const int size :
+           {static_cast<int>(causes.size()) - 1, static_cast<int>(causes.size())}) {
+        if (size == 0) continue;
+        const int first = RankedOfSize(size).front();
+        if (Worth(first) > Worth(result_.best) + 1e-9) result_.best = first;
       }
-      // Under the noise that the best hypothesis leaves, rivals stand out as they should.
-      base.fit.noise = noise;
-      const Whitener whitener(noise, data_.bins().samples());
-      trials_ = TrialsAbout(data_, base.fit, suspects_);
-      if (trials_.trials.empty()) continue;
-      const Screen screen(base.fit, &trials_, whitener);
-      std::vector<double> scores(suspects_.size(), 0.0);
-      starts_.assign(suspects_.size(), {});
-      for (size_t t = 0; t < trials_.trials.size(); ++t) {
-        const int suspect = trials_.trials[t].suspect;
-        scores[suspect] = std::max(scores[suspect], screen.scores()[t]);
-        starts_[suspect].push_back({screen.scores()[t], static_cast<int>(t), screen.amounts()[t]});
-      }
-      for (auto& starts : starts_) {
-        std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
-          return a.score > b.score;
-        });
-      }
-      std::vector<int> order(suspects_.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(
-          order.begin(), order.end(), [&](int a, int b) { return scores[a] > scores[b]; });
-      int num_refined = 0;
-      for (const int suspect : order) {
-        const bool is_worse = scores[suspect] < 0.6 * scores[cause] - kRivalSlack;
-        if (is_worse || scores[suspect] <= 0.0 || num_refined == kMostRefined) break;
-        if (std::count(causes.begin(), causes.end(), suspect) > 0) continue;
-        ++num_refined;
-        Refine(base, {suspect});
-      }
-    }
-    PreferTheBest(causes);
-    CollectRivals();
-  }
-
-  // Refined rivals may turn out better than what was thought best.
-  void PreferTheBest(const std::vector<int>& causes) {
-    for (size_t i = 0; i < result_.tried.size(); ++i) {
-      const Hypothesis& other = result_.tried[i];
-      if (other.suspects.size() != causes.size()) continue;
-      if (other.delta_bic > result_.tried[result_.best].delta_bic + 1e-9) {
-        result_.best = static_cast<int>(i);
-      }
+      if (result_.best == challenged) return;
     }
   }
 
+  // Refits a hypothesis without one cause, and with what may stand in for it.
+  void ReplaceCause(int challenged, int cause) {
+    const StructureFit fit = result_.tried[challenged].fit;
+    std::vector<int> others = result_.tried[challenged].suspects;
+    std::erase(others, cause);
+    int without = 0;
+    if (!others.empty()) {
+      ExtendedModel model = WithoutEffect(fit.model, EffectPlace(fit.model, cause));
+      const StructureFit start = FitStructure(
+          data_, model, fit.initial, Whitener(fit.noise, data_.bins().samples()), kRough);
+      without = start.jacobian.size() == 0 ? -1 : Add(others, start);
+    }
+    if (without < 0) return;
+    const Hypothesis base = result_.tried[without];
+    // Under the noise that the challenged one leaves, rivals stand out as they should.
+    ScreenAbout(base.fit, fit.noise, false);
+    if (!own_) return;
+    const std::vector<double> scores = Scores();
+    int num_refined = 0;
+    for (const int suspect : InOrder(scores)) {
+      const bool is_worse = scores[suspect] < 0.6 * scores[cause] - kRivalSlack;
+      if (is_worse || scores[suspect] <= 0.0 || num_refined == kMostRefined) break;
+      if (Has(result_.tried[challenged], suspect)) continue;
+      ++num_refined;
+      Refine(base, suspect);
+    }
+  }
+
+  // Hypotheses with one cause replaced that explain the data about as well.
   void CollectRivals() {
+    if (result_.best == 0) return;
     const Hypothesis& best = result_.tried[result_.best];
     for (size_t i = 0; i < result_.tried.size(); ++i) {
       const Hypothesis& other = result_.tried[i];
@@ -404,6 +399,17 @@ class Searcher {
                             other.suspects.end(),
                             std::back_inserter(shared));
       if (shared.size() + 1 != best.suspects.size()) continue;
+      // What is no better than noise explains nothing.
+      if (const auto without = known_.find(shared); without != known_.end()) {
+        const double gain = other.gain - result_.tried[without->second].gain;
+        std::vector<int> own;
+        std::set_difference(other.suspects.begin(),
+                            other.suspects.end(),
+                            shared.begin(),
+                            shared.end(),
+                            std::back_inserter(own));
+        if (result_.significance.PValue(own.front(), gain) > kExplainsNothing) continue;
+      }
       if (best.delta_bic - other.delta_bic < options_.separation) {
         result_.rivals.push_back(static_cast<int>(i));
       }
@@ -429,9 +435,11 @@ class Searcher {
   SearchResult result_;
   std::map<std::vector<int>, int> known_;  // index into result_.tried
 
-  // Of the last screen.
+  // The last screens, and what they are about.
+  StructureFit screened_;
   Trials trials_;
-  std::vector<std::vector<Start>> starts_;  // by suspect, best first
+  std::optional<Starts> own_;    // under the noise of a fit
+  std::optional<Starts> sharp_;  // under a sensor's noise alone
 };
 
 }  // namespace

@@ -33,6 +33,8 @@ double Quantile(std::vector<double> values, double share) {
 // gain is zero half of the time, have one; low enough for the draws to tell.
 constexpr double kAnchor = 0.9;
 
+constexpr double kRarerBeside = 5.0;
+
 }  // namespace
 
 Significance::Significance(const Eigen::MatrixXd& null_maxima,
@@ -55,15 +57,19 @@ Significance::Significance(const Eigen::MatrixXd& null_maxima,
   }
   // The least p-value of n independent suspects has median 1 - 0.5^(1/n).
   if (!rarest.empty()) num_families_ = std::max(1.0, NumberFor(Quantile(rarest, 0.2), 0.2));
-  const double each = AnyOf(false_alarm_rate, 1.0 / num_families_);
-  for (size_t k = 0; k < num_tests_.size(); ++k) {
-    double low = 0.0, high = 100.0;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (PValue(static_cast<int>(k), middle) > each ? low : high) = middle;
-    }
-    thresholds_.push_back(high);
+  for (int k = 0; k < static_cast<int>(num_tests_.size()); ++k) {
+    thresholds_.push_back(ThresholdAt(k, false_alarm_rate));
+    thresholds_beside_.push_back(ThresholdAt(k, false_alarm_rate / kRarerBeside));
   }
+}
+
+double Significance::ThresholdAt(int suspect, double rate) const {
+  double low = 0.0, high = 100.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (FamilyWisePValue(suspect, middle) > rate ? low : high) = middle;
+  }
+  return high;
 }
 
 double Significance::PValue(int suspect, double gain) const {

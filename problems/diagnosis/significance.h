@@ -31,11 +31,18 @@ class Significance {
   // Gain of this suspect at which the family-wise p-value is the false alarm rate.
   double Threshold(int suspect) const { return thresholds_[suspect]; }
 
+  // The same for a cause named beside others: it must be five times as rare. One effect that is not
+  // quite of its catalogue's form should not bring in a second.
+  double ThresholdBeside(int suspect) const { return thresholds_beside_[suspect]; }
+
  private:
+  // Gain of the suspect at which its p-value among all is `rate`.
+  double ThresholdAt(int suspect, double rate) const;
+
   std::vector<int> num_amounts_;
   std::vector<double> num_tests_;  // independent ones that the suspect's trials amount to
   double num_families_ = 1.0;      // independent suspects that all suspects amount to
-  std::vector<double> thresholds_;
+  std::vector<double> thresholds_, thresholds_beside_;
 };
 
 }  // namespace fathom
