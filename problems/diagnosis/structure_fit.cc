@@ -19,6 +19,8 @@ constexpr int kEffectColumn = EffectSimulation::kFirstEffectColumn;
 constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
 constexpr int kMostIterations = 40;
 constexpr double kMostDamping = 1e10;
+// Share of the inertia at the start. Far below it a run takes ever more steps.
+constexpr double kLeastInertia = 0.1;
 
 // All unknowns in one vector: parameters of the baseline and the effects, then the free states.
 struct Unknowns {
@@ -39,7 +41,7 @@ Unknowns Pack(const TrainingData& data,
                        Eigen::VectorXd::Constant(size, -kInfinity),
                        Eigen::VectorXd::Constant(size, kInfinity)};
   unknowns.value.head<kNumParameters>() = ToVector(model.baseline);
-  unknowns.lower[kInertia] = 1e-3 * model.baseline.inertia;
+  unknowns.lower[kInertia] = kLeastInertia * model.baseline.inertia;
   unknowns.lower[kQuadraticDamping] = unknowns.lower[kLinearDamping] = 0.0;
   int i = kNumParameters;
   for (const ActiveEffect& active : model.effects) {
