@@ -137,6 +137,14 @@ Scored LeaveBlocksOut(const TrainingData& data,
   return scored;
 }
 
+std::string LabelsOf(const Hypothesis& hypothesis, const std::vector<Suspect>& suspects) {
+  std::string labels;
+  for (const int suspect : hypothesis.suspects) {
+    labels += (labels.empty() ? "" : " with ") + LabelOf(suspects[suspect]);
+  }
+  return labels;
+}
+
 // Share of the baseline's squared error that is more than noise.
 double StructureShare(const StructureFit& baseline, const StructureFit& best) {
   const double before = baseline.residual.squaredNorm();
@@ -197,7 +205,30 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
           ? std::vector<const Effect*>(EffectCatalogue().begin(), EffectCatalogue().end())
           : options.effects;
   const std::vector<Suspect> suspects = SuspectsFor(records, dof, effects);
-  const SearchResult search = SearchCauses(data, baseline, suspects, options);
+  SearchResult search = SearchCauses(data, baseline, suspects, options);
+  const std::vector<Record> held_out = Part(records.all, true);
+  diagnosis.by_left_out_blocks = held_out.empty();
+  Scored scored;
+  if (held_out.empty()) {
+    scored = LeaveBlocksOut(data, baseline, search.tried[search.best].fit);
+  } else {
+    Score(held_out, baseline.model, search.tried[search.best].fit.model, &scored);
+  }
+  Gain gain = GainOf(scored.before, scored.after, options.seed);
+  const bool is_refuted = search.best != 0 && gain.high < 0.0;
+  if (is_refuted) {
+    diagnosis.remarks.push_back(
+        fmt::format("Not named: {}. It fits the training data best, but on data that no fit has "
+                    "seen the error grows by {:.0f} % ({:.0f} to {:.0f} %).",
+                    LabelsOf(search.tried[search.best], suspects),
+                    -100.0 * gain.value,
+                    -100.0 * gain.high,
+                    -100.0 * gain.low));
+    search.best = 0;
+    search.rivals.clear();
+    scored.after = scored.before;
+    gain = GainOf(scored.before, scored.after, options.seed);
+  }
   const Hypothesis& best = search.tried[search.best];
   const RemainingStructure remaining = FindRemainingStructure(data, best.fit);
 
@@ -209,7 +240,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
                        remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
   diagnosis.explained_share = all_structure > 0.0 ? best.gain / all_structure : 0.0;
   diagnosis.structure_share = StructureShare(baseline, best.fit);
-  if (remains) {
+  if (remains || is_refuted) {
     diagnosis.verdict = Verdict::kUnexplained;
   } else if (best.suspects.empty()) {
     diagnosis.verdict = Verdict::kConsistent;
@@ -219,17 +250,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   diagnosis.causes = CausesOf(data, search, suspects);
   diagnosis.candidates = RankCandidates(search, suspects);
 
-  const std::vector<Record> held_out = Part(records.all, true);
-  Scored scored;
-  if (!held_out.empty()) {
-    Score(held_out, baseline.model, best.fit.model, &scored);
-  } else {
-    diagnosis.by_left_out_blocks = true;
-    scored = LeaveBlocksOut(data, baseline, best.fit);
-  }
   diagnosis.baseline.held_out = FiguresOfRuns(scored.before);
   diagnosis.extended.held_out = FiguresOfRuns(scored.after);
-  const Gain gain = GainOf(scored.before, scored.after, options.seed);
   diagnosis.held_out_gain = gain.value;
   diagnosis.held_out_gain_low = gain.low;
   diagnosis.held_out_gain_high = gain.high;

@@ -13,10 +13,26 @@ namespace {
 constexpr int kReach = 5;       // neighbours on either side
 constexpr double kLimit = 6.0;  // robust standard deviations
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double Quantile(std::vector<double> values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  const auto at = values.begin() + std::min<std::ptrdiff_t>(place, std::ssize(values) - 1);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
+
+// Standard deviation of the usual samples. A sensor with coarse steps, or a vehicle that rests for
+// half of the run, leaves a median near zero: what most samples keep to counts as well.
+double UsualSpread(const std::vector<double>& sizes) {
+  struct Normal {
+    double share, quantile;  // of the size of a standard normal number
+  };
+  double spread = 0.0;
+  for (const auto& [share, quantile] : {Normal{0.5, 0.6745}, {0.8, 1.2816}, {0.9, 1.6449}}) {
+    spread = std::max(spread, Quantile(sizes, share) / quantile);
+  }
+  return spread;
 }
 
 // Removes the wild samples of one channel.
@@ -34,7 +50,7 @@ int RemoveFrom(const std::vector<double>& simulated,
   }
   std::vector<double> sizes;
   for (const double d : deviation) sizes.push_back(std::abs(d));
-  const double spread = 1.4826 * Median(std::move(sizes));
+  const double spread = UsualSpread(sizes);
   if (!(spread > 0.0)) return 0;
   std::vector<double> kept_time, kept;
   for (int i = 0; i < n; ++i) {

@@ -44,8 +44,9 @@ std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival) {
     return fmt::format("dropped: the screen finds no more than noise ({:.1f})", candidate.score);
   }
   if (candidate.gain < threshold) {
-    return fmt::format(
-        "dropped: gains {:.1f}, noise alone would reach {:.1f}", candidate.gain, threshold);
+    return fmt::format("dropped: gains {:.1f}, noise alone would reach {:.1f}",
+                       std::max(0.0, candidate.gain),
+                       threshold);
   }
   return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
 }

@@ -22,6 +22,7 @@ namespace {
 constexpr double kLongestGap = 30.0;       // [s], as in SignalsOptions
 constexpr size_t kFewestSamples = 20;      // of a record's leading channel
 constexpr double kLargestAxisTurn = 0.12;  // RMS [rad] at which a world coordinate still serves
+constexpr double kLargestLeak = 1.0;       // of the positions' noise: what the turning adds to it
 constexpr double kStartWindow = 2.0;       // [s] of samples behind the guess of the start
 
 struct Channel {
@@ -50,6 +51,27 @@ double AxisTurn(Dof dof, const Poses& poses) {
   return std::sqrt(sum / static_cast<double>(poses.size()));
 }
 
+// Difference of the world coordinate and the way along the turning axis, against the noise of the
+// coordinate [RMS]: motion along the other axes leaks into a coordinate when the vehicle turns.
+double LeakOf(Dof dof, const Poses& poses, const std::vector<double>& coordinate) {
+  if (IsAngular(dof)) return 0.0;
+  std::vector<double> difference = {0.0};
+  double way = 0.0, mean = 0.0, roughness = 0.0;
+  for (size_t i = 1; i < poses.size(); ++i) {
+    const Eigen::Quaterniond middle =
+        poses.world_from_body[i - 1].slerp(0.5, poses.world_from_body[i]);
+    way += (middle.conjugate() * (poses.position[i] - poses.position[i - 1]))[Index(dof)];
+    difference.push_back(coordinate[i] - coordinate[0] - way);
+    mean += difference.back() / static_cast<double>(poses.size());
+    if (i < 2) continue;
+    const double bend = coordinate[i] - 2.0 * coordinate[i - 1] + coordinate[i - 2];
+    roughness += bend * bend / 6.0;
+  }
+  double sum = 0.0;
+  for (const double value : difference) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / std::max(roughness, 1e-300));
+}
+
 std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::string>* remarks) {
   if (!log.pose || log.pose->time.size() < kFewestSamples) return std::nullopt;
   const Poses poses = PosesOf(*log.pose);
@@ -62,6 +84,16 @@ std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::
                     log.name,
                     Name(dof),
                     turn));
+    return std::nullopt;
+  }
+  const double leak = LeakOf(dof, poses, displacement.value);
+  if (leak > kLargestLeak && log.velocity) {
+    remarks->push_back(
+        fmt::format("{}: the poses are not used: the vehicle turns, and what leaks from its other "
+                    "motion into the {} coordinate is {:.1f} times the coordinate's noise.",
+                    log.name,
+                    Name(dof),
+                    leak));
     return std::nullopt;
   }
   return Channel{poses.time, displacement.value};

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -45,13 +46,13 @@ NaturalSize SizeOf(const TrainingData& data, const ForceResponse& response) {
   const auto n = static_cast<double>(response.points().size());
   size.force = std::max(1e-9, std::sqrt(force / n));
   size.speed = std::max(1e-9, std::sqrt(speed / n));
-  const Record& first = data.records().front();
-  const Record& last = data.records().back();
-  const auto since = [](const Record& record, double t) {
-    return t - record.inputs->command.time.front();
-  };
-  size.first_time = since(first, first.stamps.start);
-  size.last_time = since(last, last.stamps.start + last.duration());
+  size.first_time = std::numeric_limits<double>::infinity();
+  size.last_time = -std::numeric_limits<double>::infinity();
+  for (const Record& record : data.records()) {
+    const double start = record.stamps.start - record.inputs->command.time.front();
+    size.first_time = std::min(size.first_time, start);
+    size.last_time = std::max(size.last_time, start + record.duration());
+  }
   return size;
 }
 
@@ -98,7 +99,11 @@ std::vector<double> ValuesToTry(const EffectParameter& parameter, const NaturalS
 bool IsShape(const EffectParameter& parameter) { return std::isnan(parameter.null); }
 
 // The trials of one suspect: every combination of its parameters' values; a column per amount.
-void AppendTrials(int suspect, const EffectInfo& info, const NaturalSize& size, Trials* trials) {
+void AppendTrials(const TrainingData& data,
+                  int suspect,
+                  const EffectInfo& info,
+                  const NaturalSize& size,
+                  Trials* trials) {
   std::vector<int> amounts;
   for (size_t k = 0; k < info.parameters.size(); ++k) {
     if (!IsShape(info.parameters[k])) amounts.push_back(static_cast<int>(k));
@@ -116,6 +121,7 @@ void AppendTrials(int suspect, const EffectInfo& info, const NaturalSize& size, 
   }
   const EffectParameter& amount = info.parameters[amounts.front()];
   for (auto& values : combinations) {
+    if (IsAtTheCommandsTone(data, info, values)) continue;
     Trial trial;
     trial.suspect = suspect;
     trial.values = std::move(values);
@@ -206,6 +212,22 @@ void AppendSignatures(const TrainingData& data,
 
 }  // namespace
 
+bool IsAtTheCommandsTone(const TrainingData& data,
+                         const EffectInfo& info,
+                         const std::vector<double>& values) {
+  constexpr double kShareOfATone = 0.3;
+  const Tone& tone = data.command_tone();
+  if (!(tone.share > kShareOfATone)) return false;
+  const double resolution = 2.0 * std::numbers::pi / data.records().front().duration();
+  for (size_t k = 0; k < info.parameters.size(); ++k) {
+    if (info.parameters[k].search == Search::kFrequencyOfRun &&
+        std::abs(values[k] - tone.frequency) < resolution) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Trials TrialsAbout(const TrainingData& data,
                    const StructureFit& fit,
                    const std::vector<Suspect>& suspects) {
@@ -214,7 +236,7 @@ Trials TrialsAbout(const TrainingData& data,
   if (response.is_empty()) return trials;
   const NaturalSize size = SizeOf(data, response);
   for (size_t k = 0; k < suspects.size(); ++k) {
-    AppendTrials(static_cast<int>(k), suspects[k].effect->info(), size, &trials);
+    AppendTrials(data, static_cast<int>(k), suspects[k].effect->info(), size, &trials);
   }
   AppendSignatures(data, response, fit, suspects, &trials);
   return trials;

@@ -41,6 +41,13 @@ Trials TrialsAbout(const TrainingData& data,
                    const StructureFit& fit,
                    const std::vector<Suspect>& suspects);
 
+// True if the effect has a frequency of the run and it is that of a single tone which the command
+// is: then it cannot be told from an answer that comes early or late, and nothing is to be said
+// of it.
+bool IsAtTheCommandsTone(const TrainingData& data,
+                         const EffectInfo& info,
+                         const std::vector<double>& values);
+
 // The trial's suspect at times of the run between this trial's and its neighbours'; none if it has
 // no such time.
 Trials TrialsNear(const TrainingData& data,

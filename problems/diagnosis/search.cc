@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/search.h"
 
 #include "fathom/diagnosis/starts.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -237,6 +238,19 @@ class Searcher {
     return difference.squaredNorm() < 0.1;
   }
 
+  // False for a fit that cannot be simulated, that leaves the inertia open, or that has a tone
+  // where the command has its own.
+  bool MeansSomething(const StructureFit& fit) const {
+    if (fit.jacobian.size() == 0) return false;
+    if (!(std::sqrt(fit.covariance(kInertia, kInertia)) < 3.0 * fit.model.baseline.inertia)) {
+      return false;
+    }
+    return std::none_of(
+        fit.model.effects.begin(), fit.model.effects.end(), [&](const ActiveEffect& active) {
+          return IsAtTheCommandsTone(data_, active.effect->info(), active.values);
+        });
+  }
+
   // Learns the noise of a hypothesis from a rough fit. Of two fits of the same causes the better
   // one is kept. Returns its index, -1 if it cannot be simulated.
   int Add(const std::vector<int>& suspects, const StructureFit& start) {
@@ -254,7 +268,7 @@ class Searcher {
       if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
     }
     const auto found = known_.find(suspects);
-    if (hypothesis.fit.jacobian.size() == 0) return found == known_.end() ? -1 : found->second;
+    if (!MeansSomething(hypothesis.fit)) return found == known_.end() ? -1 : found->second;
     hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
     hypothesis.delta_bic =
         hypothesis.gain - log_num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));

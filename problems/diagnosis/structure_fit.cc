@@ -158,6 +158,10 @@ Eigen::MatrixXd CovarianceOf(const Normal& normal,
 
 TrainingData::TrainingData(std::vector<Record> records)
     : records_(std::move(records)), bins_(records_) {
+  const HeldCommand& command = records_.front().inputs->command;
+  if (command.time.size() > 1) {
+    command_tone_ = DominantTone(command, command.time.back() - command.time.front());
+  }
   measured_.resize(bins_.size());
   for (size_t r = 0; r < records_.size(); ++r) {
     simulations_.emplace_back(records_[r].inputs.get(), records_[r].stamps);

@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/records.h"
 #include "fathom/noise/whitener.h"
+#include "fathom/signal/excitation.h"
 #include "fathom/vehicle/extended_model.h"
 
 #include <limits>
@@ -29,6 +30,9 @@ class TrainingData {
   // States of a record that are free: the velocity, and the position where it is measured.
   int num_states() const { return has_displacement_ ? 2 : 1; }
 
+  // The strongest line of the first record's command.
+  const Tone& command_tone() const { return command_tone_; }
+
   // Measured, averaged over the bins.
   const Eigen::VectorXd& measured() const { return measured_; }
 
@@ -50,6 +54,7 @@ class TrainingData {
   std::vector<EffectSimulation> simulations_;
   Bins bins_;
   bool has_displacement_ = false;
+  Tone command_tone_;
   Eigen::VectorXd measured_;
 };
 

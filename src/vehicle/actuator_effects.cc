@@ -27,10 +27,10 @@ struct TimeOffset {
             .parameters = {{.name = "offset",
                             .quantity = kDuration,
                             .null = 0.0,
-                            .lower = -3.0,
-                            .upper = 3.0,
+                            .lower = -6.0,
+                            .upper = 6.0,
                             .search = Search::kSize,
-                            .trials = {-1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 2.0}}},
+                            .trials = {-3.0, -1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 2.0, 4.0}}},
             .cause =
                 "the command reaches the thrusters late, or the clocks of the command and the "
                 "motion log disagree",
