@@ -14,10 +14,11 @@
 #include "fathom/diagnosis/search.h"
 #include "fathom/diagnosis/structure_fit.h"
 #include "fathom/diagnosis/suspects.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -145,6 +146,64 @@ std::string LabelsOf(const Hypothesis& hypothesis, const std::vector<Suspect>& s
   return labels;
 }
 
+// Leaves out of the best hypothesis every cause that makes the held-out data worse for certain.
+void LeaveOutTheRefuted(const TrainingData& data,
+                        const std::vector<Record>& held_out,
+                        const std::vector<Suspect>& suspects,
+                        const DiagnosisOptions& options,
+                        SearchResult* search,
+                        std::vector<std::string>* remarks) {
+  const auto refuted = [&]() -> int {
+    const Hypothesis& best = search->tried[search->best];
+    for (const int suspect : best.suspects) {
+      std::vector<int> others = best.suspects;
+      std::erase(others, suspect);
+      const Hypothesis* without = FindHypothesis(*search, others);
+      if (without == nullptr) continue;
+      Scored scored;
+      Score(held_out, without->fit.model, best.fit.model, &scored);
+      if (GainOf(scored.before, scored.after, options.seed).high < 0.0) return suspect;
+    }
+    return -1;
+  };
+  while (search->tried[search->best].suspects.size() > 1) {
+    const int suspect = refuted();
+    if (suspect < 0) return;
+    std::vector<int> others = search->tried[search->best].suspects;
+    std::erase(others, suspect);
+    search->best = static_cast<int>(FindHypothesis(*search, others) - search->tried.data());
+    search->rivals = FindRivals(data, *search, options.separation);
+    remarks->push_back(fmt::format(
+        "Not named beside {}: {}. With it the error grows on data that no fit has seen.",
+        LabelsOf(search->tried[search->best], suspects),
+        LabelOf(suspects[suspect])));
+  }
+}
+
+void AddRemarksOnTheEvidence(const TrainingData& data,
+                             const StructureFit& baseline,
+                             Diagnosis* diagnosis) {
+  const double inertia = baseline.model.baseline.inertia;
+  const double std = std::sqrt(baseline.covariance(kInertia, kInertia));
+  if (!(std < inertia)) {
+    diagnosis->remarks.push_back(
+        fmt::format("Without causes these logs do not determine the model: the inertia is {:.3g} "
+                    "with a standard deviation of {:.2g}. Take what is said here as a hint.",
+                    inertia,
+                    std));
+  }
+  constexpr double kShareOfASine = 0.8;
+  const Tone& tone = data.command_tone();
+  if (tone.share > kShareOfASine && !diagnosis->causes.empty()) {
+    diagnosis->remarks.push_back(
+        fmt::format("The command is little more than a single sine of {:.2g} rad/s: one second is "
+                    "{:.0f} degrees of its phase, and any delay or lag of that phase looks nearly "
+                    "the same.",
+                    tone.frequency,
+                    tone.frequency * 180.0 / std::numbers::pi));
+  }
+}
+
 // Share of the baseline's squared error that is more than noise.
 double StructureShare(const StructureFit& baseline, const StructureFit& best) {
   const double before = baseline.residual.squaredNorm();
@@ -208,6 +267,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   SearchResult search = SearchCauses(data, baseline, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
+  LeaveOutTheRefuted(data, held_out, suspects, options, &search, &diagnosis.remarks);
   Scored scored;
   if (held_out.empty()) {
     scored = LeaveBlocksOut(data, baseline, search.tried[search.best].fit);
@@ -248,6 +308,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     diagnosis.verdict = search.rivals.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
   }
   diagnosis.causes = CausesOf(data, search, suspects);
+  AddRemarksOnTheEvidence(data, baseline, &diagnosis);
   diagnosis.candidates = RankCandidates(search, suspects);
 
   diagnosis.baseline.held_out = FiguresOfRuns(scored.before);

@@ -27,14 +27,8 @@ int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
   return -1;
 }
 
-const Hypothesis* Find(const SearchResult& search, const std::vector<int>& suspects) {
-  for (const Hypothesis& hypothesis : search.tried) {
-    if (hypothesis.suspects == suspects) return &hypothesis;
-  }
-  return nullptr;
-}
-
 std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival) {
+  if (candidate.is_kept && !(candidate.gain > threshold)) return "kept: gains beside the others";
   if (candidate.is_kept) {
     return fmt::format(
         "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, threshold);
@@ -74,7 +68,7 @@ std::vector<Cause> CausesOf(const TrainingData& /*data*/,
     cause.effect_index = PlaceIn(best.fit.model, suspects[suspect]);
     std::vector<int> others = best.suspects;
     std::erase(others, suspect);
-    if (const Hypothesis* without = Find(search, others)) {
+    if (const Hypothesis* without = FindHypothesis(search, others)) {
       const double own_gain = best.gain - without->gain;
       cause.delta_bic = best.delta_bic - without->delta_bic;
       cause.p_value = search.significance.FamilyWisePValue(suspect, own_gain);
@@ -114,7 +108,7 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
     candidate.score = search.scores[k];
     candidate.gain = std::numeric_limits<double>::quiet_NaN();
     const int index = static_cast<int>(k);
-    if (const Hypothesis* alone = Find(search, {index})) {
+    if (const Hypothesis* alone = FindHypothesis(search, {index})) {
       candidate.gain = alone->gain;
       candidate.delta_bic = alone->delta_bic;
       const ActiveEffect& active = alone->fit.model.effects[0];
@@ -148,7 +142,7 @@ ExtendedModel WithoutCause(const SearchResult& search,
     if (PlaceIn(best.fit.model, suspects[suspect]) != cause.effect_index) continue;
     std::vector<int> others = best.suspects;
     std::erase(others, suspect);
-    if (const Hypothesis* without = Find(search, others)) return without->fit.model;
+    if (const Hypothesis* without = FindHypothesis(search, others)) return without->fit.model;
   }
   return WithoutEffect(best.fit.model, cause.effect_index);
 }

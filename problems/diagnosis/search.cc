@@ -29,7 +29,11 @@ constexpr double kWorthRefiningMore = 0.6;  // of the threshold, beside other ca
 // The sharper screen is scaled to the strongest score of the other, or to this.
 constexpr double kSharpest = 12.0;
 constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
-constexpr double kRivalSlack = 40.0;       // screens are linear: so much worse may still be a rival
+// Under a single sine, causes that differ in phase alone are told apart by what little else there
+// is: the start, the shape of the tops. That takes more than usual.
+constexpr double kShareOfASine = 0.8;
+constexpr double kHarderUnderASine = 5.0;
+constexpr double kRivalSlack = 40.0;  // screens are linear: so much worse may still be a rival
 
 int NumParameters(const Hypothesis& hypothesis) {
   return static_cast<int>(hypothesis.fit.covariance.rows());
@@ -62,7 +66,7 @@ class Searcher {
       if (!better && size >= 2) break;
       beam = CarriedOn(size);
     }
-    CollectRivals();
+    result_.rivals = FindRivals(data_, result_, options_.separation);
     return std::move(result_);
   }
 
@@ -397,39 +401,6 @@ class Searcher {
     }
   }
 
-  // Hypotheses with one cause replaced that explain the data about as well.
-  void CollectRivals() {
-    if (result_.best == 0) return;
-    const Hypothesis& best = result_.tried[result_.best];
-    for (size_t i = 0; i < result_.tried.size(); ++i) {
-      const Hypothesis& other = result_.tried[i];
-      if (static_cast<int>(i) == result_.best || other.suspects.size() != best.suspects.size()) {
-        continue;
-      }
-      std::vector<int> shared;
-      std::set_intersection(best.suspects.begin(),
-                            best.suspects.end(),
-                            other.suspects.begin(),
-                            other.suspects.end(),
-                            std::back_inserter(shared));
-      if (shared.size() + 1 != best.suspects.size()) continue;
-      // What is no better than noise explains nothing.
-      if (const auto without = known_.find(shared); without != known_.end()) {
-        const double gain = other.gain - result_.tried[without->second].gain;
-        std::vector<int> own;
-        std::set_difference(other.suspects.begin(),
-                            other.suspects.end(),
-                            shared.begin(),
-                            shared.end(),
-                            std::back_inserter(own));
-        if (result_.significance.PValue(own.front(), gain) > kExplainsNothing) continue;
-      }
-      if (best.delta_bic - other.delta_bic < options_.separation) {
-        result_.rivals.push_back(static_cast<int>(i));
-      }
-    }
-  }
-
   int EffectPlace(const ExtendedModel& model, int suspect) const {
     for (size_t k = 0; k < model.effects.size(); ++k) {
       if (model.effects[k].effect == suspects_[suspect].effect &&
@@ -457,6 +428,48 @@ class Searcher {
 };
 
 }  // namespace
+
+std::vector<int> FindRivals(const TrainingData& data,
+                            const SearchResult& search,
+                            double separation) {
+  std::vector<int> rivals;
+  if (search.best == 0) return rivals;
+  if (data.command_tone().share > kShareOfASine) separation *= kHarderUnderASine;
+  const Hypothesis& best = search.tried[search.best];
+  for (size_t i = 0; i < search.tried.size(); ++i) {
+    const Hypothesis& other = search.tried[i];
+    if (static_cast<int>(i) == search.best || other.suspects.size() != best.suspects.size()) {
+      continue;
+    }
+    std::vector<int> shared, own;
+    std::set_intersection(best.suspects.begin(),
+                          best.suspects.end(),
+                          other.suspects.begin(),
+                          other.suspects.end(),
+                          std::back_inserter(shared));
+    if (shared.size() + 1 != best.suspects.size()) continue;
+    std::set_difference(other.suspects.begin(),
+                        other.suspects.end(),
+                        shared.begin(),
+                        shared.end(),
+                        std::back_inserter(own));
+    // What is no better than noise explains nothing.
+    const Hypothesis* without = FindHypothesis(search, shared);
+    if (without != nullptr &&
+        search.significance.PValue(own.front(), other.gain - without->gain) > kExplainsNothing) {
+      continue;
+    }
+    if (best.delta_bic - other.delta_bic < separation) rivals.push_back(static_cast<int>(i));
+  }
+  return rivals;
+}
+
+const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<int>& suspects) {
+  for (const Hypothesis& hypothesis : search.tried) {
+    if (hypothesis.suspects == suspects) return &hypothesis;
+  }
+  return nullptr;
+}
 
 SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,

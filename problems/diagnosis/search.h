@@ -29,9 +29,7 @@ struct SearchResult {
   std::vector<Hypothesis> tried;  // the baseline first, then as they came
   int best = 0;                   // index into `tried`
 
-  // Indices of hypotheses that explain the data as well as the best one, each with one of its
-  // suspects replaced.
-  std::vector<int> rivals;
+  std::vector<int> rivals;  // FindRivals() of the best
 
   Significance significance;  // of what a suspect gains
 
@@ -45,5 +43,14 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& options);
+
+// Indices of hypotheses that explain the data as well as the best one, each with one of its
+// suspects replaced: worse by less than `separation` (DiagnosisOptions).
+std::vector<int> FindRivals(const TrainingData& data,
+                            const SearchResult& search,
+                            double separation);
+
+// The hypothesis with exactly these suspects; null if it was not tried.
+const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<int>& suspects);
 
 }  // namespace fathom
