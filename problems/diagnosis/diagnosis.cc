@@ -14,6 +14,7 @@
 #include "fathom/diagnosis/search.h"
 #include "fathom/diagnosis/structure_fit.h"
 #include "fathom/diagnosis/suspects.h"
+#include "fathom/diagnosis/thinned.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -146,6 +147,23 @@ std::string LabelsOf(const Hypothesis& hypothesis, const std::vector<Suspect>& s
   return labels;
 }
 
+// The search over thinned data; what it found best is then fitted to all of them.
+SearchResult SearchThinned(const TrainingData& data,
+                           const StructureFit& baseline,
+                           const std::vector<Suspect>& suspects,
+                           const DiagnosisOptions& options) {
+  const TrainingData thinned(Thinned(data.records()));
+  const StructureFit rough =
+      FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
+  SearchResult search =
+      SearchCauses(thinned, rough.jacobian.size() == 0 ? baseline : rough, suspects, options);
+  StructureFit& best = search.tried[search.best].fit;
+  StructureFit fit = FitStructureAndNoise(data, best.model, best.initial, best.noise);
+  if (fit.jacobian.size() > 0) best = std::move(fit);
+  search.tried[0].fit = baseline;
+  return search;
+}
+
 // Leaves out of the best hypothesis every cause that makes the held-out data worse for certain.
 void LeaveOutTheRefuted(const TrainingData& data,
                         const std::vector<Record>& held_out,
@@ -264,7 +282,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
           ? std::vector<const Effect*>(EffectCatalogue().begin(), EffectCatalogue().end())
           : options.effects;
   const std::vector<Suspect> suspects = SuspectsFor(records, dof, effects);
-  SearchResult search = SearchCauses(data, baseline, suspects, options);
+  SearchResult search = SearchThinned(data, baseline, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
   LeaveOutTheRefuted(data, held_out, suspects, options, &search, &diagnosis.remarks);

@@ -182,10 +182,15 @@ class Searcher {
 
   void Calibrate(const Screen& screen) {
     std::vector<int> num_amounts(suspects_.size(), 1);
-    for (const Trial& trial : trials_.trials) num_amounts[trial.suspect] = trial.num_columns;
+    std::vector<bool> is_searched(suspects_.size(), false);
+    for (const Trial& trial : trials_.trials) {
+      num_amounts[trial.suspect] = trial.num_columns;
+      is_searched[trial.suspect] = trial.values.size() > trial.amounts.size();
+    }
     const int num_suspects = static_cast<int>(suspects_.size());
     result_.significance = Significance(screen.NullMaxima(kNullDraws, num_suspects, options_.seed),
                                         std::move(num_amounts),
+                                        is_searched,
                                         options_.false_alarm_rate);
     is_calibrated_ = true;
   }

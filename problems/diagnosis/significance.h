@@ -17,9 +17,11 @@ class Significance {
   Significance() = default;
 
   // `null_maxima`: draws of each suspect's greatest gain where nothing is missing, a row per draw;
-  // `num_amounts`: by suspect, 1 or 2.
+  // `num_amounts`: by suspect, 1 or 2; `is_searched`: by suspect, whether a fit also moves what the
+  // draws know on a grid only, a time or a frequency.
   Significance(const Eigen::MatrixXd& null_maxima,
                std::vector<int> num_amounts,
+               const std::vector<bool>& is_searched,
                double false_alarm_rate);
 
   // Probability that noise alone lets this suspect gain as much.

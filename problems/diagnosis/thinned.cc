@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/thinned.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+
+namespace fathom {
+namespace {
+
+constexpr double kWidth = 0.1;    // [s]
+constexpr double kSlack = 1e-6;   // [s], of stamps
+constexpr double kWorthIt = 1.5;  // so many to one, at least
+
+// True if `time` has so many stamps that averaging is worth it.
+bool IsFast(const std::vector<double>& time) {
+  if (time.size() < 2) return false;
+  const double usual = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  return usual * kWorthIt < kWidth;
+}
+
+// Each value weighs by how long it was held.
+HeldCommand Averaged(const HeldCommand& command) {
+  HeldCommand averaged;
+  const size_t n = command.time.size();
+  for (size_t begin = 0; begin < n;) {
+    size_t end = begin + 1;
+    double impulse = 0.0;
+    for (; end < n && command.time[end] - command.time[begin] < kWidth - kSlack; ++end) {
+      impulse += command.value[end - 1] * (command.time[end] - command.time[end - 1]);
+    }
+    // The last value of the group is held until the next group begins; that of the run for ever.
+    averaged.time.push_back(command.time[begin]);
+    if (end < n && command.time[end] - command.time[begin] < 2.0 * kWidth) {
+      impulse += command.value[end - 1] * (command.time[end] - command.time[end - 1]);
+      averaged.value.push_back(impulse / (command.time[end] - command.time[begin]));
+    } else if (end - begin == 1) {
+      averaged.value.push_back(command.value[begin]);
+    } else {
+      // A silence follows: what is held through it stands alone.
+      averaged.value.push_back(impulse / (command.time[end - 1] - command.time[begin]));
+      averaged.time.push_back(command.time[end - 1]);
+      averaged.value.push_back(command.value[end - 1]);
+    }
+    begin = end;
+  }
+  return averaged;
+}
+
+void Average(std::vector<double>* time, std::vector<double>* value) {
+  if (!IsFast(*time)) return;
+  std::vector<double> means, mean_times;
+  for (size_t begin = 0; begin < time->size();) {
+    double sum = 0.0, sum_time = 0.0;
+    size_t end = begin;
+    for (; end < time->size() && (*time)[end] - (*time)[begin] < kWidth - kSlack; ++end) {
+      sum += (*value)[end];
+      sum_time += (*time)[end];
+    }
+    means.push_back(sum / static_cast<double>(end - begin));
+    mean_times.push_back(sum_time / static_cast<double>(end - begin));
+    begin = end;
+  }
+  *time = std::move(mean_times);
+  *value = std::move(means);
+}
+
+}  // namespace
+
+std::vector<Record> Thinned(const std::vector<Record>& records) {
+  std::map<const EffectInputs*, std::shared_ptr<const EffectInputs>> thinned_inputs;
+  std::vector<Record> thinned = records;
+  for (Record& record : thinned) {
+    if (IsFast(record.inputs->command.time)) {
+      auto& inputs = thinned_inputs[record.inputs.get()];
+      if (!inputs) {
+        EffectInputs copy = *record.inputs;
+        copy.command = Averaged(copy.command);
+        inputs = std::make_shared<const EffectInputs>(std::move(copy));
+      }
+      record.inputs = inputs;
+    }
+    Average(&record.stamps.velocity, &record.velocity);
+    Average(&record.stamps.displacement, &record.displacement);
+  }
+  return thinned;
+}
+
+}  // namespace fathom
