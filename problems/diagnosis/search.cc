@@ -105,9 +105,13 @@ class Searcher {
   double Threshold(const std::vector<int>& suspects) const {
     double sum = 0.0, most_spared = 0.0;
     for (const int suspect : suspects) {
-      const double beside = result_.significance.ThresholdBeside(suspect);
+      // Its parameters must be paid for as well.
+      const auto num = static_cast<double>(suspects_[suspect].effect->info().parameters.size());
+      const double alone = std::max(result_.significance.Threshold(suspect), num * log_num_data_);
+      const double beside =
+          std::max(result_.significance.ThresholdBeside(suspect), num * log_num_data_);
       sum += beside;
-      most_spared = std::max(most_spared, beside - result_.significance.Threshold(suspect));
+      most_spared = std::max(most_spared, beside - alone);
     }
     return sum - most_spared;  // one of them came first
   }
