@@ -33,6 +33,7 @@ struct Log {
   std::string notes;
   std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
   std::string command_unit;            // empty: N and N m
+  std::string video;                   // of a camera log, a file in its folder; may be empty
 
   std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
   std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame

@@ -56,7 +56,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.notes = file.String("notes", "");
   log.held_out = HeldOutOf(file);
   log.command_unit = file.String("command_unit", "");
-  file.Ignore("video");  // of a camera log
+  log.video = file.String("video", "");
   file.Finish();
   return log;
 }

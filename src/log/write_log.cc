@@ -51,6 +51,7 @@ std::string LogYaml(const Log& log) {
     yaml << YAML::EndSeq;
   }
   emit_text("command_unit", log.command_unit);
+  emit_text("video", log.video);
   emit_text("notes", log.notes);
   yaml << YAML::EndMap;
   return std::string(yaml.c_str()) + "\n";

@@ -27,32 +27,32 @@ bool IsSame(const TagSighting& a, const TagSighting& b) {
   return a.tag_id == b.tag_id && a.family == b.family;
 }
 
-std::optional<Rejection> ReasonToReject(const TagSighting& sighting,
-                                        std::span<const TagSighting> all,
-                                        const MarkerMap& map,
-                                        int max_hamming) {
-  if (sighting.hamming > max_hamming) return Rejection::kWrongBits;
+std::optional<SightingFault> FaultOf(const TagSighting& sighting,
+                                     std::span<const TagSighting> all,
+                                     const MarkerMap& map,
+                                     int max_hamming) {
+  if (sighting.hamming > max_hamming) return SightingFault::kWrongBits;
   const Marker* marker = map.Find(sighting.tag_id);
-  if (marker == nullptr || marker->family != sighting.family) return Rejection::kNotInMap;
+  if (marker == nullptr || marker->family != sighting.family) return SightingFault::kNotInMap;
   const auto seen = std::count_if(all.begin(), all.end(), [&](const TagSighting& other) {
     return IsSame(sighting, other) && other.hamming <= max_hamming;
   });
-  if (seen > 1) return Rejection::kSeveralSeen;
-  if (!IsQuadrangle(sighting.corners)) return Rejection::kDegenerate;
+  if (seen > 1) return SightingFault::kSeveralSeen;
+  if (!IsQuadrangle(sighting.corners)) return SightingFault::kDegenerate;
   return std::nullopt;
 }
 
 }  // namespace
 
-std::string_view Describe(Rejection rejection) {
-  switch (rejection) {
-    case Rejection::kWrongBits:
+std::string_view Describe(SightingFault fault) {
+  switch (fault) {
+    case SightingFault::kWrongBits:
       return "has wrong bits in its code";
-    case Rejection::kNotInMap:
+    case SightingFault::kNotInMap:
       return "is not in the map";
-    case Rejection::kSeveralSeen:
+    case SightingFault::kSeveralSeen:
       return "is in the frame more than once";
-    case Rejection::kDegenerate:
+    case SightingFault::kDegenerate:
       return "has corners that are no convex quadrangle";
   }
   return "";
@@ -64,8 +64,8 @@ FrameDetections DetectionsAmong(std::span<const TagSighting> sightings,
                                 double time) {
   FrameDetections result;
   for (const TagSighting& sighting : sightings) {
-    if (const auto reason = ReasonToReject(sighting, sightings, map, max_hamming)) {
-      result.rejected.push_back({.time = time, .sighting = sighting, .reason = *reason});
+    if (const auto fault = FaultOf(sighting, sightings, map, max_hamming)) {
+      result.unused.push_back({.time = time, .sighting = sighting, .fault = *fault});
       continue;
     }
     Detection detection;

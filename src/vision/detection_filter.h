@@ -14,7 +14,7 @@
 namespace fathom {
 
 // Why a sighting is not used.
-enum class Rejection {
+enum class SightingFault {
   kWrongBits,    // more bits of its code were wrong than allowed
   kNotInMap,     // the map has no marker of this family and id
   kSeveralSeen,  // the same marker stands in the frame more than once: which is it?
@@ -22,19 +22,19 @@ enum class Rejection {
 };
 
 // "has wrong bits in its code", ...
-std::string_view Describe(Rejection rejection);
+std::string_view Describe(SightingFault fault);
 
-struct RejectedSighting {
+struct UnusedSighting {
   double time = 0.0;  // of the frame [s]
   TagSighting sighting;
-  Rejection reason = Rejection::kWrongBits;
+  SightingFault fault = SightingFault::kWrongBits;
 };
 
 // The sightings of one frame that are detections of the map's markers, and the others with the
 // reason.
 struct FrameDetections {
   std::vector<Detection> detections;  // by rising id
-  std::vector<RejectedSighting> rejected;
+  std::vector<UnusedSighting> unused;
 };
 
 FrameDetections DetectionsAmong(std::span<const TagSighting> sightings,

@@ -35,9 +35,9 @@ struct ExpectedSize {
   }
 };
 
-class ImageFrames : public FrameSource {
+class ListedImages : public FrameSource {
  public:
-  ImageFrames(std::filesystem::path folder, ExpectedSize size)
+  ListedImages(std::filesystem::path folder, ExpectedSize size)
       : folder_(std::move(folder)), size_(std::move(size)) {
     const std::filesystem::path list = folder_ / "frames.csv";
     list_name_ = list.string();
@@ -46,7 +46,7 @@ class ImageFrames : public FrameSource {
 
   int num_expected() const override { return static_cast<int>(frames_.size()); }
 
-  bool Next(Frame* frame) override {
+  bool Next(ImageFrame* frame) override {
     while (next_ < frames_.size()) {
       const ListedFrame& listed = frames_[next_++];
       try {
@@ -86,7 +86,7 @@ class VideoFrames : public FrameSource {
     return times_ ? static_cast<int>(times_->size()) : reader_.num_announced();
   }
 
-  bool Next(Frame* frame) override {
+  bool Next(ImageFrame* frame) override {
     if (is_over_) return false;
     if (!reader_.Next(&frame->image)) {
       is_over_ = true;
@@ -124,7 +124,7 @@ class VideoFrames : public FrameSource {
                     times_ ? times_name_ + " lists" : std::string("its header says")));
   }
 
-  void RequireRisingTime(const Frame& frame) const {
+  void RequireRisingTime(const ImageFrame& frame) const {
     if (!last_time_ || frame.time > *last_time_) return;
     throw InputError(
         fmt::format("{}: the container stamps it {} s, the frame before {} s; expected rising "
@@ -161,7 +161,7 @@ std::unique_ptr<FrameSource> OpenFrames(const std::filesystem::path& folder,
   }
   ExpectedSize size{camera, camera_file};
   if (!video.empty()) return std::make_unique<VideoFrames>(folder, video, std::move(size));
-  if (has_list) return std::make_unique<ImageFrames>(folder, std::move(size));
+  if (has_list) return std::make_unique<ListedImages>(folder, std::move(size));
   throw InputError(
       fmt::format("{}: holds no images: no frames.csv, and log.yaml names no video. See "
                   "docs/file_formats.md.",

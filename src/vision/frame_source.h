@@ -13,7 +13,7 @@
 
 namespace fathom {
 
-struct Frame {
+struct ImageFrame {
   double time = 0.0;  // log time [s]
   std::string name;   // as in messages: "frames/0012.png", "camera.mp4, frame 12"
   GrayImage image;
@@ -22,7 +22,7 @@ struct Frame {
 // The frames of a camera log in the order of their stamps, whether images or a video.
 //
 //   const auto frames = OpenFrames(folder, log.video, camera);
-//   for (Frame frame; frames->Next(&frame);) { ... }
+//   for (ImageFrame frame; frames->Next(&frame);) { ... }
 //   frames->unreadable();  // what was passed over
 class FrameSource {
  public:
@@ -33,7 +33,7 @@ class FrameSource {
 
   // The next frame that can be read; false at the end. Throws InputError where a frame has another
   // size than the camera's calibration, or a video more frames than there are stamps.
-  virtual bool Next(Frame* frame) = 0;
+  virtual bool Next(ImageFrame* frame) = 0;
 
   // Frames that were expected and could not be read so far.
   int num_unreadable() const { return num_unreadable_; }

@@ -77,6 +77,7 @@ TEST(ReadLog, ReadsAFolder) {
   EXPECT_EQ(log.vehicle, "rov.yaml");
   EXPECT_EQ(log.notes, "calm");
   EXPECT_EQ(log.command_unit, "A");
+  EXPECT_EQ(log.video, "a.mp4");
   ASSERT_EQ(log.held_out.size(), 1u);
   EXPECT_EQ(log.held_out[0].from, 0.55);
   EXPECT_EQ(log.held_out[0].to, 0.65);

@@ -34,7 +34,7 @@ TEST(DetectionsAmong, KeepsTheMarkersOfTheMapInTheOrderOfTheirIds) {
   const std::vector<TagSighting> seen = {Sighting(4), Sighting(2)};
   const FrameDetections frame = DetectionsAmong(seen, TwoMarkers(), 0, 1.5);
   ASSERT_EQ(frame.detections.size(), 2u);
-  EXPECT_TRUE(frame.rejected.empty());
+  EXPECT_TRUE(frame.unused.empty());
   EXPECT_EQ(frame.detections[0].tag_id, 2);
   EXPECT_EQ(frame.detections[1].tag_id, 4);
   EXPECT_EQ(frame.detections[0].time, 1.5);
@@ -49,20 +49,20 @@ TEST(DetectionsAmong, SaysWhyEachOtherIsRejected) {
   std::swap(mirrored.corners[2], mirrored.corners[3]);
   struct Case {
     TagSighting sighting;
-    Rejection expected;
+    SightingFault expected;
   };
-  for (const Case& it : {Case{Sighting(2, 1), Rejection::kWrongBits},
-                         Case{Sighting(9), Rejection::kNotInMap},
-                         Case{other_family, Rejection::kNotInMap},
-                         Case{mirrored, Rejection::kDegenerate}}) {
+  for (const Case& it : {Case{Sighting(2, 1), SightingFault::kWrongBits},
+                         Case{Sighting(9), SightingFault::kNotInMap},
+                         Case{other_family, SightingFault::kNotInMap},
+                         Case{mirrored, SightingFault::kDegenerate}}) {
     const std::vector<TagSighting> seen = {it.sighting, Sighting(4)};
     const FrameDetections frame = DetectionsAmong(seen, TwoMarkers(), 0, 2.0);
     ASSERT_EQ(frame.detections.size(), 1u) << Describe(it.expected);
     EXPECT_EQ(frame.detections[0].tag_id, 4);
-    ASSERT_EQ(frame.rejected.size(), 1u);
-    EXPECT_EQ(frame.rejected[0].reason, it.expected);
-    EXPECT_EQ(frame.rejected[0].time, 2.0);
-    EXPECT_EQ(frame.rejected[0].sighting.tag_id, it.sighting.tag_id);
+    ASSERT_EQ(frame.unused.size(), 1u);
+    EXPECT_EQ(frame.unused[0].fault, it.expected);
+    EXPECT_EQ(frame.unused[0].time, 2.0);
+    EXPECT_EQ(frame.unused[0].sighting.tag_id, it.sighting.tag_id);
   }
 }
 
@@ -71,9 +71,9 @@ TEST(DetectionsAmong, RejectsBothOfAMarkerThatIsSeenTwice) {
   const FrameDetections frame = DetectionsAmong(seen, TwoMarkers(), 0, 0.0);
   ASSERT_EQ(frame.detections.size(), 1u);
   EXPECT_EQ(frame.detections[0].tag_id, 2);
-  ASSERT_EQ(frame.rejected.size(), 2u);
-  EXPECT_EQ(frame.rejected[0].reason, Rejection::kSeveralSeen);
-  EXPECT_EQ(frame.rejected[1].reason, Rejection::kSeveralSeen);
+  ASSERT_EQ(frame.unused.size(), 2u);
+  EXPECT_EQ(frame.unused[0].fault, SightingFault::kSeveralSeen);
+  EXPECT_EQ(frame.unused[1].fault, SightingFault::kSeveralSeen);
 }
 
 TEST(DetectionsAmong, IsNotConfusedByASecondOneWithWrongBits) {

@@ -91,7 +91,7 @@ class FrameFolder : public testing::Test {
                         const CameraModel& camera = SmallCamera()) const {
     try {
       const auto source = Open(video, camera);
-      for (Frame frame; source->Next(&frame);) {
+      for (ImageFrame frame; source->Next(&frame);) {
       }
     } catch (const InputError& error) {
       return error.what();
@@ -103,7 +103,7 @@ class FrameFolder : public testing::Test {
 
   static std::vector<double> TimesOf(FrameSource& source) {
     std::vector<double> times;
-    for (Frame frame; source.Next(&frame);) times.push_back(frame.time);
+    for (ImageFrame frame; source.Next(&frame);) times.push_back(frame.time);
     return times;
   }
 
@@ -115,7 +115,7 @@ TEST_F(FrameFolder, ReadsImagesWithTheirStamps) {
     WriteImages(3, extension);
     const auto source = Open();
     EXPECT_EQ(source->num_expected(), 3);
-    Frame frame;
+    ImageFrame frame;
     for (int i = 0; i < 3; ++i) {
       ASSERT_TRUE(source->Next(&frame)) << extension;
       EXPECT_EQ(frame.time, 0.5 * i);
@@ -198,7 +198,7 @@ TEST_F(FrameFolder, ReadsAVideoWithTheContainersStamps) {
   WriteVideo(9);
   const auto source = Open("film.avi");
   EXPECT_EQ(source->num_expected(), 9);
-  Frame frame;
+  ImageFrame frame;
   for (int i = 0; i < 9; ++i) {
     ASSERT_TRUE(source->Next(&frame));
     EXPECT_NEAR(frame.time, i / 8.0, 1e-6);

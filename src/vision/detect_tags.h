@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vision/detection.h"
+#include "fathom/vision/detection_filter.h"
+#include "fathom/vision/frame_source.h"
+#include "fathom/vision/marker_map.h"
+#include "fathom/vision/tag_detector.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What was found in the frames of a log, and what was not.
+struct TagDetections {
+  std::vector<double> frame_times;    // of every frame that could be read [s]
+  std::vector<Detection> detections;  // in the order of the frames, then by id
+  std::vector<UnusedSighting> unused;
+
+  int num_expected = 0;    // frames that the log lists or its video announces; 0: nothing says
+  int num_unreadable = 0;  // of these
+  std::vector<std::string> unreadable;
+
+  int num_frames_without_tags = 0;  // without a detection, whatever else was seen
+};
+
+// Looks for the map's markers in all frames. `progress` is told after each frame how many are done,
+// of num_expected; it may be empty. Throws InputError as the frames and the detector do, and if no
+// frame at all can be read.
+TagDetections DetectTags(FrameSource& frames,
+                         const MarkerMap& map,
+                         const TagDetectorOptions& options,
+                         const std::function<void(int done, int expected)>& progress = {});
+
+}  // namespace fathom

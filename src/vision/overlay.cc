@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vision/overlay.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/output_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <unistd.h>
+
+namespace fathom {
+namespace {
+
+const cv::Scalar kGreen(80, 220, 60);
+const cv::Scalar kRed(60, 60, 255);
+const cv::Scalar kOrange(0, 165, 255);
+const cv::Scalar kWhite(255, 255, 255);
+
+// OpenCV draws with 4 binary places where it is told so.
+constexpr int kShift = 4;
+
+cv::Point PlaceOf(const Eigen::Vector2d& pixel, double scale) {
+  // The centre of the first pixel of a picture made smaller by `scale` is not that of the large
+  // one.
+  const Eigen::Vector2d place = scale * (pixel.array() + 0.5).matrix().eval();
+  return {static_cast<int>(std::lround((place.x() - 0.5) * (1 << kShift))),
+          static_cast<int>(std::lround((place.y() - 0.5) * (1 << kShift)))};
+}
+
+void Outline(cv::Mat* picture,
+             const std::array<Eigen::Vector2d, 4>& corners,
+             const std::string& label,
+             const cv::Scalar& colour,
+             double scale) {
+  for (int i = 0; i < 4; ++i) {
+    cv::line(*picture,
+             PlaceOf(corners[i], scale),
+             PlaceOf(corners[(i + 1) % 4], scale),
+             colour,
+             1,
+             cv::LINE_AA,
+             kShift);
+  }
+  cv::circle(
+      *picture, PlaceOf(corners[0], scale), 3 << kShift, colour, cv::FILLED, cv::LINE_AA, kShift);
+  const cv::Point at = PlaceOf(corners[2], scale);
+  cv::putText(*picture,
+              label,
+              {(at.x >> kShift) + 4, (at.y >> kShift) - 3},
+              cv::FONT_HERSHEY_SIMPLEX,
+              0.45,
+              colour,
+              1,
+              cv::LINE_AA);
+}
+
+void Cross(cv::Mat* picture, const Eigen::Vector2d& pixel, double scale) {
+  constexpr int kArm = 5 << kShift;
+  const cv::Point at = PlaceOf(pixel, scale);
+  for (const cv::Point& arm : {cv::Point(kArm, kArm), cv::Point(kArm, -kArm)}) {
+    cv::line(*picture, at - arm, at + arm, kOrange, 1, cv::LINE_AA, kShift);
+  }
+}
+
+cv::Mat Draw(const OverlayFrame& frame, double scale) {
+  const GrayImage& image = *frame.image;
+  const cv::Mat gray(
+      image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
+  cv::Mat picture;
+  cv::cvtColor(gray, picture, cv::COLOR_GRAY2BGR);
+  if (scale != 1.0) cv::resize(picture, picture, {}, scale, scale, cv::INTER_AREA);
+  for (const UnusedSighting& it : frame.unused) {
+    Outline(&picture,
+            it.sighting.corners,
+            fmt::format("{} {}", it.sighting.tag_id, Describe(it.fault)),
+            kRed,
+            scale);
+  }
+  for (const Detection& detection : frame.detections) {
+    Outline(&picture, detection.corners, std::to_string(detection.tag_id), kGreen, scale);
+  }
+  for (const auto& corners : frame.predicted) {
+    for (const Eigen::Vector2d& corner : corners) Cross(&picture, corner, scale);
+  }
+  const int bar = 18;
+  cv::rectangle(picture, {0, 0, picture.cols, bar}, {0, 0, 0}, cv::FILLED);
+  cv::putText(
+      picture, frame.caption, {5, 13}, cv::FONT_HERSHEY_SIMPLEX, 0.42, kWhite, 1, cv::LINE_AA);
+  return picture;
+}
+
+class ContactSheet : public OverlayWriter {
+ public:
+  ContactSheet(std::filesystem::path path, int width)
+      : path_(std::move(path)), scale_(std::min(1.0, 420.0 / width)) {}
+
+  void Add(const OverlayFrame& frame) override { pictures_.push_back(Draw(frame, scale_)); }
+
+  void Finish() override {
+    constexpr int kColumns = 3;
+    std::vector<cv::Mat> rows;
+    for (std::size_t i = 0; i < pictures_.size(); i += kColumns) {
+      std::vector<cv::Mat> row(pictures_.begin() + i,
+                               pictures_.begin() + std::min(i + kColumns, pictures_.size()));
+      while (row.size() < kColumns) row.push_back(cv::Mat::zeros(row[0].size(), row[0].type()));
+      rows.emplace_back();
+      cv::hconcat(row, rows.back());
+    }
+    cv::Mat sheet;
+    cv::vconcat(rows, sheet);
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".png", sheet, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9});
+    WriteFile(path_, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  }
+
+  bool Wants(int frame_index, int num_frames) const override {
+    constexpr int kMost = 12;
+    if (num_frames <= kMost) return true;
+    const auto nth = [&](int i) { return i * (num_frames - 1) / (kMost - 1); };
+    for (int i = 0; i < kMost; ++i) {
+      if (nth(i) == frame_index) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::filesystem::path path_;
+  double scale_;
+  std::vector<cv::Mat> pictures_;
+};
+
+class OverlayVideo : public OverlayWriter {
+ public:
+  OverlayVideo(std::filesystem::path path, int width, int height, double rate)
+      : path_(std::move(path)), temporary_(path_) {
+    // The ending tells the container.
+    temporary_.replace_extension(".part" + std::to_string(getpid()) + path_.extension().string());
+    std::error_code error;
+    if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
+    const int code = path_.extension() == ".avi" ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G')
+                                                 : cv::VideoWriter::fourcc('m', 'p', '4', 'v');
+    // Codecs want even sides.
+    size_ = {width + width % 2, height + height % 2};
+    if (!writer_.open(temporary_.string(), cv::CAP_FFMPEG, code, rate, size_, true)) {
+      std::filesystem::remove(temporary_, error);
+      throw InputError(path_.string() + ": cannot write this video.");
+    }
+  }
+
+  ~OverlayVideo() override {
+    writer_.release();
+    std::error_code error;
+    std::filesystem::remove(temporary_, error);
+  }
+
+  void Add(const OverlayFrame& frame) override {
+    cv::Mat picture = Draw(frame, 1.0);
+    cv::copyMakeBorder(picture,
+                       picture,
+                       0,
+                       size_.height - picture.rows,
+                       0,
+                       size_.width - picture.cols,
+                       cv::BORDER_REPLICATE);
+    writer_.write(picture);
+  }
+
+  void Finish() override {
+    writer_.release();
+    std::error_code error;
+    std::filesystem::rename(temporary_, path_, error);
+    if (error) {
+      throw InputError(
+          fmt::format("{}: cannot write this file: {}.", path_.string(), error.message()));
+    }
+  }
+
+  bool Wants(int, int) const override { return true; }
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  cv::Size size_;
+  cv::VideoWriter writer_;
+};
+
+}  // namespace
+
+std::unique_ptr<OverlayWriter> OpenOverlay(const std::filesystem::path& path,
+                                           int width,
+                                           int height,
+                                           double rate) {
+  const std::string ending = path.extension().string();
+  if (ending == ".png") return std::make_unique<ContactSheet>(path, width);
+  if (ending == ".mp4" || ending == ".avi") {
+    return std::make_unique<OverlayVideo>(path, width, height, rate);
+  }
+  throw InputError(path.string() +
+                   ": expected a path that ends in .mp4 or .avi for a video, or in .png for a "
+                   "contact sheet.");
+}
+
+}  // namespace fathom

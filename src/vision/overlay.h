@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vision/detection.h"
+#include "fathom/vision/detection_filter.h"
+#include "fathom/vision/gray_image.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// One frame with what was made of it, for a person to check.
+struct OverlayFrame {
+  const GrayImage* image = nullptr;
+  std::string caption;                 // ASCII
+  std::vector<Detection> detections;   // outlined in green, the first corner as a dot
+  std::vector<UnusedSighting> unused;  // outlined in red
+
+  // Where the estimated pose puts the corners: orange crosses on the green outlines.
+  std::vector<std::array<Eigen::Vector2d, 4>> predicted;
+};
+
+// Draws overlay frames into a video, or some of them side by side on one picture (a contact sheet).
+// The file takes its name once it is complete; a writer that is not finished leaves nothing behind.
+class OverlayWriter {
+ public:
+  virtual ~OverlayWriter() = default;
+
+  virtual void Add(const OverlayFrame& frame) = 0;
+
+  // Throws InputError, naming the file, if it cannot be written.
+  virtual void Finish() = 0;
+
+  // True for the frames that are to be added: all of a video, 12 of a contact sheet, evenly over
+  // the record.
+  virtual bool Wants(int frame_index, int num_frames) const = 0;
+};
+
+// By the ending of the path: .mp4 or .avi for a video, .png for a contact sheet. `rate` is that of
+// the frames [Hz]. Throws InputError for another ending or a video that cannot be opened.
+std::unique_ptr<OverlayWriter> OpenOverlay(const std::filesystem::path& path,
+                                           int width,
+                                           int height,
+                                           double rate);
+
+}  // namespace fathom
