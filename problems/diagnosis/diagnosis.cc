@@ -210,7 +210,7 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
                     inertia,
                     std));
   }
-  constexpr double kShareOfASine = 0.8;
+  constexpr double kShareOfASine = 0.9;
   const Tone& tone = data.command_tone();
   if (tone.share > kShareOfASine && !diagnosis->causes.empty()) {
     diagnosis->remarks.push_back(

@@ -13,6 +13,7 @@ namespace fathom {
 namespace {
 
 constexpr double kBlock = 10.0;  // [s], several times the vehicle's memory of an error
+constexpr double kStart = 2.0;   // [s], over which a run is made to begin as measured
 constexpr int kNumResamples = 2000;
 
 struct BlockSums {
@@ -36,10 +37,29 @@ std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
   return blocks;
 }
 
+// Mean of measured less predicted over the first seconds; 0 if there is nothing.
+double FirstMiss(const std::vector<double>& time,
+                 const std::vector<double>& measured,
+                 const std::vector<double>& predicted) {
+  double sum = 0.0;
+  size_t n = 0;
+  for (; n < time.size() && time[n] < time.front() + kStart; ++n) sum += measured[n] - predicted[n];
+  return n == 0 ? 0.0 : sum / static_cast<double>(n);
+}
+
 }  // namespace
 
 std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model) {
-  return FreeRunOver(record, model, record.initial);
+  const EffectSimulation simulation(record.inputs.get(), record.stamps);
+  InitialState start = record.initial;
+  EffectOutputs outputs;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    if (!simulation.Run(model, start, &outputs)) return std::nullopt;
+    start.velocity += FirstMiss(record.stamps.velocity, record.velocity, outputs.velocity);
+    start.position +=
+        FirstMiss(record.stamps.displacement, record.displacement, outputs.displacement);
+  }
+  return FreeRunOver(record, model, start);
 }
 
 std::optional<FreeRun> FreeRunOver(const Record& record,

@@ -31,7 +31,7 @@ constexpr double kSharpest = 12.0;
 constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
 // Under a single sine, causes that differ in phase alone are told apart by what little else there
 // is: the start, the shape of the tops. That takes more than usual.
-constexpr double kShareOfASine = 0.8;
+constexpr double kShareOfASine = 0.9;
 constexpr double kHarderUnderASine = 5.0;
 constexpr double kRivalSlack = 40.0;  // screens are linear: so much worse may still be a rival
 
