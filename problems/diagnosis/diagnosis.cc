@@ -29,7 +29,8 @@ namespace {
 
 constexpr double kSmallestPValue = 0.01;  // of remaining structure, at which it is said to remain
 constexpr double kMaterialShare = 0.05;   // of all structure, below which the rest is no matter
-constexpr int kNumFolds = 4;              // of left-out blocks, where nothing is held out
+constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
+constexpr int kNumFolds = 4;                    // of left-out blocks, where nothing is held out
 
 void RequireUsable(const DiagnosisOptions& options) {
   if (!(options.false_alarm_rate > 0.0 && options.false_alarm_rate <= 0.5)) {
@@ -209,6 +210,24 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
                     "with a standard deviation of {:.2g}. Take what is said here as a hint.",
                     inertia,
                     std));
+  }
+  const auto& leading =
+      diagnosis->has_velocity ? baseline.noise.velocity : baseline.noise.displacement;
+  const NoiseChannel channel =
+      diagnosis->has_velocity ? NoiseChannel::kVelocity : NoiseChannel::kDisplacement;
+  double sum = 0.0, n = 0.0;
+  for (int i = 0; i < data.bins().size(); ++i) {
+    if (data.bins().samples()[i].channel != channel) continue;
+    sum += baseline.residual[i] * baseline.residual[i];
+    n += 1.0;
+  }
+  const double times_the_sensor = std::sqrt(sum / n) / std::max(leading.white_std, 1e-12);
+  if (diagnosis->verdict == Verdict::kConsistent && times_the_sensor > kMuchMoreThanTheSensor) {
+    diagnosis->remarks.push_back(
+        fmt::format("The error is {:.0f} times what scatters from sample to sample. It wanders as "
+                    "slow random forces or a wandering sensor make it wander, and follows nothing "
+                    "that was logged: noise, or something that these logs do not show.",
+                    times_the_sensor));
   }
   constexpr double kShareOfASine = 0.9;
   const Tone& tone = data.command_tone();
