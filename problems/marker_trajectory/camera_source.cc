@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/camera_source.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/marker_trajectory.h"
+#include "fathom/vision/camera_rig.h"
+#include "fathom/vision/detections_file.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+bool NeedsTracking(const Log& log) { return log.detections && !log.pose; }
+
+void TrackDetections(Log* log) {
+  if (!NeedsTracking(*log)) return;
+  const CameraRig rig = ReadCameraRig(log->path);
+  const std::vector<Detection> detections = DetectionsOf(*log->detections);
+  const MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera);
+  for (const std::string& remark : track.remarks) {
+    log->remarks.push_back("detections.csv: " + remark);
+  }
+  if (track.world_from_body.size() < 2) {
+    std::string losses;
+    for (const std::string& remark : track.remarks) losses += " " + remark;
+    throw InputError(fmt::format("{}: {} of {} frames gave a pose, expected at least two.{}{}",
+                                 (log->path / "detections.csv").string(),
+                                 track.world_from_body.size(),
+                                 track.pnp.num_frames,
+                                 track.message.empty() ? "" : " " + track.message,
+                                 losses));
+  }
+  log->pose = PoseStreamOf(track.world_from_body);
+  log->remarks.push_back(
+      fmt::format("detections.csv: {} of {} frames gave a pose; corner sigma {:.3g} px.",
+                  track.world_from_body.size(),
+                  track.pnp.num_frames,
+                  track.corner_sigma));
+}
+
+}  // namespace fathom

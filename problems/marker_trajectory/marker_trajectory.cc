@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/marker_trajectory.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/marker_placement.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// Gives a place to every marker that is seen together with markers that have one, from the views of
+// a track. Returns whether any was placed.
+bool PlaceMoreMarkers(std::span<const Detection> detections,
+                      const CameraModel& camera,
+                      const PoseTrack& track,
+                      MarkerMap* map) {
+  std::map<double, const TrackedView*> view_at;
+  for (const TrackedView& view : track.views) view_at[view.time] = &view;
+  // By marker: the frames that show it, with the known markers in them.
+  std::map<int, std::vector<std::vector<Detection>>> frames_of;
+  for (const RejectedDetection& one : track.rejected) {
+    if (one.reason != Rejection::kNotSurveyed) continue;
+    const Detection& detection = detections[one.index];
+    const auto view = view_at.find(detection.time);
+    if (view == view_at.end()) continue;
+    std::vector<Detection> frame = {detection};
+    for (const int i : view->second->detections) frame.push_back(detections[i]);
+    frames_of[detection.tag_id].push_back(std::move(frame));
+  }
+  MarkerMap placed = *map;
+  for (const auto& [id, frames] : frames_of) {
+    const std::optional<Pose> place = PlaceMarker(camera, *map, id, frames);
+    if (!place) continue;
+    for (Marker& marker : placed.markers) {
+      if (marker.id != id) continue;
+      marker.world_from_tag = *place;
+      marker.is_surveyed = true;
+    }
+  }
+  const auto is_placed = [&](const Marker& marker) {
+    return marker.is_surveyed && !map->Find(marker.id)->is_surveyed;
+  };
+  const bool any = std::any_of(placed.markers.begin(), placed.markers.end(), is_placed);
+  *map = std::move(placed);
+  return any;
+}
+
+// The surveyed marker seen most often.
+int ReferenceOf(std::span<const Detection> detections,
+                const PoseTrack& track,
+                const MarkerMap& map,
+                const MarkerTrajectoryOptions& options) {
+  if (options.reference_id) {
+    const Marker* marker = map.Find(*options.reference_id);
+    if (marker == nullptr || !marker->is_surveyed) {
+      throw InputError(
+          fmt::format("reference tag {}: is no surveyed tag of tags.yaml, expected one.",
+                      *options.reference_id));
+    }
+    return *options.reference_id;
+  }
+  std::map<int, int> count;
+  for (const TrackedView& view : track.views) {
+    for (const int i : view.detections) {
+      const int id = detections[i].tag_id;
+      if (map.Find(id)->is_surveyed) ++count[id];
+    }
+  }
+  const auto most = std::max_element(
+      count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() ? map.markers.front().id : most->first;
+}
+
+// The free markers that at least one view rests on.
+std::set<int> SeenOf(const std::set<int>& free_ids,
+                     std::span<const Detection> detections,
+                     const PoseTrack& track) {
+  std::set<int> seen;
+  for (const TrackedView& view : track.views) {
+    for (const int i : view.detections) {
+      if (free_ids.contains(detections[i].tag_id)) seen.insert(detections[i].tag_id);
+    }
+  }
+  return seen;
+}
+
+BundleAdjustmentSummary Adjust(std::span<const Detection> detections,
+                               const CameraModel& camera,
+                               const MarkerMap& map,
+                               const std::set<int>& free_ids,
+                               const PoseTrack& track,
+                               double huber) {
+  std::vector<AdjustedFrame> frames;
+  for (const TrackedView& view : track.views) {
+    frames.push_back({view.pose.world_from_camera, view.detections});
+  }
+  BundleAdjustmentOptions options;
+  constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise
+  if (!frames.empty()) options.corner_sigma = std::max(track.corner_sigma, kSmallestSigma);
+  options.huber = huber;
+  return AdjustBundle(
+      camera, map, SeenOf(free_ids, detections, track), detections, frames, options);
+}
+
+void TakeOver(const BundleAdjustmentSummary& summary,
+              const Pose& body_from_camera,
+              MarkerTrack* out) {
+  const Pose camera_from_body = body_from_camera.Inverse();
+  for (std::size_t i = 0; i < summary.world_from_camera.size(); ++i) {
+    const double time = out->pnp.views[i].time;
+    const Pose& pose = summary.world_from_camera[i];
+    const PoseCovariance& covariance = summary.pose_covariance[i];
+    out->world_from_camera.push_back({.time = time, .pose = pose, .covariance = covariance});
+    out->world_from_body.push_back(
+        {.time = time,
+         .pose = pose * camera_from_body,
+         .covariance = CovarianceOfComposed(pose, covariance, camera_from_body)});
+  }
+  out->frame_rms = summary.frame_rms;
+  out->corner_sigma = summary.corner_sigma;
+  out->corner_sigma_std = summary.corner_sigma_std;
+  out->map = summary.map;
+  out->estimated_ids = summary.free_ids;
+  out->marker_covariance = summary.marker_covariance;
+}
+
+}  // namespace
+
+MarkerTrack TrackMarkers(std::span<const Detection> detections,
+                         const CameraModel& camera,
+                         const MarkerMap& map,
+                         const Pose& body_from_camera,
+                         const MarkerTrajectoryOptions& options) {
+  MarkerTrack result;
+  MarkerMap placed = map;
+  result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
+  // Outwards from the surveyed markers, as far as views hang together.
+  while (PlaceMoreMarkers(detections, camera, result.pnp, &placed)) {
+    result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
+  }
+  std::set<int> free_ids;
+  for (const Marker& marker : map.markers) {
+    if (!marker.is_surveyed) free_ids.insert(marker.id);
+  }
+  if (options.estimate_surveyed_markers && !result.pnp.views.empty()) {
+    const int reference = ReferenceOf(detections, result.pnp, map, options);
+    for (const Marker& marker : map.markers) free_ids.insert(marker.id);
+    free_ids.erase(reference);
+    result.remarks.push_back(
+        fmt::format("Tag {} holds the world; the others are estimated.", reference));
+  }
+  BundleAdjustmentSummary summary =
+      Adjust(detections, camera, placed, free_ids, result.pnp, options.pose_track.huber);
+  if (summary.is_usable && !summary.free_ids.empty()) {
+    // With the markers in place the gate is as narrow as the corners allow: once more.
+    placed = summary.map;
+    result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
+    summary = Adjust(detections, camera, placed, free_ids, result.pnp, options.pose_track.huber);
+  }
+  result.map = placed;
+  result.message = summary.message;
+  if (summary.is_usable) TakeOver(summary, body_from_camera, &result);
+
+  std::set<int> unplaced;
+  for (const RejectedDetection& one : result.pnp.rejected) {
+    if (one.reason == Rejection::kNotSurveyed) unplaced.insert(detections[one.index].tag_id);
+  }
+  result.unplaced_ids.assign(unplaced.begin(), unplaced.end());
+  if (!unplaced.empty()) {
+    result.remarks.push_back(
+        fmt::format("Never seen together with a tag whose place is known, and not used: tags {}.",
+                    fmt::join(unplaced, ", ")));
+  }
+  const auto losses = RemarksOn(result.pnp, detections);
+  result.remarks.insert(result.remarks.end(), losses.begin(), losses.end());
+  return result;
+}
+
+}  // namespace fathom

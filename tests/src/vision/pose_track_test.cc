@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vision/pose_track.h"
+
+#include "fathom/base/input_error.h"
+
+#include <set>
+
+#include "synthetic_views.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+int NumRejected(const PoseTrack& track, Rejection reason) {
+  return static_cast<int>(std::count_if(
+      track.rejected.begin(), track.rejected.end(), [&](const RejectedDetection& one) {
+        return one.reason == reason;
+      }));
+}
+
+// Every frame and every detection is accounted for, once.
+void ExpectNothingIsLost(const PoseTrack& track) {
+  EXPECT_EQ(track.num_frames,
+            static_cast<int>(track.views.size() + track.times_without_pose.size()) +
+                track.num_frames_without_tags);
+  std::multiset<int> seen;
+  for (const RejectedDetection& one : track.rejected) seen.insert(one.index);
+  for (const TrackedView& view : track.views) {
+    EXPECT_EQ(view.detections.size(), view.pose.used.size());
+    seen.insert(view.detections.begin(), view.detections.end());
+  }
+  ASSERT_EQ(seen.size(), static_cast<std::size_t>(track.num_detections));
+  int next = 0;
+  for (const int index : seen) EXPECT_EQ(index, next++);
+}
+
+double WorstTurn(const PoseTrack& track, const SyntheticRecord& record) {
+  double worst = 0.0;
+  std::size_t i = 0;
+  for (const TrackedView& view : track.views) {
+    while (record.time[i] < view.time) ++i;
+    worst = std::max(
+        worst,
+        StepBetween(view.pose.world_from_camera, record.world_from_camera[i]).tail<3>().norm());
+  }
+  return worst;
+}
+
+// A marker of some 50 px, tilted by 14 degrees, corners to 0.4 px: single frames often prefer the
+// wrong one of two solutions, the record almost never. Which of a frame's solutions is the right
+// one is decided by the truth.
+TEST(TrackPoses, ResolvesTheFlipOfASingleSquare) {
+  MarkerMap map = SingleMarker();
+  map.markers[0].size = 0.25;
+  const SyntheticRecord record = MakeRecord(map, 400, 0.25, 0.4, 5);
+  ASSERT_EQ(record.detections.size(), 400u);
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  ASSERT_GE(track.views.size(), 395u);
+  int wrong_in_a_frame = 0, wrong_in_the_track = 0, num_resolved = 0;
+  for (const TrackedView& view : track.views) {
+    const int i = view.detections[0];
+    const Pose& truth = record.world_from_camera[i];
+    const auto turn_from_truth = [&](const ViewPose& pose) {
+      return StepBetween(pose.world_from_camera, truth).tail<3>().norm();
+    };
+    const auto poses = SolveView(SyntheticCamera(), map, {&record.detections[i], 1});
+    if (poses.size() < 2) continue;
+    const double best = std::min(turn_from_truth(poses[0]), turn_from_truth(poses[1]));
+    wrong_in_a_frame += turn_from_truth(poses[0]) > best + 0.05;
+    wrong_in_the_track += turn_from_truth(view.pose) > best + 0.05;
+    num_resolved += view.is_flip_resolved;
+  }
+  EXPECT_GT(wrong_in_a_frame, 20);
+  EXPECT_LE(wrong_in_the_track, 4);
+  EXPECT_GE(num_resolved, wrong_in_a_frame - 4);
+}
+
+// 30 independent records, one marker each with two degrees of freedom per frame: the reported
+// standard deviation is that of the estimate.
+TEST(TrackPoses, EstimatesTheCornerSigmaWithItsError) {
+  for (const MarkerMap& map : {SingleMarker(), FourMarkers()}) {
+    constexpr int kNumRuns = 30;
+    double sum = 0.0, sum_of_squares = 0.0;
+    for (int seed = 0; seed < kNumRuns; ++seed) {
+      const SyntheticRecord record = MakeRecord(map, 50, 0.6, 0.3, 100 + seed);
+      const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+      const double z = (track.corner_sigma - 0.3) / track.corner_sigma_std;
+      sum += z;
+      sum_of_squares += z * z;
+    }
+    EXPECT_NEAR(sum / kNumRuns, 0.0, 4.0 / std::sqrt(kNumRuns));
+    EXPECT_NEAR(sum_of_squares / kNumRuns, 1.0, 4.0 * std::sqrt(2.0 / kNumRuns));
+  }
+}
+
+TEST(TrackPoses, SetsAsideOutliersOfASingleMarker) {
+  const MarkerMap map = SingleMarker();
+  SyntheticRecord record = MakeRecord(map, 300, 0.4, 0.3, 8);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> far(-60.0, 60.0);
+  std::set<int> spoiled;
+  for (const int i : {3, 57, 58, 120, 199, 298}) {
+    spoiled.insert(i);
+    for (Eigen::Vector2d& corner : record.detections[i].corners) {
+      corner += Eigen::Vector2d(far(random), far(random));
+    }
+  }
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  std::set<int> rejected;
+  for (const RejectedDetection& one : track.rejected) rejected.insert(one.index);
+  for (const int i : spoiled) EXPECT_THAT(rejected, Contains(i));
+  EXPECT_LE(rejected.size(), spoiled.size() + 2);
+  EXPECT_LT(std::abs(track.corner_sigma - 0.3), 5.0 * track.corner_sigma_std);
+}
+
+// A whole detection shifted: its shape is right, and only the frames around it contradict it.
+TEST(TrackPoses, SetsAsideAJumpAwayAndBack) {
+  const MarkerMap map = SingleMarker();
+  SyntheticRecord record = MakeRecord(map, 200, 0.4, 0.3, 9);
+  for (Eigen::Vector2d& corner : record.detections[77].corners) corner.x() -= 200.0;
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  ASSERT_EQ(NumRejected(track, Rejection::kOutlier), 1);
+  EXPECT_EQ(track.rejected[0].index, 77);
+  EXPECT_THAT(track.times_without_pose, ::testing::ElementsAre(record.time[77]));
+}
+
+TEST(TrackPoses, GoesOnAfterALongRunOfOutliers) {
+  const MarkerMap map = SingleMarker();
+  SyntheticRecord record = MakeRecord(map, 200, 0.4, 0.3, 10);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> far(-40.0, 40.0);
+  for (int i = 100; i < 120; ++i) {
+    for (Eigen::Vector2d& corner : record.detections[i].corners) {
+      corner += Eigen::Vector2d(far(random), far(random));
+    }
+  }
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  EXPECT_GE(track.views.size(), 178u);
+  EXPECT_LT(WorstTurn(track, record), 0.2);
+}
+
+TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
+  MarkerMap map = FourMarkers();
+  SyntheticRecord record = MakeRecord(map, 30, 0.2, 0.3, 12);
+  ASSERT_EQ(record.detections.size(), 120u);
+  map.markers[3].is_surveyed = false;
+  auto& detections = record.detections;
+  detections[0].tag_id = 9;                                       // frame 0
+  std::swap(detections[4].corners[1], detections[4].corners[3]);  // frame 1: mirrored
+  detections[9].tag_id = detections[8].tag_id;                    // frame 2: both of them
+  for (Eigen::Vector2d& corner : detections[12].corners) corner.x() += 1280.0;
+  detections[16].corners[2] = detections[16].corners[0];
+  detections.erase(detections.begin() + 20, detections.begin() + 24);  // frame 5 sees nothing
+  PoseTrackOptions options;
+  options.frame_times = record.time;
+  const PoseTrack track = TrackPoses(detections, SyntheticCamera(), map, options);
+  ExpectNothingIsLost(track);
+  EXPECT_EQ(track.num_frames, 30);
+  EXPECT_EQ(track.num_frames_without_tags, 1);
+  EXPECT_EQ(NumRejected(track, Rejection::kUnknownId), 1);
+  EXPECT_EQ(NumRejected(track, Rejection::kMirrored), 1);
+  EXPECT_EQ(NumRejected(track, Rejection::kRepeatedId), 2);
+  EXPECT_EQ(NumRejected(track, Rejection::kOffImage), 1);
+  EXPECT_EQ(NumRejected(track, Rejection::kNoSquare), 1);
+  EXPECT_EQ(NumRejected(track, Rejection::kNotSurveyed), 29);
+  const auto remarks = RemarksOn(track, detections);
+  EXPECT_THAT(remarks, Contains("1 of 30 frames show no tag."));
+  EXPECT_THAT(remarks, Contains("Set aside as unknown id: 1 of 116 detections: tags 9 (1 times)."));
+  EXPECT_THAT(remarks, Contains(HasSubstr("Set aside as mirrored: 1 of 116")));
+}
+
+TEST(TrackPoses, RefusesCornersInAnotherOrder) {
+  const MarkerMap map = SingleMarker();
+  SyntheticRecord record = MakeRecord(map, 20, 0.2, 0.3, 12);
+  for (Detection& detection : record.detections) {
+    std::reverse(detection.corners.begin(), detection.corners.end());
+  }
+  try {
+    TrackPoses(record.detections, SyntheticCamera(), map);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the corners of 20 of 20 run clockwise in the image"));
+  }
+}
+
+TEST(TrackPoses, RefusesTheCalibrationOfAnotherSize) {
+  const MarkerMap map = SingleMarker();
+  const SyntheticRecord record = MakeRecord(map, 20, 0.2, 0.3, 12);
+  CameraModel camera = SyntheticCamera();
+  camera.width /= 2;
+  camera.height /= 2;
+  camera.cx /= 2.0;
+  camera.cy /= 2.0;
+  try {
+    TrackPoses(record.detections, camera, map);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("lie outside the camera's image of 640 x 480 pixels"));
+  }
+}
+
+TEST(TrackPoses, IsEmptyWithoutAnyKnownTag) {
+  MarkerMap map = SingleMarker();
+  const SyntheticRecord record = MakeRecord(map, 20, 0.2, 0.3, 12);
+  map.markers[0].id = 5;
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  EXPECT_THAT(track.views, IsEmpty());
+  EXPECT_TRUE(std::isnan(track.corner_sigma));
+}
+
+}  // namespace
+}  // namespace fathom
