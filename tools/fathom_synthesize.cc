@@ -7,22 +7,25 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
+#include "fathom/film/film_file.h"
+#include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
 #include "fathom/simulate/effect_list.h"
 #include "fathom/simulate/experiment_file.h"
 #include "fathom/simulate/synthesize.h"
 #include "fathom/simulate/truth_file.h"
+#include "fathom/tools/output_folder.h"
+#include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
-#include <unistd.h>
 
 DEFINE_string(vehicle, "", "Vehicle file (YAML) that holds a model of each driven DOF.");
 DEFINE_string(experiment, "", "Experiment file (YAML).");
@@ -33,6 +36,10 @@ DEFINE_string(effects,
               "",
               "Effects to hide in the log, [DOF.]NAME[:PARAMETER=VALUE]... separated by commas; "
               "what is not given is drawn. docs/synthesize.md lists them.");
+DEFINE_string(film,
+              "",
+              "Film file (YAML): a camera log besides, with detections.csv, or with images.");
+DEFINE_bool(render, false, "With --film: images and frames.csv instead of detections.csv.");
 DEFINE_string(truth, "", "Write what the log was made from to this file (JSON).");
 
 namespace fathom {
@@ -43,7 +50,7 @@ const ToolInfo kInfo = {
     .summary = "Makes the log of an experiment with a vehicle whose motion model is known.",
     .usage =
         "--vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG [--seed=1 "
-        "--effects=EFFECTS --truth=TRUTH.json]",
+        "--effects=EFFECTS --film=FILM.yaml [--render] --truth=TRUTH.json]",
     .example =
         "fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
         "--experiment=data/experiments/table1.yaml --seed=1 --out=flatfish\n"
@@ -52,56 +59,6 @@ const ToolInfo kInfo = {
         "--effects=thruster_lag:time_constant=0.5,heave.coulomb_friction",
     .details =
         "The files are described in docs/file_formats.md, the method in docs/synthesize.md."};
-
-// A folder that takes its final name only once it is complete.
-class FolderInTheMaking {
- public:
-  explicit FolderInTheMaking(const std::filesystem::path& folder)
-      : folder_(folder), temporary_(folder.string() + ".part" + std::to_string(getpid())) {}
-
-  ~FolderInTheMaking() {
-    std::error_code error;
-    std::filesystem::remove_all(temporary_, error);
-  }
-
-  const std::filesystem::path& path() const { return temporary_; }
-
-  void Finish() const {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
-    if (!error) std::filesystem::rename(temporary_, folder_, error);
-    if (error) {
-      throw InputError(
-          fmt::format("{}: cannot write this folder: {}.", folder_.string(), error.message()));
-    }
-  }
-
- private:
-  std::filesystem::path folder_;
-  std::filesystem::path temporary_;
-};
-
-std::filesystem::path OutputFolder() {
-  const std::filesystem::path folder =
-      RequireFlag("out", FLAGS_out, "the folder of the log to write");
-  // Without a slash at the end, which would make the temporary's place be inside it.
-  const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
-  std::error_code error;
-  if (!std::filesystem::exists(named, error)) return named;
-  if (!std::filesystem::is_directory(named, error)) {
-    throw InputError(fmt::format("--out={}: is a file, expected a folder.", FLAGS_out));
-  }
-  if (std::filesystem::is_empty(named, error) && !error) return named;
-  // Only what is a log may be replaced: a wrong path must not cost a folder of something else.
-  const bool is_log = std::filesystem::exists(named / "log.yaml", error);
-  if (!FLAGS_overwrite || !is_log) {
-    throw InputError(fmt::format("--out={}: the folder is not empty{}.",
-                                 FLAGS_out,
-                                 is_log ? ", expected --overwrite to replace the log in it"
-                                        : " and holds no log, expected a new folder"));
-  }
-  return named;
-}
 
 void PrintStream(const char* file, const std::optional<Stream>& stream) {
   if (!stream) return;
@@ -112,11 +69,35 @@ void PrintStream(const char* file, const std::optional<Stream>& stream) {
              stream->time.back());
 }
 
+void WriteFilm(const std::filesystem::path& folder,
+               const Vehicle& vehicle,
+               const Experiment& experiment,
+               const std::vector<ActiveEffect>& effects,
+               const Log& log,
+               const Film& film) {
+  const auto poses = HeldPoses(ShownPoses(vehicle, experiment, effects, FLAGS_seed, film.sampling),
+                               log.dofs,
+                               film,
+                               FLAGS_seed);
+  if (!FLAGS_render) {
+    WriteFilmCorners(folder, poses, film, FLAGS_seed);
+    return;
+  }
+  Progress progress("image");
+  WriteFilmImages(folder, poses, film, FLAGS_seed, [&](int done, int expected) {
+    progress.Show(done, expected);
+  });
+}
+
 int Run() {
   const Vehicle vehicle = ReadVehicleFile(RequireFlag("vehicle", FLAGS_vehicle, "a vehicle file"));
   const Experiment experiment =
       ReadExperimentFile(RequireFlag("experiment", FLAGS_experiment, "an experiment file"));
-  const std::filesystem::path folder = OutputFolder();
+  std::optional<Film> film;
+  if (!FLAGS_film.empty()) film = ReadFilmFile(FLAGS_film);
+  if (FLAGS_render && !film) throw InputError("--render: there is no --film to say how.");
+  const std::filesystem::path folder = OutputFolder(
+      RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
 
   std::vector<ActiveEffect> effects;
   if (!FLAGS_effects.empty()) {
@@ -129,12 +110,14 @@ int Run() {
   }
   const FolderInTheMaking made(folder);
   WriteLog(made.path(), log);
+  if (film) WriteFilm(made.path(), vehicle, experiment, effects, log, *film);
   made.Finish();
 
   fmt::print("{}: {} s of", folder.string(), experiment.duration);
   for (const Dof dof : log.dofs) fmt::print(" {}", Name(dof));
   fmt::print(", vehicle {}, seed {}\n", vehicle.name, FLAGS_seed);
   for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", Describe(effect));
+  if (film) fmt::print("camera log: {}\n", FLAGS_render ? "images" : "detections.csv");
   PrintStream("command.csv", log.command);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);

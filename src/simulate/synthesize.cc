@@ -156,6 +156,22 @@ Log Synthesize(const Vehicle& vehicle,
   return log;
 }
 
+Stream ShownPoses(const Vehicle& vehicle,
+                  const Experiment& experiment,
+                  std::span<const ActiveEffect> effects,
+                  std::uint64_t seed,
+                  const Sampling& sampling) {
+  RequireAxesThatStay(experiment);
+  const VehicleMotion motion(
+      vehicle, DrivenDofs(vehicle, experiment), effects, TurbulenceOf(experiment, effects, seed));
+  // The controllers see the experiment's own sensor; only then is it another one.
+  const TrueRun truth = DriveThrough(motion, experiment, seed);
+  Experiment seen_by_camera = experiment;
+  seen_by_camera.pose = PoseSensor{.sampling = sampling};
+  Log remarks;
+  return PoseStream(motion, truth, seen_by_camera, effects, seed, remarks);
+}
+
 std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,
                                const Experiment& experiment,
                                std::uint64_t seed) {

@@ -35,6 +35,14 @@ Log Synthesize(const Vehicle& vehicle,
 // Nothing hidden.
 Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64_t seed);
 
+// The poses of the same run at the stamps of another sensor, without noise: world_from_body, with
+// what effects on poses do to them. For cameras, docs/synthesize.md ("Camera logs").
+Stream ShownPoses(const Vehicle& vehicle,
+                  const Experiment& experiment,
+                  std::span<const ActiveEffect> effects,
+                  std::uint64_t seed,
+                  const Sampling& sampling);
+
 // How large things are in one DOF of an experiment in which nothing is hidden.
 struct Scales {
   double force = 0.0;       // RMS command [N] or [N m]

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/film/film.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+
+namespace fathom {
+
+// Write the camera's part of a log folder: camera.yaml, tags.yaml, mount.yaml and
+//
+//   WriteFilmCorners   detections.csv
+//   WriteFilmImages    frames.csv and the rendered images, frames/000000.png, ...
+//
+// of a body at these poses, the stamps of the frames. `progress` is told how many images are done.
+// Throw InputError if something cannot be written or, for the images, drawn, and if no frame shows
+// a marker.
+void WriteFilmCorners(const std::filesystem::path& folder,
+                      std::span<const StampedPose> world_from_body,
+                      const Film& film,
+                      std::uint64_t seed);
+
+void WriteFilmImages(const std::filesystem::path& folder,
+                     std::span<const StampedPose> world_from_body,
+                     const Film& film,
+                     std::uint64_t seed,
+                     const std::function<void(int done, int expected)>& progress = {});
+
+}  // namespace fathom
