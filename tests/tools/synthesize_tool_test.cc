@@ -3,6 +3,7 @@
 
 #include "fathom/log/log.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -248,6 +249,43 @@ TEST(RunTool, PrintsItsOwnHelpAndVersion) {
   const ToolRun version = Synthesize({"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, testing::MatchesRegex("fathom_synthesize [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {
+  const fs::path folder = EmptyTestFolder();
+  const std::string experiment =
+      "--experiment=" + WriteTestFile(folder / "short.yaml", kShortExperiment).string();
+  const std::string film = "--film=" + kData + "/films/wall_four.yaml";
+  const fs::path corners = folder / "corners";
+  ToolRun run = Synthesize({kVehicle, experiment, film, "--out=" + corners.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string detections = Bytes(corners / "detections.csv");
+  // Four tags in each of 40 frames, below the column names.
+  EXPECT_EQ(std::count(detections.begin(), detections.end(), '\n'), 161);
+  for (const std::string file : {"camera", "tags", "mount"}) {
+    EXPECT_GT(Bytes(corners / (file + ".yaml")).size(), 50u) << file;
+  }
+
+  const fs::path images = folder / "images";
+  const std::string few =
+      "--experiment=" + WriteTestFile(folder / "few.yaml",
+                                      "name: few\nduration: 0.3\ncommand_rate: 10\nsurge: "
+                                      "{control: open_loop, input: {kind: sine, amplitude: 50, "
+                                      "frequency: 1}}\nvelocity: {rate: 10}\n")
+                            .string();
+  run = Synthesize({kVehicle, few, film, "--render", "--out=" + images.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(Bytes(images / "frames.csv"),
+            "t,file\n0,frames/000000.png\n0.1,frames/000001.png\n0.2,frames/000002.png\n");
+  EXPECT_THAT(Bytes(images / "frames/000002.png"), StartsWith("\x89PNG"));
+  EXPECT_FALSE(fs::exists(images / "detections.csv"));
+}
+
+TEST(SynthesizeTool, RefusesToRenderWithoutAFilm) {
+  const fs::path out = EmptyTestFolder() / "log";
+  const ToolRun run = Synthesize({kVehicle, kExperiment, "--render", "--out=" + out.string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err, "fathom_synthesize: --render: there is no --film to say how.\n");
 }
 
 }  // namespace
