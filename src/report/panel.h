@@ -37,6 +37,7 @@ struct TimePanel {
   std::vector<TimeInterval> held_out = {};  // shaded and labelled
   bool is_stepped = false;                  // values hold until the next stamp, as commands do
   bool has_residuals = true;                // without `measured` there are none
+  bool is_low = false;                      // drawn less tall, for a first screen
 };
 
 // A number as one way of estimating it gave it. NaN in `value` is no answer, NaN in `std` an answer

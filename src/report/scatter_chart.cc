@@ -175,10 +175,13 @@ std::vector<BinMean> MeansByBins(const std::vector<double>& x,
     if (pairs.size() - end < kFewestInBin) end = pairs.size();
     BinMean mean;
     mean.num_points = static_cast<int>(end - begin);
+    // From the first point on, so that the mean of equal numbers is that number.
     for (std::size_t i = begin; i < end; ++i) {
-      mean.x += pairs[i].x / mean.num_points;
-      mean.y += pairs[i].y / mean.num_points;
+      mean.x += (pairs[i].x - pairs[begin].x) / mean.num_points;
+      mean.y += (pairs[i].y - pairs[begin].y) / mean.num_points;
     }
+    mean.x += pairs[begin].x;
+    mean.y += pairs[begin].y;
     for (std::size_t i = begin; i < end; ++i) {
       mean.spread += std::pow(pairs[i].y - mean.y, 2) / mean.num_points;
     }
@@ -192,13 +195,14 @@ std::vector<BinMean> MeansByBins(const std::vector<double>& x,
 double ShareBetweenBins(const std::vector<double>& x, const std::vector<double>& y, int num_bins) {
   double count = 0.0, sum = 0.0, within = 0.0, between = 0.0;
   const std::vector<BinMean> means = MeansByBins(x, y, num_bins);
+  const double first = means.empty() ? 0.0 : means.front().y;
   for (const BinMean& mean : means) {
     count += mean.num_points;
-    sum += mean.num_points * mean.y;
+    sum += mean.num_points * (mean.y - first);
   }
   for (const BinMean& mean : means) {
     within += mean.num_points * mean.spread * mean.spread;
-    between += mean.num_points * std::pow(mean.y - sum / count, 2);
+    between += mean.num_points * std::pow(mean.y - first - sum / count, 2);
   }
   return within + between > 0.0 ? between / (within + between)
                                 : std::numeric_limits<double>::quiet_NaN();
@@ -241,7 +245,7 @@ std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& 
   if (panels.empty()) return "";
   const ScatterPanel& first = panels.front();
   std::string html = fmt::format(
-      "<div class=\"scatter-key\"><span><i style=\"color:{}\"></i>{}</span>"
+      "<div class=\"scatter-key\"><span><i class=\"point\" style=\"color:{}\"></i>{}</span>"
       "<span><i style=\"color:{}\"></i>its mean, and two standard errors</span>",
       kMeasuredColor,
       HtmlText(WithUnit(first.y_name, first.y_unit)),

@@ -104,6 +104,7 @@ std::string TimeChartJson(const TimePanel& panel, Palette& palette) {
                 {"responses", std::move(responses)},
                 {"held_out", std::move(held_out)},
                 {"is_stepped", panel.is_stepped},
+                {"is_low", panel.is_low},
                 {"has_residuals", has_residuals}};
   if (panel.measured) chart["measured"] = SeriesJson(*panel.measured, kMeasuredColor, indices);
   return chart.dump(-1, ' ', false, json::error_handler_t::replace);

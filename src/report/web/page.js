@@ -9,6 +9,7 @@
   const GRID = "#e8ebf0";
   const FONT = '12px system-ui, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif';
   const HEIGHTS = {response: 300, residual: 170, lone: 190};  // [px]
+  const LOW_HEIGHTS = {response: 180, residual: 150, lone: 190};
   const AXIS_WIDTH = 72;         // [px], the same everywhere so that the time axes line up
   const FEW_STAMPS = 60;         // up to here each stamp gets a dot
 
@@ -82,14 +83,15 @@
     return group;
   };
 
-  // The edges of the bands of those curves that have one: low and high of each in turn. They are
-  // drawn as curves without ink behind the others.
+  // The edges of the bands of those curves that have one: low and high of each in turn. They come
+  // before the curves, as curves without ink, so that a band does not tint what lies over it.
   const edgesOf = (series) => series.flatMap((one) => (one.low ? [one.low, one.high] : []));
 
   const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
     const own = [panel.time[0], panel.time[panel.time.length - 1]];
     const axis = {stroke: INK, font: FONT, labelFont: FONT, grid: {stroke: GRID, width: 1},
                   ticks: {stroke: GRID, width: 1, size: 5}};
+    const edges = edgesOf(series);
     const offset = panel.time_offset ? ` + ${panel.time_offset}` : "";
     const plot = new uPlot({
       width: place.clientWidth || 900,
@@ -112,17 +114,17 @@
       ],
       bands: series.flatMap((one, i) => {
         if (!one.low) return [];
-        const low = 1 + series.length + 2 * series.slice(0, i).filter((other) => other.low).length;
+        const low = 1 + 2 * series.slice(0, i).filter((other) => other.low).length;
         return [{series: [low + 1, low], fill: `${one.color}38`}];
       }),
-      series: [{}, ...series.map((one) => ({
+      series: [{}, ...edges.map(() => ({width: 0, spanGaps: false, points: {show: false}})), ...series.map((one) => ({
         label: one.name,
         stroke: one.color,
         width: one.width,
         spanGaps: false,
         paths: panel.is_stepped ? uPlot.paths.stepped({align: 1}) : undefined,
         points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: one.color},
-      })), ...edgesOf(series).map(() => ({width: 0, spanGaps: false, points: {show: false}}))],
+      }))],
       hooks: {
         drawClear: [shade(panel.held_out)],
         draw: [labelShades(panel.held_out)],
@@ -130,7 +132,7 @@
           if (scale === "x") group.zoom(self.scales.x.min, self.scales.x.max);
         }],
       },
-    }, [panel.time, ...series.map((one) => one.values), ...edgesOf(series)], place);
+    }, [panel.time, ...edges, ...series.map((one) => one.values)], place);
     group.plots.push(plot);
     new ResizeObserver(() => {
       if (place.clientWidth && place.clientWidth !== plot.width) {
@@ -218,21 +220,20 @@
     const legend = makeLegend(group, panel, curves);
     place.append(legend);
     const plots = [];
+    const heights = panel.is_low ? LOW_HEIGHTS : HEIGHTS;
     const isSmall = !panel.measured && curves.length === 1;
     plots.push(makePlot(group, panel, place, {
       label: withUnit(panel.quantity, panel.unit), series: curves,
-      height: isSmall ? HEIGHTS.lone : HEIGHTS.response, hasTimeLabel: !panel.has_residuals,
+      height: isSmall ? heights.lone : heights.response, hasTimeLabel: !panel.has_residuals,
     }));
-    let edge = curves.length;
-    curves.forEach((curve, i) => {
-      curve.drawn.push([plots[0], i + 1]);
-      if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
-    });
+    let edge = 0;
+    for (const curve of curves) if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
+    curves.forEach((curve, i) => curve.drawn.push([plots[0], edge + i + 1]));
     if (panel.has_residuals) {
       plots.push(makePlot(group, panel, place, {
         label: withUnit("residual", panel.unit),
         series: curves.slice(1).map((curve) => ({...curve, values: curve.residual, low: null, width: 1.2})),
-        height: HEIGHTS.residual, hasTimeLabel: true,
+        height: heights.residual, hasTimeLabel: true,
       }));
       curves.slice(1).forEach((curve, i) => curve.drawn.push([plots[1], i + 1]));
     }
@@ -310,6 +311,9 @@
     button.click();
     await frame();
     findings.ink_after = inkOf(response, curve.color);
+
+    // Of every curve in its own colour: none is covered or tinted.
+    findings.inks = drawn.flatMap((one) => one.curves.map(({color}) => inkOf(one.plots[0], color))).join(" ");
 
     const width = response.over.clientWidth;
     mouse(response.over, "mouseenter", response, width / 2, 50);

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "headless_browser.h"
+
+#include "fathom/base/output_file.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace fathom {
+namespace {
+
+std::string OutputOf(const std::string& command) {
+  std::string output;
+  FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return output;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    output.append(buffer.data(), n);
+  }
+  pclose(pipe);
+  return output;
+}
+
+}  // namespace
+
+std::string Chromium() {
+  std::string path =
+      OutputOf("command -v chromium || command -v chromium-browser || command -v google-chrome");
+  path.erase(path.find_last_not_of('\n') + 1);
+  return path;
+}
+
+std::string DomOf(const Page& page, const std::string& name) {
+  const std::string file = fmt::format("{}/{}_{}.html", FATHOM_SCRATCH_DIR, name, getpid());
+  const std::string profile = file + ".profile";
+  WriteFile(file, RenderPage(page));
+  const std::string dom = OutputOf(fmt::format(
+      "timeout 60 '{}' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "--disable-background-networking --disable-component-update --disable-sync "
+      "--user-data-dir='{}' --window-size=1280,1000 --virtual-time-budget=8000 --dump-dom "
+      "'file://{}#selftest' 2>/dev/null",
+      Chromium(),
+      profile,
+      file));
+  std::filesystem::remove_all(profile);
+  std::filesystem::remove(file);
+  return dom;
+}
+
+std::map<std::string, std::string> FindingsIn(const std::string& dom) {
+  std::map<std::string, std::string> findings;
+  const std::size_t begin = dom.find("id=\"selftest\">");
+  if (begin == std::string::npos) return findings;
+  std::istringstream lines(dom.substr(dom.find('>', begin) + 1));
+  for (std::string line; std::getline(lines, line) && line.find("</pre>") == std::string::npos;) {
+    const std::size_t equals = line.find('=');
+    findings[line.substr(0, equals)] = line.substr(equals + 1);
+  }
+  return findings;
+}
+
+}  // namespace fathom

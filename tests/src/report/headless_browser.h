@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/report/page.h"
+
+#include <map>
+#include <string>
+
+namespace fathom {
+
+// The path of Chromium; empty if it is not installed.
+std::string Chromium();
+
+// The page in a real browser, as it stands after its script has run: page.js uses itself when the
+// address ends in #selftest and writes what it finds into the page. `name` tells the files of tests
+// that run at once apart.
+std::string DomOf(const Page& page, const std::string& name);
+
+// The lines "name=value" of that self test.
+std::map<std::string, std::string> FindingsIn(const std::string& dom);
+
+}  // namespace fathom
