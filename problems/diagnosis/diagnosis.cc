@@ -277,11 +277,11 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   std::vector<Record> train = Part(records.all, false);
   const auto start = FindRobustStart(train);
   if (!start) {
-    throw InputError(fmt::format(
-        "{}: output error finds no physical baseline model along {}, and without one there is "
-        "nothing to diagnose. fathom_identify says why.",
-        diagnosis.logs.front(),
-        Name(dof)));
+    diagnosis.message = fmt::format(
+        "output error finds no physical baseline model along {}, and without one there is nothing "
+        "to diagnose. fathom_identify says why.",
+        Name(dof));
+    return diagnosis;
   }
   if (const int count = RemoveOutliers(start->model, start->initial, &train); count > 0) {
     diagnosis.remarks.push_back(fmt::format("Left out: {} single sample{} far from {} neighbours.",
@@ -292,8 +292,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const TrainingData data(std::move(train));
   const StructureFit baseline = FitBaseline(data, start->model, start->initial);
   if (baseline.jacobian.size() == 0) {
-    throw InputError(fmt::format("{}: the baseline model cannot be simulated over this log.",
-                                 diagnosis.logs.front()));
+    diagnosis.message = "the baseline model cannot be simulated over these logs.";
+    return diagnosis;
   }
 
   const std::vector<const Effect*> effects =

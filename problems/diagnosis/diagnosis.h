@@ -120,6 +120,10 @@ struct Diagnosis {
   bool fits_displacement = false;  // poses were used too, or alone
   bool has_velocity = true;
 
+  // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted.
+  std::string message;
+  bool IsUsable() const { return message.empty(); }
+
   Verdict verdict = Verdict::kConsistent;
   DiagnosedModel baseline;
   DiagnosedModel extended;  // the baseline again where nothing is named
@@ -149,8 +153,9 @@ struct Diagnosis {
 // Finds what the baseline misses in `logs` along `dof`, names the cause as far as the data force it
 // to, and measures what naming it gains. docs/diagnosis.md.
 //
-// The same input gives the same answer to the last bit. Throws InputError if the logs cannot be
-// used (no command, no motion, too short) or have different command units.
+// The same input gives the same answer to the last bit. Where no baseline model can be fitted,
+// IsUsable() is false. Throws InputError if the logs cannot be used (no command, no motion, too
+// short) or have different command units.
 Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options = {});
 
 }  // namespace fathom

@@ -3,72 +3,23 @@
 
 #include "fathom/diagnosis/diagnosis_page.h"
 
+#include "fathom/diagnosis/cause_text.h"
+#include "fathom/diagnosis/diagnosis_panels.h"
+#include "fathom/diagnosis/diagnosis_tables.h"
+#include "fathom/diagnosis/next_steps.h"
 #include "fathom/diagnosis/verdict_sentence.h"
-#include "fathom/report/scatter_chart.h"
 #include "fathom/vehicle/model_file.h"
 
-#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kBefore = "before";
-constexpr const char* kAccounted = "what the causes account for";
-constexpr const char* kAfter = "after";
-
-std::string WithSpaces(std::string_view name) {
-  std::string text(name);
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
-std::string MissingName(const Diagnosis& diagnosis) {
-  return IsAngular(diagnosis.dof) ? "missing moment" : "missing force";
-}
-
-std::string DisplacementUnit(Dof dof) { return IsAngular(dof) ? "rad" : "m"; }
-
-// Where a curve over `time` must break: stamps much further apart than is usual.
-double LongestStep(const std::vector<double>& time) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time.size(); ++i) {
-    if (time[i] > time[i - 1]) steps.push_back(time[i] - time[i - 1]);
-  }
-  if (steps.empty()) return 1.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(5.0, 20.0 * *middle);
-}
-
-std::string NmaeNote(const DiagnosedModel& model) {
-  return std::isfinite(model.train.nmae) ? fmt::format("NMAE {:.3f}", model.train.nmae) : "";
-}
-
-void AddGap(TimePanel* panel) {
-  panel->time.push_back(panel->time.back());
-  if (panel->measured) panel->measured->values.push_back(kNotKnown);
-  for (Series& response : panel->responses) {
-    response.values.push_back(kNotKnown);
-    if (!response.half_width.empty()) response.half_width.push_back(kNotKnown);
-  }
-}
-
-void AddTrace(const ResidualTrace& trace, TimePanel* panel) {
-  if (!panel->time.empty()) AddGap(panel);
-  const auto append = [](const std::vector<double>& from, std::vector<double>* to) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
-  append(trace.time, &panel->time);
-  append(trace.measured, &panel->measured->values);
-  append(trace.before, &panel->responses[0].values);
-  if (panel->responses.size() > 1) append(trace.after, &panel->responses[1].values);
-  if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
-}
 
 PageSection NextStepsSection(const Diagnosis& diagnosis) {
   PageSection section;
@@ -82,9 +33,11 @@ std::vector<PageSection> FreeRunSections(const Diagnosis& diagnosis) {
   std::vector<PageSection> sections;
   for (TimePanel& panel : FreeRunPanels(diagnosis)) {
     PageSection section;
-    section.heading = "Before and after";
+    section.heading =
+        diagnosis.causes.empty() ? "The model and the measurement" : "Before and after";
     if (diagnosis.logs.size() > 1) section.heading += ": " + panel.title;
     panel.title.clear();
+    panel.is_low = sections.empty();  // the first screen holds more than that
     section.time_panels = {std::move(panel)};
     sections.push_back(std::move(section));
   }
@@ -94,16 +47,15 @@ std::vector<PageSection> FreeRunSections(const Diagnosis& diagnosis) {
 PageSection MissingForceSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = IsAngular(diagnosis.dof) ? "The missing moment" : "The missing force";
-  section.text = {fmt::format(
+  section.text = {
       "What would have to be added to the command for the model without causes to follow the "
-      "measurement, as a random walk smoothed over the run; the band is two standard deviations. "
-      "{}",
-      diagnosis.causes.empty() ? "Where it follows one of the suspects below, look there: the "
-                                 "share is that of its variance that "
-                                 "the mean has."
-                               : "What the causes account for should lie inside it. The points "
-                                 "show it over each suspect: how far it "
-                                 "follows one is the share of its variance that the mean has.")};
+      "measurement, as a random walk smoothed over the run; the band is two standard deviations. " +
+      std::string(diagnosis.causes.empty()
+                      ? "Where it follows one of the suspects below, look there."
+                      : "What the causes account for should lie inside it; the points show both "
+                        "over each suspect.") +
+      " How far it follows a suspect is the share of its variance that the mean has; up to some "
+      "20 % can be chance, since it is smooth."};
   section.time_panels = MissingForcePanels(diagnosis);
   section.scatter_panels = SuspectPanels(diagnosis);
   return section;
@@ -111,7 +63,7 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
 
 PageSection ParameterSection(const Diagnosis& diagnosis) {
   PageSection section;
-  section.heading = "The parameters before and after";
+  section.heading = diagnosis.causes.empty() ? "The parameters" : "The parameters before and after";
   section.parameter_panels = ParameterPanels(diagnosis);
   section.tables.push_back(BeforeAndAfterTable(diagnosis));
   return section;
@@ -122,33 +74,39 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
   section.heading = "Every candidate";
   section.text = {
       "The score is twice the log-likelihood that an effect gains over the model without causes, "
-      "by "
-      "a linear screen; the p-value is that of as good a score anywhere among all candidates if "
+      "by a linear screen; the p-value is that of as good a score anywhere among all candidates if "
       "nothing were missing. Those that matter were refitted."};
   section.tables.push_back(CandidateTable(diagnosis));
   return section;
 }
 
-std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
-  std::vector<Fact> facts = {{"verdict", std::string(Name(diagnosis.verdict))},
-                             {diagnosis.logs.size() == 1 ? "log" : "logs",
-                              fmt::format("{}", fmt::join(diagnosis.logs, ", "))},
-                             {"degree of freedom", std::string(Name(diagnosis.dof))}};
-  std::vector<std::string> names;
-  for (const ActiveEffect& active : diagnosis.extended.model.effects) {
-    names.push_back(LabelOf(active.effect->info(), active.setting));
+// "sensor_lag or thruster_lag": a cause and what it may be instead.
+std::string LabelsOf(const Diagnosis& diagnosis, const Cause& cause) {
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  const std::string label = LabelOf(active.effect->info(), active.setting);
+  const std::vector<std::string> alternatives = AlternativesOf(cause);
+  if (alternatives.empty()) return label;
+  if (alternatives.size() > 2) {
+    return fmt::format("{} or one of {} others", label, alternatives.size());
   }
+  return fmt::format("{} or {}", label, fmt::join(alternatives, " or "));
+}
+
+std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
+  std::vector<Fact> facts = {{"verdict", std::string(Name(diagnosis.verdict))}};
+  std::vector<std::string> names;
+  for (const Cause& cause : diagnosis.causes) names.push_back(LabelsOf(diagnosis, cause));
   if (!names.empty()) {
-    facts.push_back({names.size() == 1 ? "cause" : "causes",
-                     fmt::format("{}{}",
-                                 fmt::join(names, ", "),
-                                 diagnosis.verdict == Verdict::kAmbiguous ? ", or another" : "")});
+    facts.push_back(
+        {names.size() == 1 ? "cause" : "causes", fmt::format("{}", fmt::join(names, "; "))});
   }
   const auto add_percent = [&](const char* name, double share) {
     if (std::isfinite(share)) facts.push_back({name, fmt::format("{:.0f} %", 100.0 * share)});
   };
   add_percent("squared error that is not noise", diagnosis.structure_share);
-  if (!names.empty()) add_percent("of that, explained", diagnosis.explained_share);
+  if (!names.empty() && diagnosis.structure_share >= 0.005) {
+    add_percent("of that, explained", diagnosis.explained_share);
+  }
   if (std::isfinite(diagnosis.baseline.held_out.nmae)) {
     const std::string before = fmt::format("{:.3f}", diagnosis.baseline.held_out.nmae);
     facts.push_back({"NMAE on unseen data",
@@ -161,151 +119,16 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
-  std::vector<TimePanel> panels;
-  for (const std::string& log : diagnosis.logs) {
-    std::vector<const ResidualTrace*> traces;
-    for (const ResidualTrace& trace : diagnosis.traces) {
-      if (trace.log == log && !trace.time.empty()) traces.push_back(&trace);
-    }
-    if (traces.empty()) continue;
-    std::stable_sort(traces.begin(), traces.end(), [](const auto* a, const auto* b) {
-      return a->time.front() < b->time.front();
-    });
-    TimePanel panel;
-    panel.title = log;
-    panel.quantity = fmt::format(
-        "{} {}", Name(diagnosis.dof), diagnosis.has_velocity ? "velocity" : "displacement");
-    panel.unit = diagnosis.has_velocity ? std::string(VelocityUnit(diagnosis.dof))
-                                        : DisplacementUnit(diagnosis.dof);
-    panel.measured = Series{"measured", {}, ""};
-    const bool has_causes = !diagnosis.extended.model.effects.empty();
-    panel.responses.push_back({has_causes ? kBefore : "model", {}, NmaeNote(diagnosis.baseline)});
-    if (has_causes) panel.responses.push_back({kAfter, {}, NmaeNote(diagnosis.extended)});
-    for (const ResidualTrace* trace : traces) AddTrace(*trace, &panel);
-    panels.push_back(std::move(panel));
-  }
-  return panels;
-}
-
-std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {
-  const MissingForce& missing = diagnosis.missing_force;
-  const double longest_step = LongestStep(missing.time);
-  const bool has_explained =
-      missing.explained.size() == missing.time.size() && !diagnosis.causes.empty();
-  std::vector<TimePanel> panels;
-  for (std::size_t i = 0; i < missing.time.size(); ++i) {
-    if (i == 0 || missing.time[i] < missing.time[i - 1]) {
-      TimePanel& panel = panels.emplace_back();
-      panel.quantity = MissingName(diagnosis);
-      panel.unit = diagnosis.force_unit;
-      panel.responses.push_back({MissingName(diagnosis), {}, ""});
-      if (has_explained) panel.responses.push_back({kAccounted, {}, ""});
-    }
-    TimePanel& panel = panels.back();
-    if (!panel.time.empty() && missing.time[i] - panel.time.back() > longest_step) AddGap(&panel);
-    panel.time.push_back(missing.time[i]);
-    panel.responses[0].values.push_back(missing.mean[i]);
-    if (i < missing.std.size()) panel.responses[0].half_width.push_back(2.0 * missing.std[i]);
-    if (has_explained) panel.responses[1].values.push_back(missing.explained[i]);
-  }
-  return panels;
-}
-
-std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
-  const MissingForce& missing = diagnosis.missing_force;
-  constexpr int kNumBins = 24;
-  std::vector<ScatterPanel> panels;
-  const auto add =
-      [&](const std::string& name, const std::string& unit, const std::vector<double>& values) {
-        if (values.empty() || values.size() != missing.mean.size()) return;
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        if (!(*most > *least)) return;
-        ScatterPanel panel = {name,
-                              unit,
-                              MissingName(diagnosis),
-                              diagnosis.force_unit,
-                              values,
-                              missing.mean,
-                              {},
-                              kAccounted,
-                              ""};
-        if (!diagnosis.causes.empty() && missing.explained.size() == values.size()) {
-          panel.second_y = missing.explained;
-        }
-        const double share = ShareBetweenBins(values, missing.mean, kNumBins);
-        if (std::isfinite(share)) {
-          panel.note = fmt::format("follows it by {:.0f} %", 100.0 * share);
-        }
-        panels.push_back(std::move(panel));
-      };
-  const std::string& force_unit = diagnosis.force_unit;
-  const std::string speed_unit(VelocityUnit(diagnosis.dof));
-  add("command", force_unit, missing.command);
-  add("command rate", force_unit + "/s", missing.command_rate);
-  add(fmt::format("{} velocity", Name(diagnosis.dof)), speed_unit, missing.velocity);
-  add("displacement", DisplacementUnit(diagnosis.dof), missing.displacement);
-  add("time", "s", missing.time);
-  for (std::size_t k = 0; k < missing.partner_velocities.size(); ++k) {
-    const std::string partner =
-        k < missing.partner_names.size() ? missing.partner_names[k] : "another DOF";
-    const auto dof = DofFromName(partner);
-    add(partner + " velocity",
-        dof ? std::string(VelocityUnit(*dof)) : "",
-        missing.partner_velocities[k]);
-  }
-  return panels;
-}
-
-std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
-  std::vector<ParameterPanel> panels;
-  const auto std_of = [](const DiagnosedModel& model, int i) {
-    return i < model.covariance.rows() ? std::sqrt(model.covariance(i, i)) : kNotKnown;
-  };
-  const bool has_causes = !diagnosis.extended.model.effects.empty();
-  for (int i = 0; i < kNumParameters; ++i) {
-    ParameterPanel panel;
-    panel.name = WithSpaces(kParameterInfo[i].name);
-    panel.unit = ParameterUnit(i, diagnosis.dof, diagnosis.force_unit);
-    panel.estimates.push_back({has_causes ? kBefore : "model",
-                               ToVector(diagnosis.baseline.model.baseline)[i],
-                               std_of(diagnosis.baseline, i)});
-    if (has_causes) {
-      panel.estimates.push_back(
-          {kAfter, ToVector(diagnosis.extended.model.baseline)[i], std_of(diagnosis.extended, i)});
-    }
-    panels.push_back(std::move(panel));
-  }
-  int index = kNumParameters;
-  for (const ActiveEffect& active : diagnosis.extended.model.effects) {
-    for (std::size_t k = 0; k < active.values.size(); ++k) {
-      const EffectParameter& parameter = active.effect->info().parameters[k];
-      const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
-      ParameterPanel panel;
-      panel.name = fmt::format(
-          "{}: {}", LabelOf(active.effect->info(), active.setting), WithSpaces(parameter.name));
-      panel.unit = unit == "-" ? "" : unit;
-      panel.estimates = {{kAfter, active.values[k], std_of(diagnosis.extended, index++)}};
-      if (std::isfinite(parameter.null)) {
-        panel.reference = parameter.null;
-        panel.reference_name = "no effect";
-      }
-      panels.push_back(std::move(panel));
-    }
-  }
-  return panels;
-}
-
 Page DiagnosisPage(const Diagnosis& diagnosis) {
   Page page;
   page.title = fmt::format(
-      "{}: what the {} model gets wrong", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
-  page.lead = {VerdictSentence(diagnosis)};
+      "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
+  page.lead = VerdictParagraphs(diagnosis);
   page.facts = FactsOf(diagnosis);
-  page.sections.push_back(NextStepsSection(diagnosis));
   for (PageSection& section : FreeRunSections(diagnosis)) {
     page.sections.push_back(std::move(section));
   }
+  page.sections.push_back(NextStepsSection(diagnosis));
   if (!diagnosis.missing_force.time.empty()) {
     page.sections.push_back(MissingForceSection(diagnosis));
   }

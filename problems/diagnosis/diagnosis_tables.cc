@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/diagnosis_page.h"
-#include "fathom/diagnosis/verdict_sentence.h"
+#include "fathom/diagnosis/diagnosis_tables.h"
+
+#include "fathom/diagnosis/cause_text.h"
+#include "fathom/diagnosis/with_interval.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,10 +39,6 @@ std::string InBrackets(const std::string& unit) {
 
 double StdOf(const DiagnosedModel& model, int i) {
   return i < model.covariance.rows() ? std::sqrt(model.covariance(i, i)) : kNotKnown;
-}
-
-const ActiveEffect& EffectOfCause(const Diagnosis& diagnosis, const Cause& cause) {
-  return diagnosis.extended.model.effects.at(static_cast<std::size_t>(cause.effect_index));
 }
 
 }  // namespace
@@ -78,35 +79,38 @@ Table CauseTable(const Diagnosis& diagnosis) {
 }
 
 Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
+  const bool has_causes = !diagnosis.extended.model.effects.empty();
   Table table;
-  table.columns = {{"parameter"}, {"before", true}, {"after", true}, {"moves by", true}};
+  table.columns = {{"parameter"}, {has_causes ? "before" : "value", true}};
+  if (has_causes) table.columns.insert(table.columns.end(), {{"after", true}, {"moves by", true}});
+  const auto add = [&](std::vector<std::string> cells) {
+    cells.resize(table.columns.size());
+    table.rows.push_back({std::move(cells)});
+  };
+  const auto moves_by = [](double was, double is) {
+    return Figure(100.0 * (is - was) / std::abs(was), "{:+.1f} %");
+  };
   const ParameterVector before = ToVector(diagnosis.baseline.model.baseline);
   const ParameterVector after = ToVector(diagnosis.extended.model.baseline);
   for (int i = 0; i < kNumParameters; ++i) {
-    const double way = 100.0 * (after[i] - before[i]) / std::abs(before[i]);
-    table.rows.push_back({{kParameterInfo[i].name +
-                               InBrackets(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit)),
-                           FormatValue(before[i], StdOf(diagnosis.baseline, i)),
-                           FormatValue(after[i], StdOf(diagnosis.extended, i)),
-                           i == kBuoyancy ? "-" : Figure(way, "{:+.1f} %")}});
+    add({kParameterInfo[i].name + InBrackets(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit)),
+         FormatValue(before[i], StdOf(diagnosis.baseline, i)),
+         FormatValue(after[i], StdOf(diagnosis.extended, i)),
+         i == kBuoyancy ? "-" : moves_by(before[i], after[i])});
   }
   int index = kNumParameters;
   for (const ActiveEffect& active : diagnosis.extended.model.effects) {
     for (std::size_t k = 0; k < active.values.size(); ++k) {
       const EffectParameter& parameter = active.effect->info().parameters[k];
-      table.rows.push_back(
-          {{KeyOf(active, parameter) +
-                InBrackets(UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit)),
-            "-",
-            FormatValue(active.values[k], StdOf(diagnosis.extended, index++)),
-            "-"}});
+      add({KeyOf(active, parameter) +
+               InBrackets(UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit)),
+           "-",
+           FormatValue(active.values[k], StdOf(diagnosis.extended, index++)),
+           "-"});
     }
   }
   const auto add_figure = [&](const std::string& name, double was, double is) {
-    table.rows.push_back({{name,
-                           Figure(was, "{:.4f}"),
-                           Figure(is, "{:.4f}"),
-                           Figure(100.0 * (is - was) / was, "{:+.1f} %")}});
+    add({name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is)});
   };
   add_figure("NMAE, training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
   add_figure(diagnosis.by_left_out_blocks ? "NMAE, blocks left out" : "NMAE, held-out data",

@@ -68,6 +68,7 @@ std::optional<RobustStart> FindRobustStart(std::span<const Record> records) {
   }
   OutputErrorOptions options;
   options.initial_guess = MomentumGuess(segments);
+  if (!(options.initial_guess->inertia > 0.0)) return std::nullopt;  // no force ever acted
   options.output = has_velocity ? FittedOutput::kVelocity : FittedOutput::kPosition;
   const OutputErrorSummary summary = FitOutputError(segments, options);
   if (!summary.converged) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/verdict_file.h"
 
+#include "fathom/diagnosis/cause_text.h"
 #include "fathom/diagnosis/verdict_sentence.h"
 #include "fathom/vehicle/model_file.h"
 

@@ -21,6 +21,7 @@ LogScore RunLog(const LogPlan& plan, std::uint64_t seed, OracleCache& oracle) {
   // All that it gets to see.
   const Diagnosis diagnosis = Diagnose(std::span<const Log>(&hidden.log, 1), hidden.dof);
   const auto end = std::chrono::steady_clock::now();
+  CHECK(diagnosis.IsUsable()) << diagnosis.message;
   LogScore score = ScoreOf(hidden, answer, diagnosis);
   score.seconds = std::chrono::duration<double>(end - begin).count();
   return score;

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What docs/diagnosis_dead_zone.md and docs/diagnosis_lag.md claim, over several seeds: the
+// baseline is wrong, the extended model is right, and the cause is named.
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/simulate/experiment_file.h"
+#include "fathom/simulate/synthesize.h"
+#include "fathom/vehicle/vehicle_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+constexpr double kInertiaOfFlatfish = 851.05, kLinearDampingOfFlatfish = 39.57;
+
+// FlatFish under data/experiments/surge_multisine.yaml with one effect hidden, diagnosed.
+Diagnosis DiagnosedFlatfish(const std::string& effect, double value, int seed) {
+  const std::string data = FATHOM_DATA_DIR;
+  const Vehicle vehicle = ReadVehicleFile(data + "/vehicles/flatfish.yaml");
+  const Experiment experiment = ReadExperimentFile(data + "/experiments/surge_multisine.yaml");
+  const ActiveEffect hidden = {FindEffect(effect), {.dof = Dof::kSurge}, {value}};
+  const Log log = Synthesize(
+      vehicle, experiment, std::span<const ActiveEffect>(&hidden, 1), static_cast<unsigned>(seed));
+  return Diagnose(std::span<const Log>(&log, 1), Dof::kSurge);
+}
+
+// The cause of this effect, alone or in a group with it; null if there is none.
+const Cause* FindCause(const Diagnosis& diagnosis, const std::string& effect) {
+  for (const Cause& cause : diagnosis.causes) {
+    const ActiveEffect& active = diagnosis.extended.model.effects[cause.effect_index];
+    if (active.effect->info().name == effect) return &cause;
+    if (std::count(cause.alternatives.begin(), cause.alternatives.end(), effect)) return &cause;
+  }
+  return nullptr;
+}
+
+// No cause but `cause` is named for certain.
+void ExpectNoOtherCertainCause(const Diagnosis& diagnosis, const Cause* cause) {
+  for (const Cause& other : diagnosis.causes) {
+    if (&other == cause) continue;
+    EXPECT_FALSE(other.alternatives.empty())
+        << diagnosis.extended.model.effects[other.effect_index].effect->info().name;
+  }
+}
+
+// Of the first parameter of a cause.
+double StdOf(const Diagnosis& diagnosis, const Cause& cause) {
+  std::size_t index = kNumParameters;
+  for (int k = 0; k < cause.effect_index; ++k) {
+    index += diagnosis.extended.model.effects[k].values.size();
+  }
+  return std::sqrt(diagnosis.extended.covariance.diagonal()[static_cast<Eigen::Index>(index)]);
+}
+
+class KnownCauses : public ::testing::TestWithParam<int> {};
+
+TEST_P(KnownCauses, ADeadZoneOfEightNewtonIsNamedAndTheInertiaPutRight) {
+  const Diagnosis diagnosis = DiagnosedFlatfish("thrust_dead_zone", 8.0, GetParam());
+  EXPECT_GT(diagnosis.baseline.model.baseline.inertia, 1.15 * kInertiaOfFlatfish);
+  EXPECT_NEAR(
+      diagnosis.extended.model.baseline.inertia, kInertiaOfFlatfish, 0.02 * kInertiaOfFlatfish);
+  const Cause* cause = FindCause(diagnosis, "thrust_dead_zone");
+  ASSERT_NE(cause, nullptr);
+  EXPECT_THAT(cause->alternatives, IsEmpty());
+  ExpectNoOtherCertainCause(diagnosis, cause);
+  const double width = diagnosis.extended.model.effects[cause->effect_index].values[0];
+  const double std = StdOf(diagnosis, *cause);
+  EXPECT_NEAR(width, 8.0, 4.0 * std);
+  EXPECT_LT(std, 0.4);
+  EXPECT_LT(diagnosis.extended.held_out.nmae, diagnosis.baseline.held_out.nmae);
+}
+
+// In the linear range lags commute: which of the two it is no such log can tell.
+TEST_P(KnownCauses, ALagOfHalfASecondIsNamedAndTheLinearDampingPutRight) {
+  const Diagnosis diagnosis = DiagnosedFlatfish("thruster_lag", 0.5, GetParam());
+  EXPECT_GT(std::abs(diagnosis.baseline.model.baseline.linear_damping - kLinearDampingOfFlatfish),
+            0.5 * kLinearDampingOfFlatfish);
+  EXPECT_NEAR(diagnosis.extended.model.baseline.linear_damping,
+              kLinearDampingOfFlatfish,
+              0.05 * kLinearDampingOfFlatfish);
+  const Cause* cause = FindCause(diagnosis, "thruster_lag");
+  ASSERT_NE(cause, nullptr);
+  ASSERT_EQ(cause->alternatives.size(), 1u);
+  const ActiveEffect& active = diagnosis.extended.model.effects[cause->effect_index];
+  EXPECT_THAT((std::array{std::string(active.effect->info().name), cause->alternatives[0]}),
+              UnorderedElementsAre("sensor_lag", "thruster_lag"));
+  EXPECT_EQ(diagnosis.verdict, Verdict::kAmbiguous);
+  EXPECT_FALSE(cause->experiment.empty());
+  ExpectNoOtherCertainCause(diagnosis, cause);
+  const double std = StdOf(diagnosis, *cause);
+  EXPECT_NEAR(active.values[0], 0.5, 4.0 * std);
+  EXPECT_LT(std, 0.02);
+  EXPECT_LT(diagnosis.extended.held_out.nmae, 0.5 * diagnosis.baseline.held_out.nmae);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, KnownCauses, ::testing::Range(1, 7));
+
+}  // namespace
+}  // namespace fathom

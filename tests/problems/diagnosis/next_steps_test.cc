@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/next_steps.h"
+
+#include "handmade_diagnosis.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(NextSteps, SayWhatToDoAboutACertainCause) {
+  EXPECT_THAT(NextSteps(ExplainedDiagnosis()),
+              ElementsAre("thrust_dead_zone: Look for the dead band of the speed controllers "
+                          "around neutral and add it to the command."));
+}
+
+TEST(NextSteps, AskForTheDecidingExperimentFirst) {
+  EXPECT_THAT(NextSteps(AmbiguousDiagnosis()),
+              ElementsAre("Find out first whether it is sensor_lag or thruster_lag. To decide: "
+                          "large steps, to speeds where quadratic drag matters (in linear drag "
+                          "lags commute).",
+                          "If it is sensor_lag: Log the raw sensor, or turn the estimator's "
+                          "smoothing down.",
+                          "If it is thruster_lag: Log the propellers' speed and use it in place "
+                          "of the command."));
+}
+
+// A group must not hide what can never be decided behind "To decide:".
+TEST(NextSteps, AdmitThatNoExperimentDecides) {
+  Diagnosis diagnosis = AmbiguousDiagnosis();
+  diagnosis.causes[0].experiment = "No velocity log alone can: the two are identical.";
+  EXPECT_EQ(NextSteps(diagnosis).front(),
+            "Find out first whether it is sensor_lag or thruster_lag. No velocity log alone can: "
+            "the two are identical.");
+}
+
+TEST(NextSteps, SayWhatBelongsToTheRun) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  AddCause("steady_current", {0.05}, {0.002}, &diagnosis);
+  EXPECT_EQ(NextSteps(diagnosis).back(),
+            "steady_current belongs to this run: fathom_simulate leaves it out on any other log.");
+}
+
+TEST(NextSteps, SayWhatAVerdictWithoutCausesMeans) {
+  EXPECT_THAT(NextSteps(ConsistentDiagnosis()),
+              ElementsAre(HasSubstr("within the speeds and commands of this data")));
+  EXPECT_THAT(NextSteps(UnexplainedDiagnosis()), ElementsAre(HasSubstr("adding_an_effect.md")));
+}
+
+}  // namespace
+}  // namespace fathom
