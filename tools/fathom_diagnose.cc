@@ -6,13 +6,14 @@
 #include "fathom/base/output_file.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/diagnosis_page.h"
+#include "fathom/diagnosis/diagnosis_tables.h"
+#include "fathom/diagnosis/next_steps.h"
 #include "fathom/diagnosis/verdict_file.h"
 #include "fathom/diagnosis/verdict_sentence.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/tools/log_flags.h"
 #include "fathom/tools/tool.h"
 
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -35,14 +36,13 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_diagnose",
     "Says what the model of one degree of freedom gets wrong on logs, names the cause as far as "
-    "the "
-    "data force it, and measures what the cause gains.",
+    "the data force it, and measures what the cause gains.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--verdict=FILE] [--report=FILE]",
     "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
     "  fathom_simulate --model=surge.json --log=data/flatfish",
     "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Any verdict, "
-    "`consistent` "
-    "and `unexplained` among them, is a usable result. The kept candidates are marked *.",
+    "`consistent` and `unexplained` among them, is a usable result. The kept candidates are marked "
+    "*.",
     {"log"}};
 
 constexpr std::size_t kMostCandidates = 8;
@@ -96,18 +96,17 @@ int Run() {
   const DiagnosisOptions options = OptionsFromFlags();
   const std::vector<Log> logs = LogsFromFlags();
   const Diagnosis diagnosis = Diagnose(logs, DofFromFlagOrLog(logs.front()), options);
-  if (!std::isfinite(diagnosis.baseline.train.nmae)) {
-    std::fprintf(stderr,
-                 "fathom_diagnose: the baseline model cannot be simulated over these logs.\n");
+  if (!diagnosis.IsUsable()) {
+    std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", diagnosis.message.c_str());
     return 2;
   }
-  Print(diagnosis);
   if (!FLAGS_verdict.empty()) {
     std::vector<std::string> fingerprints;
     for (const Log& log : logs) fingerprints.push_back(FingerprintOf(log));
     WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, fingerprints));
   }
   if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(DiagnosisPage(diagnosis)));
+  Print(diagnosis);
   return 0;
 }
 

@@ -52,6 +52,12 @@ std::vector<std::string> ArgumentsOf(const std::string& tool,
             "--report=" + out + "/page.html",
             "--figures=" + out + "/figures"};
   }
+  if (tool == "fathom_diagnose") {
+    return {"--log=" + log,
+            "--dof=surge",
+            "--verdict=" + out + "/verdict.json",
+            "--report=" + out + "/page.html"};
+  }
   return {"--log=" + log,
           "--model=" + (folder / "model.json").string(),
           "--out=" + out + "/prediction.csv"};
@@ -139,7 +145,7 @@ TEST_P(LogTools, RefusesAnUnknownDofInTheLog) {
 }
 
 std::vector<std::string> AllLogTools() {
-  return {"fathom_identify", "fathom_compare", "fathom_simulate"};
+  return {"fathom_identify", "fathom_compare", "fathom_simulate", "fathom_diagnose"};
 }
 
 // "identify" of "fathom_identify".

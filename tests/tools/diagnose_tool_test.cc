@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/log/log.h"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "expect_refusal.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include "small_log.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Path = std::filesystem::path;
+
+const std::string kData = FATHOM_DATA_DIR;
+
+// A log of the vehicle under the experiment with `effects` hidden.
+Path Synthesized(const Path& vehicle,
+                 const Path& experiment,
+                 const std::string& effects,
+                 int seed,
+                 const Path& log) {
+  std::vector<std::string> arguments = {"--vehicle=" + vehicle.string(),
+                                        "--experiment=" + experiment.string(),
+                                        "--seed=" + std::to_string(seed),
+                                        "--out=" + log.string()};
+  if (!effects.empty()) arguments.push_back("--effects=" + effects);
+  const ToolRun run = RunToolBinary("fathom_synthesize", arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return log;
+}
+
+// A minute and a half of the vehicle of small_log.h, quickly diagnosed.
+Path SmallLogWith(const Path& folder,
+                  const std::string& name,
+                  const std::string& effects,
+                  int seed) {
+  const Path vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml());
+  const Path experiment =
+      WriteTestFile(folder / "multisine.yaml",
+                    "name: small_multisine\n"
+                    "duration: 90\n"
+                    "command_rate: 10\n"
+                    "surge: {control: open_loop, input: {kind: multisine, rms: 12, "
+                    "frequency: [0.15, 2], lines: 9}}\n"
+                    "velocity: {rate: 10, noise: {surge: 0.005}}\n"
+                    "held_out: [70, 90]\n");
+  return Synthesized(vehicle, experiment, effects, seed, folder / name);
+}
+
+ToolRun Diagnosed(const Path& log, std::vector<std::string> arguments = {}) {
+  arguments.insert(arguments.begin(), "--log=" + log.string());
+  return RunToolBinary("fathom_diagnose", arguments);
+}
+
+TEST(DiagnoseTool, HelpGivesFlagsAnExampleAndExitCodes) {
+  const ToolRun run = RunToolBinary("fathom_diagnose", {"--help"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  for (const char* flag :
+       {"--log", "--dof", "--verdict", "--report", "--false_alarm_rate (default 0.05", "--seed"}) {
+    EXPECT_THAT(run.out, HasSubstr(flag));
+  }
+  EXPECT_THAT(
+      run.out,
+      AllOf(HasSubstr("fathom_diagnose --log=data/flatfish --dof=surge"),
+            HasSubstr("--log=A,B"),
+            HasSubstr("Exit code 0: a usable result; 1: input or flags cannot be used; 2")));
+}
+
+// The baseline takes the dead zone for inertia; docs/diagnosis_dead_zone.md.
+TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
+  const Path folder = EmptyTestFolder();
+  const Path log = Synthesized(kData + "/vehicles/flatfish.yaml",
+                               kData + "/experiments/surge_multisine.yaml",
+                               "thrust_dead_zone:width=8",
+                               1,
+                               folder / "log");
+  const Path verdict = folder / "verdict.json", report = folder / "page.html";
+  const ToolRun run = Diagnosed(
+      log, {"--dof=surge", "--verdict=" + verdict.string(), "--report=" + report.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
+
+  const auto json = JsonOf(verdict);
+  EXPECT_EQ(json["schema"], "fathom-verdict-1");
+  EXPECT_EQ(json["log"], "surge_multisine");
+  EXPECT_EQ(json["verdict"], "explained");
+  ASSERT_EQ(json["causes"].size(), 1u);
+  const auto& cause = json["causes"][0];
+  EXPECT_EQ(cause["effect"], "thrust_dead_zone");
+  EXPECT_EQ(cause["place"], "actuator");
+  EXPECT_EQ(cause["alternatives"], nlohmann::json::array());
+  const double width = cause["parameters"]["width"]["value"];
+  const double std = cause["parameters"]["width"]["std"];
+  EXPECT_NEAR(width, 8.0, 4.0 * std);
+  EXPECT_LT(std, 0.4);
+  EXPECT_EQ(cause["parameters"]["width"]["unit"], "N");
+  EXPECT_GT(json["baseline"]["parameters"]["inertia"]["value"].get<double>(), 1.15 * 851.05);
+  EXPECT_NEAR(
+      json["extended"]["parameters"]["inertia"]["value"].get<double>(), 851.05, 0.02 * 851.05);
+  EXPECT_LT(json["extended"]["heldout_nmae"].get<double>(),
+            0.85 * json["baseline"]["heldout_nmae"].get<double>());
+
+  // The tool prints the sentence, and the page opens with it.
+  const std::string sentence = json["sentence"];
+  EXPECT_THAT(sentence, HasSubstr("small commands give no thrust (thrust_dead_zone), width "));
+  EXPECT_THAT(run.out, HasSubstr("\n" + sentence + "\n"));
+  EXPECT_THAT(TextOf(report), HasSubstr(sentence.substr(0, sentence.find(". "))));
+}
+
+// Every key of the design, whatever the verdict.
+TEST(DiagnoseTool, VerdictHasEveryDocumentedField) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SmallLogWith(folder, "log", "thruster_lag:time_constant=0.8", 1);
+  const Path path = folder / "verdict.json";
+  const ToolRun run = Diagnosed(log, {"--verdict=" + path.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto verdict = JsonOf(path);
+  EXPECT_EQ(verdict["dof"], "surge");
+  EXPECT_TRUE((std::set<std::string>{"explained", "ambiguous"}).count(verdict["verdict"]))
+      << verdict["verdict"];
+  for (const char* model : {"baseline", "extended"}) {
+    for (const char* name : {"inertia", "quadratic_damping", "linear_damping", "buoyancy"}) {
+      const auto& parameter = verdict[model]["parameters"][name];
+      EXPECT_TRUE(parameter["value"].is_number()) << model << " " << name;
+      EXPECT_TRUE(parameter["std"].is_number()) << model << " " << name;
+      EXPECT_TRUE(parameter["unit"].is_string()) << model << " " << name;
+    }
+    for (const char* figure : {"mae", "nmae", "heldout_nmae"}) {
+      EXPECT_TRUE(verdict[model][figure].is_number()) << model << " " << figure;
+    }
+  }
+  ASSERT_FALSE(verdict["causes"].empty());
+  for (const auto& cause : verdict["causes"]) {
+    EXPECT_TRUE(cause["effect"].is_string());
+    EXPECT_TRUE(cause["place"].is_string());
+    EXPECT_FALSE(cause["parameters"].empty());
+    EXPECT_TRUE(cause["p_value"].is_number());
+    EXPECT_TRUE(cause["delta_bic"].is_number());
+    EXPECT_TRUE(cause["heldout_gain"].is_number());
+    EXPECT_TRUE(cause["alternatives"].is_array());
+  }
+  // What the causes are the candidates say, too; those they cannot be told from are not kept.
+  std::set<std::string> kept, named;
+  for (const auto& candidate : verdict["candidates"]) {
+    EXPECT_FALSE(candidate["why"].get<std::string>().empty());
+    if (candidate["kept"]) kept.insert(candidate["label"]);
+  }
+  for (const auto& cause : verdict["causes"]) named.insert(cause["effect"]);
+  EXPECT_EQ(kept, named);
+}
+
+// The speed forgets where it started from within m / d_L = 8 s: a minute in, the run that the
+// diagnosis fitted and the one that fathom_simulate starts from the first measured speed differ by
+// exp(-60 / 8) of some 0.01 m/s, 6e-6 m/s.
+TEST(DiagnoseTool, ItsVerdictPredictsAnotherLogAsTheDiagnosisDoes) {
+  const Path folder = EmptyTestFolder();
+  const std::string lag = "thruster_lag:time_constant=0.8";
+  const std::vector<Path> logs = {SmallLogWith(folder, "first", lag, 1),
+                                  SmallLogWith(folder, "second", lag, 2)};
+  const Path verdict = folder / "verdict.json", prediction = folder / "prediction.csv";
+  ASSERT_EQ(Diagnosed(logs[0], {"--verdict=" + verdict.string()}).exit_code, 0);
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate",
+      {"--model=" + verdict.string(), "--log=" + logs[0].string(), "--out=" + prediction.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+
+  const Log log = ReadLog(logs[0]);
+  const Diagnosis diagnosis = Diagnose(std::span<const Log>(&log, 1), Dof::kSurge);
+  ASSERT_FALSE(diagnosis.traces.empty());
+  const ResidualTrace& trace = diagnosis.traces.front();
+  const CsvColumns predicted = ReadColumns(prediction);
+  const std::vector<double> time = predicted.Values("t"), u = predicted.Values("u");
+  std::size_t at = 0;
+  int num_compared = 0;
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    if (trace.time[i] < 60.0) continue;
+    while (at < time.size() && time[at] < trace.time[i] - 1e-9) ++at;
+    ASSERT_LT(at, time.size());
+    ASSERT_NEAR(time[at], trace.time[i], 1e-9);
+    EXPECT_NEAR(u[at], trace.after[i], 2e-5) << time[at];
+    ++num_compared;
+  }
+  EXPECT_GT(num_compared, 90);
+
+  // A log that it has never seen: down to the noise of 0.005 m/s, 0.8 of which is the mean of its
+  // size; the same without the cause misses by more.
+  const auto miss = [&](const Path& model) {
+    const ToolRun other = RunToolBinary("fathom_simulate",
+                                        {"--model=" + model.string(), "--log=" + logs[1].string()});
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    return NumberBehind("MAE ", other.out);
+  };
+  const Path baseline = folder / "baseline.json";
+  ASSERT_EQ(RunToolBinary("fathom_identify",
+                          {"--log=" + logs[0].string(), "--model=" + baseline.string()})
+                .exit_code,
+            0);
+  EXPECT_LT(miss(verdict), 0.0055);
+  EXPECT_GT(miss(baseline), 2.0 * miss(verdict));
+}
+
+TEST(DiagnoseTool, SaysThatNothingIsMissing) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SmallLogWith(folder, "log", "", 3);
+  const Path verdict = folder / "verdict.json";
+  const ToolRun run = Diagnosed(log, {"--verdict=" + verdict.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              StartsWith("surge: consistent\nThis log shows nothing that your surge model gets "
+                         "wrong beyond noise."));
+  EXPECT_EQ(JsonOf(verdict)["causes"], nlohmann::json::array());
+  const ToolRun simulated =
+      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+}
+
+TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
+  const Path folder = EmptyTestFolder();
+  const std::string first = SmallLogWith(folder, "first", "", 1).string();
+  const std::string second = SmallLogWith(folder, "second", "", 2).string();
+  const ToolRun with_commas = RunToolBinary("fathom_diagnose", {"--log=" + first + "," + second});
+  const ToolRun repeated = RunToolBinary("fathom_diagnose", {"--log=" + first, "--log=" + second});
+  ASSERT_EQ(with_commas.exit_code, 0) << with_commas.err;
+  EXPECT_EQ(with_commas.out, repeated.out);
+  EXPECT_THAT(with_commas.out, HasSubstr("\nThese 2 logs show"));
+}
+
+TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SmallLogWith(folder, "log", "steady_current:speed=0.05", 4);
+  std::vector<std::string> outputs, verdicts, pages;
+  for (const char* name : {"first", "second"}) {
+    const Path out = folder / name;
+    outputs.push_back(Diagnosed(log,
+                                {"--verdict=" + (out / "verdict.json").string(),
+                                 "--report=" + (out / "page.html").string()})
+                          .out);
+    verdicts.push_back(TextOf(out / "verdict.json"));
+    pages.push_back(TextOf(out / "page.html"));
+  }
+  EXPECT_FALSE(verdicts[0].empty());
+  EXPECT_FALSE(pages[0].empty());
+  EXPECT_EQ(outputs[0], outputs[1]);
+  EXPECT_EQ(verdicts[0], verdicts[1]);
+  EXPECT_EQ(pages[0], pages[1]);
+}
+
+// Nothing was commanded and nothing moved: no model, no verdict, no page.
+TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  std::string command = "t,tau_surge\n", velocity = "t,u\n";
+  for (int i = 0; i < 300; ++i) {
+    command += std::to_string(0.1 * i) + ",0\n";
+    velocity += std::to_string(0.1 * i) + ",0\n";
+  }
+  WriteTestFile(log / "command.csv", command);
+  WriteTestFile(log / "velocity.csv", velocity);
+  const auto before = ListOf(folder);
+  const ToolRun run = Diagnosed(log,
+                                {"--verdict=" + (folder / "verdict.json").string(),
+                                 "--report=" + (folder / "page.html").string()});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err,
+            "fathom_diagnose: no diagnosis: output error finds no physical baseline model along "
+            "surge, and without one there is nothing to diagnose. fathom_identify says why.\n");
+  EXPECT_EQ(ListOf(folder), before);
+}
+
+class DiagnoseRefusals : public ::testing::Test {
+ protected:
+  std::string Refused(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"--log=" + log_.string(),
+                                          "--verdict=" + (folder_ / "out/verdict.json").string(),
+                                          "--report=" + (folder_ / "out/page.html").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ExpectRefusal("fathom_diagnose", arguments, folder_);
+  }
+
+  const Path folder_ = EmptyTestFolder();
+  const Path log_ = WriteSmallLog(folder_ / "log");
+};
+
+TEST_F(DiagnoseRefusals, AFalseAlarmRateThatIsNone) {
+  for (const std::string rate : {"0", "-0.1", "0.6", "1e300"}) {
+    const std::string shown = rate == "1e300" ? "1e+300" : rate;
+    EXPECT_EQ(Refused({"--false_alarm_rate=" + rate}),
+              "fathom_diagnose: --false_alarm_rate: is " + shown +
+                  ", expected above 0 and at most 0.5.\n");
+  }
+  for (const std::string rate : {"often", "nan", "inf"}) {
+    EXPECT_EQ(Refused({"--false_alarm_rate=" + rate}),
+              "fathom_diagnose: --false_alarm_rate: is '" + rate + "', expected a number.\n");
+  }
+}
+
+TEST_F(DiagnoseRefusals, ASeedThatIsNone) {
+  EXPECT_EQ(Refused({"--seed=-1"}),
+            "fathom_diagnose: --seed: is '-1', expected a whole number, at least 0.\n");
+}
+
+TEST_F(DiagnoseRefusals, AnUnknownDof) {
+  EXPECT_EQ(Refused({"--dof=forward"}),
+            "fathom_diagnose: --dof: is 'forward', expected surge, sway, heave, roll, pitch or "
+            "yaw.\n");
+}
+
+TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {
+  WriteTestFile(log_ / "log.yaml", "name: small\ndof: [surge, yaw]\n");
+  EXPECT_EQ(Refused({}),
+            "fathom_diagnose: --dof: is missing, and the log names 2 DOFs; say which.\n");
+}
+
+TEST_F(DiagnoseRefusals, ADofThatTheLogDoesNotMeasure) {
+  EXPECT_EQ(Refused({"--dof=heave"}),
+            "fathom_diagnose: " + (log_ / "velocity.csv").string() +
+                ": column 'w' is missing; the columns are u. Choose a DOF that was measured.\n");
+}
+
+TEST_F(DiagnoseRefusals, AVelocityFileForSeveralLogs) {
+  const Path second = WriteSmallLog(folder_ / "second");
+  EXPECT_EQ(Refused({"--log=" + second.string(), "--velocity=velocity.csv"}),
+            "fathom_diagnose: --velocity: belongs to one log, expected a single --log with it.\n");
+}
+
+TEST_F(DiagnoseRefusals, TheSecondOfTwoLogs) {
+  const Path second = folder_ / "second";
+  EXPECT_EQ(Refused({"--log=" + second.string()}),
+            "fathom_diagnose: " + second.string() + ": there is no such file. Check the path.\n");
+}
+
+TEST_F(DiagnoseRefusals, LogsWhoseForcesHaveDifferentUnits) {
+  const Path second = WriteSmallLog(folder_ / "second");
+  WriteTestFile(second / "log.yaml", "name: second\ndof: surge\ncommand_unit: A\n");
+  EXPECT_THAT(Refused({"--log=" + second.string()}),
+              AllOf(StartsWith("fathom_diagnose: "), HasSubstr("second"), HasSubstr("A")));
+}
+
+// Nothing is printed as if all were well, and no page is left.
+TEST_F(DiagnoseRefusals, AVerdictThatCannotBeWritten) {
+  WriteTestFile(folder_ / "file", "not a folder\n");
+  const std::string verdict = (folder_ / "file/verdict.json").string();
+  EXPECT_THAT(ExpectRefusal("fathom_diagnose",
+                            {"--log=" + log_.string(),
+                             "--verdict=" + verdict,
+                             "--report=" + (folder_ / "out/page.html").string()},
+                            folder_),
+              StartsWith("fathom_diagnose: " + verdict + ": cannot write this file: "));
+}
+
+}  // namespace
+}  // namespace fathom
