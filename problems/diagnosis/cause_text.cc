@@ -17,7 +17,8 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kMostTold = 2;  // alternatives that are told in words
+// Alternatives that are told in words, and that are listed within a sentence.
+constexpr std::size_t kMostTold = 2, kMostListed = 4;
 
 // "time_constant 0.42 s (0.39 to 0.45 s)" for each parameter.
 std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
@@ -80,11 +81,19 @@ std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause) {
       "{} ({}), {}", info.cause, LabelOf(info, active.setting), Sizes(diagnosis, cause));
   const std::vector<std::string> alternatives = AlternativesOf(cause);
   if (alternatives.empty()) return reason;
+  if (alternatives.size() > kMostListed) {
+    return fmt::format("{}, or because of one of {} others", reason, alternatives.size());
+  }
   if (alternatives.size() > kMostTold) {
     return fmt::format("{}, or because of one of {}", reason, fmt::join(alternatives, ", "));
   }
   for (const std::string& label : alternatives) reason += ", or because " + Told(label);
   return reason;
+}
+
+std::string AnyOf(const std::vector<std::string>& labels) {
+  if (labels.size() <= kMostListed) return fmt::format("{}", fmt::join(labels, " or "));
+  return fmt::format("any of {}", fmt::join(labels, ", "));
 }
 
 std::string ToDecide(const Cause& cause) {

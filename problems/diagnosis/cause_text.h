@@ -23,6 +23,9 @@ std::vector<std::string> AlternativesOf(const Cause& cause);
 // no thrust (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N)".
 std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause);
 
+// "a or b"; "any of a, b, c, d, e" of more than four.
+std::string AnyOf(const std::vector<std::string>& labels);
+
 // The experiment that decides, as a sentence: "To decide: the same run again, longer." What no
 // experiment can decide says so itself ("No ..."); empty where nothing is open.
 std::string ToDecide(const Cause& cause);

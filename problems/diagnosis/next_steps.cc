@@ -10,6 +10,13 @@
 #include <fmt/ranges.h>
 
 namespace fathom {
+namespace {
+
+// What to do about each is told of no more alternatives than this: with many of them the
+// experiment comes first.
+constexpr std::size_t kMostAdvised = 4;
+
+}  // namespace
 
 std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   std::vector<std::string> steps;
@@ -23,14 +30,16 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     } else {
       steps.push_back(fmt::format("Find out first whether it is {} or {}. {}",
                                   label,
-                                  fmt::join(alternatives, " or "),
+                                  AnyOf(alternatives),
                                   ToDecide(cause)));
-      steps.push_back(fmt::format("If it is {}: {}", label, info.advice));
     }
-    for (const std::string& alternative : alternatives) {
-      const Effect* effect = FindEffect(alternative.substr(0, alternative.find('(')));
-      if (effect == nullptr) continue;
-      steps.push_back(fmt::format("If it is {}: {}", alternative, effect->info().advice));
+    if (!alternatives.empty() && alternatives.size() <= kMostAdvised) {
+      steps.push_back(fmt::format("If it is {}: {}", label, info.advice));
+      for (const std::string& alternative : alternatives) {
+        const Effect* effect = FindEffect(alternative.substr(0, alternative.find('(')));
+        if (effect == nullptr) continue;
+        steps.push_back(fmt::format("If it is {}: {}", alternative, effect->info().advice));
+      }
     }
     if (info.scope == Scope::kRun) {
       steps.push_back(fmt::format(

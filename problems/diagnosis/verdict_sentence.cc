@@ -67,7 +67,7 @@ std::string WhatIsOpen(const Diagnosis& diagnosis) {
     sentences.push_back(fmt::format("{} cannot tell {} from {}.",
                                     Capitalised(TheseLogs(diagnosis)),
                                     LabelOf(active.effect->info(), active.setting),
-                                    fmt::join(alternatives, " or ")));
+                                    AnyOf(alternatives)));
     const std::string experiment = ToDecide(cause);
     if (experiment.empty() ||
         std::find(experiments.begin(), experiments.end(), experiment) != experiments.end()) {

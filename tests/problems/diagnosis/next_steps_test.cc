@@ -39,6 +39,18 @@ TEST(NextSteps, AdmitThatNoExperimentDecides) {
             "the two are identical.");
 }
 
+// Advice on a dozen effects helps nobody: the experiment comes first.
+TEST(NextSteps, LeaveTheAdviceOutWhereAlternativesAreMany) {
+  Diagnosis diagnosis = AmbiguousDiagnosis();
+  diagnosis.causes[0].alternatives = {
+      "thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"};
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre("Find out first whether it is sensor_lag or any of thruster_lag, "
+                          "time_offset, thrust_curve, fluid_memory, thrust_fade. To decide: large "
+                          "steps, to speeds where quadratic drag matters (in linear drag lags "
+                          "commute)."));
+}
+
 TEST(NextSteps, SayWhatBelongsToTheRun) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   AddCause("steady_current", {0.05}, {0.002}, &diagnosis);

@@ -102,6 +102,18 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
   EXPECT_THAT(VerdictSentence(consistent), StartsWith("These 2 logs show nothing"));
 }
 
+TEST(VerdictSentence, ListsManyAlternativesOnce) {
+  Diagnosis diagnosis = AmbiguousDiagnosis();
+  diagnosis.causes[0].alternatives = {"thruster_lag", "time_offset", "thrust_curve"};
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr(", or because of one of thruster_lag, time_offset, thrust_curve."));
+  diagnosis.causes[0].alternatives = {
+      "thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"};
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr(", or because of one of 5 others. This log cannot tell sensor_lag from any "
+                        "of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));
+}
+
 TEST(VerdictSentence, SaysOnWhichDataItGains) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.by_left_out_blocks = true;
