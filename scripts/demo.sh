@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the tools and runs them on the bundled log: compares all families
-# on three degrees of freedom, then fits one model and simulates it.
+# on three degrees of freedom, then fits one model and simulates it. Then hides a dead zone of the
+# thrusters in a synthetic log and diagnoses that.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,5 +22,8 @@ run $bin/fathom_compare --log=$log --dofs=surge,heave,yaw \
   --json=$out/flatfish.json --report=$out/flatfish.html
 run $bin/fathom_identify --log=$log --dof=surge --model=$out/surge.json
 run $bin/fathom_simulate --model=$out/surge.json --log=$log --out=$out/surge_prediction.csv
+run $bin/fathom_synthesize --vehicle=data/vehicles/flatfish.yaml --experiment=data/experiments/surge_multisine.yaml \
+  --seed=1 --effects=thrust_dead_zone:width=8 --out=$out/surge_dead_zone --overwrite
+run $bin/fathom_diagnose --log=$out/surge_dead_zone --dof=surge --verdict=$out/dead_zone.json --report=$out/dead_zone.html
 
-printf '\nThe comparison, as a page for any browser: %s\n' "$PWD/$out/flatfish.html"
+printf '\nPages for any browser:\n  %s\n  %s\n' "$PWD/$out/flatfish.html" "$PWD/$out/dead_zone.html"

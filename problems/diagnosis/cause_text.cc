@@ -30,12 +30,15 @@ std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
     const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
     std::string name(parameter.name);
     std::replace(name.begin(), name.end(), '_', ' ');
+    const double value = active.values[k];
+    const bool is_at_bound =
+        stds[k] == 0.0 && (value == parameter.lower || value == parameter.upper);
     sizes.push_back(fmt::format(
-        "{} {}{}",
+        "{} {}{}{}",
         name,
-        WithInterval(
-            active.values[k], stds[k], unit == "-" ? "" : unit, parameter.lower, parameter.upper),
-        parameter.search == Search::kTimeOfRun ? " after the first command" : ""));
+        WithInterval(value, stds[k], unit == "-" ? "" : unit, parameter.lower, parameter.upper),
+        parameter.search == Search::kTimeOfRun ? " after the first command" : "",
+        is_at_bound ? " (the bound of what is physical)" : ""));
   }
   return fmt::format("{}", fmt::join(sizes, ", "));
 }

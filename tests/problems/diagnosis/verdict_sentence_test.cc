@@ -114,6 +114,13 @@ TEST(VerdictSentence, ListsManyAlternativesOnce) {
                         "of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));
 }
 
+TEST(VerdictSentence, SaysWhereASizeIsABoundAndNoEstimate) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  AddCause("thrust_asymmetry", {-1.0}, {0.0}, &diagnosis);
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("reverse loss -1.000 (the bound of what is physical)"));
+}
+
 TEST(VerdictSentence, SaysOnWhichDataItGains) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.by_left_out_blocks = true;
