@@ -196,18 +196,21 @@ class OverlayVideo : public OverlayWriter {
 
 }  // namespace
 
+void RequireOverlayEnding(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".png" || ending == ".mp4" || ending == ".avi") return;
+  throw InputError(path.string() +
+                   ": expected a path that ends in .mp4 or .avi for a video, or in .png for a "
+                   "contact sheet.");
+}
+
 std::unique_ptr<OverlayWriter> OpenOverlay(const std::filesystem::path& path,
                                            int width,
                                            int height,
                                            double rate) {
-  const std::string ending = path.extension().string();
-  if (ending == ".png") return std::make_unique<ContactSheet>(path, width);
-  if (ending == ".mp4" || ending == ".avi") {
-    return std::make_unique<OverlayVideo>(path, width, height, rate);
-  }
-  throw InputError(path.string() +
-                   ": expected a path that ends in .mp4 or .avi for a video, or in .png for a "
-                   "contact sheet.");
+  RequireOverlayEnding(path);
+  if (path.extension() == ".png") return std::make_unique<ContactSheet>(path, width);
+  return std::make_unique<OverlayVideo>(path, width, height, rate);
 }
 
 }  // namespace fathom

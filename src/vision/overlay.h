@@ -44,6 +44,9 @@ class OverlayWriter {
   virtual bool Wants(int frame_index, int num_frames) const = 0;
 };
 
+// Throws InputError for a path with another ending than those of OpenOverlay.
+void RequireOverlayEnding(const std::filesystem::path& path);
+
 // By the ending of the path: .mp4 or .avi for a video, .png for a contact sheet. `rate` is that of
 // the frames [Hz]. Throws InputError for another ending or a video that cannot be opened.
 std::unique_ptr<OverlayWriter> OpenOverlay(const std::filesystem::path& path,
