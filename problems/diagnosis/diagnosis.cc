@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -148,7 +149,43 @@ std::string LabelsOf(const Hypothesis& hypothesis, const std::vector<Suspect>& s
   return labels;
 }
 
-// The search over thinned data; what it found best is then fitted to all of them.
+// Fits the best hypothesis to all data, and takes from it every cause that they do not call for:
+// what answers to the thinning itself shows here.
+void ConfirmOnAllData(const TrainingData& data,
+                      const StructureFit& baseline,
+                      const DiagnosisOptions& options,
+                      SearchResult* search) {
+  std::map<int, StructureFit> fits = {{0, baseline}};
+  const auto fit_of = [&](int index) -> const StructureFit& {
+    if (const auto found = fits.find(index); found != fits.end()) return found->second;
+    const StructureFit& rough = search->tried[index].fit;
+    return fits[index] = FitStructureAndNoise(data, rough.model, rough.initial, rough.noise);
+  };
+  const auto worth = [&](int index) {
+    return 2.0 * (fit_of(index).log_likelihood - baseline.log_likelihood) -
+           ThresholdOf(*search, search->tried[index].suspects);
+  };
+  for (bool is_settled = false; !is_settled;) {
+    is_settled = true;
+    const int best = search->best;
+    for (const int suspect : search->tried[best].suspects) {
+      std::vector<int> others = search->tried[best].suspects;
+      std::erase(others, suspect);
+      const Hypothesis* without = FindHypothesis(*search, others);
+      if (without == nullptr) continue;
+      const auto index = static_cast<int>(without - search->tried.data());
+      if (worth(index) < worth(search->best)) continue;
+      search->best = index;
+      is_settled = false;
+    }
+  }
+  if (fit_of(search->best).jacobian.size() > 0) {
+    search->tried[search->best].fit = fit_of(search->best);
+  }
+  search->rivals = FindRivals(data, *search, options.separation);
+}
+
+// The search over thinned data, confirmed on all of them.
 SearchResult SearchThinned(const TrainingData& data,
                            const StructureFit& baseline,
                            const std::vector<Suspect>& suspects,
@@ -158,9 +195,7 @@ SearchResult SearchThinned(const TrainingData& data,
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
   SearchResult search =
       SearchCauses(thinned, rough.jacobian.size() == 0 ? baseline : rough, suspects, options);
-  StructureFit& best = search.tried[search.best].fit;
-  StructureFit fit = FitStructureAndNoise(data, best.model, best.initial, best.noise);
-  if (fit.jacobian.size() > 0) best = std::move(fit);
+  ConfirmOnAllData(data, baseline, options, &search);
   search.tried[0].fit = baseline;
   return search;
 }

@@ -23,7 +23,8 @@ namespace {
 constexpr double kProbe = 0.02;       // of the natural size, where an effect names no other
 constexpr double kSpacing = 5.0;      // [s], of times of the run that are tried
 constexpr double kFineSpacing = 0.2;  // [s], of times about one that looks good
-constexpr double kFastest = 3.0;      // [rad/s], of frequencies that are tried
+constexpr double kFewestPeriods = 4.0;
+constexpr double kFastest = 3.0;  // [rad/s], of frequencies that are tried
 
 // The run's own scales.
 struct NaturalSize {
@@ -87,7 +88,9 @@ std::vector<double> ValuesToTry(const EffectParameter& parameter, const NaturalS
     case Search::kFrequencyOfRun: {
       const double span = size.last_time - size.first_time;
       const double step = 1.3 * std::numbers::pi / span;
-      for (double w = 1.5 * step; w < kFastest && values.size() < 250; w += step) {
+      // Of slower ones there are too few periods to tell them from a wandering force.
+      const double slowest = kFewestPeriods * 2.0 * std::numbers::pi / span;
+      for (double w = slowest; w < kFastest && values.size() < 250; w += step) {
         values.push_back(w);
       }
       break;

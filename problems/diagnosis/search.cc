@@ -103,17 +103,7 @@ class Searcher {
   }
 
   double Threshold(const std::vector<int>& suspects) const {
-    double sum = 0.0, most_spared = 0.0;
-    for (const int suspect : suspects) {
-      // Its parameters must be paid for as well.
-      const auto num = static_cast<double>(suspects_[suspect].effect->info().parameters.size());
-      const double alone = std::max(result_.significance.Threshold(suspect), num * log_num_data_);
-      const double beside =
-          std::max(result_.significance.ThresholdBeside(suspect), num * log_num_data_);
-      sum += beside;
-      most_spared = std::max(most_spared, beside - alone);
-    }
-    return sum - most_spared;  // one of them came first
+    return ThresholdOf(result_, suspects);
   }
 
   // Refits `from` with one suspect more, where the screens give hope.
@@ -197,6 +187,14 @@ class Searcher {
                                         is_searched,
                                         options_.false_alarm_rate);
     is_calibrated_ = true;
+    for (int k = 0; k < num_suspects; ++k) {
+      // Its parameters must be paid for as well.
+      const double paid =
+          log_num_data_ * static_cast<double>(suspects_[k].effect->info().parameters.size());
+      const Significance& significance = result_.significance;
+      result_.thresholds.push_back(std::max(significance.Threshold(k), paid));
+      result_.thresholds_beside.push_back(std::max(significance.ThresholdBeside(k), paid));
+    }
   }
 
   // The best of the cheap fits of `base` and one suspect more under one screen's noise.
@@ -437,6 +435,16 @@ class Searcher {
 };
 
 }  // namespace
+
+double ThresholdOf(const SearchResult& search, const std::vector<int>& suspects) {
+  double sum = 0.0, most_spared = 0.0;
+  for (const int suspect : suspects) {
+    sum += search.thresholds_beside[suspect];
+    most_spared =
+        std::max(most_spared, search.thresholds_beside[suspect] - search.thresholds[suspect]);
+  }
+  return sum - most_spared;  // one of them came first
+}
 
 std::vector<int> FindRivals(const TrainingData& data,
                             const SearchResult& search,

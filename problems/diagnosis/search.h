@@ -32,6 +32,8 @@ struct SearchResult {
   std::vector<int> rivals;  // FindRivals() of the best
 
   Significance significance;  // of what a suspect gains
+  // By suspect: what it must gain alone, and beside other causes.
+  std::vector<double> thresholds, thresholds_beside;
 
   // Per suspect: the best score of the linear screens about the baseline.
   std::vector<double> scores;
@@ -43,6 +45,9 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& options);
+
+// What a set of suspects must gain over the baseline.
+double ThresholdOf(const SearchResult& search, const std::vector<int>& suspects);
 
 // Indices of hypotheses that explain the data as well as the best one, each with one of its
 // suspects replaced: worse by less than `separation` (DiagnosisOptions).

@@ -3,14 +3,19 @@
 
 #include "fathom/diagnosis/thinned.h"
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <utility>
+
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
 
 constexpr double kWidth = 0.1;    // [s]
+constexpr double kJump = 0.1;     // of the RMS command
 constexpr double kSlack = 1e-6;   // [s], of stamps
 constexpr double kWorthIt = 1.5;  // so many to one, at least
 
@@ -21,14 +26,21 @@ bool IsFast(const std::vector<double>& time) {
   return usual * kWorthIt < kWidth;
 }
 
-// Each value weighs by how long it was held.
+// Each value weighs by how long it was held. No mean is taken over a jump: the vehicle's speed
+// bends just there.
 HeldCommand Averaged(const HeldCommand& command) {
   HeldCommand averaged;
   const size_t n = command.time.size();
+  const Eigen::Map<const Eigen::ArrayXd> values(command.value.data(), std::ssize(command.value));
+  const double jump = kJump * std::sqrt(values.square().mean());
+  const auto joins = [&](size_t begin, size_t i) {
+    return command.time[i] - command.time[begin] < kWidth - kSlack &&
+           std::abs(command.value[i] - command.value[i - 1]) <= jump;
+  };
   for (size_t begin = 0; begin < n;) {
     size_t end = begin + 1;
     double impulse = 0.0;
-    for (; end < n && command.time[end] - command.time[begin] < kWidth - kSlack; ++end) {
+    for (; end < n && joins(begin, end); ++end) {
       impulse += command.value[end - 1] * (command.time[end] - command.time[end - 1]);
     }
     // The last value of the group is held until the next group begins; that of the run for ever.
