@@ -31,6 +31,7 @@ namespace {
 constexpr double kSmallestPValue = 0.01;  // of remaining structure, at which it is said to remain
 constexpr double kMaterialShare = 0.05;   // of all structure, below which the rest is no matter
 constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
+constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
 constexpr int kNumFolds = 4;                    // of left-out blocks, where nothing is held out
 
 void RequireUsable(const DiagnosisOptions& options) {
@@ -388,6 +389,11 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   diagnosis.held_out_gain = gain.value;
   diagnosis.held_out_gain_low = gain.low;
   diagnosis.held_out_gain_high = gain.high;
+  if (!diagnosis.causes.empty() && gain.value < -kLossWorthAWord) {
+    diagnosis.remarks.push_back(
+        "Data that no fit has seen do not bear out what is named: the error on them grows. Do not "
+        "build on it before another run confirms it.");
+  }
   for (Cause& cause : diagnosis.causes) {
     const ExtendedModel without = WithoutCause(search, suspects, cause);
     Scored own;
