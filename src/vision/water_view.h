@@ -11,7 +11,7 @@ namespace fathom {
 // How markers on a wall look through water and a lens; docs/vision.md ("Rendered images"). Light is
 // in grey values, linear, 0 to 255. A surface of brightness J at the distance d [m] is seen as
 //
-//   I = J exp(-c d) + B (1 - exp(-c d))                       docs/vision.md (10)
+//   I = J exp(-c d) + B (1 - exp(-c d))                       docs/vision.md (9)
 //
 // the first term its own light, the second what the water scatters into the line of sight.
 struct WaterView {
