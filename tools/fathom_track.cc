@@ -152,9 +152,15 @@ std::vector<std::array<Eigen::Vector2d, 4>> PredictedCorners(const OverlayFrame&
                                                              const MarkerMap& map,
                                                              const Pose& world_from_camera) {
   std::vector<std::array<Eigen::Vector2d, 4>> predicted;
-  for (const Detection& seen : ObserveCorners(camera, map, world_from_camera)) {
-    for (const Detection& detection : frame.detections) {
-      if (detection.tag_id == seen.tag_id) predicted.push_back(seen.corners);
+  for (const Detection& detection : frame.detections) {
+    const Marker* marker = map.Find(detection.tag_id);
+    if (marker == nullptr || !marker->is_surveyed) continue;
+    const Pose camera_from_tag = world_from_camera.Inverse() * marker->world_from_tag;
+    const auto corners_in_tag = CornersInTag(marker->size);
+    auto& corners = predicted.emplace_back();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector3d x_camera = camera_from_tag * corners_in_tag[i];
+      corners[i] = Project(camera, x_camera);
     }
   }
   return predicted;
