@@ -79,11 +79,14 @@ std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>&
     return "A run in which the other DOF moves without being commanded, and is commanded without "
            "this one.";
   }
-  const bool is_of_run = cause.effect->info().scope == Scope::kRun ||
-                         std::any_of(rivals.begin(), rivals.end(), [](const Suspect& rival) {
-                           return rival.effect->info().scope == Scope::kRun;
-                         });
-  if (is_of_run) return "The same run again: what belonged to this run alone will be gone.";
+  // Of a run and of the vehicle: the same run again tells. Among rivals of the vehicle it does not,
+  // and any other run rids of those of this run too.
+  const auto is_of_run = [](const Suspect& suspect) {
+    return suspect.effect->info().scope == Scope::kRun;
+  };
+  if (is_of_run(cause) || std::all_of(rivals.begin(), rivals.end(), is_of_run)) {
+    return "The same run again: what belonged to this run alone will be gone.";
+  }
   return "A multisine from slow to fast with steps of several sizes both ways (10 s square wave, "
          "0.1 to 1.5 rad/s).";
 }

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/structure_fit.h"
+
+#include "fathom/diagnosis/robust_start.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dense_noise.h"
+#include "surge_run.h"
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+// 60 s at 5 Hz: a sample per bin.
+SurgeRun Short() {
+  SurgeRun run;
+  run.input = Multisine(40.0);
+  run.duration = 60.0;
+  run.rate = 5.0;
+  run.noise_correlation = 0.8;
+  return run;
+}
+
+TrainingData DataOf(const SurgeRun& run, std::uint64_t seed) {
+  const std::vector<Log> logs = {LogOf(run, seed)};
+  return TrainingData(RecordsOf(logs, Dof::kSurge).all);
+}
+
+std::vector<InitialState> StatesOf(const TrainingData& data) {
+  std::vector<InitialState> states;
+  for (const Record& record : data.records()) states.push_back(record.initial);
+  return states;
+}
+
+NoiseModel Coloured() {
+  NoiseModel noise;
+  noise.velocity = {.white_std = 0.004, .coloured = {.std = 0.009, .time = 0.9}};
+  return noise;
+}
+
+// The five unknowns of a baseline fit of one record without poses.
+Eigen::VectorXd Unknowns(const StructureFit& fit) {
+  Eigen::VectorXd p(5);
+  p << fit.model.baseline.inertia, fit.model.baseline.quadratic_damping,
+      fit.model.baseline.linear_damping, fit.model.baseline.buoyancy, fit.initial[0].velocity;
+  return p;
+}
+
+Eigen::VectorXd SimulateAt(const TrainingData& data,
+                           const StructureFit& fit,
+                           const Eigen::VectorXd& p) {
+  ExtendedModel model = fit.model;
+  model.baseline = {p[0], p[1], p[2], p[3]};
+  std::vector<InitialState> initial = fit.initial;
+  initial[0].velocity = p[4];
+  return *data.Simulate(model, initial);
+}
+
+// By central differences of the simulation.
+Eigen::MatrixXd JacobianAt(const TrainingData& data, const StructureFit& fit) {
+  const Eigen::VectorXd p = Unknowns(fit);
+  Eigen::MatrixXd J(data.bins().size(), p.size());
+  for (Eigen::Index k = 0; k < p.size(); ++k) {
+    Eigen::VectorXd low = p, high = p;
+    const double step = 1e-4 * std::max(std::abs(p[k]), 0.1);
+    low[k] -= step;
+    high[k] += step;
+    J.col(k) = (SimulateAt(data, fit, high) - SimulateAt(data, fit, low)) / (2.0 * step);
+  }
+  return J;
+}
+
+// Against generalised least squares written out: no whitening by a filter, no derivatives by Jets.
+TEST(FitStructure, StandsWhereDenseGeneralisedLeastSquaresHasNothingToGain) {
+  const TrainingData data = DataOf(Short(), 1);
+  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.bins().samples());
+  const Whitener whitener(Coloured(), data.bins().samples());
+  const StructureFit fit =
+      FitStructure(data, {{700.0, 90.0, 25.0, 1.0}, {}}, StatesOf(data), whitener);
+  ASSERT_TRUE(fit.converged);
+  const Eigen::VectorXd residual = data.measured() - SimulateAt(data, fit, Unknowns(fit));
+  EXPECT_LT((residual - fit.residual).norm(), 1e-9);
+  const DenseFit dense = FitDense(S, JacobianAt(data, fit), residual);
+  // It ends when a step promises less than 0.01 of chi squared: then none of the unknowns is
+  // further than 0.1 standard deviations from where the dense step would take it.
+  const double chi_squared = residual.dot(Eigen::LLT<Eigen::MatrixXd>(S).solve(residual));
+  EXPECT_NEAR(fit.chi_squared, chi_squared, 1e-6 * chi_squared);
+  EXPECT_LT(chi_squared - dense.chi_squared, 0.01);
+  const Eigen::MatrixXd covariance = dense.information.inverse();
+  for (int k = 0; k < kNumParameters; ++k) {
+    EXPECT_LT(std::abs(dense.solution[k]), 0.1 * std::sqrt(covariance(k, k))) << k;
+    for (int j = 0; j < kNumParameters; ++j) {
+      const double scale = std::sqrt(covariance(k, k) * covariance(j, j));
+      // Central differences are good to 1e-4 or so, and the inverse magnifies that by its
+      // condition, below 100 in these units.
+      EXPECT_NEAR(fit.covariance(k, j) / scale, covariance(k, j) / scale, 0.01) << k << j;
+    }
+  }
+  const double log_determinant =
+      2.0 *
+      Eigen::MatrixXd(Eigen::LLT<Eigen::MatrixXd>(S).matrixL()).diagonal().array().log().sum();
+  const double n = data.bins().size();
+  EXPECT_NEAR(fit.log_likelihood,
+              -0.5 * (chi_squared + log_determinant + n * std::log(2.0 * std::numbers::pi)),
+              1e-6 * n);
+}
+
+TEST(FitStructure, EndsAtTheSamePlaceFromFarAway) {
+  const TrainingData data = DataOf(Short(), 2);
+  const Whitener whitener(Coloured(), data.bins().samples());
+  const auto near = FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), whitener);
+  const auto far = FitStructure(data, {{2500.0, 5.0, 150.0, 10.0}, {}}, StatesOf(data), whitener);
+  ASSERT_TRUE(near.converged && far.converged);
+  // Both within 0.01 of chi squared of the optimum, so 0.2 standard deviations apart at most.
+  for (int k = 0; k < kNumParameters; ++k) {
+    EXPECT_NEAR(Unknowns(near)[k], Unknowns(far)[k], 0.2 * std::sqrt(near.covariance(k, k))) << k;
+  }
+}
+
+// A late thruster wants linear damping below zero (METHODS.md). It is held at zero, presses on it,
+// and the others stand where least squares without it has nothing to gain.
+TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
+  SurgeRun run = Short();
+  run.model.linear_damping = 1.0;
+  run.effects = "thruster_lag:time_constant=1.0";
+  const TrainingData data = DataOf(run, 3);
+  const Whitener whitener(Coloured(), data.bins().samples());
+  const StructureFit fit = FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), whitener);
+  ASSERT_TRUE(fit.converged);
+  EXPECT_EQ(fit.model.baseline.linear_damping, 0.0);
+  EXPECT_TRUE(fit.is_on_bound[kLinearDamping]);
+  EXPECT_EQ(fit.covariance(kLinearDamping, kLinearDamping), 0.0);
+  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.bins().samples());
+  const Eigen::MatrixXd J = JacobianAt(data, fit);
+  const Eigen::VectorXd weighted = Eigen::LLT<Eigen::MatrixXd>(S).solve(fit.residual);
+  EXPECT_LT(J.col(kLinearDamping).dot(weighted), 0.0);  // downhill is below zero
+  Eigen::MatrixXd others(J.rows(), 4);
+  others << J.leftCols(2), J.rightCols(2);
+  const DenseFit dense = FitDense(S, others, fit.residual);
+  EXPECT_LT(fit.residual.dot(weighted) - dense.chi_squared, 0.01);
+}
+
+TEST(FitStructure, SaysThatAModelCannotBeSimulated) {
+  const TrainingData data = DataOf(Short(), 1);
+  const Whitener whitener(Coloured(), data.bins().samples());
+  ExtendedModel runaway = {{1e-6, 0.0, -1e6, 0.0}, {}};
+  runaway.baseline.linear_damping = 1e9;
+  const StructureFit fit = FitStructure(data, runaway, StatesOf(data), whitener);
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.jacobian.size(), 0);
+}
+
+// The reported covariance is a promise about the spread over repeated runs, colour included.
+TEST(FitStructureAndNoise, HasACovarianceThatMatchesTheSpreadOverRepeatedRuns) {
+  const int num_runs = 30;
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (int seed = 0; seed < num_runs; ++seed) {
+    const TrainingData data = DataOf(Short(), 100 + seed);
+    const StructureFit fit = FitBaseline(data, {kSurgeTruth, {}}, StatesOf(data));
+    ASSERT_TRUE(fit.converged);
+    for (int k = 0; k < kNumParameters; ++k) {
+      const double miss = ToVector(fit.model.baseline)[k] - ToVector(kSurgeTruth)[k];
+      sum[k] += miss * miss / fit.covariance(k, k) / num_runs;
+    }
+  }
+  // Means of 30 chi squared: 1, give or take sqrt(2 / 30) = 0.26. White noise of the same size
+  // would give (1 + 0.8) / (1 - 0.8) = 9 at the slow end.
+  for (int k = 0; k < kNumParameters; ++k) EXPECT_NEAR(sum[k], 1.0, 4.0 * 0.26) << k;
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "surge_run.h"
+
+#include "fathom/simulate/effect_list.h"
+#include "fathom/simulate/synthesize.h"
+
+#include <numbers>
+#include <utility>
+
+namespace fathom {
+
+InputSignal Multisine(double rms) {
+  MultisineInput sines;
+  sines.rms = rms;
+  sines.lowest_frequency = 0.06;
+  sines.highest_frequency = 1.6;
+  sines.num_lines = 12;
+  return {0.0, sines};
+}
+
+InputSignal Sine(double amplitude, double frequency) {
+  return {0.0, SineInput{.amplitude = amplitude, .frequency = frequency, .phase = 0.0}};
+}
+
+InputSignal Square(double amplitude, double period) {
+  return {0.0, SquareInput{.amplitude = amplitude, .frequency = 2.0 * std::numbers::pi / period}};
+}
+
+InputSignal Steps(std::vector<double> levels, double hold) {
+  return {0.0, StepsInput{.levels = std::move(levels), .hold = hold}};
+}
+
+Log LogOf(const SurgeRun& run, std::uint64_t seed) {
+  Vehicle vehicle;
+  vehicle.name = "flatfish";
+  vehicle.models[Index(Dof::kSurge)] = run.model;
+  Experiment experiment;
+  experiment.name = run.name;
+  experiment.duration = run.duration;
+  experiment.command_rate = run.rate;
+  Drive drive;
+  drive.dof = Dof::kSurge;
+  drive.input = run.input;
+  experiment.drives = {drive};
+  if (run.has_velocity) {
+    experiment.velocity.emplace();
+    experiment.velocity->sampling.rate = run.rate;
+    experiment.velocity->noise[Index(Dof::kSurge)] = run.velocity_noise;
+    experiment.velocity->noise_correlation = run.noise_correlation;
+  }
+  if (run.has_poses) {
+    experiment.pose.emplace();
+    experiment.pose->sampling.rate = run.rate;
+    experiment.pose->position_noise = run.position_noise;
+  }
+  std::vector<ActiveEffect> effects = run.more;
+  if (!run.effects.empty()) {
+    const auto scales = ScalesOf(vehicle, experiment, seed);
+    for (ActiveEffect& active : ParseEffectList(run.effects, experiment, scales, seed)) {
+      effects.push_back(std::move(active));
+    }
+  }
+  return Synthesize(vehicle, experiment, effects, seed);
+}
+
+}  // namespace fathom
