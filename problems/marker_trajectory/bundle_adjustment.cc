@@ -74,7 +74,9 @@ class Bundle {
     });
     ceres::Solver::Options solver;
     solver.max_num_iterations = options_.max_num_iterations;
-    solver.function_tolerance = 1e-12;
+    // What is left to gain is below 1e-9 of the sum of squares: a few thousandths of a standard
+    // deviation.
+    solver.function_tolerance = 1e-9;
     solver.gradient_tolerance = 1e-9;
     solver.parameter_tolerance = 1e-12;
     solver.logging_type = ceres::SILENT;

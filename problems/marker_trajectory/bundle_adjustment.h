@@ -32,7 +32,7 @@ struct BundleAdjustmentOptions {
   // A corner further off than so many corner sigmas counts linearly; infinity: never.
   double huber = 3.0;
 
-  int max_num_iterations = 100;
+  int max_num_iterations = 300;
 };
 
 struct BundleAdjustmentSummary {

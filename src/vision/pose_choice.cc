@@ -74,6 +74,14 @@ double StepCost(const ViewPose& from,
   return std::min(0.5 * distance, options.most_step);
 }
 
+// What it costs to leave a frame out.
+double RejectionCost(const FrameCandidates& frame, const PoseChoiceOptions& options) {
+  const bool several_agree = std::any_of(frame.poses.begin(),
+                                         frame.poses.end(),
+                                         [](const ViewPose& pose) { return pose.used.size() > 1; });
+  return several_agree ? 4.0 * options.rejection : options.rejection;
+}
+
 struct Best {
   double cost = 0.0;
   int frame = -1;  // the chosen one before; -1: none
@@ -91,6 +99,9 @@ std::vector<std::optional<int>> ChoosePoses(std::span<const FrameCandidates> fra
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!frames[i].poses.empty()) seen.push_back(static_cast<int>(i));
   }
+  // left_out[i]: the cost of leaving out the first i of them.
+  std::vector<double> left_out = {0.0};
+  for (const int i : seen) left_out.push_back(left_out.back() + RejectionCost(frames[i], options));
   std::vector<std::vector<Best>> best(seen.size());
   // The cheapest end of a track too far back to be looked at pose by pose; its cost as if every
   // frame from the first on had been left out behind it.
@@ -100,23 +111,21 @@ std::vector<std::optional<int>> ChoosePoses(std::span<const FrameCandidates> fra
     if (i > kLongestSkip + 1) {
       const std::size_t j = i - kLongestSkip - 2;
       for (std::size_t k = 0; k < best[j].size(); ++k) {
-        const double cost = best[j][k].cost - options.rejection * static_cast<double>(j);
+        const double cost = best[j][k].cost - left_out[j + 1];
         if (cost < far.cost) far = {cost, static_cast<int>(j), static_cast<int>(k)};
       }
     }
     for (const ViewPose& pose : frame.poses) {
       // The track begins here, all before left out, ...
-      Best own = {.cost = options.rejection * static_cast<double>(i), .frame = -1, .pose = -1};
+      Best own = {.cost = left_out[i], .frame = -1, .pose = -1};
       // ... or goes on from one of the frames before, those between left out.
-      const double from_far =
-          far.cost + options.rejection * static_cast<double>(i - 1) + options.most_step;
+      const double from_far = far.cost + left_out[i] + options.most_step;
       if (from_far < own.cost) own = {.cost = from_far, .frame = far.frame, .pose = far.pose};
       const std::size_t first = i > kLongestSkip ? i - 1 - kLongestSkip : 0;
       for (std::size_t j = first; j < i; ++j) {
-        const double left_out = options.rejection * static_cast<double>(i - 1 - j);
         const FrameCandidates& before = frames[seen[j]];
         for (std::size_t k = 0; k < before.poses.size(); ++k) {
-          const double so_far = best[j][k].cost + left_out;
+          const double so_far = best[j][k].cost + left_out[i] - left_out[j + 1];
           if (so_far >= own.cost) continue;
           const double cost =
               so_far + StepCost(before.poses[k], pose, frame.time - before.time, speeds, options);
@@ -134,13 +143,13 @@ std::vector<std::optional<int>> ChoosePoses(std::span<const FrameCandidates> fra
 
   // The cheapest end, all behind it left out; then back along the track.
   std::vector<std::optional<int>> chosen(frames.size());
-  double least = options.rejection * static_cast<double>(seen.size());
+  double least = left_out.back();
   int i = -1, k = -1;
   for (std::size_t end = 0; end < seen.size(); ++end) {
-    const double left_out = options.rejection * static_cast<double>(seen.size() - 1 - end);
+    const double behind = left_out.back() - left_out[end + 1];
     for (std::size_t pose = 0; pose < best[end].size(); ++pose) {
-      if (best[end][pose].cost + left_out < least) {
-        least = best[end][pose].cost + left_out;
+      if (best[end][pose].cost + behind < least) {
+        least = best[end][pose].cost + behind;
         i = static_cast<int>(end);
         k = static_cast<int>(pose);
       }

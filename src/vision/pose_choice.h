@@ -24,7 +24,9 @@ struct PoseChoiceOptions {
 
   // What it costs to leave out a frame or a detection, and at most a step between two poses: half
   // of a squared distance in standard deviations. A single frame that jumps away and back is left
-  // out (2 * most_step > rejection); a true jump is followed.
+  // out (2 * most_step > rejection); a true jump is followed. A frame in which several markers
+  // agree costs four times as much: it is not left out for a jump, since what then jumps is the
+  // survey of the markers rather than the corners (4 * rejection > 2 * most_step).
   double rejection = 25.0;
   double most_step = 40.0;
 };

@@ -165,23 +165,30 @@ bool IsSameMinimum(const Pose& a, const Pose& b, const PoseCovariance& unit_cova
   return step.dot(unit_covariance.ldlt().solve(step)) < kSame * kSame;
 }
 
+// A pose that one square of the frame proposes.
+struct Candidate {
+  Pose world_from_camera;
+  int proposer = 0;  // index of the square's detection
+};
+
 // Keeps the candidates that fit all detections best, each counting no more than an outlier.
 void KeepTheBest(const CameraModel& camera,
                  const std::vector<std::array<SeenCorner, 4>>& seen,
                  double most_square,
-                 std::vector<Pose>* candidates) {
+                 std::vector<Candidate>* candidates) {
   constexpr std::size_t kMost = 4;
   if (candidates->size() <= kMost) return;
   std::vector<std::pair<double, std::size_t>> scores;
   for (std::size_t k = 0; k < candidates->size(); ++k) {
     double score = 0.0;
     for (const auto& corners : seen) {
-      score += std::min(SquaredError(camera, corners, (*candidates)[k]), most_square);
+      score +=
+          std::min(SquaredError(camera, corners, (*candidates)[k].world_from_camera), most_square);
     }
     scores.emplace_back(score, k);
   }
   std::sort(scores.begin(), scores.end());
-  std::vector<Pose> best;
+  std::vector<Candidate> best;
   for (std::size_t k = 0; k < kMost; ++k) best.push_back((*candidates)[scores[k].second]);
   *candidates = std::move(best);
 }
@@ -251,8 +258,11 @@ std::vector<ViewPose> SolveView(const CameraModel& camera,
     seen.push_back(SeenCornersOf(*map.Find(detection.tag_id), detection));
   }
   const double gate_square = 4.0 * options.gate * options.gate;
-  // One square alone puts the others further off than all together do.
-  const double wide_square = frame.size() > 1 ? 25.0 * gate_square : gate_square;
+  // One square alone, its tilt known to some degrees, puts those a metre away far off: before all
+  // are fitted together nothing within this is an outlier.
+  constexpr double kWideGate = 100.0;  // rms [px]
+  const double wide_square =
+      frame.size() > 1 ? std::max(gate_square, 4.0 * kWideGate * kWideGate) : gate_square;
   const auto explained_by = [&](const Pose& pose, double square) {
     std::vector<int> used;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -260,28 +270,37 @@ std::vector<ViewPose> SolveView(const CameraModel& camera,
     }
     return used;
   };
-  std::vector<Pose> candidates;
+  std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Pose& world_from_tag = map.Find(frame[i].tag_id)->world_from_tag;
     for (const Pose& camera_from_tag : squares[i]) {
-      candidates.push_back(world_from_tag * camera_from_tag.Inverse());
+      candidates.push_back({world_from_tag * camera_from_tag.Inverse(), static_cast<int>(i)});
     }
   }
   KeepTheBest(camera, seen, wide_square, &candidates);
 
   std::vector<ViewPose> poses;
-  for (Pose pose : candidates) {
+  for (const Candidate& candidate : candidates) {
+    Pose pose = candidate.world_from_camera;
     std::vector<int> used = explained_by(pose, wide_square);
     std::optional<RefinedPose> refined;
     constexpr int kMostRounds = 5;
     for (int round = 0; round < kMostRounds && !used.empty(); ++round) {
       std::vector<SeenCorner> corners;
       for (const int i : used) corners.insert(corners.end(), seen[i].begin(), seen[i].end());
-      refined = Refine(camera, corners, pose, options.huber);
+      // The first fit may hold outliers: none of them may pull more than the gate allows.
+      const double huber =
+          round == 0 && used.size() > 1 ? std::min(options.huber, options.gate) : options.huber;
+      refined = Refine(camera, corners, pose, huber);
       if (!refined) break;
       pose = refined->world_from_camera;
       std::vector<int> next = explained_by(pose, gate_square);
-      if (next == used || round + 1 == kMostRounds) break;
+      if (next.empty() && round == 0 && used.size() > 1) {
+        pose = candidate.world_from_camera;  // spoilt: from its own square, outwards
+        next = {candidate.proposer};
+      } else if ((next == used && huber == options.huber) || round + 1 == kMostRounds) {
+        break;
+      }
       refined.reset();
       used = std::move(next);
     }

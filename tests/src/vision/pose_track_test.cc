@@ -150,6 +150,33 @@ TEST(TrackPoses, GoesOnAfterALongRunOfOutliers) {
   EXPECT_LT(WorstTurn(track, record), 0.2);
 }
 
+// Small squares a metre apart: the tilt of each alone puts the others far off.
+TEST(TrackPoses, LosesNothingOfSeveralMarkersThatAgree) {
+  const MarkerMap map = FourMarkers();
+  const SyntheticRecord record = MakeRecord(map, 400, 0.3, 0.3, 13);
+  ASSERT_EQ(record.detections.size(), 1600u);
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  EXPECT_EQ(track.views.size(), 400u);
+  EXPECT_THAT(track.rejected, IsEmpty());
+}
+
+// Frames by turns show two markers and two others, whose survey is 3 cm off: the pose jumps by
+// more than its corners allow, and is no outlier.
+TEST(TrackPoses, KeepsFramesThatTheSurveyMakesJump) {
+  MarkerMap map = FourMarkers();
+  SyntheticRecord record = MakeRecord(map, 200, 0.3, 0.3, 14);
+  std::erase_if(record.detections, [&](const Detection& detection) {
+    const auto frame = std::lower_bound(record.time.begin(), record.time.end(), detection.time) -
+                       record.time.begin();
+    return detection.tag_id / 2 != frame % 2;
+  });
+  for (const int i : {2, 3}) map.markers[i].world_from_tag.translation.z() += 0.03;
+  const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+  ExpectNothingIsLost(track);
+  EXPECT_EQ(track.views.size(), 200u);
+}
+
 TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
   MarkerMap map = FourMarkers();
   SyntheticRecord record = MakeRecord(map, 30, 0.2, 0.3, 12);
