@@ -221,7 +221,7 @@ bool IsAtTheCommandsTone(const TrainingData& data,
   constexpr double kShareOfATone = 0.3;
   const Tone& tone = data.command_tone();
   if (!(tone.share > kShareOfATone)) return false;
-  const double resolution = 2.0 * std::numbers::pi / data.records().front().duration();
+  const double resolution = 2.0 * std::numbers::pi / data.longest_duration();
   for (size_t k = 0; k < info.parameters.size(); ++k) {
     if (info.parameters[k].search == Search::kFrequencyOfRun &&
         std::abs(values[k] - tone.frequency) < resolution) {

@@ -238,7 +238,7 @@ class Searcher {
     const std::vector<Start> starts = own_->Of(suspect, 1);
     if (starts.empty()) return false;
     const ActiveEffect& effect = known.fit.model.effects[EffectPlace(known.fit.model, suspect)];
-    return IsElsewhere(effect, starts.front().effect, data_.records().front().duration());
+    return IsElsewhere(effect, starts.front().effect, data_.longest_duration());
   }
 
   // True if two fits differ by less than the noise lets one see.

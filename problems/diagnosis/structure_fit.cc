@@ -158,9 +158,13 @@ Eigen::MatrixXd CovarianceOf(const Normal& normal,
 
 TrainingData::TrainingData(std::vector<Record> records)
     : records_(std::move(records)), bins_(records_) {
-  const HeldCommand& command = records_.front().inputs->command;
-  if (command.time.size() > 1) {
-    command_tone_ = DominantTone(command, command.time.back() - command.time.front());
+  command_tone_.share = 1.0;
+  for (const Record& record : records_) {
+    longest_duration_ = std::max(longest_duration_, record.duration());
+    const HeldCommand& command = record.inputs->command;
+    const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
+    const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
+    if (tone.share <= command_tone_.share) command_tone_ = tone;
   }
   measured_.resize(bins_.size());
   for (size_t r = 0; r < records_.size(); ++r) {

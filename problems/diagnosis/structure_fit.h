@@ -30,8 +30,10 @@ class TrainingData {
   // States of a record that are free: the velocity, and the position where it is measured.
   int num_states() const { return has_displacement_ ? 2 : 1; }
 
-  // The strongest line of the first record's command.
+  // The strongest line of the command that is least of a tone.
   const Tone& command_tone() const { return command_tone_; }
+
+  double longest_duration() const { return longest_duration_; }  // of a record [s]
 
   // Measured, averaged over the bins.
   const Eigen::VectorXd& measured() const { return measured_; }
@@ -55,6 +57,7 @@ class TrainingData {
   Bins bins_;
   bool has_displacement_ = false;
   Tone command_tone_;
+  double longest_duration_ = 0.0;
   Eigen::VectorXd measured_;
 };
 
