@@ -203,6 +203,7 @@ TEST(AddingAnEffect, ShowsTheStructThatTheTestsCompile) {
   EXPECT_THAT(shown, HasSubstr("struct SquareRootDrag {"));
   EXPECT_THAT(shown, HasSubstr("return p[0] * water.speed / sqrt(size);"));
   EXPECT_THAT(TextOf("tests/src/simulate/effect_simulation_test.cc"), HasSubstr(shown));
+  EXPECT_THAT(TextOf("tests/problems/diagnosis/outside_effect_test.cc"), HasSubstr(shown));
 }
 
 }  // namespace

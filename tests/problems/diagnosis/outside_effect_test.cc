@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An effect that the library does not know, hidden in a log, and named by a diagnosis that was told
+// of it; docs/adding_an_effect.md.
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/vehicle/effect_of.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "surge_run.h"
+#include <ceres/jet.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct SquareRootDrag {
+  static EffectInfo Info() {
+    return {.name = "square_root_drag",
+            .place = Place::kWater,
+            .scope = Scope::kVehicle,
+            .parameters = {{.name = "coefficient",
+                            .quantity = {"N s/m", "N m s/rad", 1, -1, 0},
+                            .null = 0.0,
+                            .lower = 0.0,
+                            .upper = kInfinity}},
+            .cause = "the drag has a part that grows with the root of the speed",
+            .advice = "Keep it."};
+  }
+  template <typename T>
+  static T Resistance(const T* p,
+                      const EffectSetting&,
+                      const WaterState<T>& water,
+                      const Instant<T>&) {
+    using std::sqrt;
+    const T size = sqrt(water.speed * water.speed + 1e-4);
+    return p[0] * water.speed / sqrt(size);
+  }
+};
+
+constexpr double kCoefficient = 40.0;
+
+std::vector<Log> LogsWith(const Effect* effect) {
+  SurgeRun run;
+  run.input = Steps({60.0, 5.0, -20.0, -60.0, 10.0, 30.0, -5.0, 0.0}, 12.0);
+  run.duration = 200.0;
+  run.velocity_noise = 0.003;
+  run.more = {{effect, {}, {kCoefficient}}};
+  return {LogOf(run, 1)};
+}
+
+TEST(OutsideEffect, IsNamedByADiagnosisThatKnowsIt) {
+  static const EffectOf<SquareRootDrag> square_root_drag;
+  DiagnosisOptions options;
+  options.effects.assign(EffectCatalogue().begin(), EffectCatalogue().end());
+  options.effects.push_back(&square_root_drag);
+  const Diagnosis diagnosis = Diagnose(LogsWith(&square_root_drag), Dof::kSurge, options);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kExplained);
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  EXPECT_TRUE(diagnosis.causes[0].alternatives.empty());
+  const ActiveEffect& named = diagnosis.extended.model.effects.at(0);
+  EXPECT_EQ(named.effect, &square_root_drag);
+  EXPECT_NEAR(named.values[0], kCoefficient, 4.0 * std::sqrt(diagnosis.extended.covariance(4, 4)));
+  EXPECT_LT(std::sqrt(diagnosis.extended.covariance(4, 4)), 0.2 * kCoefficient);
+}
+
+TEST(OutsideEffect, IsNotNamedByADiagnosisThatDoesNot) {
+  static const EffectOf<SquareRootDrag> square_root_drag;
+  const Diagnosis diagnosis = Diagnose(LogsWith(&square_root_drag), Dof::kSurge);
+  for (const ActiveEffect& active : diagnosis.extended.model.effects) {
+    EXPECT_NE(active.effect, &square_root_drag);
+  }
+  EXPECT_NE(diagnosis.verdict, Verdict::kConsistent);
+}
+
+}  // namespace
+}  // namespace fathom
