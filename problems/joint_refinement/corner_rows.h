@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/joint_refinement/pose_chart.h"
+#include "fathom/vision/camera_model.h"
+#include "fathom/vision/detection.h"
+#include "fathom/vision/marker_map.h"
+#include "fathom/vision/pose.h"
+
+#include <array>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// How a camera hangs on a vehicle and what it looks at; with `size_scale` on the markers' sides and
+// `mount` a small move of the camera (translation [m] in the body frame, rotation vector [rad] in
+// the camera's).
+struct CameraSetup {
+  CameraModel camera;
+  MarkerMap map;
+  Pose body_from_camera;
+};
+
+struct SetupUnknowns {
+  double size_scale = 1.0;
+  std::array<double, 6> mount = {};
+};
+
+// One detection's reprojection error at a pose and its derivatives; docs/joint_refinement.md (6).
+//
+//   r = (Project(camera_from_world x_world) - detected) / sigma    8 rows: u, v of the four corners
+struct CornerRows {
+  Eigen::Matrix<double, 8, 1> residual;
+  Eigen::Matrix<double, 8, 6> by_pose;   // eta
+  Eigen::Matrix<double, 8, 7> by_setup;  // size scale, mount
+};
+
+// False if a corner comes to lie behind the camera. `corner_sigma` [px]; by_setup is filled only if
+// `with_setup`.
+bool EvaluateCorners(const CameraSetup& setup,
+                     const SetupUnknowns& unknowns,
+                     const Marker& marker,
+                     const Detection& detection,
+                     const PoseVector& eta,
+                     double corner_sigma,
+                     bool with_setup,
+                     CornerRows* rows);
+
+}  // namespace fathom

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/parameters.h"
+
+namespace fathom {
+
+// The unknowns that every frame of a run depends on, side by side as columns:
+//
+//   model     log inertia, quadratic damping, linear damping, buoyancy   shared by all runs
+//   size      scale of every marker's side                               shared
+//   mount     small move of body_from_camera: translation [m] in the body frame, rotation vector
+//             [rad] in the camera's                                      shared
+//   start     velocity and position at the run's first frame             of the run
+//   response  of each held coordinate: its mean, and what it does per unit of the excited DOF's
+//             scaled displacement, velocity and acceleration             of the run
+//   clock     what is to be added to the camera's stamps [s]             of the run
+inline constexpr int kModelColumns = kNumParameters;
+inline constexpr int kSizeColumn = kModelColumns;
+inline constexpr int kMountColumns = kSizeColumn + 1;
+inline constexpr int kNumShared = kMountColumns + 6;
+
+inline constexpr int kNumHeld = 5;        // coordinates that are not excited
+inline constexpr int kResponseTerms = 4;  // mean, displacement, velocity, acceleration
+inline constexpr int kNumResponse = kNumHeld * kResponseTerms;
+inline constexpr int kStartColumns = kNumShared;
+inline constexpr int kResponseColumns = kStartColumns + 2;
+inline constexpr int kClockColumn = kResponseColumns + kNumResponse;
+inline constexpr int kNumColumns = kClockColumn + 1;
+
+}  // namespace fathom

@@ -1,0 +1,482 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/joint_problem.h"
+
+#include "fathom/joint_refinement/clipped_loss.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <ceres/cost_function.h>
+#include <ceres/evaluation_callback.h>
+#include <ceres/loss_function.h>
+#include <ceres/manifold.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double kStartStd =
+    1e-6;  // of the excited coordinate's first deviation, as in ChainSmoother
+
+class Loss final : public ceres::LossFunction {
+ public:
+  explicit Loss(double limit) : limit_(limit) {}
+  void Evaluate(double s, double rho[3]) const override {
+    const ClippedLoss loss = ClippedLoss::Of(s, limit_);
+    rho[0] = loss.value;
+    rho[1] = loss.weight;
+    rho[2] = loss.second_derivative;
+  }
+
+ private:
+  const double limit_;
+};
+
+// Simulates every run once per point, before Ceres asks any corner.
+class Simulate final : public ceres::EvaluationCallback {
+ public:
+  Simulate(JointData* data, const JointUnknowns* unknowns)
+      : data_(data), unknowns_(unknowns), is_valid_(data->runs.size(), false) {}
+
+  void PrepareForEvaluation(bool /*evaluate_jacobians*/, bool new_evaluation_point) override {
+    if (!new_evaluation_point && is_prepared_) return;
+    for (size_t r = 0; r < data_->runs.size(); ++r) {
+      is_valid_[r] = data_->runs[r].motion.Update(unknowns_->Motion(r));
+    }
+    is_prepared_ = true;
+  }
+
+  bool is_valid(size_t run) const { return is_valid_[run]; }
+
+ private:
+  JointData* const data_;
+  const JointUnknowns* const unknowns_;
+  std::vector<char> is_valid_;
+  bool is_prepared_ = false;
+};
+
+// Which coordinates have deviations of their own.
+std::vector<int> MovingCoordinates(const ProcessSet& processes, int excited) {
+  std::vector<int> moving;
+  for (int i = 0, j = 0; i < 6; ++i) {
+    const bool moves =
+        i == excited ? processes.model_error > 0.0 : processes.wander[j++].IsPresent();
+    if (moves) moving.push_back(i);
+  }
+  return moving;
+}
+
+// Reprojection of one detection, whitened. Blocks: deviation of the frame (if any coordinate
+// moves), model, start, response, then what is free of: clock, setup (size scale and mount).
+class CornerCost final : public ceres::CostFunction {
+ public:
+  CornerCost(const JointData& data,
+             const Simulate& simulate,
+             const std::vector<int>& moving,
+             const JointUnknowns& unknowns,
+             double corner_sigma,
+             size_t run,
+             size_t frame,
+             const Detection& detection,
+             bool with_clock,
+             bool with_setup)
+      : data_(data),
+        simulate_(simulate),
+        moving_(moving),
+        unknowns_(unknowns),
+        corner_sigma_(corner_sigma),
+        run_(run),
+        frame_(frame),
+        detection_(detection),
+        marker_(*data.setup.map.Find(detection.tag_id)),
+        with_setup_(with_setup) {
+    set_num_residuals(8);
+    auto* const sizes = mutable_parameter_block_sizes();
+    if (!moving.empty()) sizes->push_back(static_cast<int>(moving.size()));
+    sizes->insert(sizes->end(), {kModelColumns, 2, kNumResponse});
+    first_columns_ = {0, kStartColumns, kResponseColumns};
+    if (with_clock) {
+      sizes->push_back(1);
+      first_columns_.push_back(kClockColumn);
+    }
+    if (with_setup) {
+      sizes->push_back(7);
+      first_columns_.push_back(kSizeColumn);
+    }
+  }
+
+  bool Evaluate(const double* const* parameters,
+                double* residuals,
+                double** jacobians) const override {
+    if (!simulate_.is_valid(run_)) return false;
+    const PredictedMotion& motion = data_.runs[run_].motion;
+    PoseVector eta = motion.Mean(frame_);
+    for (size_t i = 0; i < moving_.size(); ++i) eta[moving_[i]] += parameters[0][i];
+    SetupUnknowns setup = unknowns_.setup;
+    if (with_setup_) {
+      const double* const block = parameters[parameter_block_sizes().size() - 1];
+      setup.size_scale = block[0];
+      std::copy_n(block + 1, 6, setup.mount.begin());
+    }
+    CornerRows rows;
+    if (!EvaluateCorners(
+            data_.setup, setup, marker_, detection_, eta, corner_sigma_, with_setup_, &rows)) {
+      return false;
+    }
+    std::copy_n(rows.residual.data(), 8, residuals);
+    if (jacobians == nullptr) return true;
+    size_t block = 0;
+    if (!moving_.empty()) {
+      if (double* const out = jacobians[block++]; out != nullptr) {
+        for (int row = 0; row < 8; ++row) {
+          for (size_t i = 0; i < moving_.size(); ++i) {
+            out[row * moving_.size() + i] = rows.by_pose(row, moving_[i]);
+          }
+        }
+      }
+    }
+    const PredictedMotion::Derivatives mean = motion.MeanDerivatives(frame_);
+    for (const int first : first_columns_) {
+      const int size = parameter_block_sizes()[block];
+      if (double* const out = jacobians[block++]; out != nullptr) {
+        Eigen::Map<RowMajor> J(out, 8, size);
+        if (first == kSizeColumn) {
+          J = rows.by_setup;
+        } else {
+          J.noalias() = rows.by_pose * mean.middleCols(first, size);
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  const JointData& data_;
+  const Simulate& simulate_;
+  const std::vector<int>& moving_;
+  const JointUnknowns& unknowns_;
+  const double corner_sigma_;
+  const size_t run_, frame_;
+  const Detection& detection_;
+  const Marker& marker_;
+  const bool with_setup_;
+  std::vector<int> first_columns_;
+};
+
+// W (sum over blocks of M_b x_b - offset): everything that is linear.
+class LinearCost final : public ceres::CostFunction {
+ public:
+  explicit LinearCost(std::vector<RowMajor> blocks, Eigen::VectorXd offset)
+      : blocks_(std::move(blocks)), offset_(std::move(offset)) {
+    set_num_residuals(static_cast<int>(offset_.size()));
+    for (const RowMajor& block : blocks_) {
+      mutable_parameter_block_sizes()->push_back(static_cast<int>(block.cols()));
+    }
+  }
+
+  bool Evaluate(const double* const* parameters,
+                double* residuals,
+                double** jacobians) const override {
+    Eigen::Map<Eigen::VectorXd> r(residuals, offset_.size());
+    r = -offset_;
+    for (size_t b = 0; b < blocks_.size(); ++b) {
+      r.noalias() +=
+          blocks_[b] * Eigen::Map<const Eigen::VectorXd>(parameters[b], blocks_[b].cols());
+      if (jacobians != nullptr && jacobians[b] != nullptr) {
+        std::copy_n(blocks_[b].data(), blocks_[b].size(), jacobians[b]);
+      }
+    }
+    return true;
+  }
+
+ private:
+  const std::vector<RowMajor> blocks_;
+  const Eigen::VectorXd offset_;
+};
+
+// From one frame to the next: W (s' - Phi s), rows two by two by coordinate; blocks n, n', next n,
+// next n'.
+std::unique_ptr<ceres::CostFunction> MakeStepCost(const ProcessSet& processes,
+                                                  int excited,
+                                                  const std::vector<int>& moving,
+                                                  double duration) {
+  const auto n = static_cast<Eigen::Index>(moving.size());
+  std::vector<RowMajor> blocks(4, RowMajor::Zero(2 * n, n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int c = moving[i];
+    const SecondOrderProcess process =
+        c == excited ? processes.ModelError() : processes.Wander(c < excited ? c : c - 1);
+    const Transition t = process.Over(duration);
+    const Eigen::Matrix2d from = -t.whitener * t.Phi;
+    for (int row = 0; row < 2; ++row) {
+      for (int s = 0; s < 2; ++s) {
+        blocks[s](2 * i + row, i) = from(row, s);
+        blocks[2 + s](2 * i + row, i) = t.whitener(row, s);
+      }
+    }
+  }
+  return std::make_unique<LinearCost>(std::move(blocks), Eigen::VectorXd::Zero(2 * n));
+}
+
+// At a run's first frame.
+std::unique_ptr<ceres::CostFunction> MakeFirstCost(const ProcessSet& processes,
+                                                   int excited,
+                                                   const std::vector<int>& moving) {
+  const auto n = static_cast<Eigen::Index>(moving.size());
+  std::vector<RowMajor> blocks(2, RowMajor::Zero(2 * n, n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int c = moving[i];
+    Eigen::Vector2d std(kStartStd, kStartStd);
+    if (c != excited) {
+      std = processes.Wander(c < excited ? c : c - 1).StationaryCovariance().diagonal().cwiseSqrt();
+    }
+    for (int s = 0; s < 2; ++s) blocks[s](2 * i + s, i) = 1.0 / std[s];
+  }
+  return std::make_unique<LinearCost>(std::move(blocks), Eigen::VectorXd::Zero(2 * n));
+}
+
+// (x - mean) / std of those entries whose std is above 0 and finite.
+void AddPrior(double* block,
+              const std::vector<double>& std,
+              const std::vector<double>& mean,
+              ceres::Problem* problem) {
+  std::vector<int> rows;
+  for (size_t i = 0; i < std.size(); ++i) {
+    if (std[i] > 0.0 && std::isfinite(std[i])) rows.push_back(static_cast<int>(i));
+  }
+  if (rows.empty()) return;
+  RowMajor M =
+      RowMajor::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(std.size()));
+  Eigen::VectorXd offset(M.rows());
+  for (Eigen::Index i = 0; i < M.rows(); ++i) {
+    M(i, rows[i]) = 1.0 / std[rows[i]];
+    offset[i] = mean[rows[i]] / std[rows[i]];
+  }
+  problem->AddResidualBlock(new LinearCost({M}, offset), nullptr, block);
+}
+
+// Holds the entries whose std is 0, and those in `also`.
+void Hold(double* block,
+          const std::vector<double>& std,
+          std::vector<int> also,
+          ceres::Problem* problem) {
+  for (size_t i = 0; i < std.size(); ++i) {
+    if (std[i] == 0.0) also.push_back(static_cast<int>(i));
+  }
+  std::sort(also.begin(), also.end());
+  also.erase(std::unique(also.begin(), also.end()), also.end());
+  if (also.size() == std.size()) {
+    problem->SetParameterBlockConstant(block);
+    return;
+  }
+  problem->SetParameterBlockVariable(block);
+  problem->SetManifold(
+      block,
+      also.empty() ? nullptr : new ceres::SubsetManifold(static_cast<int>(std.size()), also));
+}
+
+// What Ceres moves: the moving coordinates of the deviations side by side, and the setup as one.
+struct Blocks {
+  std::vector<std::vector<double>> deviation, rate;  // by run; n numbers a frame
+  std::array<double, 7> setup = {};
+
+  void Load(const JointUnknowns& unknowns, const std::vector<int>& moving) {
+    deviation.assign(unknowns.runs.size(), {});
+    rate = deviation;
+    for (size_t r = 0; r < unknowns.runs.size(); ++r) {
+      for (size_t k = 0; k < unknowns.runs[r].deviation.size(); ++k) {
+        for (const int i : moving) {
+          deviation[r].push_back(unknowns.runs[r].deviation[k][i]);
+          rate[r].push_back(unknowns.runs[r].rate[k][i]);
+        }
+      }
+    }
+    setup[0] = unknowns.setup.size_scale;
+    std::copy_n(unknowns.setup.mount.begin(), 6, setup.begin() + 1);
+  }
+
+  void Store(const std::vector<int>& moving, JointUnknowns* unknowns) const {
+    for (size_t r = 0; r < unknowns->runs.size(); ++r) {
+      RunUnknowns& run = unknowns->runs[r];
+      for (size_t k = 0; k < run.deviation.size(); ++k) {
+        run.deviation[k] = run.rate[k] = {};
+        for (size_t i = 0; i < moving.size(); ++i) {
+          run.deviation[k][moving[i]] = deviation[r][k * moving.size() + i];
+          run.rate[k][moving[i]] = rate[r][k * moving.size() + i];
+        }
+      }
+    }
+    unknowns->setup.size_scale = setup[0];
+    std::copy_n(setup.begin() + 1, 6, unknowns->setup.mount.begin());
+  }
+};
+
+std::vector<double> Stds(const GlobalsPrior& prior, int first, int size) {
+  return {prior.std.begin() + first, prior.std.begin() + first + size};
+}
+
+std::vector<double> Means(const GlobalsPrior& prior, int first, int size, const double* now) {
+  std::vector<double> means(now, now + size);
+  for (int i = 0; i < size; ++i) means[i] -= prior.offset[first + i];
+  return means;
+}
+
+}  // namespace
+
+JointSolve SolveJoint(JointData* data,
+                      const ProcessSet& processes,
+                      const std::vector<GlobalsPrior>& priors,
+                      const JointSolveOptions& options,
+                      JointUnknowns* unknowns) {
+  const std::vector<int> moving = MovingCoordinates(processes, data->excited);
+  const size_t n = moving.size();
+  Blocks blocks;
+  blocks.Load(*unknowns, moving);
+  Simulate simulate(data, unknowns);
+  ceres::Problem::Options problem_options;
+  problem_options.evaluation_callback = &simulate;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  Loss loss(data->loss_limit);
+  ceres::Problem problem(problem_options);
+
+  const bool with_setup = std::any_of(priors[0].std.begin() + kSizeColumn,
+                                      priors[0].std.begin() + kSizeColumn + 7,
+                                      [](double std) { return std > 0.0; });
+  for (size_t r = 0; r < data->runs.size(); ++r) {
+    const JointRun& run = data->runs[r];
+    RunUnknowns& own = unknowns->runs[r];
+    const bool with_clock = priors[r].std[kClockColumn] > 0.0;
+    for (size_t k = 0; k < run.detections.size(); ++k) {
+      for (const Detection& detection : run.detections[k]) {
+        std::vector<double*> list;
+        if (n > 0) list.push_back(&blocks.deviation[r][k * n]);
+        list.insert(list.end(), {unknowns->model.data(), own.start.data(), own.response.data()});
+        if (with_clock) list.push_back(&own.clock_offset);
+        if (with_setup) list.push_back(blocks.setup.data());
+        problem.AddResidualBlock(new CornerCost(*data,
+                                                simulate,
+                                                moving,
+                                                *unknowns,
+                                                processes.corner_sigma,
+                                                r,
+                                                k,
+                                                detection,
+                                                with_clock,
+                                                with_setup),
+                                 &loss,
+                                 list);
+      }
+    }
+    if (n > 0) {
+      LinearRun layout;
+      LayOutDurations(run.motion.time(), &layout);
+      std::vector<ceres::CostFunction*> step_costs;
+      for (const double duration : layout.durations) {
+        step_costs.push_back(MakeStepCost(processes, data->excited, moving, duration).release());
+      }
+      for (size_t k = 0; k + 1 < run.detections.size(); ++k) {
+        problem.AddResidualBlock(step_costs[layout.duration_after[k]],
+                                 nullptr,
+                                 &blocks.deviation[r][k * n],
+                                 &blocks.rate[r][k * n],
+                                 &blocks.deviation[r][(k + 1) * n],
+                                 &blocks.rate[r][(k + 1) * n]);
+      }
+      problem.AddResidualBlock(MakeFirstCost(processes, data->excited, moving).release(),
+                               nullptr,
+                               blocks.deviation[r].data(),
+                               blocks.rate[r].data());
+    }
+    std::vector<double> response_std(kNumResponse, std::numeric_limits<double>::infinity());
+    for (int i = 0; i < kNumResponse; ++i) {
+      if (i % kResponseTerms != 0) response_std[i] = processes.response_std[i / kResponseTerms];
+    }
+    AddPrior(own.response.data(), response_std, std::vector<double>(kNumResponse), &problem);
+    Hold(own.response.data(), response_std, {}, &problem);
+    if (with_clock) {
+      AddPrior(&own.clock_offset,
+               Stds(priors[r], kClockColumn, 1),
+               Means(priors[r], kClockColumn, 1, &own.clock_offset),
+               &problem);
+    }
+  }
+  if (with_setup) {
+    const auto std = Stds(priors[0], kSizeColumn, 7);
+    AddPrior(
+        blocks.setup.data(), std, Means(priors[0], kSizeColumn, 7, blocks.setup.data()), &problem);
+    Hold(blocks.setup.data(), std, {}, &problem);
+  }
+
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  solver.max_num_iterations = options.max_iterations;
+  solver.num_threads = options.num_threads;
+  solver.initial_trust_region_radius = 1e8;
+  solver.function_tolerance = 1e-8;  // of a cost of half the rows: no parameter moves visibly
+  solver.parameter_tolerance = 1e-9;
+  solver.gradient_tolerance = 1e-12;
+  solver.logging_type = ceres::SILENT;
+
+  // Ceres' own bounds report convergence at a wrong point when one is active, so the active set is
+  // found here: dampings that come out negative are held at zero, and let go where that lowers the
+  // cost.
+  JointSolve result;
+  const auto model_std = Stds(priors[0], 0, kModelColumns);
+  std::vector<int> held;
+  constexpr int kMostPasses = 6;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    Hold(unknowns->model.data(), model_std, held, &problem);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+    if (pass == 0) result.initial_cost = summary.initial_cost;
+    result.num_iterations += static_cast<int>(summary.iterations.size());
+    result.cost = summary.final_cost;
+    result.message = summary.message;
+    result.converged = summary.termination_type == ceres::CONVERGENCE;
+    result.held_at_zero = held;
+    if (summary.iterations.size() > 1) {
+      double seconds = 0.0;
+      for (size_t i = 1; i < summary.iterations.size(); ++i) {
+        seconds += summary.iterations[i].iteration_time_in_seconds;
+      }
+      result.seconds_per_iteration = seconds / static_cast<double>(summary.iterations.size() - 1);
+    }
+    if (!result.converged) break;
+    std::vector<int> next;
+    if (!held.empty()) {
+      Hold(unknowns->model.data(), model_std, {}, &problem);
+      ceres::Problem::EvaluateOptions evaluate;
+      evaluate.parameter_blocks = {unknowns->model.data()};
+      std::vector<double> gradient;
+      if (!problem.Evaluate(evaluate, nullptr, nullptr, &gradient, nullptr)) break;
+      for (const int i : held) {
+        if (gradient[i] >= 0.0) next.push_back(i);
+      }
+    }
+    for (const int i : {kQuadraticDamping, kLinearDamping}) {
+      if (unknowns->model[i] >= 0.0) continue;
+      unknowns->model[i] = 0.0;
+      next.push_back(i);
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    if (next == held) break;
+    if (pass + 1 == kMostPasses) {
+      result.converged = false;
+      result.message = "the search found no set of dampings to hold at zero.";
+    }
+    held = next;
+  }
+  blocks.Store(moving, unknowns);
+  return result;
+}
+
+}  // namespace fathom

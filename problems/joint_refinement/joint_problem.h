@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/joint_refinement/joint_state.h"
+#include "fathom/joint_refinement/linear_joint.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct JointSolve {
+  bool converged = false;
+  std::string message;
+  double initial_cost = 0.0;
+  double cost = 0.0;
+  int num_iterations = 0;
+  double seconds_per_iteration = 0.0;
+  std::vector<int> held_at_zero;  // dampings on their bound
+};
+
+struct JointSolveOptions {
+  int max_iterations = 50;
+  int num_threads = 1;
+  bool without_model = false;  // plain bundle adjustment of the same poses, to compare with
+};
+
+// The one Ceres problem: every pose, the model, the starts, the responses and what else is free,
+// over all corners, under given processes. Dampings stay at least 0 by an active set of their own,
+// since Ceres' bounds report convergence at a wrong point when one is active.
+//
+// `priors` as in SolveLinear(); their offsets are those at the present unknowns.
+JointSolve SolveJoint(JointData* data,
+                      const ProcessSet& processes,
+                      const std::vector<GlobalsPrior>& priors,
+                      const JointSolveOptions& options,
+                      JointUnknowns* unknowns);
+
+}  // namespace fathom

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/joint_refinement/chain_smoother.h"
+#include "fathom/joint_refinement/linear_run.h"
+#include "fathom/joint_refinement/process_set.h"
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// Of a response that is taken away where the point of linearisation still has it: it returns to 0
+// [m] or [rad].
+inline constexpr double kNoResponseStd = 1e-5;
+
+// Knowledge of the globals beyond what the processes say, column by column: an infinite std is no
+// knowledge, 0 holds the column where it is.
+struct GlobalsPrior {
+  std::array<double, kNumColumns> std;
+  std::array<double, kNumColumns> offset = {};  // present value less the prior's mean
+
+  GlobalsPrior() { std.fill(std::numeric_limits<double>::infinity()); }
+};
+
+// All runs, linearised at one point, solved under one set of processes: docs/joint_refinement.md
+// (8) to (10). Columns shared by the runs take their prior from the first one.
+class LinearJoint {
+ public:
+  // `runs` must outlive this object.
+  LinearJoint(std::span<const LinearRun> runs,
+              std::span<const GlobalsPrior> priors,
+              const ProcessSet& processes,
+              int excited);
+
+  // False if some unknown leaves no trace; the rest then means nothing.
+  bool is_usable() const { return is_usable_; }
+
+  double log_likelihood() const { return log_likelihood_; }  // restricted
+  double cost() const { return cost_; }                      // half the squares, prior and all
+  int num_unknowns() const { return num_unknowns_; }
+
+  // Of a run's kNumColumns globals; 0 where they are held.
+  const Eigen::VectorXd& change(size_t run) const { return changes_[run]; }
+  const Eigen::MatrixXd& covariance(size_t run) const { return covariances_[run]; }
+
+  std::vector<ChainSmoother::State> Deviations(size_t run) const;
+  RunMoments Moments(size_t run) const;
+
+ private:
+  bool is_usable_ = false;
+  double log_likelihood_ = -std::numeric_limits<double>::infinity();
+  double cost_ = std::numeric_limits<double>::infinity();
+  int num_unknowns_ = 0;
+  std::vector<std::vector<int>> columns_;  // of each run, not held
+  std::vector<ChainSmoother> smoothers_;
+  std::vector<Eigen::VectorXd> changes_;
+  std::vector<Eigen::MatrixXd> covariances_;
+};
+
+// True for the columns of c_j1, c_j2 and c_j3, which process_set.h gives a prior; their held slot.
+bool IsResponse(int column);
+int HeldSlot(int column);
+
+}  // namespace fathom

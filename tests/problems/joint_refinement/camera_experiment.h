@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/vehicle/uncoupled_model.h"
+
+#include <vector>
+
+namespace fathom {
+
+enum class InputKind { kSine, kMultisine, kSteps };
+enum class WanderKind {
+  kFiltered,   // white noise through two lags
+  kSinusoids,  // a dozen slow sines of random phase
+  kRough,      // Ornstein-Uhlenbeck: no velocity at all
+  kNone
+};
+
+// A run of data/vehicles/flatfish.yaml along one DOF before a wall of markers, down to the corners
+// that a detector would report. The vehicle is integrated by a code of its own; the corners are
+// those of the true poses plus noise.
+struct CameraExperiment {
+  Dof dof = Dof::kSurge;
+  InputKind input = InputKind::kSine;
+  int num_markers = 1;        // 1 or 4
+  double duration = 300.0;    // [s]
+  double rate = 10.0;         // of frames and commands [Hz]
+  double corner_noise = 0.3;  // [px]
+  WanderKind wander = WanderKind::kFiltered;
+  double wander_position = 0.01;        // std of each held coordinate [m]
+  double wander_angle = 0.002;          // [rad]
+  double pitch_per_acceleration = 0.0;  // pitch follows the excited DOF's acceleration [rad s^2/m]
+  double outliers = 0.0;                // share of detections whose corners are somewhere else
+  double flips = 0.0;         // share of frames whose first guess is the square's other solution
+  double clock_offset = 0.0;  // what the camera's stamps lack [s]
+  double size_scale = 1.0;    // true side of the markers over that of the map
+  unsigned seed = 1;
+};
+
+struct SyntheticCameraRun {
+  JointInput input;  // first guesses: each frame's own least-squares pose
+  UncoupledModel<double> truth;
+  std::vector<double> true_velocity;
+  std::vector<double> true_displacement;
+  std::vector<Pose> true_world_from_body;
+};
+
+UncoupledModel<double> FlatFish(Dof dof);
+
+SyntheticCameraRun Synthesize(const CameraExperiment& experiment);
+
+}  // namespace fathom

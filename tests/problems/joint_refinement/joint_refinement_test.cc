@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/joint_refinement.h"
+
+#include "fathom/base/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "camera_experiment.h"
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+double PathError(const std::vector<Pose>& path, const SyntheticCameraRun& run) {
+  double sum = 0.0;
+  for (size_t k = 0; k < path.size(); ++k) {
+    sum += (path[k].translation - run.true_world_from_body[k].translation).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(path.size()));
+}
+
+// The truth lies within four reported standard deviations (of 16 normal numbers in these tests, one
+// in a thousand seeds would not), and those are small.
+void ExpectFound(const JointSummary& summary, const SyntheticCameraRun& run, double largest_std) {
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  const ParameterVector found = ToVector(summary.model), truth = ToVector(run.truth);
+  for (int i = 0; i < kNumParameters; ++i) {
+    const double std = std::sqrt(summary.covariance(i, i));
+    EXPECT_NEAR(found[i], truth[i], 4.0 * std) << kParameterInfo[i].name;
+  }
+  EXPECT_LT(std::sqrt(summary.covariance(kInertia, kInertia)), largest_std * run.truth.inertia);
+  EXPECT_NEAR(summary.model.inertia, run.truth.inertia, 4.0 * largest_std * run.truth.inertia);
+  EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
+            0.6 * PathError(run.input.runs[0].world_from_body, run));
+}
+
+TEST(JointRefinement, FindsSurgeFromOneMarker) {
+  const SyntheticCameraRun run = Synthesize({.duration = 60.0});
+  const JointSummary summary = FitJoint(run.input);
+  ExpectFound(summary, run, 0.005);
+  // 600 frames of eight rows, most of them left after the fit: 3 % is four standard deviations.
+  EXPECT_NEAR(summary.processes.corner_sigma, 0.3, 0.3 * 0.05);
+}
+
+TEST(JointRefinement, RecoversTheModelFromPerfectCorners) {
+  const SyntheticCameraRun run = Synthesize(
+      {.dof = Dof::kYaw, .duration = 60.0, .corner_noise = 1e-4, .wander = WanderKind::kNone});
+  const JointSummary summary = FitJoint(run.input);
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  EXPECT_NEAR(summary.model.inertia, run.truth.inertia, 1e-4 * run.truth.inertia);
+  EXPECT_NEAR(summary.model.quadratic_damping,
+              run.truth.quadratic_damping,
+              1e-2 * run.truth.quadratic_damping);
+}
+
+TEST(JointRefinement, IsNotMisledByFlipsAndOutliers) {
+  const SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw,
+                                             .input = InputKind::kMultisine,
+                                             .duration = 60.0,
+                                             .outliers = 0.02,
+                                             .flips = 0.05});
+  const JointSummary summary = FitJoint(run.input);
+  ExpectFound(summary, run, 0.01);
+  EXPECT_GE(summary.runs[0].num_outliers, 5);  // 12 expected
+  EXPECT_LE(summary.runs[0].num_outliers, 30);
+}
+
+TEST(JointRefinement, IsNotMisledByAPitchThatFollowsTheHeaveAcceleration) {
+  const SyntheticCameraRun run = Synthesize({.dof = Dof::kHeave,
+                                             .input = InputKind::kMultisine,
+                                             .duration = 120.0,
+                                             .pitch_per_acceleration = 0.5});
+  const JointSummary summary = FitJoint(run.input);
+  ExpectFound(summary, run, 0.02);
+  // Held slot 3 is pitch: it is heave's own coordinate that is missing among the held ones.
+  EXPECT_GT(summary.processes.response_std[3], 0.0);
+}
+
+TEST(JointRefinement, FitsSeveralRunsTogether) {
+  SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw, .duration = 40.0});
+  const JointSummary alone = FitJoint(run.input);
+  const SyntheticCameraRun second =
+      Synthesize({.dof = Dof::kYaw, .input = InputKind::kMultisine, .duration = 40.0, .seed = 2});
+  run.input.runs.push_back(second.input.runs[0]);
+  const JointSummary together = FitJoint(run.input);
+  ExpectFound(together, run, 0.02);
+  ASSERT_EQ(together.runs.size(), 2);
+  EXPECT_LT(together.covariance(kInertia, kInertia), alone.covariance(kInertia, kInertia));
+}
+
+TEST(JointRefinement, RefusesWhatItCannotUse) {
+  SyntheticCameraRun run = Synthesize({.duration = 5.0});
+  JointInput input = run.input;
+  input.runs[0].detections[0][0].tag_id = 77;
+  EXPECT_THROW(FitJoint(input), InputError);
+  input = run.input;
+  input.runs[0].time.pop_back();
+  EXPECT_THROW(FitJoint(input), InputError);
+  EXPECT_THROW(FitJoint(run.input, {.loss_limit = 0.0}), InputError);
+}
+
+}  // namespace
+}  // namespace fathom
