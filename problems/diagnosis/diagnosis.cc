@@ -180,9 +180,8 @@ void ConfirmOnAllData(const TrainingData& data,
       is_settled = false;
     }
   }
-  if (fit_of(search->best).jacobian.size() > 0) {
-    search->tried[search->best].fit = fit_of(search->best);
-  }
+  if (fit_of(search->best).jacobian.size() == 0) search->best = 0;
+  search->tried[search->best].fit = fit_of(search->best);
   search->rivals = FindRivals(data, *search, options.separation);
 }
 
@@ -227,6 +226,10 @@ void LeaveOutTheRefuted(const TrainingData& data,
     std::vector<int> others = search->tried[search->best].suspects;
     std::erase(others, suspect);
     search->best = static_cast<int>(FindHypothesis(*search, others) - search->tried.data());
+    StructureFit& fit = search->tried[search->best].fit;  // of thinned data until now
+    fit = FitStructureAndNoise(
+        data, ExtendedModel(fit.model), std::vector(fit.initial), NoiseModel(fit.noise));
+    if (fit.jacobian.size() == 0) search->best = 0;
     search->rivals = FindRivals(data, *search, options.separation);
     remarks->push_back(fmt::format(
         "Not named beside {}: {}. With it the error grows on data that no fit has seen.",
