@@ -223,26 +223,30 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
   return linearised;
 }
 
-StructureFit FitStructure(const TrainingData& data,
-                          const ExtendedModel& start,
-                          std::span<const InitialState> initial,
-                          const Whitener& whitener,
-                          double smallest_share) {
-  StructureFit fit;
-  fit.model = start;
-  fit.initial.assign(initial.begin(), initial.end());
-  Unknowns unknowns = Pack(data, start, initial);
-  unknowns.value = unknowns.value.cwiseMax(unknowns.lower).cwiseMin(unknowns.upper);
-  Unpack(data, unknowns.value, &fit.model, &fit.initial);
-  auto at = data.Linearise(fit.model, fit.initial);
-  if (!at) return fit;
-  fit.residual = data.measured() - at->simulated;
+namespace {
+
+// Fills residual and Jacobian of a fit at its model; no Jacobian if it cannot be simulated.
+bool LineariseAt(const TrainingData& data, StructureFit* fit) {
+  auto at = data.Linearise(fit->model, fit->initial);
+  fit->jacobian = at ? std::move(at->jacobian) : RowMajorMatrix();
+  if (at) fit->residual = data.measured() - at->simulated;
+  return at.has_value();
+}
+
+// Searches on from a fit whose residual and Jacobian are those of its model.
+StructureFit SearchFrom(const TrainingData& data,
+                        StructureFit fit,
+                        const Whitener& whitener,
+                        double smallest_share) {
+  fit.converged = false;
+  Unknowns unknowns = Pack(data, fit.model, fit.initial);
   fit.chi_squared = ChiSquared(whitener, fit.residual);
-  Normal normal = NormalOf(whitener, at->jacobian, fit.residual);
+  Normal normal = NormalOf(whitener, fit.jacobian, fit.residual);
   double damping = 1e-4;
   for (int iteration = 0; iteration < kMostIterations && !fit.converged; ++iteration) {
     const std::vector<int> free = FreeOf(unknowns, normal.g);
     bool moved = false;
+    double growth = 10.0;  // faster each time: where nothing is lower, that is soon known
     while (!moved && !fit.converged && damping < kMostDamping) {
       const Eigen::VectorXd step = StepOf(normal, free, damping);
       const Eigen::VectorXd value =
@@ -260,7 +264,8 @@ StructureFit FitStructure(const TrainingData& data,
       const double chi_squared = simulated ? ChiSquared(whitener, data.measured() - *simulated)
                                            : std::numeric_limits<double>::infinity();
       if (!(chi_squared < fit.chi_squared)) {
-        damping *= 10.0;
+        damping *= growth;
+        growth *= 2.0;
         continue;
       }
       moved = true;
@@ -274,13 +279,10 @@ StructureFit FitStructure(const TrainingData& data,
       fit.converged = true;  // nowhere lower, as far as the arithmetic can tell
       break;
     }
-    at = data.Linearise(fit.model, fit.initial);
-    if (!at) return fit;
-    fit.residual = data.measured() - at->simulated;
+    if (!LineariseAt(data, &fit)) return fit;
     fit.chi_squared = ChiSquared(whitener, fit.residual);
-    normal = NormalOf(whitener, at->jacobian, fit.residual);
+    normal = NormalOf(whitener, fit.jacobian, fit.residual);
   }
-  fit.jacobian = std::move(at->jacobian);
   const std::vector<int> free = FreeOf(unknowns, normal.g);
   const int num_parameters = NumParameters(fit.model);
   fit.covariance = CovarianceOf(normal, free, num_parameters);
@@ -290,6 +292,25 @@ StructureFit FitStructure(const TrainingData& data,
   }
   fit.log_likelihood = whitener.LogLikelihood(std::span(fit.residual.data(), fit.residual.size()));
   return fit;
+}
+
+}  // namespace
+
+StructureFit FitStructure(const TrainingData& data,
+                          const ExtendedModel& start,
+                          std::span<const InitialState> initial,
+                          const Whitener& whitener,
+                          double smallest_share) {
+  StructureFit fit;
+  fit.model = start;
+  fit.initial.assign(initial.begin(), initial.end());
+  const Unknowns unknowns = Pack(data, start, initial);
+  Unpack(data,
+         unknowns.value.cwiseMax(unknowns.lower).cwiseMin(unknowns.upper),
+         &fit.model,
+         &fit.initial);
+  if (!LineariseAt(data, &fit)) return fit;
+  return SearchFrom(data, std::move(fit), whitener, smallest_share);
 }
 
 double DampingRate(const TrainingData& data, const UncoupledModel<double>& model) {
@@ -308,6 +329,7 @@ NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
                       const std::optional<NoiseModel>& start) {
   FitNoiseOptions options;
+  options.precision = 0.01;
   options.damping_rate = DampingRate(data, fit.model.baseline);
   options.start = start;
   const NoiseFit learned = FitNoise(data.bins().samples(),
@@ -345,33 +367,42 @@ StructureFit FitBaseline(const TrainingData& data,
   const Whitener sensor(SensorNoiseOnly(data, data.measured() - *simulated), data.bins().samples());
   const StructureFit first = FitStructure(data, start, initial, sensor);
   if (first.jacobian.size() == 0) return first;
-  return FitStructureAndNoise(data, first.model, first.initial, FirstNoise(data, first));
+  return FitStructureAndNoise(data, first);
 }
 
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {
   return LearnNoise(data, fit, std::nullopt);
 }
 
+namespace {
+
+// Learns noise and parameters in turn, from a fit under a first noise.
+StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel noise) {
+  constexpr int kMostTurns = 5;
+  double previous = -std::numeric_limits<double>::infinity();
+  for (int turn = 0; fit.jacobian.size() > 0; ++turn) {
+    fit.noise = noise;
+    if (fit.log_likelihood < previous + 0.1 || turn + 1 == kMostTurns) break;
+    previous = fit.log_likelihood;
+    noise = LearnNoise(data, fit, noise);
+    fit = SearchFrom(data, std::move(fit), Whitener(noise, data.bins().samples()), 0.0);
+  }
+  return fit;
+}
+
+}  // namespace
+
 StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,
                                   std::span<const InitialState> initial,
                                   const NoiseModel& noise) {
-  NoiseModel current = noise;
-  StructureFit fit;
-  fit.model = start;
-  fit.initial.assign(initial.begin(), initial.end());
-  constexpr int kMostTurns = 5;
-  double previous = -std::numeric_limits<double>::infinity();
-  for (int turn = 0; turn < kMostTurns; ++turn) {
-    const Whitener whitener(current, data.bins().samples());
-    fit = FitStructure(data, ExtendedModel(fit.model), std::vector(fit.initial), whitener);
-    if (fit.jacobian.size() == 0) return fit;
-    fit.noise = current;
-    if (fit.log_likelihood < previous + 0.1) break;
-    previous = fit.log_likelihood;
-    current = LearnNoise(data, fit, current);
-  }
-  return fit;
+  return LearnOn(
+      data, FitStructure(data, start, initial, Whitener(noise, data.bins().samples())), noise);
+}
+
+StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start) {
+  const NoiseModel noise = FirstNoise(data, start);
+  return LearnOn(data, SearchFrom(data, start, Whitener(noise, data.bins().samples()), 0.0), noise);
 }
 
 }  // namespace fathom

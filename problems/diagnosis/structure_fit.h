@@ -95,6 +95,9 @@ StructureFit FitStructureAndNoise(const TrainingData& data,
                                   std::span<const InitialState> initial,
                                   const NoiseModel& noise);
 
+// The same on from a fit whose residual and Jacobian are those of its model, the noise from that.
+StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start);
+
 // The baseline from a start near its optimum, with its noise.
 StructureFit FitBaseline(const TrainingData& data,
                          const ExtendedModel& start,

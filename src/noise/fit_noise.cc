@@ -18,8 +18,8 @@ namespace {
 
 using Result = NoiseSearch::Result;
 
-// How exactly the log-likelihood is maximised: to compare components, and in the end.
-constexpr double kRough = 2e-3, kExact = 1e-4;
+// So much coarser are fits that only compare components.
+constexpr double kCoarser = 20.0;
 
 // One call of FitNoise().
 class Fitting {
@@ -37,7 +37,7 @@ class Fitting {
     white.velocity.white_std = likelihood_.RootMeanSquare(NoiseChannel::kVelocity);
     white.displacement.white_std = likelihood_.RootMeanSquare(NoiseChannel::kDisplacement);
     const NoiseStructure structure = Structure({});
-    Result best = search_.From(structure, structure.Parameters(white), kExact);
+    Result best = search_.From(structure, structure.Parameters(white), options_.precision);
     if (options_.selection == NoiseSelection::kWhite) return best;
     for (;;) {
       std::optional<Result> next;
@@ -46,7 +46,7 @@ class Fitting {
         if (!next || result.log_likelihood() > next->log_likelihood()) next = std::move(result);
       }
       if (!next || !(next->log_likelihood() - best.log_likelihood() > Price())) {
-        return search_.From(best.structure, best.best.parameters, kExact);
+        return search_.From(best.structure, best.best.parameters, options_.precision);
       }
       best = *std::move(next);
     }
@@ -64,7 +64,7 @@ class Fitting {
     if (start.disturbance.IsPresent()) components.push_back(NoiseComponent::kDisturbance);
     start.damping_rate = options_.damping_rate;
     const NoiseStructure structure = Structure(std::move(components));
-    return search_.From(structure, structure.Parameters(start), kExact);
+    return search_.From(structure, structure.Parameters(start), options_.precision);
   }
 
  private:
@@ -103,7 +103,8 @@ class Fitting {
       if (is_shorter && !may_stand_in) break;
       Eigen::VectorXd parameters = result.best.parameters;
       if (is_shorter) parameters.tail(2) -= Eigen::Vector2d(0.7, 2.0);  // logarithms: size, time
-      Result next = search_.From(structure, BestOfGrid(structure, parameters), kRough);
+      Result next =
+          search_.From(structure, BestOfGrid(structure, parameters), kCoarser * options_.precision);
       if (!best || next.log_likelihood() > best->log_likelihood()) best = std::move(next);
     }
     return *std::move(best);
@@ -156,6 +157,7 @@ std::vector<std::string> FitNoiseOptions::Problems() const {
   std::vector<std::string> problems;
   if (!(damping_rate > 0.0)) problems.push_back("damping_rate must be above 0.");
   if (!(longest_time > 0.0)) problems.push_back("longest_time must be above 0.");
+  if (!(precision > 0.0)) problems.push_back("precision must be above 0.");
   if (start && start->velocity.white_std <= 0.0 && start->displacement.white_std <= 0.0) {
     problems.push_back("start must have white noise.");
   }

@@ -39,6 +39,9 @@ struct FitNoiseOptions {
   // the model. Above 0.
   double longest_time = 0.25;
 
+  // How near to the greatest log-likelihood a fit must come. Above 0.
+  double precision = 1e-4;
+
   // Where the search starts, and which components there are: nothing is selected then. For fits
   // that follow one another; several times faster.
   std::optional<NoiseModel> start;
