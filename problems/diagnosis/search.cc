@@ -33,6 +33,10 @@ constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
 // is: the start, the shape of the tops. That takes more than usual.
 constexpr double kShareOfASine = 0.9;
 constexpr double kHarderUnderASine = 5.0;
+// A fit finds the best time or frequency, not the best of the grid.
+constexpr double kCautionBetweenTheGrid = 2.0;
+// Another axis' columns are in every log, whether they have to do with this axis or not.
+constexpr double kCautionWithAPartner = 50.0;
 constexpr double kRivalSlack = 40.0;  // screens are linear: so much worse may still be a rival
 
 int NumParameters(const Hypothesis& hypothesis) {
@@ -176,15 +180,18 @@ class Searcher {
 
   void Calibrate(const Screen& screen) {
     std::vector<int> num_amounts(suspects_.size(), 1);
-    std::vector<bool> is_searched(suspects_.size(), false);
+    std::vector<double> caution(suspects_.size(), 1.0);
     for (const Trial& trial : trials_.trials) {
       num_amounts[trial.suspect] = trial.num_columns;
-      is_searched[trial.suspect] = trial.values.size() > trial.amounts.size();
+      const bool is_searched = trial.values.size() > trial.amounts.size();
+      const bool has_partner = suspects_[trial.suspect].effect->info().has_partner;
+      caution[trial.suspect] =
+          (is_searched ? kCautionBetweenTheGrid : 1.0) * (has_partner ? kCautionWithAPartner : 1.0);
     }
     const int num_suspects = static_cast<int>(suspects_.size());
     result_.significance = Significance(screen.NullMaxima(kNullDraws, num_suspects, options_.seed),
                                         std::move(num_amounts),
-                                        is_searched,
+                                        caution,
                                         options_.false_alarm_rate);
     is_calibrated_ = true;
     for (int k = 0; k < num_suspects; ++k) {
@@ -268,8 +275,7 @@ class Searcher {
     const Hypothesis& baseline = result_.tried[0];
     Hypothesis hypothesis;
     hypothesis.suspects = suspects;
-    hypothesis.fit =
-        FitStructureAndNoise(data_, start.model, start.initial, FirstNoise(data_, start));
+    hypothesis.fit = FitStructureAndNoise(data_, start);
     // Worse than with less: the search went astray under the noise it began with.
     if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
       ExtendedModel model = start.model;

@@ -35,15 +35,11 @@ constexpr double kAnchor = 0.9;
 
 constexpr double kRarerBeside = 5.0;
 
-// A fit finds the best time or frequency, not the best of the grid: as if there were so many times
-// the tests.
-constexpr double kBetweenTheGrid = 2.0;
-
 }  // namespace
 
 Significance::Significance(const Eigen::MatrixXd& null_maxima,
                            std::vector<int> num_amounts,
-                           const std::vector<bool>& is_searched,
+                           const std::vector<double>& caution,
                            double false_alarm_rate)
     : num_amounts_(std::move(num_amounts)) {
   for (Eigen::Index k = 0; k < null_maxima.cols(); ++k) {
@@ -62,9 +58,7 @@ Significance::Significance(const Eigen::MatrixXd& null_maxima,
   }
   // The least p-value of n independent suspects has median 1 - 0.5^(1/n).
   if (!rarest.empty()) num_families_ = std::max(1.0, NumberFor(Quantile(rarest, 0.2), 0.2));
-  for (size_t k = 0; k < num_tests_.size(); ++k) {
-    if (is_searched[k]) num_tests_[k] *= kBetweenTheGrid;
-  }
+  for (size_t k = 0; k < num_tests_.size(); ++k) num_tests_[k] *= caution[k];
   for (int k = 0; k < static_cast<int>(num_tests_.size()); ++k) {
     thresholds_.push_back(ThresholdAt(k, false_alarm_rate));
     thresholds_beside_.push_back(ThresholdAt(k, false_alarm_rate / kRarerBeside));

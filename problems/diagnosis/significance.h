@@ -17,11 +17,11 @@ class Significance {
   Significance() = default;
 
   // `null_maxima`: draws of each suspect's greatest gain where nothing is missing, a row per draw;
-  // `num_amounts`: by suspect, 1 or 2; `is_searched`: by suspect, whether a fit also moves what the
-  // draws know on a grid only, a time or a frequency.
+  // `num_amounts`: by suspect, 1 or 2; `caution`: by suspect, at least 1, as if it were tried so
+  // many times as often as the draws show.
   Significance(const Eigen::MatrixXd& null_maxima,
                std::vector<int> num_amounts,
-               const std::vector<bool>& is_searched,
+               const std::vector<double>& caution,
                double false_alarm_rate);
 
   // Probability that noise alone lets this suspect gain as much.

@@ -46,7 +46,7 @@ double Tail(int degrees, double x) {
 
 const Null kIndependent = {{1, 1, 1, 2, 7, 30, 100, 1, 40, 4}, {1, 1, 1, 1, 1, 1, 1, 2, 2, 1}};
 
-const std::vector<bool> kNotSearched(10, false);
+const std::vector<double> kNoCaution(10, 1.0);
 
 // The family-wise rate: draws in which any suspect passes its own threshold.
 TEST(Significance, LetsNoisePassAsOftenAsItSays) {
@@ -54,7 +54,7 @@ TEST(Significance, LetsNoisePassAsOftenAsItSays) {
   const int num_calibrations = 6, num_draws = 2000;
   for (int k = 0; k < num_calibrations; ++k) {
     const Significance significance(
-        Maxima(kIndependent, kDraws, 100 + k), kIndependent.degrees, kNotSearched, kRate);
+        Maxima(kIndependent, kDraws, 100 + k), kIndependent.degrees, kNoCaution, kRate);
     const Eigen::MatrixXd fresh = Maxima(kIndependent, num_draws, 200 + k);
     int passed = 0;
     for (int draw = 0; draw < num_draws; ++draw) {
@@ -73,7 +73,7 @@ TEST(Significance, LetsNoisePassAsOftenAsItSays) {
 // n independent trials in each of K independent suspects: 1 - (1 - tail)^n = 1 - 0.95^(1/K).
 TEST(Significance, HasTheThresholdsOfIndependentTrials) {
   const Significance significance(
-      Maxima(kIndependent, 20000, 1), kIndependent.degrees, kNotSearched, kRate);
+      Maxima(kIndependent, 20000, 1), kIndependent.degrees, kNoCaution, kRate);
   const double each = 1.0 - std::pow(1.0 - kRate, 0.1);
   for (int s = 0; s < 10; ++s) {
     const double tail = 1.0 - std::pow(1.0 - each, 1.0 / kIndependent.num_trials[s]);
@@ -90,27 +90,29 @@ TEST(Significance, CountsCopiesOnce) {
   const Eigen::MatrixXd one = Maxima({{1}, {1}}, 20000, 3);
   Eigen::MatrixXd copies(one.rows(), 5);
   for (auto column : copies.colwise()) column = one.col(0);
-  const Significance significance(copies, {1, 1, 1, 1, 1}, std::vector<bool>(5, false), kRate);
+  const Significance significance(copies, {1, 1, 1, 1, 1}, std::vector<double>(5, 1.0), kRate);
   // 3.84 is chi squared's 95 % point; it moves by 0.23 if the rate moves by a tenth.
   EXPECT_NEAR(significance.Threshold(4), 3.84, 0.2);
 }
 
-// What a fit moves off the grid counts as twice the tests: the tail at the threshold is halved,
-// but for terms of its square (5e-5).
-TEST(Significance, AsksMoreOfWhatAFitMovesOffTheGrid) {
+// As if there were so many times the tests: the tail at the threshold is divided by that, but for
+// terms of its square (5e-5).
+TEST(Significance, AsksMoreOfWhatCallsForCaution) {
   const Eigen::MatrixXd maxima = Maxima(kIndependent, kDraws, 5);
-  std::vector<bool> searched(10, false);
-  searched[6] = true;
-  const Significance plain(maxima, kIndependent.degrees, kNotSearched, kRate);
-  const Significance asked(maxima, kIndependent.degrees, searched, kRate);
-  EXPECT_EQ(asked.Threshold(5), plain.Threshold(5));
+  std::vector<double> caution = kNoCaution;
+  caution[6] = 2.0;
+  caution[5] = 50.0;
+  const Significance plain(maxima, kIndependent.degrees, kNoCaution, kRate);
+  const Significance asked(maxima, kIndependent.degrees, caution, kRate);
+  EXPECT_EQ(asked.Threshold(4), plain.Threshold(4));
+  EXPECT_NEAR(Tail(1, asked.Threshold(5)) / Tail(1, plain.Threshold(5)), 0.02, 1e-4);
   EXPECT_NEAR(Tail(1, asked.Threshold(6)) / Tail(1, plain.Threshold(6)), 0.5, 1e-4);
 }
 
 TEST(Significance, NeverFindsASuspectThatLeavesNoTrace) {
   Eigen::MatrixXd maxima = Maxima({{1, 1}, {1, 1}}, kDraws, 4);
   maxima.col(1).setZero();
-  const Significance significance(maxima, {1, 1}, {false, false}, kRate);
+  const Significance significance(maxima, {1, 1}, {1.0, 1.0}, kRate);
   EXPECT_EQ(significance.PValue(1, 90.0), 1.0);
   EXPECT_LT(significance.PValue(0, 90.0), 1e-15);
 }
