@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace fathom {
 namespace {
@@ -16,30 +18,25 @@ struct Decision {
   std::string_view experiment;
 };
 
+// Steps of one size would leave the ramp open.
+constexpr std::string_view kSteps =
+    "Steps of several sizes both ways, some seconds each: a lag rounds the corners, a delay moves "
+    "them, a ramp takes longer for larger steps.";
+
 // Pairs that need something special; EFFECTS.md.
 constexpr std::array kDecisions = {
     Decision{"sensor_bias",
              "steady_current",
              "No velocity log alone can: the two are identical at every speed. Log poses too."},
-    Decision{
-        "thruster_lag",
-        "time_offset",
-        "A square wave of a few seconds' period: a lag rounds the corners, a delay moves them."},
+    Decision{"thruster_lag", "time_offset", kSteps},
     Decision{"thruster_lag",
              "sensor_lag",
-             "Large steps, to speeds where quadratic drag matters: in linear drag lags commute."},
-    Decision{
-        "sensor_lag",
-        "time_offset",
-        "A square wave of a few seconds' period: a lag rounds the corners, a delay moves them."},
-    Decision{
-        "thruster_lag",
-        "thrust_slew_limit",
-        "Steps of several sizes: a lag takes as long for each, a ramp longer for larger ones."},
-    Decision{
-        "time_offset",
-        "thrust_slew_limit",
-        "Steps of several sizes: a delay is the same for each, a ramp longer for larger ones."},
+             "Poses too: they come without the speed sensor's lag. Or large steps, to speeds where "
+             "quadratic drag matters: in linear drag lags commute."},
+    Decision{"sensor_lag", "time_offset", kSteps},
+    Decision{"thruster_lag", "thrust_slew_limit", kSteps},
+    Decision{"sensor_lag", "thrust_slew_limit", kSteps},
+    Decision{"time_offset", "thrust_slew_limit", kSteps},
     Decision{"thrust_dead_zone",
              "coulomb_friction",
              "Small commands of both signs while the vehicle still coasts either way."},
@@ -64,13 +61,19 @@ constexpr std::array kDecisions = {
 }  // namespace
 
 std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>& rivals) {
-  std::set<std::string_view> names = {cause.effect->info().name};
-  for (const Suspect& rival : rivals) names.insert(rival.effect->info().name);
+  const std::string_view name = cause.effect->info().name;
+  std::vector<std::string_view> experiments;
   for (const Decision& decision : kDecisions) {
-    if (names.contains(decision.a) && names.contains(decision.b)) {
-      return std::string(decision.experiment);
-    }
+    const bool decides = std::any_of(rivals.begin(), rivals.end(), [&](const Suspect& rival) {
+      const std::string_view other = rival.effect->info().name;
+      return (decision.a == name && decision.b == other) ||
+             (decision.a == other && decision.b == name);
+    });
+    const bool is_new =
+        std::find(experiments.begin(), experiments.end(), decision.experiment) == experiments.end();
+    if (decides && is_new) experiments.push_back(decision.experiment);
   }
+  if (!experiments.empty()) return fmt::format("{}", fmt::join(experiments, " "));
   const bool has_partner = cause.effect->info().has_partner ||
                            std::any_of(rivals.begin(), rivals.end(), [](const Suspect& rival) {
                              return rival.effect->info().has_partner;

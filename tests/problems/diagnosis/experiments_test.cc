@@ -23,7 +23,7 @@ TEST(DecidingExperiment, IsThatOfEffectsPage) {
   const struct {
     const char *a, *b, *regex;
   } cases[] = {
-      {"thruster_lag", "time_offset", "square wave"},
+      {"thruster_lag", "time_offset", "several sizes"},
       {"thruster_lag", "thrust_slew_limit", "[Ss]teps of several sizes"},
       {"thrust_dead_zone", "coulomb_friction", "[Ss]mall commands.*coasts either way"},
       {"thrust_saturation", "cubic_damping", "[Ll]arge commands at low speed"},
