@@ -32,6 +32,7 @@ constexpr double kSmallestPValue = 0.01;  // of remaining structure, at which it
 constexpr double kMaterialShare = 0.05;   // of all structure, below which the rest is no matter
 constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
 constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
+constexpr double kLossTooMuch = 0.05;           // of the same, at which nothing is named
 constexpr int kNumFolds = 4;                    // of left-out blocks, where nothing is held out
 
 void RequireUsable(const DiagnosisOptions& options) {
@@ -200,7 +201,11 @@ SearchResult SearchThinned(const TrainingData& data,
   return search;
 }
 
-// Leaves out of the best hypothesis every cause that makes the held-out data worse for certain.
+// True if data that no fit has seen speak against what is named: for certain, or as far as they go
+// by so much that it should not be built on.
+bool IsRefuted(const Gain& gain) { return gain.high < 0.0 || gain.value < -kLossTooMuch; }
+
+// Leaves out of the best hypothesis every cause that the held-out data speak against.
 void LeaveOutTheRefuted(const TrainingData& data,
                         const std::vector<Record>& held_out,
                         const std::vector<Suspect>& suspects,
@@ -216,7 +221,7 @@ void LeaveOutTheRefuted(const TrainingData& data,
       if (without == nullptr) continue;
       Scored scored;
       Score(held_out, without->fit.model, best.fit.model, &scored);
-      if (GainOf(scored.before, scored.after, options.seed).high < 0.0) return suspect;
+      if (IsRefuted(GainOf(scored.before, scored.after, options.seed))) return suspect;
     }
     return -1;
   };
@@ -351,7 +356,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     Score(held_out, baseline.model, search.tried[search.best].fit.model, &scored);
   }
   Gain gain = GainOf(scored.before, scored.after, options.seed);
-  const bool is_refuted = search.best != 0 && gain.high < 0.0;
+  const bool is_refuted = search.best != 0 && IsRefuted(gain);
   if (is_refuted) {
     diagnosis.remarks.push_back(
         fmt::format("Not named: {}. It fits the training data best, but on data that no fit has "

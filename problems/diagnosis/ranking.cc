@@ -27,7 +27,7 @@ int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
   return -1;
 }
 
-std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival) {
+std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival, bool any_kept) {
   if (candidate.is_kept && !(candidate.gain > threshold)) return "kept: gains beside the others";
   if (candidate.is_kept) {
     return fmt::format(
@@ -41,6 +41,10 @@ std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival) {
     return fmt::format("dropped: gains {:.1f}, noise alone would reach {:.1f}",
                        std::max(0.0, candidate.gain),
                        threshold);
+  }
+  if (!any_kept) {
+    return fmt::format("dropped: gains {:.0f}, but not on data that no fit has seen",
+                       candidate.gain);
   }
   return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
 }
@@ -121,7 +125,8 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
     const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
     candidate.p_value = search.significance.FamilyWisePValue(index, gain);
     candidate.is_kept = std::count(best.suspects.begin(), best.suspects.end(), index) > 0;
-    candidate.why = WhyOf(candidate, search.significance.Threshold(index), is_rival[k]);
+    candidate.why =
+        WhyOf(candidate, search.significance.Threshold(index), is_rival[k], search.best != 0);
     candidates.push_back(std::move(candidate));
   }
   const auto worth = [](const Candidate& candidate) {
