@@ -35,11 +35,14 @@ class RealDiagnoses : public ::testing::Test {
   }
 
   // The verdict on a log.
-  nlohmann::json Diagnosed(const std::string& log, const std::string& dof) {
+  nlohmann::json Diagnosed(const std::string& log,
+                           const std::string& dof,
+                           const std::vector<std::string>& more = {}) {
     const Path verdict = EmptyTestFolder() / "verdict.json";
-    run_ = RunToolBinary(
-        "fathom_diagnose",
-        {"--log=" + (folder_ / log).string(), "--dof=" + dof, "--verdict=" + verdict.string()});
+    std::vector<std::string> flags = {
+        "--log=" + (folder_ / log).string(), "--dof=" + dof, "--verdict=" + verdict.string()};
+    flags.insert(flags.end(), more.begin(), more.end());
+    run_ = RunToolBinary("fathom_diagnose", flags);
     EXPECT_EQ(run_.exit_code, 0) << run_.err;
     return JsonOf(verdict);
   }
@@ -60,6 +63,13 @@ std::set<std::string> CertainCauses(const nlohmann::json& verdict) {
 // A tether gains in the poses by hand and fails on held-out speeds; a delay goes with the inertia.
 TEST_F(RealDiagnoses, LbvSurgeNamesNoCauseForCertain) {
   EXPECT_THAT(CertainCauses(Diagnosed("lbv_surge", "surge")), IsEmpty());
+}
+
+// The spring that fits best makes unseen data worse.
+TEST_F(RealDiagnoses, LbvSurgeByTheAuthorsVelocityNamesNoSpring) {
+  const auto verdict = Diagnosed("lbv_surge", "surge", {"--velocity=author_velocity.csv"});
+  EXPECT_THAT(verdict["causes"], IsEmpty());
+  EXPECT_THAT(run_.out, HasSubstr("Not named: position_stiffness"));
 }
 
 // One tone: its phase is any delay, lag or force at the same frequency.
