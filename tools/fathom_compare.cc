@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -82,6 +83,24 @@ void WriteFigures(const DofComparison& dof, const std::string& folder) {
   }
 }
 
+// Makes the source `camera` of a log with detections where it is asked for, or where all sources
+// are; in the latter case a calibration that is missing or unusable only costs that source.
+void AddCameraSourceIfWanted(const ComparisonOptions& options, Log* log) {
+  const auto& sources = options.sources;
+  if (!sources.empty()) {
+    if (std::find(sources.begin(), sources.end(), Source::kCamera) != sources.end()) {
+      AddCameraSource(log);
+    }
+    return;
+  }
+  try {
+    AddCameraSource(log);
+  } catch (const InputError& error) {
+    log->remarks.push_back(std::string("The source camera is left out: ") + error.what());
+    std::fprintf(stderr, "%s\n", log->remarks.back().c_str());
+  }
+}
+
 int Run() {
   const ComparisonOptions options = OptionsFromFlags();
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
@@ -92,7 +111,9 @@ int Run() {
                      ": a single CSV (t,tau,v) does not say whose force and speed it holds, "
                      "expected one DOF with it, for example --dofs=surge.");
   }
-  const Comparison comparison = Compare(ReadLogFromFlags(FLAGS_log, dof), options);
+  Log log = ReadLogFromFlags(FLAGS_log, dof);
+  AddCameraSourceIfWanted(options, &log);
+  const Comparison comparison = Compare(log, options);
   for (const DofComparison& part : comparison.dofs) Print(part);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));
   if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(ComparisonPage(comparison)));

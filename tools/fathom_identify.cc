@@ -55,7 +55,8 @@ Signals SignalsFromFlags(Dof* dof) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }
   for (const std::string& path : SplitAtCommas(FLAGS_log)) {
-    const Log log = ReadLogFromFlags(path, given);
+    Log log = ReadLogFromFlags(path, given);
+    if (FLAGS_source == Name(Source::kCamera)) AddCameraSource(&log);
     *dof = DofFromFlagOrLog(log);
     Signals signals = SignalsOf(log, *dof, {.source = SourceFromFlagOrLog(log, *dof)});
     if (is_first) {

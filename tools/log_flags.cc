@@ -4,6 +4,7 @@
 #include "fathom/tools/log_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <cstdio>
@@ -47,7 +48,16 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
     log.command = ForcesFromThrusters(*log.command, ReadVehicleFile(log.path / log.vehicle));
   }
   for (const std::string& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  if (!may_lack_motion && !log.velocity) AddCameraSource(&log);
   return log;
+}
+
+void AddCameraSource(Log* log) {
+  const size_t num_printed = log->remarks.size();
+  TrackDetections(log);
+  for (size_t i = num_printed; i < log->remarks.size(); ++i) {
+    std::fprintf(stderr, "%s\n", log->remarks[i].c_str());
+  }
 }
 
 }  // namespace fathom

@@ -33,8 +33,13 @@ auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
 }
 
 // Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
-// says how, and prints the reader's remarks to stderr.
-// `may_lack_motion` as in ReadLogOptions.
+// says how, and prints the reader's remarks to stderr. Of a log whose only motion is detections the
+// poses are made (AddCameraSource).
+// `may_lack_motion` as in ReadLogOptions; detections then stay what they are.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
+
+// Makes the source `camera` of a log that holds detections but no poses, and prints what was lost
+// on the way to stderr. Throws InputError as TrackDetections does.
+void AddCameraSource(Log* log);
 
 }  // namespace fathom
