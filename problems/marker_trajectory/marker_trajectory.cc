@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_placement.h"
 
 #include <algorithm>
@@ -185,6 +186,9 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   }
   const auto losses = RemarksOn(result.pnp, detections);
   result.remarks.insert(result.remarks.end(), losses.begin(), losses.end());
+  if (std::string remark = RemarkOnLostMotion(detections, result); !remark.empty()) {
+    result.remarks.push_back(std::move(remark));
+  }
   return result;
 }
 
