@@ -115,7 +115,7 @@ PageSection SectionOf(const DofComparison& comparison) {
 }  // namespace
 
 std::string ModelName(const Identification& identification) {
-  constexpr std::array<const char*, 3> kFamilies = {"LS", "Adaptive", "Output error"};
+  constexpr std::array<const char*, 4> kFamilies = {"LS", "Adaptive", "Output error", "Joint"};
   constexpr std::array<const char*, 2> kSources = {"pose estimator", "camera"};
   return fmt::format("{} {}",
                      kFamilies[static_cast<size_t>(identification.family)],

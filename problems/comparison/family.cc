@@ -8,7 +8,8 @@
 namespace fathom {
 
 std::string_view Name(Family family) {
-  constexpr std::array<std::string_view, 3> kNames = {"least_squares", "adaptive", "output_error"};
+  constexpr std::array<std::string_view, 4> kNames = {
+      "least_squares", "adaptive", "output_error", "joint"};
   return kNames[static_cast<size_t>(family)];
 }
 

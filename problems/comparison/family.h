@@ -10,15 +10,17 @@
 namespace fathom {
 
 // A way to get parameters out of signals.
-enum class Family { kLeastSquares, kAdaptive, kOutputError };
+enum class Family { kLeastSquares, kAdaptive, kOutputError, kJoint };
 
+// Those that work on signals. The joint refinement works on the corners of markers instead:
+// image_comparison.h.
 inline constexpr std::array<Family, 3> kAllFamilies = {
     Family::kLeastSquares, Family::kAdaptive, Family::kOutputError};
 
-// "least_squares", "adaptive", "output_error".
+// "least_squares", "adaptive", "output_error", "joint".
 std::string_view Name(Family family);
 
-// Throws InputError, listing the names there are, in the form of ParseDof().
+// One of kAllFamilies. Throws InputError, listing their names, in the form of ParseDof().
 Family ParseFamily(const std::string& name);
 
 }  // namespace fathom

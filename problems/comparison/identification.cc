@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 namespace fathom {
 namespace {
@@ -23,8 +24,12 @@ void TakeOver(const Summary& summary, Identification* identification) {
   identification->fitted.caveats = summary.caveats;
 }
 
+}  // namespace
+
 // A model that misses almost all of the motion is no model, whatever its intervals say.
-void DescribeFigures(const Signals& scored, FittedModel* fitted) {
+void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
+  fitted->train = FiguresOf(fitted->model, scored.train);
+  fitted->held_out = FiguresOf(fitted->model, scored.held_out);
   constexpr double kExplainsLittle = 0.8;
   const double nmae = fitted->train.nmae;
   if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {
@@ -39,8 +44,6 @@ void DescribeFigures(const Signals& scored, FittedModel* fitted) {
     fitted->caveats.push_back("Its free-running simulation diverges on the held-out data.");
   }
 }
-
-}  // namespace
 
 Identification Identify(const Signals& signals,
                         const Signals& scored,
@@ -77,11 +80,11 @@ Identification Identify(const Signals& signals,
       result.condition_number = summary.evidence.condition_number;
       break;
     }
+    case Family::kJoint:
+      LOG(FATAL) << "The joint refinement takes corners, not signals.";
   }
   if (!result.is_usable) return result;
-  result.fitted.train = FiguresOf(result.fitted.model, scored.train);
-  result.fitted.held_out = FiguresOf(result.fitted.model, scored.held_out);
-  DescribeFigures(scored, &result.fitted);
+  ScoreByFreeRuns(scored, &result.fitted);
   return result;
 }
 

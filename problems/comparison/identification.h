@@ -39,9 +39,13 @@ struct Identification {
 // models from several sources are measured with one yardstick.
 //
 // A fit that does not work does not throw: see the result. Throws InputError for broken options.
+// `family` is one of kAllFamilies.
 Identification Identify(const Signals& signals,
                         const Signals& scored,
                         Family family,
                         const IdentificationOptions& options = {});
+
+// The figures of a model by free runs over `scored`, and caveats where they are bad.
+void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted);
 
 }  // namespace fathom

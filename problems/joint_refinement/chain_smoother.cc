@@ -135,6 +135,26 @@ std::vector<ChainSmoother::State> ChainSmoother::Deviations(const Eigen::VectorX
   return states;
 }
 
+void ChainSmoother::ForEachFrame(
+    const std::function<void(size_t, const Square&, const Border&)>& visit) const {
+  Square P = Square::Zero();
+  Border G = Border::Zero(12, num_columns_);
+  for (size_t k = eliminated_.size(); k-- > 0;) {
+    const Eliminated& e = eliminated_[k];
+    const Square from_next = e.U * P * e.U.transpose();
+    const Border G_next = G;
+    P = e.S_inverse + from_next;
+    G = -V(k);
+    G.noalias() -= e.U * G_next;
+    for (int i = 0; i < 6; ++i) {
+      if (is_present_[i]) continue;  // it stays on its mean
+      P.middleRows<2>(2 * i).setZero();
+      P.middleCols<2>(2 * i).setZero();
+    }
+    visit(k, P, G);
+  }
+}
+
 RunMoments ChainSmoother::Moments(const Eigen::VectorXd& g,
                                   const Eigen::MatrixXd& covariance) const {
   RunMoments moments;

@@ -7,6 +7,7 @@
 #include "fathom/joint_refinement/process_set.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -37,6 +38,8 @@ struct RunMoments {
 class ChainSmoother {
  public:
   using State = Eigen::Matrix<double, 12, 1>;
+  using Square = Eigen::Matrix<double, 12, 12>;
+  using Border = Eigen::Matrix<double, 12, Eigen::Dynamic, Eigen::ColMajor, 12, kNumColumns>;
 
   // `excited`: index of the excited coordinate, which starts on its mean. `columns`: those of the
   // globals that are not held, rising. `run` must outlive this object.
@@ -61,12 +64,15 @@ class ChainSmoother {
   // The deviations that go with a change `g` of the columns.
   std::vector<State> Deviations(const Eigen::VectorXd& g) const;
 
+  // Calls `visit` for each frame, the last one first, with what is left in doubt of its deviation:
+  // P, its covariance where the columns are known, and G, how it moves with them.
+  void ForEachFrame(
+      const std::function<void(size_t frame, const Square& P, const Border& G)>& visit) const;
+
   // Moments where the columns have the mean `g` and covariance `covariance`.
   RunMoments Moments(const Eigen::VectorXd& g, const Eigen::MatrixXd& covariance) const;
 
  private:
-  using Square = Eigen::Matrix<double, 12, 12>;
-  using Border = Eigen::Matrix<double, 12, Eigen::Dynamic, Eigen::ColMajor, 12, kNumColumns>;
   struct Eliminated {
     Square S_inverse;
     Square U;  // S^-1 C

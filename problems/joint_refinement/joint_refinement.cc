@@ -8,6 +8,7 @@
 #include "fathom/joint_refinement/clipped_loss.h"
 #include "fathom/joint_refinement/first_guess.h"
 #include "fathom/joint_refinement/joint_problem.h"
+#include "fathom/joint_refinement/pose_spread.h"
 #include "fathom/joint_refinement/process_fit.h"
 
 #include <algorithm>
@@ -267,6 +268,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
   bool processes_settled = false;
   constexpr double kSettled = 0.5;  // of the log-likelihood
   for (int round = 0; round < options.max_rounds; ++round) {
+    if (options.on_round) options.on_round(round + 1, options.max_rounds);
     if (!Linearise(&data, unknowns, processes.corner_sigma, &linear)) {
       summary.message = "the simulation diverges, or a marker falls behind the camera.";
       return summary;
@@ -354,8 +356,11 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     if (options.clock_offset_std > 0.0) run.clock_offset_std = std_of(r, kClockColumn);
     for (size_t k = 0; k < own.deviation.size(); ++k) {
       run.world_from_body.push_back(PoseFromVector(PoseAt(data.runs[r], own, k)));
+      run.displacement.push_back(data.runs[r].motion.displacement(k));
       run.velocity.push_back(data.runs[r].motion.velocity(k));
     }
+    run.pose_covariance = PoseSpread(
+        end, r, data.runs[r].motion, [&](size_t k) { return PoseAt(data.runs[r], own, k); });
     run.num_outliers = CountOutliers(data, unknowns, processes.corner_sigma, r);
     summary.runs.push_back(std::move(run));
   }

@@ -14,10 +14,13 @@
 #include "fathom/vision/pose.h"
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace fathom {
 
@@ -59,6 +62,9 @@ struct JointOptions {
   // How often the processes are estimated anew about the refined trajectory, at most. At least 1.
   int max_rounds = 4;
 
+  // Called before each round with its number from 1 on; may be empty.
+  std::function<void(int round, int max_rounds)> on_round = {};
+
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;
 };
@@ -70,8 +76,13 @@ struct RefinedRun {
   double clock_offset = 0.0;                           // [s], with its standard deviation
   double clock_offset_std = 0.0;
   std::vector<Pose> world_from_body;  // of each frame
-  std::vector<double> velocity;       // of the excited DOF by the model [m/s] or [rad/s]
-  int num_outliers = 0;               // detections that the loss does not take in full
+
+  // Of each frame's (translation, rotation vector about the body's axes), [m] and [rad], as in
+  // StampedPose; everything else unknown as well.
+  std::vector<Eigen::Matrix<double, 6, 6>> pose_covariance;
+  std::vector<double> displacement;  // of the excited DOF by the model [m] or [rad]
+  std::vector<double> velocity;      // of the excited DOF by the model [m/s] or [rad/s]
+  int num_outliers = 0;              // detections that the loss does not take in full
 };
 
 // Numbers that were not computed are NaN, never zero.

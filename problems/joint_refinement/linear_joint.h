@@ -8,6 +8,7 @@
 #include "fathom/joint_refinement/process_set.h"
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -52,6 +53,15 @@ class LinearJoint {
 
   std::vector<ChainSmoother::State> Deviations(size_t run) const;
   RunMoments Moments(size_t run) const;
+
+  // The globals of a run that are not held, rising, and ChainSmoother::ForEachFrame() over them.
+  const std::vector<int>& columns(size_t run) const { return columns_[run]; }
+  void ForEachFrame(size_t run,
+                    const std::function<void(size_t frame,
+                                             const ChainSmoother::Square& P,
+                                             const ChainSmoother::Border& G)>& visit) const {
+    smoothers_[run].ForEachFrame(visit);
+  }
 
  private:
   bool is_usable_ = false;

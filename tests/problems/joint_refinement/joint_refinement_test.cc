@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "camera_experiment.h"
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -78,6 +79,32 @@ TEST(JointRefinement, IsNotMisledByAPitchThatFollowsTheHeaveAcceleration) {
   ExpectFound(summary, run, 0.02);
   // Held slot 3 is pitch: it is heave's own coordinate that is missing among the held ones.
   EXPECT_GT(summary.processes.response_std[3], 0.0);
+}
+
+// Errors hang together over the wander's few seconds: of two minutes some forty are independent,
+// and a root mean square of 1 is known to a tenth.
+TEST(JointRefinement, ReportsHowFarThePosesAreOff) {
+  const SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw, .duration = 120.0});
+  const JointSummary summary = FitJoint(run.input);
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  const RefinedRun& refined = summary.runs[0];
+  ASSERT_EQ(refined.pose_covariance.size(), run.true_world_from_body.size());
+  Eigen::Matrix<double, 6, 1> squares = Eigen::Matrix<double, 6, 1>::Zero();
+  for (size_t k = 0; k < refined.pose_covariance.size(); ++k) {
+    const Pose& truth = run.true_world_from_body[k];
+    const Pose& found = refined.world_from_body[k];
+    const Eigen::AngleAxisd turn(found.rotation.conjugate() * truth.rotation);
+    Eigen::Matrix<double, 6, 1> error;
+    error << truth.translation - found.translation, turn.angle() * turn.axis();
+    squares += error.cwiseAbs2().cwiseQuotient(refined.pose_covariance[k].diagonal());
+  }
+  const double count = static_cast<double>(refined.pose_covariance.size());
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_GT(std::sqrt(squares[i] / count), 0.6) << i;
+    EXPECT_LT(std::sqrt(squares[i] / count), 1.4) << i;
+  }
+  // Yaw follows the model, whose start and parameters are a handful of numbers.
+  EXPECT_LT(std::sqrt(squares[5] / count), 3.0);
 }
 
 TEST(JointRefinement, FitsSeveralRunsTogether) {

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/comparison.h"
+#include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/joint_refinement/marker_logs.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct ImageComparisonOptions {
+  IdentificationOptions identification;
+  JointOptions joint;
+
+  // The row that the joint search starts from; absent: what FitJoint() chooses.
+  std::optional<Family> initial_guess = {};
+};
+
+// What each family makes of the same images: least squares, adaptive law and output error on the
+// PnP poses, and the joint refinement on the corners.
+struct ImageComparison {
+  Comparison comparison;  // of one DOF; the joint row is the last one
+  JointSummary joint;
+  int excited = 0;  // coordinate of the pose that the DOF moves: x, y, z, roll, pitch, yaw
+
+  const Identification& JointRow() const { return comparison.dofs.front().rows.back(); }
+};
+
+// What the joint refinement found a coordinate to do that is not excited.
+struct HeldCoordinateFound {
+  std::string name;  // x, y, z, roll, pitch or yaw
+  std::string unit;  // "m" or "rad"
+  HeldWander wander;
+  double response_std = 0.0;  // see ProcessSet
+};
+
+// Empty where the refinement is not usable.
+std::vector<HeldCoordinateFound> HeldCoordinatesOf(const ImageComparison& comparison);
+
+// Scored by free runs against the logs' velocity streams where all of them have one, else against
+// the derivative of the PnP poses: a remark says which. Throws InputError for options that cannot
+// be used, also where the family of `initial_guess` has no usable model.
+ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOptions& options);
+
+}  // namespace fathom

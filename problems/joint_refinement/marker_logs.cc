@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/marker_logs.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/marker_trajectory.h"
+#include "fathom/signal/log_column.h"
+#include "fathom/vision/camera_rig.h"
+#include "fathom/vision/detections_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestGap = 30.0;  // [s], as SignalsOptions::longest_gap
+constexpr size_t kFewestFrames = 10;  // of a run
+
+bool IsSame(const Pose& a, const Pose& b) {
+  return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+}
+
+bool IsSame(const CameraModel& a, const CameraModel& b) {
+  return a.width == b.width && a.height == b.height && a.fx == b.fx && a.fy == b.fy &&
+         a.cx == b.cx && a.cy == b.cy && a.lens == b.lens && a.coefficients == b.coefficients;
+}
+
+bool IsSame(const MarkerMap& a, const MarkerMap& b) {
+  return std::equal(a.markers.begin(),
+                    a.markers.end(),
+                    b.markers.begin(),
+                    b.markers.end(),
+                    [](const Marker& m, const Marker& n) {
+                      return m.id == n.id && m.size == n.size && m.family == n.family &&
+                             m.is_surveyed == n.is_surveyed &&
+                             (!m.is_surveyed || IsSame(m.world_from_tag, n.world_from_tag));
+                    });
+}
+
+// The calibration of all logs together has to be one.
+void RequireSame(const CameraRig& rig, const Log& log, const CameraRig& first_rig) {
+  const char* const file = !IsSame(rig.camera, first_rig.camera) ? "camera.yaml"
+                           : !IsSame(rig.map, first_rig.map)     ? "tags.yaml"
+                           : !IsSame(rig.body_from_camera, first_rig.body_from_camera)
+                               ? "mount.yaml"
+                               : nullptr;
+  if (file == nullptr) return;
+  throw InputError(fmt::format(
+      "{}: differs from the first log's, expected the same in all logs of one fit. Refine the logs "
+      "one by one.",
+      FileOf(log, file)));
+}
+
+bool AllSurveyed(const MarkerMap& map) {
+  return std::all_of(map.markers.begin(), map.markers.end(), [](const Marker& marker) {
+    return marker.is_surveyed;
+  });
+}
+
+bool IsHeldOut(const Log& log, double t) {
+  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
+    return interval.Contains(t);
+  });
+}
+
+// What became of the frames of a log that have a pose.
+struct FrameCount {
+  int before_command = 0, held_out = 0, in_short_runs = 0, short_runs = 0, silences = 0;
+};
+
+// Cuts the track of one log into runs.
+std::vector<CameraRun> RunsOf(const Log& log,
+                              const HeldCommand& command,
+                              const std::vector<Detection>& detections,
+                              const MarkerTrack& track,
+                              FrameCount* count) {
+  std::vector<CameraRun> runs;
+  bool was_held_out = false;
+  double last = 0.0;
+  for (size_t k = 0; k < track.world_from_body.size(); ++k) {
+    const TrackedView& view = track.pnp.views[k];
+    if (view.time < command.time.front()) {
+      ++count->before_command;
+      continue;
+    }
+    const bool is_silent = !runs.empty() && view.time - last > kLongestGap;
+    if (is_silent) ++count->silences;
+    last = view.time;
+    if (IsHeldOut(log, view.time)) {
+      ++count->held_out;
+      was_held_out = true;
+      continue;
+    }
+    if (runs.empty() || is_silent || was_held_out) runs.emplace_back().command = command;
+    was_held_out = false;
+    CameraRun& run = runs.back();
+    run.time.push_back(view.time);
+    auto& seen = run.detections.emplace_back();
+    for (const int i : view.detections) seen.push_back(detections[i]);
+    run.world_from_body.push_back(track.world_from_body[k].pose);
+  }
+  std::erase_if(runs, [&](const CameraRun& run) {
+    if (run.time.size() >= kFewestFrames) return false;
+    ++count->short_runs;
+    count->in_short_runs += static_cast<int>(run.time.size());
+    return true;
+  });
+  return runs;
+}
+
+// Frames without a marker are not in detections.csv: by the usual step between those that are.
+int CountMissingFrames(const MarkerTrack& track, double* step) {
+  std::vector<double> steps;
+  for (size_t k = 1; k < track.pnp.views.size(); ++k) {
+    steps.push_back(track.pnp.views[k].time - track.pnp.views[k - 1].time);
+  }
+  std::vector<double> sorted = steps;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  *step = *middle;
+  double missing = 0.0;
+  for (const double one : steps) missing += std::round(one / *step) - 1.0;
+  return static_cast<int>(std::max(0.0, missing));
+}
+
+void Describe(const FrameCount& count, std::vector<std::string>* remarks) {
+  if (count.before_command > 0) {
+    remarks->push_back(
+        fmt::format("Left out: {} frames before the first command.", count.before_command));
+  }
+  if (count.held_out > 0) {
+    remarks->push_back(
+        fmt::format("Held out and not refined: {} frames with a pose.", count.held_out));
+  }
+  if (count.silences > 0) {
+    remarks->push_back(
+        fmt::format("No frame has a pose for over {:g} s {} times: each starts a new run.",
+                    kLongestGap,
+                    count.silences));
+  }
+  if (count.short_runs > 0) {
+    remarks->push_back(fmt::format("Left out: {} runs of fewer than {} frames ({} frames).",
+                                   count.short_runs,
+                                   kFewestFrames,
+                                   count.in_short_runs));
+  }
+}
+
+std::vector<Detection> DetectionsIn(const Log& log) {
+  if (!log.detections || log.detections->time.empty()) {
+    throw InputError(fmt::format(
+        "{}: holds no detections.csv, expected the corners of markers. fathom_track makes it from "
+        "images or a video.",
+        log.path.string()));
+  }
+  return DetectionsOf(*log.detections);
+}
+
+// Tracks one log and adds its runs.
+void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
+  std::vector<std::string> remarks;
+  const HeldCommand command = CommandOf(log, result->dof);
+  const std::vector<Detection> detections = DetectionsIn(log);
+  const MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera);
+  if (log.pose) remarks.push_back("pose.csv is not read: the poses come from detections.csv.");
+  remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
+  if (track.world_from_body.size() < 2) {
+    throw InputError(fmt::format(
+        "{}: {} of {} frames gave a pose, expected at least {}.{}{}",
+        FileOf(log, "detections.csv"),
+        track.world_from_body.size(),
+        track.pnp.num_frames,
+        kFewestFrames,
+        track.message.empty() ? "" : " " + track.message,
+        fmt::format("{}{}", track.remarks.empty() ? "" : " ", fmt::join(track.remarks, " "))));
+  }
+  remarks.push_back(fmt::format("{} of {} frames with markers gave a pose; corner sigma {:.3g} px.",
+                                track.world_from_body.size(),
+                                track.pnp.num_frames,
+                                track.corner_sigma));
+  double step = 0.0;
+  if (const int missing = CountMissingFrames(track, &step); missing > 0) {
+    remarks.push_back(fmt::format(
+        "About {} frames in between are without a pose, judged by the usual step of {:.3g} s.",
+        missing,
+        step));
+  }
+  FrameCount count;
+  for (CameraRun& run : RunsOf(log, command, detections, track, &count)) {
+    result->input.runs.push_back(std::move(run));
+    result->log_of_run.push_back(result->logs.size());
+  }
+  Describe(count, &remarks);
+  for (const std::string& remark : remarks) {
+    result->remarks.push_back(fmt::format("{}: {}", log.name, remark));
+  }
+  // Markers without a survey were given a place on the way.
+  result->input.map = track.map;
+  log.pose = PoseStreamOf(track.world_from_body);
+  result->logs.push_back(std::move(log));
+}
+
+}  // namespace
+
+MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
+  MarkerLogs result;
+  result.dof = result.input.dof = dof;
+  std::optional<CameraRig> first;
+  const std::string unit = logs.empty() ? "" : logs.front().command_unit;
+  for (Log& log : logs) {
+    DetectionsIn(log);
+    const CameraRig rig = ReadCameraRig(log.path);
+    if (first) RequireSame(rig, log, *first);
+    if (logs.size() > 1 && !AllSurveyed(rig.map)) {
+      throw InputError(fmt::format(
+          "{}: has markers without a place, expected a place for each where several logs are "
+          "refined together: fathom_track writes tags_estimated.yaml.",
+          FileOf(log, "tags.yaml")));
+    }
+    if (log.command_unit != unit) {
+      throw InputError(fmt::format("{}: its command_unit is '{}', expected '{}' as in the first.",
+                                   FileOf(log, "log.yaml"),
+                                   log.command_unit,
+                                   unit));
+    }
+    if (!first) {
+      first = rig;
+      result.input.camera = rig.camera;
+      result.input.body_from_camera = rig.body_from_camera;
+      if (!AllSurveyed(rig.map)) {
+        result.remarks.push_back(
+            "The places of markers without a survey come from the bundle adjustment and count as "
+            "known: their error is in no interval.");
+      }
+    }
+    Add(std::move(log), rig, &result);
+  }
+  if (result.input.runs.empty()) {
+    throw InputError(fmt::format(
+        "{}: nothing is left to refine, expected at least {} frames with a pose in a row. {}",
+        result.logs.empty() ? std::string("no log") : FileOf(result.logs[0], "detections.csv"),
+        kFewestFrames,
+        fmt::join(result.remarks, " ")));
+  }
+  return result;
+}
+
+}  // namespace fathom

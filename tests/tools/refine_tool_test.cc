@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// fathom_refine on the corners of synthetic runs, whose vehicle and path are known; and what it
+// refuses.
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "expect_refusal.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kData = FATHOM_DATA_DIR;
+constexpr double kSurgeInertia = 851.05;  // [kg], of data/vehicles/flatfish.yaml
+
+// A minute of surge before the wall of data/films, the last 12 s held out; true poses in pose.csv,
+// a velocity sensor of 1 cm/s.
+fs::path Synthesize(const fs::path& log, const std::string& film, double amplitude, int seed) {
+  const fs::path experiment =
+      WriteTestFile(log.string() + ".yaml",
+                    "name: minute\nduration: 60\ncommand_rate: 10\nsurge: {control: open_loop, "
+                    "initial_speed: 0, input: {kind: square, amplitude: " +
+                        std::to_string(amplitude) +
+                        ", frequency: 0.5, offset: -0.81}}\nvelocity: {rate: 10, noise: {surge: "
+                        "0.01}}\npose: {rate: 10}\nheld_out: [48, 60]\n");
+  const ToolRun run = RunToolBinary("fathom_synthesize",
+                                    {"--vehicle=" + kData + "/vehicles/flatfish.yaml",
+                                     "--experiment=" + experiment.string(),
+                                     "--film=" + kData + "/films/" + film,
+                                     "--seed=" + std::to_string(seed),
+                                     "--out=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return log;
+}
+
+// Made once for all tests of a process, which damage copies of it only.
+const fs::path& OneMarkerLog() {
+  struct Made {
+    fs::path log;
+    ~Made() { fs::remove_all(log.parent_path()); }
+  };
+  static const Made made = {
+      Synthesize(fs::path(FATHOM_SCRATCH_DIR) / ("RefineTool." + std::to_string(getpid())) / "log",
+                 "wall.yaml",
+                 40.0,
+                 1)};
+  return made.log;
+}
+
+fs::path CopyOfTheLog() {
+  const fs::path copy = EmptyTestFolder() / "copy";
+  fs::copy(OneMarkerLog(), copy, fs::copy_options::recursive);
+  return copy;
+}
+
+void ReplaceIn(const fs::path& path, const std::string& from, const std::string& to) {
+  std::string text = TextOf(path);
+  const auto at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << path << ": " << text;
+  text.replace(at, from.size(), to);
+  WriteTestFile(path, text);
+}
+
+nlohmann::json RowOf(const nlohmann::json& file, const std::string& family) {
+  for (const auto& row : file["rows"]) {
+    if (row["family"] == family) return row;
+  }
+  ADD_FAILURE() << "no row of " << family;
+  return {};
+}
+
+TEST(RefineTool, FindsModelAndPathFromOneMarker) {
+  const fs::path folder = EmptyTestFolder();
+  const ToolRun run = RunToolBinary("fathom_refine",
+                                    {"--log=" + OneMarkerLog().string(),
+                                     "--dof=surge",
+                                     "--json=" + (folder / "rows.json").string(),
+                                     "--model=" + (folder / "model.json").string(),
+                                     "--trajectory=" + (folder / "pose.csv").string(),
+                                     "--report=" + (folder / "page.html").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("against velocity.csv"));
+  EXPECT_THAT(run.out, HasSubstr("Held out and not refined: "));
+  EXPECT_THAT(run.out, HasSubstr("pose.csv is not read"));
+
+  const auto json = JsonOf(folder / "rows.json");
+  EXPECT_EQ(json["schema"], "fathom-comparison-1");
+  ASSERT_EQ(json["rows"].size(), 4);
+  const auto joint = RowOf(json, "joint");
+  const double inertia = joint["parameters"]["inertia"]["value"];
+  const double inertia_std = joint["parameters"]["inertia"]["std"];
+  EXPECT_NEAR(inertia, kSurgeInertia, 4.0 * inertia_std);
+  EXPECT_LT(inertia_std, 0.005 * kSurgeInertia);
+  // A free run with the right model misses what the sensor's noise hides: 1 cm/s is 0.8 cm/s mean
+  // absolute error.
+  EXPECT_NEAR(joint["heldout_mae"].get<double>(), 0.008, 0.002);
+  EXPECT_GT(RowOf(json, "output_error")["parameters"]["inertia"]["std"].get<double>(), inertia_std);
+  // Without noise model the corner sigma of the film is 0.3 px; 480 frames: 5 % is four std.
+  EXPECT_NEAR(json["joint"]["corner_sigma_px"].get<double>(), 0.3, 0.015);
+
+  // The path against the true one, along the axis that pose.csv knows (the film's slow motion of
+  // the other coordinates is not in it): errors as large as the file says.
+  const CsvColumns found = ReadColumns(folder / "pose.csv");
+  const CsvColumns truth = ReadColumns(OneMarkerLog() / "pose.csv");
+  ASSERT_EQ(found.rows.size(), 480);  // 48 s are trained on
+  ASSERT_EQ(found.Values("t").front(), truth.Values("t").front());
+  const auto is = found.Values("x"), was = truth.Values("x"), std_x = found.Values("sx");
+  double squares = 0.0;
+  for (std::size_t k = 0; k < is.size(); ++k) {
+    squares += std::pow((is[k] - was[k]) / std_x[k], 2) / static_cast<double>(is.size());
+    EXPECT_LT(std_x[k], 0.005);
+  }
+  // The model's few parameters make the errors of all frames: few are independent.
+  EXPECT_LT(std::sqrt(squares), 3.0);
+  for (const char* name : {"sy", "sz", "sroll", "spitch", "syaw"}) {
+    EXPECT_GT(found.Values(name)[100], 0.0) << name;
+  }
+  EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("Path and corners"));
+
+  // The model is one that fathom_simulate reads.
+  const ToolRun simulated = RunToolBinary("fathom_simulate",
+                                          {"--model=" + (folder / "model.json").string(),
+                                           "--log=" + OneMarkerLog().string(),
+                                           "--out=" + (folder / "prediction.csv").string()});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_EQ(JsonOf(folder / "model.json")["parameters"]["inertia"]["value"].get<double>(), inertia);
+  EXPECT_EQ(JsonOf(folder / "model.json")["provenance"]["family"], "joint");
+}
+
+TEST(RefineTool, FitsSeveralLogsTogether) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path second = Synthesize(folder / "second", "wall.yaml", 25.0, 2);
+  const std::vector<std::string> both = {
+      "--log=" + OneMarkerLog().string(), "--log=" + second.string(), "--dof=surge"};
+  auto arguments = both;
+  arguments.push_back("--json=" + (folder / "rows.json").string());
+  const ToolRun run = RunToolBinary("fathom_refine", arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = JsonOf(folder / "rows.json");
+  ASSERT_EQ(json["joint"]["runs"].size(), 2);
+  const auto inertia = RowOf(json, "joint")["parameters"]["inertia"];
+  EXPECT_NEAR(inertia["value"].get<double>(), kSurgeInertia, 4.0 * inertia["std"].get<double>());
+
+  arguments = both;
+  arguments.push_back("--trajectory=" + (folder / "pose.csv").string());
+  EXPECT_THAT(ExpectRefusal("fathom_refine", arguments, folder),
+              HasSubstr("--trajectory: holds the poses of one log"));
+}
+
+TEST(RefineTool, SaysWhatItMeasuresAgainstWithoutASensor) {
+  const fs::path log = CopyOfTheLog();
+  fs::remove(log / "velocity.csv");
+  fs::remove(log / "pose.csv");
+  const ToolRun run = RunToolBinary("fathom_refine", {"--log=" + log.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("against the derivative of the PnP poses"));
+  EXPECT_THAT(run.out, Not(HasSubstr("pose.csv is not read")));
+}
+
+TEST(RefineTool, CountsMarkersThatAreNotInTheMap) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path log = Synthesize(folder / "log", "wall_four.yaml", 15.0, 3);
+  ReplaceIn(log / "tags.yaml", "id: 9", "id: 19");
+  const ToolRun run = RunToolBinary("fathom_refine", {"--log=" + log.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("unknown id"));
+
+  // A gap of 4 s, 40 frames, in what the camera saw.
+  const std::string rows = TextOf(log / "detections.csv");
+  const auto from = rows.find("\n20.1,"), to = rows.find("\n24.1,");
+  ASSERT_LT(from, to);
+  ASSERT_NE(to, std::string::npos);
+  WriteTestFile(log / "detections.csv", rows.substr(0, from) + rows.substr(to));
+  const ToolRun gap = RunToolBinary("fathom_refine", {"--log=" + log.string()});
+  ASSERT_EQ(gap.exit_code, 0) << gap.err;
+  EXPECT_THAT(gap.out, HasSubstr("About 40 frames in between are without a pose"));
+}
+
+TEST(RefineTool, RefusesWhatItCannotUse) {
+  const fs::path log = CopyOfTheLog(), folder = log.parent_path();
+  const auto refusal = [&](std::vector<std::string> arguments) {
+    arguments.push_back("--model=" + (folder / "model.json").string());
+    return ExpectRefusal("fathom_refine", arguments, folder);
+  };
+  const std::string here = "--log=" + log.string();
+  EXPECT_THAT(refusal({}), HasSubstr("--log: is missing, expected a log folder"));
+  EXPECT_THAT(refusal({here, "--dof=up"}), HasSubstr("--dof: is 'up', expected"));
+  EXPECT_THAT(refusal({here, "--dof=sway"}), HasSubstr("tau_sway"));
+  EXPECT_THAT(refusal({here, "--initial_guess=joint"}), HasSubstr("--initial_guess: is 'joint'"));
+  EXPECT_THAT(refusal({here, "--clock_offset_std=-1"}),
+              HasSubstr("--clock_offset_std is -1, expected 0 or more"));
+  EXPECT_THAT(refusal({"--log=" + kData + "/flatfish", "--dof=surge"}),
+              HasSubstr("holds no detections.csv"));
+  ReplaceIn(log / "tags.yaml", "id: 4", "id: 5");
+  EXPECT_THAT(refusal({here}), HasSubstr("gave a pose, expected at least 10"));
+  fs::remove(log / "mount.yaml");
+  EXPECT_THAT(refusal({here}), HasSubstr("holds no mount.yaml"));
+  fs::remove(log / "camera.yaml");
+  EXPECT_THAT(refusal({here}), HasSubstr("holds no camera.yaml"));
+  // Logs of two cameras.
+  const fs::path other = folder / "other";
+  fs::copy(OneMarkerLog(), other, fs::copy_options::recursive);
+  ReplaceIn(other / "camera.yaml", "401.3", "401.4");
+  EXPECT_THAT(refusal({"--log=" + OneMarkerLog().string(), "--log=" + other.string()}),
+              HasSubstr("camera.yaml: differs from the first log's"));
+}
+
+TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path log = Synthesize(folder / "log", "wall_four.yaml", 0.0, 3);
+  const ToolRun run = RunToolBinary(
+      "fathom_refine", {"--log=" + log.string(), "--model=" + (folder / "model.json").string()});
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));
+  EXPECT_FALSE(fs::exists(folder / "model.json"));
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Model and camera trajectory together, from the corners of markers.
+//
+//   fathom_refine --log=LOG --dof=DOF [--json=FILE --model=FILE --trajectory=FILE --report=FILE]
+
+#include "fathom/base/output_file.h"
+#include "fathom/comparison/comparison_page.h"
+#include "fathom/comparison/identification_text.h"
+#include "fathom/comparison/image_comparison.h"
+#include "fathom/comparison/image_comparison_file.h"
+#include "fathom/comparison/image_comparison_page.h"
+#include "fathom/log/write_log.h"
+#include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/progress.h"
+#include "fathom/tools/tool.h"
+#include "fathom/vehicle/model_file.h"
+#include "fathom/vision/stamped_pose.h"
+
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+DEFINE_string(initial_guess,
+              "",
+              "Start from this family's model: least_squares, adaptive or output_error. Not given: "
+              "from output error on poses without flips.");
+DEFINE_double(
+    clock_offset_std,
+    0.0,
+    "Estimate the camera's clock offset, known beforehand to this standard deviation [s]; "
+    "0: it is right.");
+DEFINE_double(size_scale_std,
+              0.0,
+              "Estimate the scale of the markers' sides, known to this standard deviation (0.03: "
+              "3 %); 0: it is right.");
+DEFINE_double(mount_position_std,
+              0.0,
+              "Estimate the camera's place on the vehicle, known to this [m]; 0: it is right.");
+DEFINE_double(mount_angle_std,
+              0.0,
+              "Estimate the camera's direction, known to this [rad]; 0: it is right.");
+DEFINE_string(json, "", "Write a row for each family, and the refinement, to this JSON file.");
+DEFINE_string(model, "", "Write the joint model to this JSON file.");
+DEFINE_string(trajectory,
+              "",
+              "Write the refined poses with their standard deviations to this CSV file.");
+DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_uint32(threads, 1, "Threads for the joint search.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    .name = "fathom_refine",
+    .summary = "Refines model and camera trajectory together, from the corners of markers.",
+    .usage = "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]",
+    .example = "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html",
+    .details =
+        "--log may be given several times: one fit of all. A log needs detections.csv (from "
+        "fathom_track), camera.yaml, tags.yaml, mount.yaml and command.csv. The table shows what "
+        "each family makes of the same images. Exit code 2: the refinement has no usable model. "
+        "docs/joint_refinement.md.",
+    .repeatable_flags = {"log"}};
+
+Dof DofFromFlagOrLogs(const std::vector<Log>& logs) {
+  if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
+  if (logs.front().dofs.size() == 1) return logs.front().dofs.front();
+  throw InputError(fmt::format("--dof: is missing, and the log names {} DOFs; say which.",
+                               logs.front().dofs.size()));
+}
+
+ImageComparisonOptions OptionsFromFlags() {
+  ImageComparisonOptions options;
+  options.identification = IdentificationOptionsFromFlags();
+  if (!FLAGS_initial_guess.empty()) {
+    options.initial_guess = ParseFlag("initial_guess", FLAGS_initial_guess, ParseFamily);
+  }
+  JointOptions& joint = options.joint;
+  joint.clock_offset_std = FLAGS_clock_offset_std;
+  joint.size_scale_std = FLAGS_size_scale_std;
+  joint.mount_position_std = FLAGS_mount_position_std;
+  joint.mount_angle_std = FLAGS_mount_angle_std;
+  joint.num_threads = static_cast<int>(FLAGS_threads);
+  if (const auto problems = joint.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("--{}.", problems.front()));
+  }
+  return options;
+}
+
+void Print(const ImageComparison& images) {
+  const DofComparison& dof = images.comparison.dofs.front();
+  std::printf("%s\n", FormatTable(ParameterTable(dof)).c_str());
+  std::printf("%s\n", FormatTable(IntervalTable(images)).c_str());
+  if (images.joint.IsUsable()) std::printf("%s\n", FormatTable(RefinementTable(images)).c_str());
+  for (const std::string& remark : images.comparison.remarks) {
+    std::printf("note: %s\n", remark.c_str());
+  }
+  for (const Finding& finding : dof.findings) {
+    std::printf("%s: %s\n",
+                finding.severity == Severity::kWarning ? "WARNING" : "note",
+                finding.sentence.c_str());
+  }
+  for (const std::string& remark : dof.remarks) std::printf("note: %s\n", remark.c_str());
+  for (const Identification& row : dof.rows) {
+    if (!row.is_usable) std::printf("! %s: %s\n", ModelName(row).c_str(), row.message.c_str());
+    for (const std::string& caveat : row.fitted.caveats) {
+      std::printf("note: %s: %s\n", ModelName(row).c_str(), caveat.c_str());
+    }
+  }
+}
+
+void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {
+  std::vector<StampedPose> poses;
+  for (size_t r = 0; r < images.joint.runs.size(); ++r) {
+    const RefinedRun& run = images.joint.runs[r];
+    for (size_t k = 0; k < run.world_from_body.size(); ++k) {
+      poses.push_back({.time = logs.input.runs[r].time[k],
+                       .pose = run.world_from_body[k],
+                       .covariance = run.pose_covariance[k]});
+    }
+  }
+  WriteStream(FLAGS_trajectory, PoseStreamOf(poses));
+}
+
+std::map<std::string, std::string> Provenance() {
+  return {{"log", FLAGS_log},
+          {"family", std::string(Name(Family::kJoint))},
+          {"source", std::string(Name(Source::kCamera))},
+          {"initial_guess", FLAGS_initial_guess},
+          {"clock_offset_std", fmt::format("{}", FLAGS_clock_offset_std)},
+          {"size_scale_std", fmt::format("{}", FLAGS_size_scale_std)},
+          {"mount_position_std", fmt::format("{}", FLAGS_mount_position_std)},
+          {"mount_angle_std", fmt::format("{}", FLAGS_mount_angle_std)},
+          {"version", FATHOM_VERSION}};
+}
+
+int RunRefine() {
+  RequireFlag("log", FLAGS_log, "a log folder with detections.csv");
+  ImageComparisonOptions options = OptionsFromFlags();
+  std::optional<Dof> given;
+  if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
+  std::vector<Log> logs;
+  for (const std::string& path : SplitAtCommas(FLAGS_log)) {
+    // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
+    logs.push_back(ReadLogFromFlags(path, given, /*may_lack_motion=*/true));
+  }
+  if (!FLAGS_trajectory.empty() && logs.size() > 1) {
+    throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
+  }
+  if (!FLAGS_velocity.empty() && logs.size() > 1) {
+    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  }
+  const Dof dof = DofFromFlagOrLogs(logs);
+  const MarkerLogs markers = PrepareMarkerLogs(std::move(logs), dof);
+  std::optional<Progress> progress(std::in_place, "round");
+  options.joint.on_round = [&](int round, int most) { progress->Show(round, most); };
+  ImageComparison images = CompareOnImages(markers, options);
+  progress.reset();
+
+  Identification& row = images.comparison.dofs.front().rows.back();
+  row.fitted.provenance = Provenance();
+  Print(images);
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatImageComparison(images));
+  if (!FLAGS_report.empty()) {
+    WriteFile(FLAGS_report, RenderPage(ImageComparisonPage(markers, images)));
+  }
+  if (!row.is_usable) {
+    std::fprintf(stderr, "fathom_refine: no usable model: %s\n", row.message.c_str());
+    return 2;
+  }
+  if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatModel(row.fitted));
+  if (!FLAGS_trajectory.empty()) WriteTrajectory(markers, images);
+  return 0;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) {
+  return fathom::RunTool(argc, argv, fathom::kInfo, fathom::RunRefine);
+}
