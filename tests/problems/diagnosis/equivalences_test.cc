@@ -178,8 +178,7 @@ TEST_P(AnEquivalence, ComesBackAsAGroupAndItsExperimentDecides) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds,
                          AnEquivalence,
-                         testing::Combine(testing::ValuesIn(Equivalences()),
-                                          testing::Values(1, 2)),
+                         testing::Combine(testing::ValuesIn(Equivalences()), testing::Values(1, 2)),
                          [](const auto& info) {
                            return std::string(std::get<0>(info.param).name) + "_" +
                                   std::to_string(std::get<1>(info.param));
