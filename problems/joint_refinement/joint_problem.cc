@@ -43,11 +43,14 @@ class Loss final : public ceres::LossFunction {
 // Simulates every run once per point, before Ceres asks any corner.
 class Simulate final : public ceres::EvaluationCallback {
  public:
-  Simulate(JointData* data, const JointUnknowns* unknowns)
-      : data_(data), unknowns_(unknowns), is_valid_(data->runs.size(), false) {}
+  Simulate(JointData* data, const JointUnknowns* unknowns, bool is_model_held)
+      : data_(data),
+        unknowns_(unknowns),
+        is_model_held_(is_model_held),
+        is_valid_(data->runs.size(), false) {}
 
   void PrepareForEvaluation(bool /*evaluate_jacobians*/, bool new_evaluation_point) override {
-    if (!new_evaluation_point && is_prepared_) return;
+    if (is_prepared_ && (!new_evaluation_point || is_model_held_)) return;
     for (size_t r = 0; r < data_->runs.size(); ++r) {
       is_valid_[r] = data_->runs[r].motion.Update(unknowns_->Motion(r));
     }
@@ -59,6 +62,7 @@ class Simulate final : public ceres::EvaluationCallback {
  private:
   JointData* const data_;
   const JointUnknowns* const unknowns_;
+  const bool is_model_held_;
   std::vector<char> is_valid_;
   bool is_prepared_ = false;
 };
@@ -143,6 +147,11 @@ class CornerCost final : public ceres::CostFunction {
         }
       }
     }
+    const bool is_model_held = std::all_of(
+        jacobians + block, jacobians + parameter_block_sizes().size(), [](const double* jacobian) {
+          return jacobian == nullptr;
+        });
+    if (is_model_held) return true;
     const PredictedMotion::Derivatives mean = motion.MeanDerivatives(frame_);
     for (const int first : first_columns_) {
       const int size = parameter_block_sizes()[block];
@@ -336,11 +345,13 @@ JointSolve SolveJoint(JointData* data,
                       const std::vector<GlobalsPrior>& priors,
                       const JointSolveOptions& options,
                       JointUnknowns* unknowns) {
-  const std::vector<int> moving = MovingCoordinates(processes, data->excited);
+  const std::vector<int> moving = options.without_model
+                                      ? std::vector<int>{0, 1, 2, 3, 4, 5}
+                                      : MovingCoordinates(processes, data->excited);
   const size_t n = moving.size();
   Blocks blocks;
   blocks.Load(*unknowns, moving);
-  Simulate simulate(data, unknowns);
+  Simulate simulate(data, unknowns, options.without_model);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &simulate;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -374,6 +385,11 @@ JointSolve SolveJoint(JointData* data,
                                  &loss,
                                  list);
       }
+    }
+    if (options.without_model) {
+      problem.SetParameterBlockConstant(own.start.data());
+      problem.SetParameterBlockConstant(own.response.data());
+      continue;
     }
     if (n > 0) {
       LinearRun layout;
@@ -429,7 +445,8 @@ JointSolve SolveJoint(JointData* data,
   // found here: dampings that come out negative are held at zero, and let go where that lowers the
   // cost.
   JointSolve result;
-  const auto model_std = Stds(priors[0], 0, kModelColumns);
+  const auto model_std = options.without_model ? std::vector<double>(kModelColumns)
+                                               : Stds(priors[0], 0, kModelColumns);
   std::vector<int> held;
   constexpr int kMostPasses = 6;
   for (int pass = 0; pass < kMostPasses; ++pass) {

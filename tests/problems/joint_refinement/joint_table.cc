@@ -18,11 +18,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "camera_experiment.h"
+#include "cramer_rao.h"
 #include <fmt/format.h>
 
 namespace fathom {
@@ -33,6 +35,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 struct Row {
   double least_squares = kNaN, output_error = kNaN, joint = kNaN;  // relative error of the inertia
   std::array<double, 4> z = {kNaN, kNaN, kNaN, kNaN};              // error over reported std
+  std::array<double, 4> over_bound = {kNaN, kNaN, kNaN, kNaN};     // error over Cramer-Rao bound
   double nmae = kNaN, sensor_nmae = kNaN;  // against the true velocity: joint, output error on DVL
   double trajectory = kNaN;                // RMS position error, refined over PnP
   double angle = kNaN;                     // the same of the attitude
@@ -116,6 +119,13 @@ Row Measure(const CameraExperiment& experiment) {
           std::sqrt(joint.covariance(1, 1)),
       (joint.model.linear_damping - run.truth.linear_damping) / std::sqrt(joint.covariance(2, 2)),
       (joint.model.buoyancy - run.truth.buoyancy) / std::sqrt(joint.covariance(3, 3))};
+  const bool has_bound =
+      experiment.wander == WanderKind::kFiltered && experiment.pitch_per_acceleration == 0.0;
+  if (has_bound) {
+    const ParameterVector bound = CramerRaoStd(experiment, run);
+    const ParameterVector error = ToVector(joint.model) - ToVector(run.truth);
+    for (int i = 0; i < kNumParameters; ++i) row.over_bound[i] = error[i] / bound[i];
+  }
   row.nmae = TrueNmae(joint.model, run, joint.runs[0].start.velocity);
   double refined = 0.0, pnp = 0.0, refined_angle = 0.0, pnp_angle = 0.0;
   const auto square = [](double x) { return x * x; };
@@ -148,37 +158,55 @@ std::vector<double> Collect(const std::vector<Row>& rows, Get get) {
   return values;
 }
 
+double RootMeanSquare(const std::vector<double>& values) {
+  double sum = 0.0, count = 0.0;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    sum += v * v;
+    count += 1.0;
+  }
+  return std::sqrt(sum / count);
+}
+
+// Of the four parameters of each row.
+template <typename Member>
+std::vector<double> CollectAll(const std::vector<Row>& rows, Member member) {
+  std::vector<double> values;
+  for (const Row& row : rows)
+    values.insert(values.end(), (row.*member).begin(), (row.*member).end());
+  return values;
+}
+
+template <typename Holds>
+double PercentOf(const std::vector<double>& values, Holds holds) {
+  return 100.0 * static_cast<double>(std::count_if(values.begin(), values.end(), holds)) /
+         static_cast<double>(values.size());
+}
+
 void PrintLine(const std::string& name, const std::vector<Row>& rows) {
   const auto median = [&](auto get) { return Median(Collect(rows, get)); };
-  double inside = 0.0, count = 0.0, squares = 0.0, num_z = 0.0, better = 0.0, below = 0.0;
-  for (const Row& row : rows) {
-    for (const double z : row.z) {
-      if (!std::isfinite(z)) continue;
-      inside += std::abs(z) < 1.96 ? 1.0 : 0.0;
-      count += 1.0;
-    }
-    if (std::isfinite(row.z[0])) {
-      squares += row.z[0] * row.z[0];
-      num_z += 1.0;
-    }
-    if (row.nmae < row.sensor_nmae) better += 1.0;
-    if (row.trajectory < 1.0) below += 1.0;
-  }
+  const auto ratio = [](double a, double b) { return std::abs(a) / std::abs(b); };
   fmt::print(
-      "| {} | {:.1f} | {:.2f} | {:.3f} | {:.2f} | {:.2f} | {:.0f} | {:.5f} | {:.5f} | {:.0f} | "
-      "{:.2f} | {:.0f} | {:.1f} |\n",
+      "| {} | {:.3f} | {:.3f} | {:.4f} | {:.3f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {:.5f} | "
+      "{:.5f} | {:.0f} | {:.2f} | {:.2f} | {:.1f} |\n",
       name,
       100.0 * median([](const Row& r) { return std::abs(r.least_squares); }),
       100.0 * median([](const Row& r) { return std::abs(r.output_error); }),
       100.0 * median([](const Row& r) { return std::abs(r.joint); }),
-      median([](const Row& r) { return std::abs(r.output_error) / std::abs(r.joint); }),
-      std::sqrt(squares / num_z),
-      100.0 * inside / count,
+      median([&](const Row& r) { return ratio(r.joint, r.least_squares); }),
+      median([&](const Row& r) { return ratio(r.output_error, r.joint); }),
+      RootMeanSquare(Collect(rows, [](const Row& r) { return r.over_bound[0]; })),
+      RootMeanSquare(CollectAll(rows, &Row::over_bound)),
+      PercentOf(CollectAll(rows, &Row::z), [](double z) { return std::abs(z) < 1.96; }),
       median([](const Row& r) { return r.nmae; }),
       median([](const Row& r) { return r.sensor_nmae; }),
-      100.0 * better / static_cast<double>(rows.size()),
+      PercentOf(Collect(rows, [](const Row& r) { return r.nmae / r.sensor_nmae; }),
+                [](double q) { return q < 1.0; }),
       median([](const Row& r) { return r.trajectory; }),
-      100.0 * below / static_cast<double>(rows.size()),
+      std::max_element(rows.begin(),
+                       rows.end(),
+                       [](const Row& a, const Row& b) { return a.trajectory < b.trajectory; })
+          ->trajectory,
       median([](const Row& r) { return r.seconds; }));
   std::fflush(stdout);
 }
@@ -200,11 +228,12 @@ int main(int argc, char** argv) {
   if (argc > 7) base.pitch_per_acceleration = std::atof(argv[7]);
   if (argc > 8) base.duration = std::atof(argv[8]);
   fmt::print(
-      "| run | LS % | OE % | joint % | OE/joint | RMS z | 95 % | NMAE | NMAE of sensor | better % "
-      "| "
-      "path | below % | s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| run | LS % | OE % | joint % | joint/LS | OE/joint | error/bound | all parameters | 95 % | "
+      "NMAE | NMAE of sensor | better % | path | worst | s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const std::array<const char*, 3> inputs = {"sine", "multisine", "steps"};
   std::vector<Row> all, single;
+  std::map<std::string, std::vector<Row>> by_dof;
   for (const int markers : {1, 4}) {
     for (const Dof dof : {Dof::kSurge, Dof::kHeave, Dof::kYaw}) {
       for (int input = 0; input < 3; ++input) {
@@ -219,8 +248,9 @@ int main(int argc, char** argv) {
           experiment.seed = static_cast<unsigned>(seed);
           const Row row = Measure(experiment);
           fmt::print(stderr,
-                     "{} {}: LS {:.4f} OE {:.5f} joint {:.5f} z {:.2f} {:.2f} {:.2f} {:.2f} NMAE "
-                     "{:.5f} of {:.5f} path {:.3f} angle {:.3f} {:.1f} s\n",
+                     "{} {}: LS {:.6f} OE {:.6f} joint {:.6f} z {:.2f} {:.2f} {:.2f} {:.2f} NMAE "
+                     "{:.5f} of {:.5f} path {:.3f} angle {:.3f} bound {:.2f} {:.2f} {:.2f} {:.2f} "
+                     "{:.1f} s\n",
                      name,
                      seed,
                      row.least_squares,
@@ -234,15 +264,23 @@ int main(int argc, char** argv) {
                      row.sensor_nmae,
                      row.trajectory,
                      row.angle,
+                     row.over_bound[0],
+                     row.over_bound[1],
+                     row.over_bound[2],
+                     row.over_bound[3],
                      row.seconds);
           rows.push_back(row);
         }
         PrintLine(name, rows);
         all.insert(all.end(), rows.begin(), rows.end());
+        auto& of_dof =
+            by_dof[fmt::format("{}, {} marker{}", Name(dof), markers, markers > 1 ? "s" : "")];
+        of_dof.insert(of_dof.end(), rows.begin(), rows.end());
         if (markers == 1) single.insert(single.end(), rows.begin(), rows.end());
       }
     }
   }
+  for (const auto& [name, rows] : by_dof) PrintLine(name, rows);
   if (!single.empty()) PrintLine("one marker", single);
   PrintLine("all", all);
   return 0;

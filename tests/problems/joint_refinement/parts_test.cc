@@ -4,6 +4,7 @@
 // The parts of the joint refinement against finite differences, dense algebra and Monte Carlo.
 
 #include "fathom/joint_refinement/corner_rows.h"
+#include "fathom/joint_refinement/joint_problem.h"
 #include "fathom/joint_refinement/linear_joint.h"
 #include "fathom/joint_refinement/predicted_motion.h"
 #include "fathom/joint_refinement/process_likelihood.h"
@@ -129,6 +130,46 @@ TEST(PredictedMotion, AgreesWithDifferences) {
   // This one is of the exact solution, not of the numerical one.
   expect_column(
       kClockColumn, differ([&](MotionUnknowns* u, double h) { u->clock_offset += h; }), 1e-4);
+}
+
+// Without the model nothing ties the frames together: each gets the pose that fits its own corners
+// best, as the experiment's own Gauss-Newton found it.
+TEST(JointProblem, WithoutTheModelIsABundleAdjustment) {
+  const SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw, .num_markers = 4, .duration = 3.0});
+  const CameraRun& camera = run.input.runs[0];
+  JointData data;
+  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  data.excited = Index(Dof::kYaw);
+  data.runs.push_back(
+      {camera.detections,
+       PredictedMotion(camera.command, camera.time, {data.excited, 1.0}, MotionScales())});
+  JointUnknowns unknowns;
+  unknowns.model = {std::log(300.0), 200.0, 30.0, 0.0};
+  unknowns.runs.resize(1);
+  ASSERT_TRUE(data.runs[0].motion.Update(unknowns.Motion(0)));
+  RunUnknowns& own = unknowns.runs[0];
+  own.deviation.resize(camera.time.size());
+  own.rate.resize(camera.time.size());
+  for (size_t k = 0; k < camera.time.size(); ++k) {
+    PoseVector moved = VectorFromPose(camera.world_from_body[k]) - data.runs[0].motion.Mean(k);
+    moved += PoseVector(0.03, -0.02, 0.02, 0.01, -0.01, 0.02);
+    PoseVector::Map(own.deviation[k].data()) = moved;
+  }
+  ProcessSet processes;
+  processes.corner_sigma = 0.3;
+  GlobalsPrior prior;  // clock, size and mount are known
+  for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
+  prior.std[kClockColumn] = 0.0;
+  const JointSolve solve =
+      SolveJoint(&data, processes, {prior}, {.without_model = true}, &unknowns);
+  ASSERT_TRUE(solve.converged) << solve.message;
+  for (size_t k = 0; k < camera.time.size(); ++k) {
+    const PoseVector found = PoseAt(data.runs[0], own, k);
+    const PoseVector alone = VectorFromPose(camera.world_from_body[k]);
+    // Ceres stops where the cost, some 400, would fall by less than 1e-8 of itself: at three
+    // thousandths of a pose's standard deviation, which is below a centimetre.
+    EXPECT_LT((found - alone).norm(), 3e-5) << k;
+  }
 }
 
 // A small chain with random rows.

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// FitJoint() over one marker at 10 Hz, 600 to 60000 frames: seconds in all, per iteration, and per
+// iteration of the same bundle adjustment without the model, all in one run; peak memory. The
+// figures of docs/joint_refinement.md.
+//
+//   joint_bench [most frames=60000] [threads=1]
+
+#include "fathom/joint_refinement/first_guess.h"
+#include "fathom/joint_refinement/joint_problem.h"
+#include "fathom/joint_refinement/joint_refinement.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "camera_experiment.h"
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace fathom {
+namespace {
+
+double PeakMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double ProcessorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Of the same corners with a pose of its own for every frame, and no model.
+double PlainSecondsPerIteration(const SyntheticCameraRun& run, int num_threads) {
+  const CameraRun& camera = run.input.runs[0];
+  JointData data;
+  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, run.input.runs);
+  data.excited = excited.index;
+  data.runs.push_back(
+      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
+  JointUnknowns unknowns;
+  unknowns.model = {std::log(run.truth.inertia),
+                    run.truth.quadratic_damping,
+                    run.truth.linear_damping,
+                    run.truth.buoyancy};
+  unknowns.runs.resize(1);
+  data.runs[0].motion.Update(unknowns.Motion(0));
+  RunUnknowns& own = unknowns.runs[0];
+  own.deviation.resize(camera.time.size());
+  own.rate.resize(camera.time.size());
+  for (size_t k = 0; k < camera.time.size(); ++k) {
+    // From off the solution, so that there is something to iterate for.
+    PoseVector eta = VectorFromPose(run.true_world_from_body[k]);
+    eta += PoseVector(0.03, -0.02, 0.02, 0.01, -0.01, 0.02);
+    PoseVector::Map(own.deviation[k].data()) = eta - data.runs[0].motion.Mean(k);
+  }
+  ProcessSet processes;
+  processes.corner_sigma = 0.3;
+  GlobalsPrior prior;  // clock, size and mount are known
+  for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
+  prior.std[kClockColumn] = 0.0;
+  const JointSolve solve = SolveJoint(
+      &data, processes, {prior}, {.num_threads = num_threads, .without_model = true}, &unknowns);
+  return solve.seconds_per_iteration;
+}
+
+void Measure(Dof dof, int num_frames, int num_threads) {
+  const SyntheticCameraRun run = Synthesize(
+      {.dof = dof, .input = InputKind::kMultisine, .duration = 0.1 * num_frames, .seed = 1});
+  const double before = PeakMegabytes();
+  JointOptions options;
+  options.num_threads = num_threads;
+  const auto wall = std::chrono::steady_clock::now();
+  const double processor = ProcessorSeconds();
+  const JointSummary summary = FitJoint(run.input, options);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  const double processor_seconds = ProcessorSeconds() - processor;
+  const double megabytes = PeakMegabytes() - before;
+  fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} | {:.4f} | {:.4f} | {:.0f} | {} |\n",
+             Name(dof),
+             run.input.runs[0].time.size(),
+             seconds,
+             processor_seconds,
+             1e3 * processor_seconds / static_cast<double>(run.input.runs[0].time.size()),
+             summary.num_rounds,
+             summary.num_iterations,
+             summary.seconds_per_iteration,
+             PlainSecondsPerIteration(run, num_threads),
+             megabytes,
+             summary.IsUsable() ? "usable" : summary.message);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) {
+  using namespace fathom;
+  const int most = argc > 1 ? std::atoi(argv[1]) : 60000;
+  const int num_threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  fmt::print(
+      "| run | frames | s | CPU s | CPU ms per frame | rounds | iterations | s per iteration | "
+      "without the model | MB | |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const int frames : {600, 2000, 6000, 20000, 60000}) {
+    if (frames > most) continue;
+    for (const Dof dof : {Dof::kSurge, Dof::kHeave}) Measure(dof, frames, num_threads);
+  }
+  return 0;
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "cramer_rao.h"
+
+#include "fathom/joint_refinement/first_guess.h"
+#include "fathom/joint_refinement/joint_state.h"
+#include "fathom/joint_refinement/linear_joint.h"
+
+#include <cmath>
+
+#include <glog/logging.h>
+
+namespace fathom {
+
+ParameterVector CramerRaoStd(const CameraExperiment& experiment, const SyntheticCameraRun& run) {
+  CHECK(experiment.wander == WanderKind::kFiltered || experiment.wander == WanderKind::kNone);
+  const CameraRun& camera = run.input.runs[0];
+  // By the true poses: the first guesses are no truth.
+  CameraRun true_run = camera;
+  true_run.world_from_body = run.true_world_from_body;
+  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, {&true_run, 1});
+
+  JointData data;
+  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  data.excited = excited.index;
+  data.runs.push_back(
+      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
+  JointUnknowns unknowns;
+  unknowns.model = {std::log(run.truth.inertia),
+                    run.truth.quadratic_damping,
+                    run.truth.linear_damping,
+                    run.truth.buoyancy};
+  unknowns.runs.resize(1);
+  RunUnknowns& own = unknowns.runs[0];
+  own.start = {run.true_velocity[0], run.true_displacement[0]};
+  CHECK(data.runs[0].motion.Update(unknowns.Motion(0)));
+  const size_t n = camera.time.size();
+  own.deviation.resize(n);
+  own.rate.resize(n);
+  for (size_t k = 0; k < n; ++k) {
+    PoseVector::Map(own.deviation[k].data()) =
+        VectorFromPose(run.true_world_from_body[k]) - data.runs[0].motion.Mean(k);
+  }
+
+  ProcessSet processes;
+  processes.corner_sigma = experiment.corner_noise;
+  if (experiment.wander == WanderKind::kFiltered) {
+    // White noise through two lags a and b: (a d/dt + 1) (b d/dt + 1) n = w.
+    constexpr double a = 3.0, b = 0.5;  // [s], as in camera_experiment.cc
+    for (int j = 0; j < kNumHeld; ++j) {
+      const int coordinate = data.runs[0].motion.HeldCoordinate(j);
+      processes.wander[j] = {coordinate < 3 ? experiment.wander_position : experiment.wander_angle,
+                             1.0 / std::sqrt(a * b),
+                             0.5 * (1.0 / a + 1.0 / b) * std::sqrt(a * b)};
+    }
+  }
+  // Not part of the problem: clock, size, mount.
+  GlobalsPrior prior;
+  prior.std[kClockColumn] = prior.std[kSizeColumn] = 0.0;
+  for (int i = 0; i < 6; ++i) prior.std[kMountColumns + i] = 0.0;
+  std::vector<LinearRun> linear;
+  CHECK(Linearise(&data, unknowns, processes.corner_sigma, &linear));
+  const LinearJoint joint(linear, std::vector<GlobalsPrior>{prior}, processes, excited.index);
+  CHECK(joint.is_usable());
+  ParameterVector std = joint.covariance(0).diagonal().head<kNumParameters>().cwiseSqrt();
+  std[kInertia] *= run.truth.inertia;  // of its logarithm
+  return std;
+}
+
+}  // namespace fathom
