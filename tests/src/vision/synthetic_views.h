@@ -60,11 +60,11 @@ inline Pose CameraPoseAt(double t, double tilt) {
 
 // Corners with independent normal noise.
 inline void AddNoise(double sigma, std::mt19937* random, std::vector<Detection>* detections) {
-  std::normal_distribution<double> normal(0.0, sigma);
+  std::normal_distribution<double> normal;
   for (Detection& detection : *detections) {
     for (Eigen::Vector2d& corner : detection.corners) {
-      corner.x() += normal(*random);
-      corner.y() += normal(*random);
+      corner.x() += sigma * normal(*random);
+      corner.y() += sigma * normal(*random);
     }
   }
 }
