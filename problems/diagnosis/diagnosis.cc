@@ -28,8 +28,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kSmallestPValue = 0.01;  // of remaining structure, at which it is said to remain
-constexpr double kMaterialShare = 0.05;   // of all structure, below which the rest is no matter
+constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which it is said to remain
+constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
 constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
 constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
 constexpr double kLossTooMuch = 0.05;           // of the same, at which nothing is named

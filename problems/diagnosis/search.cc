@@ -33,6 +33,8 @@ constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
 // is: the start, the shape of the tops. That takes more than usual.
 constexpr double kShareOfASine = 0.9;
 constexpr double kHarderUnderASine = 5.0;
+// The draws know the noise. A fit learns it along, and finds more than they do.
+constexpr double kCautionOfLearnedNoise = 8.0;
 // A fit finds the best time or frequency, not the best of the grid.
 constexpr double kCautionBetweenTheGrid = 2.0;
 // Another axis' columns are in every log, whether they have to do with this axis or not.
@@ -185,8 +187,9 @@ class Searcher {
       num_amounts[trial.suspect] = trial.num_columns;
       const bool is_searched = trial.values.size() > trial.amounts.size();
       const bool has_partner = suspects_[trial.suspect].effect->info().has_partner;
-      caution[trial.suspect] =
-          (is_searched ? kCautionBetweenTheGrid : 1.0) * (has_partner ? kCautionWithAPartner : 1.0);
+      caution[trial.suspect] = kCautionOfLearnedNoise *
+                               (is_searched ? kCautionBetweenTheGrid : 1.0) *
+                               (has_partner ? kCautionWithAPartner : 1.0);
     }
     const int num_suspects = static_cast<int>(suspects_.size());
     result_.significance = Significance(screen.NullMaxima(kNullDraws, num_suspects, options_.seed),

@@ -329,9 +329,10 @@ NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
                       const std::optional<NoiseModel>& start) {
   FitNoiseOptions options;
-  options.precision = 0.01;
   options.damping_rate = DampingRate(data, fit.model.baseline);
   options.start = start;
+  // In turns with the fit. From nothing, a coarse search ends at the wrong maximum.
+  if (start) options.precision = 0.01;
   const NoiseFit learned = FitNoise(data.bins().samples(),
                                     std::span(fit.residual.data(), fit.residual.size()),
                                     fit.jacobian,
