@@ -163,8 +163,11 @@ ProcessFit FitProcesses(std::span<const LinearRun> runs,
     fit.log_likelihood = value;
     is_changed = true;
   };
+  // Kept for nothing it widens the intervals several times over, so it has to earn more than its
+  // one parameter: of one vehicle in a hundred without any it is still kept.
+  constexpr double kPriceOfModelError = 3.0;
   if (fit.processes.model_error > 0.0) {
-    try_without(1.0, [](ProcessSet* set) { set->model_error = 0.0; });
+    try_without(kPriceOfModelError, [](ProcessSet* set) { set->model_error = 0.0; });
   }
   for (int j = 0; j < kNumHeld; ++j) {
     if (fit.processes.response_std[j] == 0.0) continue;

@@ -47,6 +47,11 @@ Motion Integrate(const UncoupledModel<double>& m,
                  double v0,
                  const Controller& controller) {
   Motion motion;
+  // A force that the command does not show; a generator of its own leaves the other draws alone.
+  std::mt19937 pushes(experiment.seed + 7919);
+  std::normal_distribution<double> normal;
+  const double decay = std::exp(-kStep / 2.0);
+  double push = 0.0;
   double x = 0.0, v = v0;
   const int per_command = static_cast<int>(std::lround(1.0 / (experiment.rate * kStep)));
   const int num_steps = static_cast<int>(std::lround((experiment.duration + 1.0) / kStep));
@@ -58,9 +63,13 @@ Motion Integrate(const UncoupledModel<double>& m,
       motion.command.time.push_back(t);
       motion.command.value.push_back(tau);
     }
+    if (experiment.disturbance > 0.0) {
+      push =
+          decay * push + std::sqrt(1.0 - decay * decay) * experiment.disturbance * normal(pushes);
+    }
     const auto a = [&](double speed) {
-      return (tau - m.quadratic_damping * speed * std::abs(speed) - m.linear_damping * speed -
-              m.buoyancy) /
+      return (tau + push - m.quadratic_damping * speed * std::abs(speed) -
+              m.linear_damping * speed - m.buoyancy) /
              m.inertia;
     };
     motion.x.push_back(x);
@@ -312,6 +321,28 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
   }
   input.runs.push_back(std::move(camera_run));
   return run;
+}
+
+Log PoseLog(const SyntheticCameraRun& run) {
+  Log log;
+  const CameraRun& camera = run.input.runs[0];
+  Stream pose, command;
+  pose.time = camera.time;
+  pose.columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+  pose.values.resize(7);
+  for (const Pose& p : camera.world_from_body) {
+    const auto& q = p.rotation;
+    const std::array<double, 7> row = {
+        p.translation.x(), p.translation.y(), p.translation.z(), q.x(), q.y(), q.z(), q.w()};
+    for (int i = 0; i < 7; ++i) pose.values[i].push_back(row[i]);
+  }
+  command.time = camera.command.time;
+  command.columns = {std::string(ForceColumn(run.input.dof))};
+  command.values = {camera.command.value};
+  log.pose = pose;
+  log.command = command;
+  log.dofs = {run.input.dof};
+  return log;
 }
 
 }  // namespace fathom

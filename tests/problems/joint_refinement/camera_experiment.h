@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/log/log.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <vector>
@@ -33,7 +34,8 @@ struct CameraExperiment {
   double wander_position = 0.01;        // std of each held coordinate [m]
   double wander_angle = 0.002;          // [rad]
   double pitch_per_acceleration = 0.0;  // pitch follows the excited DOF's acceleration [rad s^2/m]
-  double outliers = 0.0;                // share of detections whose corners are somewhere else
+  double disturbance = 0.0;   // std of a random force on the excited DOF, slow by 2 s [N] or [N m]
+  double outliers = 0.0;      // share of detections whose corners are somewhere else
   double flips = 0.0;         // share of frames whose first guess is the square's other solution
   double clock_offset = 0.0;  // what the camera's stamps lack [s]
   double size_scale = 1.0;    // true side of the markers over that of the map
@@ -51,5 +53,8 @@ struct SyntheticCameraRun {
 UncoupledModel<double> FlatFish(Dof dof);
 
 SyntheticCameraRun Synthesize(const CameraExperiment& experiment);
+
+// The run's first guesses as the poses of a log, for what works on poses.
+Log PoseLog(const SyntheticCameraRun& run);
 
 }  // namespace fathom

@@ -42,28 +42,6 @@ struct Row {
   double seconds = kNaN;
 };
 
-Log PoseLog(const SyntheticCameraRun& run) {
-  Log log;
-  const CameraRun& camera = run.input.runs[0];
-  Stream pose, command;
-  pose.time = camera.time;
-  pose.columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
-  pose.values.resize(7);
-  for (const Pose& p : camera.world_from_body) {
-    const auto& q = p.rotation;
-    const std::array<double, 7> row = {
-        p.translation.x(), p.translation.y(), p.translation.z(), q.x(), q.y(), q.z(), q.w()};
-    for (int i = 0; i < 7; ++i) pose.values[i].push_back(row[i]);
-  }
-  command.time = camera.command.time;
-  command.columns = {std::string(ForceColumn(run.input.dof))};
-  command.values = {camera.command.value};
-  log.pose = pose;
-  log.command = command;
-  log.dofs = {run.input.dof};
-  return log;
-}
-
 // NMAE of the free run from the true first velocity against the true velocity.
 double TrueNmae(const UncoupledModel<double>& model, const SyntheticCameraRun& run, double v0) {
   Segment segment;
