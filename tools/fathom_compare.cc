@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <string>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -93,12 +92,7 @@ void AddCameraSourceIfWanted(const ComparisonOptions& options, Log* log) {
     }
     return;
   }
-  try {
-    AddCameraSource(log);
-  } catch (const InputError& error) {
-    log->remarks.push_back(std::string("The source camera is left out: ") + error.what());
-    std::fprintf(stderr, "%s\n", log->remarks.back().c_str());
-  }
+  AddCameraSourceIfUsable(log);
 }
 
 int Run() {

@@ -11,6 +11,7 @@
 #include "fathom/diagnosis/verdict_file.h"
 #include "fathom/diagnosis/verdict_sentence.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/signal/signals.h"
 #include "fathom/tools/log_flags.h"
 #include "fathom/tools/tool.h"
 
@@ -23,6 +24,10 @@
 #include <gflags/gflags.h>
 
 DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+DEFINE_string(source,
+              "",
+              "pose_estimator (velocities only) or camera (poses only); all that the logs have if "
+              "not given, which effects on a sensor need.");
 DEFINE_string(verdict, "", "Write the verdict, with the extended model in it, to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_double(false_alarm_rate,
@@ -37,7 +42,7 @@ const ToolInfo kInfo = {
     "fathom_diagnose",
     "Says what the model of one degree of freedom gets wrong on logs, names the cause as far as "
     "the data force it, and measures what the cause gains.",
-    "--log=LOG [--log=LOG ...] --dof=DOF [--verdict=FILE] [--report=FILE]",
+    "--log=LOG [--log=LOG ...] --dof=DOF [--source=SOURCE] [--verdict=FILE] [--report=FILE]",
     "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
     "  fathom_simulate --model=surge.json --log=data/flatfish",
     "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Any verdict, "
@@ -65,15 +70,42 @@ DiagnosisOptions OptionsFromFlags() {
   return options;
 }
 
-std::vector<Log> LogsFromFlags() {
+// Leaves the log with the streams of --source.
+void ChooseSource(Log* log) {
+  if (FLAGS_source.empty()) {
+    AddCameraSourceIfUsable(log);
+    return;
+  }
+  const Source source = ParseFlag("source", FLAGS_source, ParseSource);
+  if (source == Source::kCamera) {
+    AddCameraSource(log);
+    if (log->pose) log->velocity.reset();
+  } else if (log->velocity) {
+    log->pose.reset();
+  }
+  if (!(source == Source::kCamera ? log->pose : log->velocity)) {
+    throw InputError(fmt::format("--source={}: {} has no such source.", FLAGS_source, log->name));
+  }
+}
+
+struct Logs {
+  std::vector<Log> all;
+  std::vector<std::string> fingerprints;  // of the logs as they lie there, whatever --source
+};
+
+Logs LogsFromFlags() {
   std::optional<Dof> dof;
   if (!FLAGS_dof.empty()) dof = ParseFlag("dof", FLAGS_dof, ParseDof);
   const std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
   if (!FLAGS_velocity.empty() && paths.size() > 1) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }
-  std::vector<Log> logs;
-  for (const std::string& path : paths) logs.push_back(ReadLogFromFlags(path, dof));
+  Logs logs;
+  for (const std::string& path : paths) {
+    logs.all.push_back(ReadLogFromFlags(path, dof));
+    logs.fingerprints.push_back(FingerprintOf(logs.all.back()));
+    ChooseSource(&logs.all.back());
+  }
   return logs;
 }
 
@@ -94,16 +126,19 @@ void Print(const Diagnosis& diagnosis) {
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const DiagnosisOptions options = OptionsFromFlags();
-  const std::vector<Log> logs = LogsFromFlags();
-  const Diagnosis diagnosis = Diagnose(logs, DofFromFlagOrLog(logs.front()), options);
+  const Logs logs = LogsFromFlags();
+  Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
   if (!diagnosis.IsUsable()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", diagnosis.message.c_str());
     return 2;
   }
+  for (const Log& log : logs.all) {
+    for (const std::string& remark : log.remarks) {
+      if (remark.starts_with("detections.csv: ")) diagnosis.remarks.push_back(remark);
+    }
+  }
   if (!FLAGS_verdict.empty()) {
-    std::vector<std::string> fingerprints;
-    for (const Log& log : logs) fingerprints.push_back(FingerprintOf(log));
-    WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, fingerprints));
+    WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, logs.fingerprints));
   }
   if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(DiagnosisPage(diagnosis)));
   Print(diagnosis);

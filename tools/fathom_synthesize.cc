@@ -19,6 +19,7 @@
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/vehicle_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -89,6 +90,26 @@ void WriteFilm(const std::filesystem::path& folder,
   });
 }
 
+// As Synthesize. An effect on poses that are not logged is a trace in the film.
+Log SynthesizeFilmed(const Vehicle& vehicle,
+                     Experiment experiment,
+                     const std::vector<ActiveEffect>& effects,
+                     const std::optional<Film>& film) {
+  const bool is_logged = experiment.pose && experiment.pose->is_logged;
+  const bool needs_pose =
+      std::any_of(effects.begin(), effects.end(), [](const ActiveEffect& active) {
+        return active.effect->info().needs_pose;
+      });
+  if (!film || !needs_pose || is_logged) {
+    return Synthesize(vehicle, experiment, effects, FLAGS_seed);
+  }
+  if (!experiment.pose) experiment.pose = PoseSensor{.sampling = film->sampling};
+  experiment.pose->is_logged = true;
+  Log log = Synthesize(vehicle, experiment, effects, FLAGS_seed);
+  log.pose.reset();
+  return log;
+}
+
 int Run() {
   const Vehicle vehicle = ReadVehicleFile(RequireFlag("vehicle", FLAGS_vehicle, "a vehicle file"));
   const Experiment experiment =
@@ -104,7 +125,7 @@ int Run() {
     const auto scales = ScalesOf(vehicle, experiment, FLAGS_seed);
     effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
   }
-  const Log log = Synthesize(vehicle, experiment, effects, FLAGS_seed);
+  const Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
   if (!FLAGS_truth.empty()) {
     WriteFile(FLAGS_truth, FormatTruth(vehicle, experiment, effects, FLAGS_seed));
   }

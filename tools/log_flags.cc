@@ -60,4 +60,13 @@ void AddCameraSource(Log* log) {
   }
 }
 
+void AddCameraSourceIfUsable(Log* log) {
+  try {
+    AddCameraSource(log);
+  } catch (const InputError& error) {
+    log->remarks.push_back(std::string("The source camera is left out: ") + error.what());
+    std::fprintf(stderr, "%s\n", log->remarks.back().c_str());
+  }
+}
+
 }  // namespace fathom

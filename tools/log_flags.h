@@ -42,4 +42,8 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
 // on the way to stderr. Throws InputError as TrackDetections does.
 void AddCameraSource(Log* log);
 
+// The same where the log can do without: a calibration that is missing or cannot be used only costs
+// this source, and is told in the log's remarks and on stderr.
+void AddCameraSourceIfUsable(Log* log);
+
 }  // namespace fathom

@@ -255,6 +255,13 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
                     inertia,
                     std));
   }
+  if (!diagnosis->has_velocity) {
+    diagnosis->remarks.push_back(
+        "These poses have no velocities beside them. A wrong scale of theirs (marker size, "
+        "refraction) leaves no trace: one of 1 + e divides inertia and linear damping by 1 + e and "
+        "quadratic damping by its square. A clock of theirs that differs from the command's is the "
+        "same as a delay of the command (time_offset). A velocity sensor tells both.");
+  }
   const auto& leading =
       diagnosis->has_velocity ? baseline.noise.velocity : baseline.noise.displacement;
   const NoiseChannel channel =

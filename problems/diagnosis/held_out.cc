@@ -37,14 +37,27 @@ std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
   return blocks;
 }
 
-// Mean of measured less predicted over the first seconds; 0 if there is nothing.
-double FirstMiss(const std::vector<double>& time,
-                 const std::vector<double>& measured,
-                 const std::vector<double>& predicted) {
-  double sum = 0.0;
-  size_t n = 0;
-  for (; n < time.size() && time[n] < time.front() + kStart; ++n) sum += measured[n] - predicted[n];
-  return n == 0 ? 0.0 : sum / static_cast<double>(n);
+// Measured less predicted over the first seconds: the mean; and the straight line, at the first
+// stamp and per second. 0 if there is nothing.
+struct Miss {
+  double mean = 0.0, first = 0.0, slope = 0.0;
+};
+Miss FirstMiss(const std::vector<double>& time,
+               const std::vector<double>& measured,
+               const std::vector<double>& predicted) {
+  double n = 0.0, st = 0.0, stt = 0.0, sy = 0.0, sty = 0.0;
+  for (size_t i = 0; i < time.size() && time[i] < time.front() + kStart; ++i) {
+    const double t = time[i] - time.front(), y = measured[i] - predicted[i];
+    n += 1.0;
+    st += t;
+    stt += t * t;
+    sy += y;
+    sty += t * y;
+  }
+  if (n == 0.0) return {};
+  const double spread = n * stt - st * st;
+  const double slope = spread > 0.0 ? (n * sty - st * sy) / spread : 0.0;
+  return {.mean = sy / n, .first = (sy - slope * st) / n, .slope = slope};
 }
 
 }  // namespace
@@ -55,9 +68,13 @@ std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& mo
   EffectOutputs outputs;
   for (int repeat = 0; repeat < 2; ++repeat) {
     if (!simulation.Run(model, start, &outputs)) return std::nullopt;
-    start.velocity += FirstMiss(record.stamps.velocity, record.velocity, outputs.velocity);
-    start.position +=
+    const Miss in_velocity = FirstMiss(record.stamps.velocity, record.velocity, outputs.velocity);
+    const Miss in_place =
         FirstMiss(record.stamps.displacement, record.displacement, outputs.displacement);
+    // Without velocities the poses tell the first speed too.
+    const bool by_poses = record.velocity.empty();
+    start.velocity += by_poses ? in_place.slope : in_velocity.mean;
+    start.position += by_poses ? in_place.first : in_place.mean;
   }
   return FreeRunOver(record, model, start);
 }

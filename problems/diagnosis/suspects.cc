@@ -36,6 +36,18 @@ bool IsCommanded(const Records& records, Dof dof) {
 
 bool IsHorizontal(Dof dof) { return dof == Dof::kSurge || dof == Dof::kSway; }
 
+// Whether an effect on poses leaves a trace. What is wrong with all of them alike, a scale or a
+// clock, shows beside velocities only; what changes at a time shows by itself, since no vehicle
+// jumps.
+bool CanShowInPoses(const Records& records, const EffectInfo& info) {
+  if (!records.has_displacement) return false;
+  return records.has_velocity ||
+         std::any_of(
+             info.parameters.begin(), info.parameters.end(), [](const EffectParameter& parameter) {
+               return parameter.search == Search::kTimeOfRun;
+             });
+}
+
 // Whether `partner` can be what the effect acts through, and these records show it.
 bool CanPartner(const Records& records, Dof dof, Dof partner, std::string_view effect) {
   if (partner == dof) return false;
@@ -61,7 +73,7 @@ std::vector<Suspect> SuspectsFor(const Records& records,
   std::vector<Suspect> suspects;
   for (const Effect* effect : effects) {
     const EffectInfo& info = effect->info();
-    if (info.needs_pose && !(records.has_displacement && records.has_velocity)) continue;
+    if (info.needs_pose && !CanShowInPoses(records, info)) continue;
     const bool reads_velocity = effect->laws().has.reading || effect->laws().has.follow_reading;
     if (reads_velocity && !records.has_velocity) continue;
     if (!info.has_partner) {

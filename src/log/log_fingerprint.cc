@@ -46,8 +46,10 @@ void Add(const Stream& stream, Hash* hash) {
 std::string FingerprintOf(const Log& log) {
   Hash hash;
   for (const std::optional<Stream>* stream : {&log.command, &log.velocity, &log.pose}) {
-    hash.Add(*stream ? "stream" : "none");
-    if (*stream) Add(**stream, &hash);
+    // Poses beside detections come from them, before a tool reads the log or as it does.
+    const bool is_made = stream == &log.pose && log.detections;
+    hash.Add(*stream && !is_made ? "stream" : "none");
+    if (*stream && !is_made) Add(**stream, &hash);
   }
   // Logs without a camera keep the fingerprints they had.
   if (log.detections) {

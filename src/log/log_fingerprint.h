@@ -10,8 +10,8 @@
 namespace fathom {
 
 // Tells one log's data from another's, whatever their names and folders: 16 hexadecimal digits over
-// every stamp and value of its command, velocity, pose and detections (FNV-1a, 64 bits). Not for
-// security.
+// every stamp and value of its command, velocity, pose and detections (FNV-1a, 64 bits). Poses
+// count only without detections, from which a tool may make them. Not for security.
 std::string FingerprintOf(const Log& log);
 
 }  // namespace fathom

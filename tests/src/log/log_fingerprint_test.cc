@@ -29,6 +29,14 @@ TEST(LogFingerprint, DoesNotDependOnNameOrFolder) {
   EXPECT_EQ(FingerprintOf(moved).size(), 16u);
 }
 
+TEST(LogFingerprint, DoesNotDependOnPosesThatAreMadeFromDetections) {
+  Log log = SmallLog();
+  log.detections = Stream{{0.5, 0.5}, {"tag_id"}, {{1.0, 2.0}}};
+  const std::string before = FingerprintOf(log);
+  log.pose = Stream{{0.5}, {"x"}, {{1.0}}};
+  EXPECT_EQ(FingerprintOf(log), before);
+}
+
 TEST(LogFingerprint, ChangesWithEveryPieceOfTheData) {
   std::set<std::string> fingerprints = {FingerprintOf(SmallLog())};
   Log log = SmallLog();
