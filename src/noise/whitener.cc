@@ -80,7 +80,7 @@ struct Whitener::Filter {
 
   // P <- F P F' + Q, first the rows, then the columns.
   static void Predict(const NoiseTransition& t, Covariance* P) {
-    const auto transform = [&t](auto&& x) {
+    const auto transform = [&](auto&& x) {
       if constexpr (kHasX) x(kX) += t.x_from_v * x(kV) + t.x_from_w * x(kW);
       if constexpr (kHasV) {
         x(kV) = t.v_from_v * x(kV) + t.v_from_w * x(kW);

@@ -44,7 +44,7 @@ std::vector<std::size_t> ThinnedIndices(const std::vector<std::vector<double>>& 
     }
   }
   std::ranges::sort(kept);
-  kept.erase(std::ranges::unique(kept).begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kept;
 }
 

@@ -106,9 +106,9 @@ class EffectOf final : public Effect {
 
   static constexpr EffectHooks kHooks = kHooksOf<E>;
 
-  const Law<double> plain_;
-  const Law<SmallJet> small_jet_;
-  const Law<LargeJet> large_jet_;
+  const Law<double> plain_{};
+  const Law<SmallJet> small_jet_{};
+  const Law<LargeJet> large_jet_{};
   const EffectInfo info_ = E::Info();
   const EffectLaws laws_ = {kHooks, &plain_, &small_jet_, &large_jet_};
 };
