@@ -31,9 +31,9 @@ constexpr double kSharpest = 12.0;
 constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
 // Under a single sine, causes that differ in phase alone are told apart by what little else there
 // is: the start, the shape of the tops. That takes more than usual.
-constexpr double kShareOfASine = 0.9;
 constexpr double kHarderUnderASine = 5.0;
-// The draws know the noise. A fit learns it along, and finds more than they do.
+// The draws know the noise. A fit learns it along, and finds more than they do: how much more is
+// measured on logs with nothing hidden, docs/diagnosis.md (7).
 constexpr double kCautionOfLearnedNoise = 8.0;
 // A fit finds the best time or frequency, not the best of the grid.
 constexpr double kCautionBetweenTheGrid = 2.0;
@@ -460,7 +460,7 @@ std::vector<int> FindRivals(const TrainingData& data,
                             double separation) {
   std::vector<int> rivals;
   if (search.best == 0) return rivals;
-  if (data.command_tone().share > kShareOfASine) separation *= kHarderUnderASine;
+  if (data.command_tone().IsAlone()) separation *= kHarderUnderASine;
   const Hypothesis& best = search.tried[search.best];
   for (size_t i = 0; i < search.tried.size(); ++i) {
     const Hypothesis& other = search.tried[i];

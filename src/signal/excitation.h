@@ -38,6 +38,9 @@ Excitation ExcitationOf(const Eigen::MatrixXd& sensitivity, const std::vector<st
 struct Tone {
   double frequency = std::numeric_limits<double>::quiet_NaN();  // [rad/s]
   double share = 0.0;                                           // of the command's variance, 0 to 1
+
+  // The command is this line and little else.
+  bool IsAlone() const { return share > 0.9; }
 };
 
 // By least squares on a grid of frequencies from half a period per duration upwards, then refined;
