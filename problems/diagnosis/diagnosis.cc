@@ -30,6 +30,9 @@ namespace {
 
 constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which it is said to remain
 constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
+// Share of the motion below which a residual is nobody's business: finer than any sensor shows it,
+// and than the uncoupled model can be true.
+constexpr double kNegligible = 1e-3;
 constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
 constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
 constexpr double kLossTooMuch = 0.05;           // of the same, at which nothing is named
@@ -141,6 +144,29 @@ Scored LeaveBlocksOut(const TrainingData& data,
     Score(left_out, before.model, after.model, &scored);
   }
   return scored;
+}
+
+// The baseline's residual as a share of the motion: of the speed, and of the way made in a second.
+// The larger of the two.
+double ShareLeft(const TrainingData& data, const StructureFit& baseline) {
+  double speed2 = 0.0, num_speeds = 0.0;
+  for (const Record& record : data.records()) {
+    for (const double v : SegmentOfRecord(record).velocity) {
+      speed2 += v * v;
+      num_speeds += 1.0;
+    }
+  }
+  double largest = 0.0;
+  for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
+    double left2 = 0.0, n = 0.0;
+    for (int i = 0; i < data.bins().size(); ++i) {
+      if (data.bins().samples()[i].channel != channel) continue;
+      left2 += baseline.residual[i] * baseline.residual[i];
+      n += 1.0;
+    }
+    if (n > 0.0) largest = std::max(largest, std::sqrt(left2 / n * num_speeds / speed2));
+  }
+  return largest;
 }
 
 std::string LabelsOf(const Hypothesis& hypothesis, const std::vector<Suspect>& suspects) {
@@ -262,6 +288,14 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
         "quadratic damping by its square. A clock of theirs that differs from the command's is the "
         "same as a delay of the command (time_offset). A velocity sensor tells both.");
   }
+  if (const double share_left = ShareLeft(data, baseline); share_left < kNegligible) {
+    diagnosis->remarks.push_back(
+        fmt::format("Without any cause the model leaves {:.2g} % of the motion. Below {:.2g} % no "
+                    "cause is looked for.",
+                    100.0 * share_left,
+                    100.0 * kNegligible));
+    return;
+  }
   const auto& leading =
       diagnosis->has_velocity ? baseline.noise.velocity : baseline.noise.displacement;
   const NoiseChannel channel =
@@ -280,9 +314,8 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
                     "that was logged: noise, or something that these logs do not show.",
                     times_the_sensor));
   }
-  constexpr double kShareOfASine = 0.9;
   const Tone& tone = data.command_tone();
-  if (tone.share > kShareOfASine && !diagnosis->causes.empty()) {
+  if (tone.IsAlone() && !diagnosis->causes.empty()) {
     diagnosis->remarks.push_back(
         fmt::format("The command is little more than a single sine of {:.2g} rad/s: one second is "
                     "{:.0f} degrees of its phase, and any delay or lag of that phase looks nearly "
@@ -351,7 +384,9 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
       options.effects.empty()
           ? std::vector<const Effect*>(EffectCatalogue().begin(), EffectCatalogue().end())
           : options.effects;
-  const std::vector<Suspect> suspects = SuspectsFor(records, dof, effects);
+  const bool is_negligible = ShareLeft(data, baseline) < kNegligible;
+  const std::vector<Suspect> suspects =
+      is_negligible ? std::vector<Suspect>() : SuspectsFor(records, dof, effects);
   SearchResult search = SearchThinned(data, baseline, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
@@ -380,7 +415,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     gain = GainOf(scored.before, scored.after, options.seed);
   }
   const Hypothesis& best = search.tried[search.best];
-  const RemainingStructure remaining = FindRemainingStructure(data, best.fit);
+  const RemainingStructure remaining =
+      is_negligible ? RemainingStructure() : FindRemainingStructure(data, best.fit);
 
   diagnosis.baseline = Describe(data, baseline);
   diagnosis.extended = Describe(data, best.fit);

@@ -108,8 +108,11 @@ class EffectRun {
 
  private:
   static constexpr size_t kMostEffects = EffectSimulation::kMostEffects;
-  static constexpr double kLongestStep = 0.1;    // [s]
-  static constexpr double kShortestStep = 1e-4;  // [s]
+  static constexpr double kLongestStep = 0.1;  // [s]
+  // What a vehicle in water does takes longer than a few of these; a search that gets here has run
+  // away to where inertia and a resistance stand in for one another, at thousands of steps a
+  // second.
+  static constexpr double kShortestStep = 1e-3;  // [s]
   static constexpr double kLargestSpeed = 1e6;   // [m/s] or [rad/s]; beyond, it has diverged
   static constexpr double kWarmUp = 60.0;        // [s] of command before the start, for thrusters
 

@@ -231,6 +231,15 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
 }
 
+// Its simulation by Euler's method is 0.02 % of the motion off, which no noise covers here.
+TEST(DiagnoseTool, LooksForNothingWhereTheModelLeavesLessThanAThousandthOfTheMotion) {
+  const ToolRun run = Diagnosed(WriteSmallLog(EmptyTestFolder() / "log"));
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith("surge: consistent\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("the model leaves 0.019 % of the motion. Below 0.1 % no cause is looked"));
+}
+
 TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
   const Path folder = EmptyTestFolder();
   const std::string first = SmallLogWith(folder, "first", "", 1).string();
