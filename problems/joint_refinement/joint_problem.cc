@@ -3,6 +3,7 @@
 
 #include "fathom/joint_refinement/joint_problem.h"
 
+#include "fathom/joint_refinement/active_set.h"
 #include "fathom/joint_refinement/clipped_loss.h"
 
 #include <algorithm>
@@ -338,6 +339,68 @@ std::vector<double> Means(const GlobalsPrior& prior, int first, int size, const 
   return means;
 }
 
+// The search of the joint problem with dampings held or free.
+class DampingSearch final : public BoundedSearch {
+ public:
+  // `model`: its block. Counts and times go to `counts`.
+  DampingSearch(const ceres::Solver::Options& options,
+                std::vector<double> model_std,
+                double* model,
+                ceres::Problem* problem,
+                JointSolve* counts)
+      : options_(options),
+        model_std_(std::move(model_std)),
+        model_(model),
+        problem_(problem),
+        counts_(counts) {
+    problem->GetParameterBlocks(&blocks_);
+  }
+
+  Optimum Solve(const std::vector<int>& held) override {
+    Hold(model_, model_std_, held, problem_);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options_, problem_, &summary);
+    if (counts_->num_iterations == 0) counts_->initial_cost = summary.initial_cost;
+    counts_->num_iterations += static_cast<int>(summary.iterations.size());
+    if (summary.iterations.size() > 1) {
+      double seconds = 0.0;
+      for (size_t i = 1; i < summary.iterations.size(); ++i) {
+        seconds += summary.iterations[i].iteration_time_in_seconds;
+      }
+      counts_->seconds_per_iteration = seconds / static_cast<double>(summary.iterations.size() - 1);
+    }
+    return {summary.termination_type == ceres::CONVERGENCE, summary.final_cost, summary.message};
+  }
+
+  double Value(int unknown) const override { return model_[unknown]; }
+  void SetToZero(int unknown) override { model_[unknown] = 0.0; }
+
+  std::vector<double> Point() const override {
+    std::vector<double> point;
+    for (const double* const block : blocks_) {
+      point.insert(point.end(), block, block + problem_->ParameterBlockSize(block));
+    }
+    return point;
+  }
+
+  void GoTo(const std::vector<double>& point) override {
+    const double* from = point.data();
+    for (double* const block : blocks_) {
+      const int size = problem_->ParameterBlockSize(block);
+      std::copy_n(from, size, block);
+      from += size;
+    }
+  }
+
+ private:
+  const ceres::Solver::Options options_;
+  const std::vector<double> model_std_;
+  double* const model_;
+  ceres::Problem* const problem_;
+  JointSolve* const counts_;
+  std::vector<double*> blocks_;
+};
+
 }  // namespace
 
 JointSolve SolveJoint(JointData* data,
@@ -442,56 +505,20 @@ JointSolve SolveJoint(JointData* data,
   solver.logging_type = ceres::SILENT;
 
   // Ceres' own bounds report convergence at a wrong point when one is active, so the active set is
-  // found here: dampings that come out negative are held at zero, and let go where that lowers the
-  // cost.
+  // found outside.
   JointSolve result;
   const auto model_std = options.without_model ? std::vector<double>(kModelColumns)
                                                : Stds(priors[0], 0, kModelColumns);
-  std::vector<int> held;
-  constexpr int kMostPasses = 6;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
-    Hold(unknowns->model.data(), model_std, held, &problem);
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver, &problem, &summary);
-    if (pass == 0) result.initial_cost = summary.initial_cost;
-    result.num_iterations += static_cast<int>(summary.iterations.size());
-    result.cost = summary.final_cost;
-    result.message = summary.message;
-    result.converged = summary.termination_type == ceres::CONVERGENCE;
-    result.held_at_zero = held;
-    if (summary.iterations.size() > 1) {
-      double seconds = 0.0;
-      for (size_t i = 1; i < summary.iterations.size(); ++i) {
-        seconds += summary.iterations[i].iteration_time_in_seconds;
-      }
-      result.seconds_per_iteration = seconds / static_cast<double>(summary.iterations.size() - 1);
-    }
-    if (!result.converged) break;
-    std::vector<int> next;
-    if (!held.empty()) {
-      Hold(unknowns->model.data(), model_std, {}, &problem);
-      ceres::Problem::EvaluateOptions evaluate;
-      evaluate.parameter_blocks = {unknowns->model.data()};
-      std::vector<double> gradient;
-      if (!problem.Evaluate(evaluate, nullptr, nullptr, &gradient, nullptr)) break;
-      for (const int i : held) {
-        if (gradient[i] >= 0.0) next.push_back(i);
-      }
-    }
-    for (const int i : {kQuadraticDamping, kLinearDamping}) {
-      if (unknowns->model[i] >= 0.0) continue;
-      unknowns->model[i] = 0.0;
-      next.push_back(i);
-    }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    if (next == held) break;
-    if (pass + 1 == kMostPasses) {
-      result.converged = false;
-      result.message = "the search found no set of dampings to hold at zero.";
-    }
-    held = next;
+  DampingSearch search(solver, model_std, unknowns->model.data(), &problem, &result);
+  std::vector<int> bounded;
+  for (const int i : {kQuadraticDamping, kLinearDamping}) {
+    if (model_std[i] > 0.0) bounded.push_back(i);
   }
+  const BoundedOptimum optimum = SearchActiveSet(bounded, solver.function_tolerance, &search);
+  result.converged = optimum.converged;
+  result.cost = optimum.cost;
+  result.message = optimum.message;
+  result.held_at_zero = optimum.held;
   blocks.Store(moving, unknowns);
   return result;
 }

@@ -28,8 +28,9 @@ struct JointSolveOptions {
 };
 
 // The one Ceres problem: every pose, the model, the starts, the responses and what else is free,
-// over all corners, under given processes. Dampings stay at least 0 by an active set of their own,
-// since Ceres' bounds report convergence at a wrong point when one is active.
+// over all corners, under given processes. Dampings stay at least 0 by SearchActiveSet(), since
+// Ceres' bounds report convergence at a wrong point when one is active; one that `priors` hold
+// stays where it is.
 //
 // `priors` as in SolveLinear(); their offsets are those at the present unknowns.
 JointSolve SolveJoint(JointData* data,
