@@ -136,9 +136,9 @@ Scored LeaveBlocksOut(const TrainingData& data,
     if (kept.empty() || left_out.empty()) continue;
     std::vector<InitialState> initial;
     for (const Record& record : kept) initial.push_back(record.initial);
-    const TrainingData rest(std::move(kept));
-    const Whitener whitener(extended.noise, rest.bins().samples());
-    const Whitener baseline_whitener(baseline.noise, rest.bins().samples());
+    const TrainingData rest(std::move(kept), baseline.model.baseline);
+    const Whitener whitener(extended.noise, rest.samples());
+    const Whitener baseline_whitener(baseline.noise, rest.samples());
     const StructureFit before = FitStructure(rest, baseline.model, initial, baseline_whitener);
     const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
     Score(left_out, before.model, after.model, &scored);
@@ -160,7 +160,7 @@ double ShareLeft(const TrainingData& data, const StructureFit& baseline) {
   for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
     double left2 = 0.0, n = 0.0;
     for (int i = 0; i < data.bins().size(); ++i) {
-      if (data.bins().samples()[i].channel != channel) continue;
+      if (data.samples()[i].channel != channel) continue;
       left2 += baseline.residual[i] * baseline.residual[i];
       n += 1.0;
     }
@@ -217,7 +217,7 @@ SearchResult SearchThinned(const TrainingData& data,
                            const StructureFit& baseline,
                            const std::vector<Suspect>& suspects,
                            const DiagnosisOptions& options) {
-  const TrainingData thinned(Thinned(data.records()));
+  const TrainingData thinned(Thinned(data.records()), baseline.model.baseline);
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
   SearchResult search =
@@ -302,7 +302,7 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
       diagnosis->has_velocity ? NoiseChannel::kVelocity : NoiseChannel::kDisplacement;
   double sum = 0.0, n = 0.0;
   for (int i = 0; i < data.bins().size(); ++i) {
-    if (data.bins().samples()[i].channel != channel) continue;
+    if (data.samples()[i].channel != channel) continue;
     sum += baseline.residual[i] * baseline.residual[i];
     n += 1.0;
   }
@@ -373,7 +373,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
                                             count == 1 ? "" : "s",
                                             count == 1 ? "its" : "their"));
   }
-  const TrainingData data(std::move(train));
+  const TrainingData data(std::move(train), start->model.baseline);
   const StructureFit baseline = FitBaseline(data, start->model, start->initial);
   if (baseline.jacobian.size() == 0) {
     diagnosis.message = "the baseline model cannot be simulated over these logs.";

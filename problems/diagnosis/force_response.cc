@@ -66,7 +66,7 @@ Eigen::VectorXd ForceResponse::Outputs(const std::vector<double>& force) const {
     const double start = points_[first].time;
     const double step = end > first + 1 ? points_[first + 1].time - start : 1.0;
     for (int row = data_->bins().first_row(r); row < data_->bins().first_row(r + 1); ++row) {
-      const NoiseSample& sample = data_->bins().samples()[row];
+      const NoiseSample& sample = data_->samples()[row];
       const auto& values = sample.channel == NoiseChannel::kVelocity ? velocity : position;
       const double place = std::clamp((sample.time - start) / step, 0.0, end - first - 1.0);
       const int low = first + std::min(static_cast<int>(place), end - first - 2);

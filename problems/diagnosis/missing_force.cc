@@ -40,10 +40,10 @@ MissingForce FindMissingForce(const TrainingData& data,
                               const StructureFit& extended,
                               const std::vector<Dof>& partners) {
   MissingForce missing;
-  const auto& samples = data.bins().samples();
+  const auto& samples = data.samples();
   const double inertia = baseline.model.baseline.inertia;
   const NoiseModel noise =
-      WithDisturbance(extended.noise, DampingRate(data, baseline.model.baseline), baseline);
+      WithDisturbance(extended.noise, data.DampingRate(baseline.model.baseline), baseline);
   const SmoothedDisturbance smoothed = SmoothDisturbance(
       noise, samples, std::span(baseline.residual.data(), baseline.residual.size()));
   const Eigen::VectorXd added = baseline.residual - extended.residual;

@@ -117,14 +117,13 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   remaining.num_columns = static_cast<int>(all.rank() - own.rank());
   if (remaining.num_columns <= 0) return remaining;
 
-  Whitener whitener(fit.noise, data.bins().samples());
+  Whitener whitener(fit.noise, data.samples());
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
   FitNoiseOptions options;
-  options.damping_rate = DampingRate(data, fit.model.baseline);
+  options.damping_rate = data.DampingRate(fit.model.baseline);
   const NoiseModel noise =
-      FitNoise(data.bins().samples(), std::span(residual.data(), residual.size()), design, options)
-          .model;
-  whitener = Whitener(noise, data.bins().samples());
+      FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options).model;
+  whitener = Whitener(noise, data.samples());
   residual = ResidualAfter(design, fit.residual, whitener);
   const double log_likelihood = whitener.LogLikelihood(std::span(residual.data(), residual.size()));
   remaining.gain = std::max(0.0, 2.0 * (log_likelihood - fit.log_likelihood));

@@ -148,13 +148,13 @@ class Searcher {
     screened_ = fit;
     trials_ = TrialsAbout(data_, screened_, suspects_);
     if (trials_.trials.empty()) return;
-    own_.emplace(data_, screened_, suspects_, trials_, Whitener(noise, data_.bins().samples()));
+    own_.emplace(data_, screened_, suspects_, trials_, Whitener(noise, data_.samples()));
     if (!with_sensor) return;
     sharp_.emplace(data_,
                    screened_,
                    suspects_,
                    trials_,
-                   Whitener(SensorNoiseOnly(data_, screened_.residual), data_.bins().samples()));
+                   Whitener(SensorNoiseOnly(data_, screened_.residual), data_.samples()));
   }
 
   // Best score of each suspect on the last screens, the sharper one scaled to the other.
@@ -363,7 +363,7 @@ class Searcher {
   bool HoldsUnderTheBaselinesNoise(int index) const {
     const Hypothesis& baseline = result_.tried[0];
     const Hypothesis& hypothesis = result_.tried[index];
-    const Whitener whitener(baseline.fit.noise, data_.bins().samples());
+    const Whitener whitener(baseline.fit.noise, data_.samples());
     const StructureFit refit =
         FitStructure(data_, hypothesis.fit.model, hypothesis.fit.initial, whitener);
     constexpr double kLeast = 4.0;  // chi squared per cause
@@ -397,8 +397,8 @@ class Searcher {
     int without = 0;
     if (!others.empty()) {
       ExtendedModel model = WithoutEffect(fit.model, EffectPlace(fit.model, cause));
-      const StructureFit start = FitStructure(
-          data_, model, fit.initial, Whitener(fit.noise, data_.bins().samples()), kRough);
+      const StructureFit start =
+          FitStructure(data_, model, fit.initial, Whitener(fit.noise, data_.samples()), kRough);
       without = start.jacobian.size() == 0 ? -1 : Add(others, start);
     }
     if (without < 0) return;

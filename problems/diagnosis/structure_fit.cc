@@ -154,77 +154,6 @@ Eigen::MatrixXd CovarianceOf(const Normal& normal,
   return covariance;
 }
 
-}  // namespace
-
-TrainingData::TrainingData(std::vector<Record> records)
-    : records_(std::move(records)), bins_(records_) {
-  command_tone_.share = 1.0;
-  for (const Record& record : records_) {
-    longest_duration_ = std::max(longest_duration_, record.duration());
-    const HeldCommand& command = record.inputs->command;
-    const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
-    const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
-    if (tone.share <= command_tone_.share) command_tone_ = tone;
-  }
-  measured_.resize(bins_.size());
-  for (size_t r = 0; r < records_.size(); ++r) {
-    simulations_.emplace_back(records_[r].inputs.get(), records_[r].stamps);
-    has_displacement_ = has_displacement_ || !records_[r].displacement.empty();
-    const int first = bins_.first_row(r);
-    bins_.Average(r,
-                  records_[r].velocity,
-                  records_[r].displacement,
-                  std::span(measured_.data() + first, bins_.first_row(r + 1) - first));
-  }
-}
-
-std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model,
-                                                      std::span<const InitialState> initial) const {
-  Eigen::VectorXd simulated(bins_.size());
-  EffectOutputs outputs;
-  for (size_t r = 0; r < records_.size(); ++r) {
-    if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
-    const int first = bins_.first_row(r);
-    bins_.Average(r,
-                  outputs.velocity,
-                  outputs.displacement,
-                  std::span(simulated.data() + first, bins_.first_row(r + 1) - first));
-  }
-  return simulated;
-}
-
-std::optional<TrainingData::Linearised> TrainingData::Linearise(
-    const ExtendedModel& model, std::span<const InitialState> initial) const {
-  const int num_parameters = NumParameters(model);
-  const int num_columns = num_parameters + num_states() * static_cast<int>(records_.size());
-  Linearised linearised = {Eigen::VectorXd(bins_.size()),
-                           RowMajorMatrix::Zero(bins_.size(), num_columns)};
-  EffectOutputs outputs;
-  for (size_t r = 0; r < records_.size(); ++r) {
-    if (!simulations_[r].RunWithSensitivities(model, initial[r], &outputs)) return std::nullopt;
-    const int first = bins_.first_row(r);
-    const int num_rows = bins_.first_row(r + 1) - first;
-    bins_.Average(r,
-                  outputs.velocity,
-                  outputs.displacement,
-                  std::span(linearised.simulated.data() + first, num_rows));
-    SensitivityMatrix rows(num_rows, EffectSimulation::NumColumns(model));
-    bins_.Average(r, outputs.velocity_sensitivity, outputs.displacement_sensitivity, rows);
-    auto to = linearised.jacobian.middleRows(first, num_rows);
-    to.leftCols(kNumParameters) = rows.leftCols(kNumParameters);
-    const int num_effect_parameters = num_parameters - kNumParameters;
-    to.middleCols(kNumParameters, num_effect_parameters) = rows.rightCols(num_effect_parameters);
-    const int state = num_parameters + num_states() * static_cast<int>(r);
-    to.col(state) = rows.col(EffectSimulation::kInitialVelocityColumn);
-    if (has_displacement_) {
-      to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
-    }
-  }
-  return linearised;
-}
-
-namespace {
-
 // Fills residual and Jacobian of a fit at its model; no Jacobian if it cannot be simulated.
 bool LineariseAt(const TrainingData& data, StructureFit* fit) {
   auto at = data.Linearise(fit->model, fit->initial);
@@ -313,30 +242,16 @@ StructureFit FitStructure(const TrainingData& data,
   return SearchFrom(data, std::move(fit), whitener, smallest_share);
 }
 
-double DampingRate(const TrainingData& data, const UncoupledModel<double>& model) {
-  double sum = 0.0, n = 0.0;
-  for (const Record& record : data.records()) {
-    const Segment segment = SegmentOfRecord(record);
-    for (const double v : segment.velocity) sum += std::abs(v);
-    n += static_cast<double>(segment.velocity.size());
-  }
-  const double rate =
-      (model.linear_damping + 2.0 * model.quadratic_damping * sum / n) / model.inertia;
-  return std::clamp(rate, 1e-3, 5.0);
-}
-
 NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
                       const std::optional<NoiseModel>& start) {
   FitNoiseOptions options;
-  options.damping_rate = DampingRate(data, fit.model.baseline);
+  options.damping_rate = data.DampingRate(fit.model.baseline);
   options.start = start;
   // In turns with the fit. From nothing, a coarse search ends at the wrong maximum.
   if (start) options.precision = 0.01;
-  const NoiseFit learned = FitNoise(data.bins().samples(),
-                                    std::span(fit.residual.data(), fit.residual.size()),
-                                    fit.jacobian,
-                                    options);
+  const NoiseFit learned = FitNoise(
+      data.samples(), std::span(fit.residual.data(), fit.residual.size()), fit.jacobian, options);
   return learned.model;
 }
 
@@ -345,7 +260,7 @@ NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& resi
   for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
     std::vector<double> values;
     for (int i = 0; i < data.bins().size(); ++i) {
-      if (data.bins().samples()[i].channel == channel) values.push_back(residual[i]);
+      if (data.samples()[i].channel == channel) values.push_back(residual[i]);
     }
     if (values.size() < 3) continue;
     double sum = 0.0;
@@ -365,7 +280,7 @@ StructureFit FitBaseline(const TrainingData& data,
                          std::span<const InitialState> initial) {
   const auto simulated = data.Simulate(start, initial);
   if (!simulated) return {};
-  const Whitener sensor(SensorNoiseOnly(data, data.measured() - *simulated), data.bins().samples());
+  const Whitener sensor(SensorNoiseOnly(data, data.measured() - *simulated), data.samples());
   const StructureFit first = FitStructure(data, start, initial, sensor);
   if (first.jacobian.size() == 0) return first;
   return FitStructureAndNoise(data, first);
@@ -386,7 +301,7 @@ StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel nois
     if (fit.log_likelihood < previous + 0.1 || turn + 1 == kMostTurns) break;
     previous = fit.log_likelihood;
     noise = LearnNoise(data, fit, noise);
-    fit = SearchFrom(data, std::move(fit), Whitener(noise, data.bins().samples()), 0.0);
+    fit = SearchFrom(data, std::move(fit), Whitener(noise, data.samples()), 0.0);
   }
   return fit;
 }
@@ -397,13 +312,12 @@ StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,
                                   std::span<const InitialState> initial,
                                   const NoiseModel& noise) {
-  return LearnOn(
-      data, FitStructure(data, start, initial, Whitener(noise, data.bins().samples())), noise);
+  return LearnOn(data, FitStructure(data, start, initial, Whitener(noise, data.samples())), noise);
 }
 
 StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start) {
   const NoiseModel noise = FirstNoise(data, start);
-  return LearnOn(data, SearchFrom(data, start, Whitener(noise, data.bins().samples()), 0.0), noise);
+  return LearnOn(data, SearchFrom(data, start, Whitener(noise, data.samples()), 0.0), noise);
 }
 
 }  // namespace fathom

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include "fathom/diagnosis/records.h"
+#include "fathom/diagnosis/training_data.h"
 #include "fathom/noise/whitener.h"
-#include "fathom/signal/excitation.h"
 #include "fathom/vehicle/extended_model.h"
 
 #include <limits>
@@ -16,50 +15,6 @@
 #include <Eigen/Core>
 
 namespace fathom {
-
-// The data of a fit: records, their simulations, and their bins.
-class TrainingData {
- public:
-  explicit TrainingData(std::vector<Record> records);
-
-  const std::vector<Record>& records() const { return records_; }
-  const std::vector<EffectSimulation>& simulations() const { return simulations_; }
-  const Bins& bins() const { return bins_; }
-  bool has_displacement() const { return has_displacement_; }
-
-  // States of a record that are free: the velocity, and the position where it is measured.
-  int num_states() const { return has_displacement_ ? 2 : 1; }
-
-  // The strongest line of the command that is least of a tone.
-  const Tone& command_tone() const { return command_tone_; }
-
-  double longest_duration() const { return longest_duration_; }  // of a record [s]
-
-  // Measured, averaged over the bins.
-  const Eigen::VectorXd& measured() const { return measured_; }
-
-  // Simulated, averaged over the bins; nothing if a run diverges.
-  std::optional<Eigen::VectorXd> Simulate(const ExtendedModel& model,
-                                          std::span<const InitialState> initial) const;
-
-  // The same with its derivatives: columns are the baseline's parameters, the effects', then the
-  // free states record by record.
-  struct Linearised {
-    Eigen::VectorXd simulated;
-    RowMajorMatrix jacobian;
-  };
-  std::optional<Linearised> Linearise(const ExtendedModel& model,
-                                      std::span<const InitialState> initial) const;
-
- private:
-  std::vector<Record> records_;
-  std::vector<EffectSimulation> simulations_;
-  Bins bins_;
-  bool has_displacement_ = false;
-  Tone command_tone_;
-  double longest_duration_ = 0.0;
-  Eigen::VectorXd measured_;
-};
 
 // A model where its generalised squared error is least.
 struct StructureFit {
@@ -109,8 +64,5 @@ NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit);
 // White noise as a sensor alone would have it, from the residual's second differences, which
 // structure hardly reaches: under it nothing that is missing passes for a disturbance.
 NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& residual);
-
-// Damping rate of the model about its usual speed [1/s], for NoiseModel.
-double DampingRate(const TrainingData& data, const UncoupledModel<double>& model);
 
 }  // namespace fathom

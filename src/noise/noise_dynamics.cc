@@ -47,9 +47,9 @@ double NoiseModel::DisturbedVelocityStd() const {
   return disturbance.std / std::sqrt(damping_rate * rate);
 }
 
-NoiseDynamics::NoiseDynamics(const NoiseModel& model) : model_(model) {
+NoiseDynamics::NoiseDynamics(const NoiseModel& model, double damping_factor) : model_(model) {
   if (!model.disturbance.IsPresent()) return;
-  const double a = model.damping_rate;
+  const double a = damping_factor * model.damping_rate;
   const double b = 1.0 / model.disturbance.time;
   CHECK_GT(a, 0.0) << "A disturbed velocity without damping is not stationary.";
   CHECK_GT(model.disturbance.time, 0.0);

@@ -23,7 +23,8 @@ struct NoiseTransition {
 // constant, doubled from there. Closed forms would divide by a - 1 / tau, which may vanish.
 class NoiseDynamics {
  public:
-  explicit NoiseDynamics(const NoiseModel& model);
+  // With `damping_factor` on the model's damping rate.
+  explicit NoiseDynamics(const NoiseModel& model, double damping_factor = 1.0);
 
   // dt: [s], at least 0.
   NoiseTransition Over(double dt) const;

@@ -30,12 +30,13 @@ struct SensorNoise {
 //   x'  and to the displacement                           [m] or [rad]
 //   a   damping rate of the vehicle about its motion      [1/s]
 //
-// v' and w are stationary from the start of a segment; x' is 0 at its first sample.
+// v' and w are stationary from the start of a segment, at a usual speed; x' is 0 at its first
+// sample.
 struct NoiseModel {
   SensorNoise velocity;
   SensorNoise displacement;
   OrnsteinUhlenbeck disturbance;  // w
-  double damping_rate = 0.1;      // a [1/s], above 0 where there is a disturbance
+  double damping_rate = 0.1;      // a at a usual speed [1/s], above 0 where there is a disturbance
 
   // Stationary standard deviation of v' [m/s] or [rad/s].
   double DisturbedVelocityStd() const;
@@ -51,6 +52,10 @@ struct NoiseSample {
   double variance_factor =
       1.0;  // on the white part, above 0: 4 for a mean of a quarter of the usual
   int segment = 0;
+
+  // On the damping rate a since the sample before, above 0: a vehicle of quadratic damping at rest
+  // is easily pushed about. Few values in all; each has its own table of transitions.
+  double damping_factor = 1.0;
 };
 
 }  // namespace fathom

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Eigen/Core>
 #include <glog/logging.h>
@@ -61,7 +62,8 @@ SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
                                       std::span<const double> residual) {
   CHECK_EQ(samples.size(), residual.size());
   const size_t n = samples.size();
-  const NoiseDynamics dynamics(model);
+  std::map<double, NoiseDynamics> regimes;  // by damping factor
+  const NoiseDynamics& usual = regimes.try_emplace(1.0, model).first->second;
   std::vector<Prediction> predictions(n);
 
   // Forward: the Kalman filter, docs/residual_noise.md (7).
@@ -73,10 +75,12 @@ SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
     if (i == 0 || sample.segment != samples[i - 1].segment) {
       at.from_before.setZero();
       mean.setZero();
-      P = StartCovariance(model, dynamics);
+      P = StartCovariance(model, usual);
     } else {
       const double dt = sample.time - samples[i - 1].time;
       CHECK(dt >= 0.0 && std::isfinite(dt)) << "Samples out of order at time " << sample.time;
+      const double factor = sample.damping_factor;
+      const NoiseDynamics& dynamics = regimes.try_emplace(factor, model, factor).first->second;
       const NoiseTransition transition = dynamics.Over(dt);
       at.from_before = TransitionMatrix(transition);
       mean = at.from_before * mean;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 #include <glog/logging.h>
@@ -50,6 +51,59 @@ struct Whitener::Filter {
     Covariance before, after;
     Step step;
     double log_variance = 0.0;
+  };
+
+  // What is true at one damping rate, with the kinds met last.
+  struct Regime {
+    static constexpr int kNumKinds = 8;
+
+    Regime(const NoiseModel& model, double factor)
+        : damping_factor(factor), dynamics(model, factor) {}
+
+    Kind* KindOf(const NoiseSample& sample, double dt) {
+      const auto is_kind = [&](const Kind& kind) {
+        return std::abs(kind.dt - dt) < kSameInterval && kind.channel == sample.channel &&
+               kind.variance_factor == sample.variance_factor;
+      };
+      Kind* const end = kinds.data() + num_kinds;
+      Kind* kind = std::find_if(kinds.data(), end, is_kind);
+      if (kind != end) return kind;
+      if (num_kinds < kNumKinds) {
+        ++num_kinds;
+      } else {
+        kind = &kinds[next_kind++ % kNumKinds];
+      }
+      kind->dt = dt;
+      kind->variance_factor = sample.variance_factor;
+      kind->channel = sample.channel;
+      kind->is_filled = false;
+      kind->transition = dynamics.Over(dt);
+      return kind;
+    }
+
+    double damping_factor;
+    NoiseDynamics dynamics;
+    std::array<Kind, kNumKinds> kinds;
+    int num_kinds = 0, next_kind = 0;
+  };
+
+  class Regimes {
+   public:
+    explicit Regimes(const NoiseModel& model) : model_(model) {}
+
+    Regime* OfFactor(double factor) {
+      if (last_ != nullptr && last_->damping_factor == factor) return last_;
+      const auto found = std::find_if(all_.begin(), all_.end(), [factor](const Regime& regime) {
+        return regime.damping_factor == factor;
+      });
+      last_ = found != all_.end() ? &*found : &all_.emplace_back(model_, factor);
+      return last_;
+    }
+
+   private:
+    const NoiseModel& model_;
+    std::deque<Regime> all_;  // does not move what it holds
+    Regime* last_ = nullptr;
   };
 
   static bool IsSame(const Covariance& P, const Covariance& other) {
@@ -135,10 +189,7 @@ struct Whitener::Filter {
                         std::span<const NoiseSample> samples,
                         std::vector<Step>* steps,
                         std::vector<double>* log_variances) {
-    constexpr int kNumKinds = 8;
-    const NoiseDynamics dynamics(model);
-    std::array<Kind, kNumKinds> kinds;
-    int num_kinds = 0, next_kind = 0;
+    Regimes regimes(model);
     Covariance P = Covariance::Zero();
     for (size_t i = 0; i < samples.size(); ++i) {
       const NoiseSample& sample = samples[i];
@@ -148,7 +199,7 @@ struct Whitener::Filter {
       const double white_variance = sample.variance_factor * white_std * white_std;
       Step& step = (*steps)[i];
       if (i == 0 || sample.segment != samples[i - 1].segment) {
-        P = Start(model, dynamics);
+        P = Start(model, regimes.OfFactor(1.0)->dynamics);
         step = Step{};
         step.channel = sample.channel;
         Update(white_variance, &P, &step, &(*log_variances)[i]);
@@ -156,23 +207,7 @@ struct Whitener::Filter {
       }
       const double dt = sample.time - samples[i - 1].time;
       CHECK(dt >= 0.0 && std::isfinite(dt)) << "Samples out of order at time " << sample.time;
-      const auto is_kind = [&](const Kind& kind) {
-        return std::abs(kind.dt - dt) < kSameInterval && kind.channel == sample.channel &&
-               kind.variance_factor == sample.variance_factor;
-      };
-      Kind* kind = std::find_if(kinds.data(), kinds.data() + num_kinds, is_kind);
-      if (kind == kinds.data() + num_kinds) {
-        if (num_kinds < kNumKinds) {
-          ++num_kinds;
-        } else {
-          kind = &kinds[next_kind++ % kNumKinds];
-        }
-        kind->dt = dt;
-        kind->variance_factor = sample.variance_factor;
-        kind->channel = sample.channel;
-        kind->is_filled = false;
-        kind->transition = dynamics.Over(dt);
-      }
+      Kind* kind = regimes.OfFactor(sample.damping_factor)->KindOf(sample, dt);
       if (!kind->is_filled || !IsSame(kind->before, P)) {
         kind->is_filled = true;
         kind->before = P;

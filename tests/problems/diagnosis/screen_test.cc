@@ -149,11 +149,11 @@ TEST(Screen, ScoresAnEffectAsTheSlopeOfItsLikelihoodDoes) {
   const TrainingData data(RecordsOf(logs, Dof::kSurge).all);
   NoiseModel noise;
   noise.velocity = {.white_std = 0.008, .coloured = {.std = 0.006, .time = 0.7}};
-  const Whitener whitener(noise, data.bins().samples());
+  const Whitener whitener(noise, data.samples());
   const std::vector<InitialState> start = {data.records()[0].initial};
   const StructureFit fit = FitStructure(data, {kSurgeTruth, {}}, start, whitener);
   ASSERT_TRUE(fit.converged);
-  const Eigen::LLT<Eigen::MatrixXd> factor(DenseCovariance(noise, data.bins().samples()));
+  const Eigen::LLT<Eigen::MatrixXd> factor(DenseCovariance(noise, data.samples()));
 
   std::vector<Suspect> suspects;
   for (const char* name : {"thrust_asymmetry",

@@ -80,8 +80,8 @@ Eigen::MatrixXd JacobianAt(const TrainingData& data, const StructureFit& fit) {
 // Against generalised least squares written out: no whitening by a filter, no derivatives by Jets.
 TEST(FitStructure, StandsWhereDenseGeneralisedLeastSquaresHasNothingToGain) {
   const TrainingData data = DataOf(Short(), 1);
-  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.bins().samples());
-  const Whitener whitener(Coloured(), data.bins().samples());
+  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.samples());
+  const Whitener whitener(Coloured(), data.samples());
   const StructureFit fit =
       FitStructure(data, {{700.0, 90.0, 25.0, 1.0}, {}}, StatesOf(data), whitener);
   ASSERT_TRUE(fit.converged);
@@ -114,7 +114,7 @@ TEST(FitStructure, StandsWhereDenseGeneralisedLeastSquaresHasNothingToGain) {
 
 TEST(FitStructure, EndsAtTheSamePlaceFromFarAway) {
   const TrainingData data = DataOf(Short(), 2);
-  const Whitener whitener(Coloured(), data.bins().samples());
+  const Whitener whitener(Coloured(), data.samples());
   const auto near = FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), whitener);
   const auto far = FitStructure(data, {{2500.0, 5.0, 150.0, 10.0}, {}}, StatesOf(data), whitener);
   ASSERT_TRUE(near.converged && far.converged);
@@ -131,13 +131,13 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
   run.model.linear_damping = 1.0;
   run.effects = "thruster_lag:time_constant=1.0";
   const TrainingData data = DataOf(run, 3);
-  const Whitener whitener(Coloured(), data.bins().samples());
+  const Whitener whitener(Coloured(), data.samples());
   const StructureFit fit = FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), whitener);
   ASSERT_TRUE(fit.converged);
   EXPECT_EQ(fit.model.baseline.linear_damping, 0.0);
   EXPECT_TRUE(fit.is_on_bound[kLinearDamping]);
   EXPECT_EQ(fit.covariance(kLinearDamping, kLinearDamping), 0.0);
-  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.bins().samples());
+  const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.samples());
   const Eigen::MatrixXd J = JacobianAt(data, fit);
   const Eigen::VectorXd weighted = Eigen::LLT<Eigen::MatrixXd>(S).solve(fit.residual);
   EXPECT_LT(J.col(kLinearDamping).dot(weighted), 0.0);  // downhill is below zero
@@ -149,7 +149,7 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
 
 TEST(FitStructure, SaysThatAModelCannotBeSimulated) {
   const TrainingData data = DataOf(Short(), 1);
-  const Whitener whitener(Coloured(), data.bins().samples());
+  const Whitener whitener(Coloured(), data.samples());
   ExtendedModel runaway = {{1e-6, 0.0, -1e6, 0.0}, {}};
   runaway.baseline.linear_damping = 1e9;
   const StructureFit fit = FitStructure(data, runaway, StatesOf(data), whitener);

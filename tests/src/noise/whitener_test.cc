@@ -3,6 +3,7 @@
 
 #include "fathom/noise/whitener.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,7 @@
 
 #include "dense_covariance.h"
 #include <gtest/gtest.h>
+#include <unsupported/Eigen/MatrixFunctions>
 
 namespace fathom {
 namespace {
@@ -103,6 +105,68 @@ TEST(Whitener, IsTheInverseCholeskyFactorOfTheDenseCovariance) {
     EXPECT_LT((W * L - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(), 1e-9) << c.name;
     EXPECT_NEAR(whitener.log_determinant(), 2.0 * L.diagonal().array().log().sum(), 1e-9 * n)
         << c.name;
+  }
+}
+
+// Covariance of the samples of one segment by the exponential of van Loan's matrix, interval by
+// interval, each at its own damping rate.
+Eigen::MatrixXd CovarianceByVanLoan(const NoiseModel& model,
+                                    const std::vector<NoiseSample>& samples) {
+  using Matrix = Eigen::Matrix<double, 3, 3>;  // of (w, v', x')
+  const double b = 1.0 / model.disturbance.time, w2 = std::pow(model.disturbance.std, 2);
+  const double usual = model.damping_rate;
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  Matrix P = Matrix::Zero();
+  P(0, 0) = w2;
+  P(0, 1) = P(1, 0) = w2 / (usual + b);
+  P(1, 1) = P(0, 1) / usual;
+  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
+  std::vector<Eigen::Vector3d> carried;  // covariance of the state now with each sample before
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const NoiseSample& sample = samples[i];
+    if (i > 0) {
+      const double a = usual * sample.damping_factor;
+      Matrix A = Matrix::Zero(), G = Matrix::Zero();
+      A << -b, 0, 0, 1, -a, 0, 0, 1, 0;
+      G(0, 0) = 2.0 * b * w2;
+      Eigen::Matrix<double, 6, 6> block = Eigen::Matrix<double, 6, 6>::Zero();
+      block.topLeftCorner<3, 3>() = -A;
+      block.topRightCorner<3, 3>() = G;
+      block.bottomRightCorner<3, 3>() = A.transpose();
+      const Eigen::Matrix<double, 6, 6> exponential =
+          (block * (sample.time - samples[i - 1].time)).exp();
+      const Matrix F = exponential.bottomRightCorner<3, 3>().transpose();
+      P = F * P * F.transpose() + F * exponential.topRightCorner<3, 3>();
+      for (Eigen::Vector3d& covariance : carried) covariance = F * covariance;
+    }
+    const int seen = sample.channel == NoiseChannel::kVelocity ? 1 : 2;
+    for (Eigen::Index j = 0; j < i; ++j) S(i, j) = S(j, i) = carried[j](seen);
+    const SensorNoise& sensor = seen == 1 ? model.velocity : model.displacement;
+    S(i, i) = P(seen, seen) + sample.variance_factor * std::pow(sensor.white_std, 2);
+    carried.emplace_back(P.col(seen));
+  }
+  return S;
+}
+
+TEST(Whitener, FollowsADampingRateThatChangesFromSampleToSample) {
+  NoiseModel model = Full();
+  model.velocity.coloured.std = model.displacement.coloured.std = 0.0;
+  model.disturbance.std = 0.05;
+  std::mt19937 generator(11);
+  for (auto samples : {IrregularSamples(120), GridSamples(200, true)}) {
+    for (NoiseSample& sample : samples) {
+      sample.segment = 0;
+      sample.damping_factor = std::exp2(0.5 * (static_cast<int>(generator() % 9) - 4));
+    }
+    std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) {
+      return a.time < b.time;
+    });
+    const Eigen::MatrixXd S = CovarianceByVanLoan(model, samples);
+    const auto n = static_cast<Eigen::Index>(samples.size());
+    RowMajorMatrix W = RowMajorMatrix::Identity(n, n);
+    Whitener(model, samples).Apply(W, W);
+    EXPECT_LT((W * S * W.transpose() - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(),
+              1e-8);
   }
 }
 
