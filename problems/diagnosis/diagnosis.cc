@@ -21,6 +21,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -231,11 +232,35 @@ SearchResult SearchThinned(const TrainingData& data,
 // by so much that it should not be built on.
 bool IsRefuted(const Gain& gain) { return gain.high < 0.0 || gain.value < -kLossTooMuch; }
 
-// Leaves out of the best hypothesis every cause that the held-out data speak against.
+// True if what the best hypothesis leaves is more than noise, and a matter.
+bool Remains(const RemainingStructure& remaining, const SearchResult& search) {
+  const double all_structure = search.tried[search.best].gain + remaining.gain;
+  return remaining.p_value < kSmallestPValue &&
+         remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
+}
+
+// The best hypothesis of at most so many causes without any of some suspects.
+int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchResult& search) {
+  int best = 0;
+  for (size_t i = 0; i < search.tried.size(); ++i) {
+    const Hypothesis& other = search.tried[i];
+    const bool has_one = std::any_of(other.suspects.begin(),
+                                     other.suspects.end(),
+                                     [&](int suspect) { return left_out.contains(suspect); });
+    if (has_one || other.suspects.size() > most_causes) continue;
+    if (!(other.gain > ThresholdOf(search, other.suspects))) continue;
+    if (other.delta_bic > search.tried[best].delta_bic) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+// Leaves out of the best hypothesis every cause that the held-out data speak against; where each
+// must gain, also those whose gain on them is not certain.
 void LeaveOutTheRefuted(const TrainingData& data,
                         const std::vector<Record>& held_out,
                         const std::vector<Suspect>& suspects,
                         const DiagnosisOptions& options,
+                        bool each_must_gain,
                         SearchResult* search,
                         std::vector<std::string>* remarks) {
   const auto refuted = [&]() -> int {
@@ -247,25 +272,32 @@ void LeaveOutTheRefuted(const TrainingData& data,
       if (without == nullptr) continue;
       Scored scored;
       Score(held_out, without->fit.model, best.fit.model, &scored);
-      if (IsRefuted(GainOf(scored.before, scored.after, options.seed))) return suspect;
+      const Gain gain = GainOf(scored.before, scored.after, options.seed);
+      if (IsRefuted(gain) || (each_must_gain && !(gain.low > 0.0))) return suspect;
     }
     return -1;
   };
-  while (search->tried[search->best].suspects.size() > 1) {
+  std::set<int> left_out;
+  const size_t fewest = each_must_gain ? 0 : 1;
+  while (search->tried[search->best].suspects.size() > fewest) {
     const int suspect = refuted();
     if (suspect < 0) return;
-    std::vector<int> others = search->tried[search->best].suspects;
-    std::erase(others, suspect);
-    search->best = static_cast<int>(FindHypothesis(*search, others) - search->tried.data());
+    left_out.insert(suspect);
+    search->best = BestWithout(left_out, search->tried[search->best].suspects.size() - 1, *search);
     StructureFit& fit = search->tried[search->best].fit;  // of thinned data until now
     fit = FitStructureAndNoise(
         data, ExtendedModel(fit.model), std::vector(fit.initial), NoiseModel(fit.noise));
     if (fit.jacobian.size() == 0) search->best = 0;
     search->rivals = FindRivals(data, *search, options.separation);
+    const std::string kept = LabelsOf(search->tried[search->best], suspects);
     remarks->push_back(fmt::format(
-        "Not named beside {}: {}. With it the error grows on data that no fit has seen.",
-        LabelsOf(search->tried[search->best], suspects),
-        LabelOf(suspects[suspect])));
+        "Not named{}{}: {}. {}.",
+        kept.empty() ? "" : " beside ",
+        kept,
+        LabelOf(suspects[suspect]),
+        each_must_gain ? "It fits the training data, but gains nothing for certain on data that no "
+                         "fit has seen, and there is more that nothing explains"
+                       : "With it the error grows on data that no fit has seen"));
   }
 }
 
@@ -390,7 +422,17 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   SearchResult search = SearchThinned(data, baseline, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
-  LeaveOutTheRefuted(data, held_out, suspects, options, &search, &diagnosis.remarks);
+  const auto leave_out = [&](bool each_must_gain) {
+    LeaveOutTheRefuted(
+        data, held_out, suspects, options, each_must_gain, &search, &diagnosis.remarks);
+  };
+  leave_out(false);
+  const auto find_remaining = [&] {
+    const StructureFit& fit = search.tried[search.best].fit;
+    return is_negligible ? RemainingStructure() : FindRemainingStructure(data, fit);
+  };
+  // The causes may stand in for what nothing explains; unseen data tell.
+  if (!held_out.empty() && Remains(find_remaining(), search)) leave_out(true);
   Scored scored;
   if (held_out.empty()) {
     scored = LeaveBlocksOut(data, baseline, search.tried[search.best].fit);
@@ -415,15 +457,19 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     gain = GainOf(scored.before, scored.after, options.seed);
   }
   const Hypothesis& best = search.tried[search.best];
-  const RemainingStructure remaining =
-      is_negligible ? RemainingStructure() : FindRemainingStructure(data, best.fit);
+  const RemainingStructure remaining = find_remaining();
+  const bool remains = Remains(remaining, search);
+  if (remains) {
+    // What nothing explains gains so much per column: then it takes as many times more to tell two
+    // causes apart, either of which may stand in for it.
+    const double times_noise = remaining.gain / remaining.num_columns;
+    search.rivals = FindRivals(data, search, options.separation * std::max(1.0, times_noise));
+  }
 
   diagnosis.baseline = Describe(data, baseline);
   diagnosis.extended = Describe(data, best.fit);
   diagnosis.remaining_p_value = remaining.p_value;
   const double all_structure = best.gain + remaining.gain;
-  const bool remains = remaining.p_value < kSmallestPValue &&
-                       remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
   diagnosis.explained_share = all_structure > 0.0 ? best.gain / all_structure : 0.0;
   diagnosis.structure_share = StructureShare(baseline, best.fit);
   if (remains || is_refuted) {

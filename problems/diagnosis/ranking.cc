@@ -43,8 +43,9 @@ std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival, b
                        threshold);
   }
   if (!any_kept) {
-    return fmt::format("dropped: gains {:.0f}, but not on data that no fit has seen",
-                       candidate.gain);
+    return fmt::format(
+        "dropped: gains {:.0f}, but what fits best fails on data that no fit has seen",
+        candidate.gain);
   }
   return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
 }
