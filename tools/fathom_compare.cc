@@ -58,18 +58,7 @@ ComparisonOptions OptionsFromFlags() {
 
 void Print(const DofComparison& dof) {
   std::printf("%s", FormatTable(ParameterTable(dof)).c_str());
-  for (const Finding& finding : dof.findings) {
-    std::printf("%s: %s\n",
-                finding.severity == Severity::kWarning ? "WARNING" : "note",
-                finding.sentence.c_str());
-  }
-  for (const std::string& remark : dof.remarks) std::printf("note: %s\n", remark.c_str());
-  for (const Identification& row : dof.rows) {
-    if (!row.is_usable) std::printf("! %s: %s\n", ModelName(row).c_str(), row.message.c_str());
-    for (const std::string& caveat : row.fitted.caveats) {
-      std::printf("note: %s: %s\n", ModelName(row).c_str(), caveat.c_str());
-    }
-  }
+  for (const std::string& line : CommentsOn(dof)) std::printf("%s\n", line.c_str());
   std::printf("\n");
 }
 

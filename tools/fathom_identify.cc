@@ -81,12 +81,7 @@ Signals SignalsFromFlags(Dof* dof) {
           all.force_unit,
           Name(all.source)));
     }
-    const auto append = [](auto* to, auto& from) {
-      to->insert(to->end(), from.begin(), from.end());
-    };
-    append(&all.train, signals.train);
-    append(&all.held_out, signals.held_out);
-    append(&all.remarks, signals.remarks);
+    Append(signals, &all);
   }
   return all;
 }

@@ -122,6 +122,22 @@ std::string ModelName(const Identification& identification) {
                      kSources[static_cast<size_t>(identification.source)]);
 }
 
+std::vector<std::string> CommentsOn(const DofComparison& comparison) {
+  std::vector<std::string> lines;
+  for (const Finding& finding : comparison.findings) {
+    const bool is_warning = finding.severity == Severity::kWarning;
+    lines.push_back((is_warning ? "WARNING: " : "note: ") + finding.sentence);
+  }
+  for (const std::string& remark : comparison.remarks) lines.push_back("note: " + remark);
+  for (const Identification& row : comparison.rows) {
+    if (!row.is_usable) lines.push_back(fmt::format("! {}: {}", ModelName(row), row.message));
+    for (const std::string& caveat : row.fitted.caveats) {
+      lines.push_back(fmt::format("note: {}: {}", ModelName(row), caveat));
+    }
+  }
+  return lines;
+}
+
 Table ParameterTable(const DofComparison& comparison) {
   const std::string& force_unit = comparison.scored.force_unit;
   const auto heading = [&](const char* name, int index) {

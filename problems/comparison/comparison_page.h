@@ -21,6 +21,10 @@ std::string ModelName(const Identification& identification);
 // data) is flagged best.
 Table ParameterTable(const DofComparison& comparison);
 
+// What is to be said beside that table, a line each: warnings and notes on the data, why a row is
+// unusable, and what the usable ones do not cover.
+std::vector<std::string> CommentsOn(const DofComparison& comparison);
+
 // The paper's Fig. 5 for one DOF: what was measured against each usable model's free run, over the
 // whole log, in seconds since its first sample.
 TimePanel ResponsePanel(const DofComparison& comparison);

@@ -17,19 +17,10 @@ namespace {
 
 // The signals of all logs as one, a segment each or more.
 Signals SignalsOfAll(const MarkerLogs& logs, Source source) {
-  Signals all;
-  for (size_t i = 0; i < logs.logs.size(); ++i) {
-    Signals signals = SignalsOf(logs.logs[i], logs.dof, {.source = source});
-    if (i == 0) {
-      all = std::move(signals);
-      continue;
-    }
-    const auto append = [](auto* to, auto& from) {
-      to->insert(to->end(), from.begin(), from.end());
-    };
-    append(&all.train, signals.train);
-    append(&all.held_out, signals.held_out);
-    append(&all.remarks, signals.remarks);
+  const SignalsOptions options = {.source = source};
+  Signals all = SignalsOf(logs.logs.front(), logs.dof, options);
+  for (size_t i = 1; i < logs.logs.size(); ++i) {
+    Append(SignalsOf(logs.logs[i], logs.dof, options), &all);
   }
   return all;
 }

@@ -241,4 +241,13 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   return signals;
 }
 
+void Append(const Signals& more, Signals* signals) {
+  const auto append = [](auto* to, const auto& from) {
+    to->insert(to->end(), from.begin(), from.end());
+  };
+  append(&signals->train, more.train);
+  append(&signals->held_out, more.held_out);
+  append(&signals->remarks, more.remarks);
+}
+
 }  // namespace fathom

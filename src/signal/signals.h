@@ -73,4 +73,7 @@ struct SignalsOptions {
 // Throws InputError if the log lacks a stream or column that this DOF and source need.
 Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options = {});
 
+// Adds the segments and remarks of another log, of the same DOF, source and unit.
+void Append(const Signals& more, Signals* signals);
+
 }  // namespace fathom

@@ -16,6 +16,7 @@ namespace fathom {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +57,23 @@ TEST(ParameterTable, AnUnusableRowIsFlaggedNeverBestAndShowsNoNumber) {
   for (size_t i = 2; i < table.rows[0].cells.size(); ++i) {
     EXPECT_EQ(table.rows[0].cells[i], "-") << table.columns[i].heading;
   }
+}
+
+TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
+  DofComparison comparison = HandmadeDof(
+      {UnusableRow(Family::kLeastSquares), HandmadeRow(Family::kOutputError, 0.02, 0.03)});
+  comparison.findings = {{.severity = Severity::kWarning, .sentence = "The power is negative."},
+                         {.severity = Severity::kNote, .sentence = "It is slow."}};
+  comparison.remarks = {"left out: 3 samples."};
+  comparison.rows[0].message = "no motion.";
+  comparison.rows[0].fitted.caveats.clear();
+  comparison.rows[1].fitted.caveats = {"noisy regressors."};
+  EXPECT_THAT(CommentsOn(comparison),
+              ElementsAre("WARNING: The power is negative.",
+                          "note: It is slow.",
+                          "note: left out: 3 samples.",
+                          "! LS pose estimator: no motion.",
+                          "note: Output error pose estimator: noisy regressors."));
 }
 
 TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {

@@ -7,6 +7,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct Equivalence {
   const char* deciding;  // what the result must say about the experiment
   SurgeRun experiment;   // that decides
 };
+
+void PrintTo(const Equivalence& equivalence, std::ostream* stream) { *stream << equivalence.name; }
 
 // Camera only, 1 cm, 10 Hz: METHODS.md.
 SurgeRun OneSine() {

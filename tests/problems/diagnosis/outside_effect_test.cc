@@ -5,44 +5,16 @@
 // of it; docs/adding_an_effect.md.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/vehicle/effect_of.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "square_root_drag.h"
 #include "surge_run.h"
-#include <ceres/jet.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct SquareRootDrag {
-  static EffectInfo Info() {
-    return {.name = "square_root_drag",
-            .place = Place::kWater,
-            .scope = Scope::kVehicle,
-            .parameters = {{.name = "coefficient",
-                            .quantity = {"N s/m", "N m s/rad", 1, -1, 0},
-                            .null = 0.0,
-                            .lower = 0.0,
-                            .upper = kInfinity}},
-            .cause = "the drag has a part that grows with the root of the speed",
-            .advice = "Keep it."};
-  }
-  template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    using std::sqrt;
-    const T size = sqrt(water.speed * water.speed + 1e-4);
-    return p[0] * water.speed / sqrt(size);
-  }
-};
 
 constexpr double kCoefficient = 40.0;
 

@@ -3,21 +3,17 @@
 
 #include "fathom/simulate/effect_simulation.h"
 
-#include "fathom/vehicle/effect_of.h"
-
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include <ceres/jet.h>
+#include "square_root_drag.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const UncoupledModel<double> kSurge = {890.0, 60.0, 39.0, -0.8};
 
 // 120 s: a command at 10 Hz of two tones and steps, velocities at stamps of their own, poses at
@@ -212,31 +208,6 @@ TEST(EffectSimulation, SwingsOnASpringAsTheClosedFormDoes) {
     EXPECT_NEAR(outputs.displacement[i], expected, 1e-5) << "t = " << t;
   }
 }
-
-// A user's own effect: a water jet that pushes with a constant power, added from outside.
-struct SquareRootDrag {
-  static EffectInfo Info() {
-    return {.name = "square_root_drag",
-            .place = Place::kWater,
-            .scope = Scope::kVehicle,
-            .parameters = {{.name = "coefficient",
-                            .quantity = {"N s/m", "N m s/rad", 1, -1, 0},
-                            .null = 0.0,
-                            .lower = 0.0,
-                            .upper = kInfinity}},
-            .cause = "the drag has a part that grows with the root of the speed",
-            .advice = "Keep it."};
-  }
-  template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    using std::sqrt;
-    const T size = sqrt(water.speed * water.speed + 1e-4);
-    return p[0] * water.speed / sqrt(size);
-  }
-};
 
 TEST(EffectSimulation, TakesAnEffectFromOutsideTheLibrary) {
   const EffectOf<SquareRootDrag> effect;

@@ -202,8 +202,7 @@ TEST(AddingAnEffect, ShowsTheStructThatTheTestsCompile) {
   const std::string shown = page.substr(first, page.find("```", first) - first);
   EXPECT_THAT(shown, HasSubstr("struct SquareRootDrag {"));
   EXPECT_THAT(shown, HasSubstr("return p[0] * water.speed / sqrt(size);"));
-  EXPECT_THAT(TextOf("tests/src/simulate/effect_simulation_test.cc"), HasSubstr(shown));
-  EXPECT_THAT(TextOf("tests/problems/diagnosis/outside_effect_test.cc"), HasSubstr(shown));
+  EXPECT_THAT(TextOf("tests/src/vehicle/square_root_drag.h"), HasSubstr(shown));
 }
 
 }  // namespace
