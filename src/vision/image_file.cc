@@ -72,6 +72,16 @@ GrayImage DecodeJpeg(const std::string& name, const std::string& bytes) {
   return image;
 }
 
+// OpenCV asks every decoder it was built with, that of DICOM too, which ends the program where its
+// data are damaged. Only these are let through.
+bool IsOfKnownFormat(std::string_view bytes) {
+  using std::string_view_literals::operator""sv;
+  const bool is_netpbm = bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
+  return is_netpbm || bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || bytes.starts_with("BM"sv) ||
+         bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) ||
+         (bytes.starts_with("RIFF"sv) && bytes.substr(0, 12).ends_with("WEBP"sv));
+}
+
 GrayImage FromMatrix(const cv::Mat& matrix) {
   GrayImage image(matrix.cols, matrix.rows);
   for (int v = 0; v < matrix.rows; ++v) {
@@ -90,7 +100,7 @@ GrayImage DecodeByOpenCv(const std::string& name, const std::string& bytes) {
   } catch (const cv::Exception& error) {
     FailToDecode(name, error.err);
   }
-  if (matrix.empty()) FailToDecode(name, "its data end too early or are of no known format");
+  if (matrix.empty()) FailToDecode(name, "its data end too early");
   RequireSize(name, matrix.cols, matrix.rows);
   if (matrix.depth() != CV_8U) {
     throw InputError(name +
@@ -111,7 +121,11 @@ GrayImage DecodeImage(const std::string& name, const std::string& bytes) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw InputError(fmt::format("{}: has {} bytes, expected an image.", name, bytes.size()));
   }
-  return bytes.starts_with("\xff\xd8") ? DecodeJpeg(name, bytes) : DecodeByOpenCv(name, bytes);
+  if (bytes.starts_with("\xff\xd8")) return DecodeJpeg(name, bytes);
+  if (!IsOfKnownFormat(bytes)) {
+    throw InputError(name + ": is no image, expected JPEG, PNG, PGM, PPM, TIFF, BMP or WebP.");
+  }
+  return DecodeByOpenCv(name, bytes);
 }
 
 std::string EncodePng(const GrayImage& image) {

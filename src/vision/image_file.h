@@ -10,9 +10,9 @@
 
 namespace fathom {
 
-// The image in a file (JPEG, PNG, PGM, TIFF, BMP and what else OpenCV decodes) in grey. A JPEG
-// whose data are damaged or cut off is refused, where most decoders fill the rest with grey.
-// Orientation tags are ignored: a calibration is of the pixels as the sensor has them.
+// The image in a file (JPEG, PNG, PGM, PPM, TIFF, BMP, WebP) in grey. A JPEG whose data are damaged
+// or cut off is refused, where most decoders fill the rest with grey. Orientation tags are ignored:
+// a calibration is of the pixels as the sensor has them.
 //
 // Throws InputError, naming the file, if it cannot be read or decoded, or has 16 bits per pixel.
 GrayImage ReadImage(const std::filesystem::path& path);

@@ -149,8 +149,26 @@ TEST_F(FrameFolder, CountsDamagedAndMissingImagesAndGoesOn) {
       Path("frames.csv") + ":4: " + Path("2.jpg") + ": there is no such file. Check the path.");
   EXPECT_EQ(source->unreadable()[2],
             Path("frames.csv") + ":5: " + Path("3.jpg") +
-                ": cannot decode this image: its data end too early or are of no known format. It "
-                "is damaged or cut off; restore it from its source.");
+                ": is no image, expected JPEG, PNG, PGM, PPM, TIFF, BMP or WebP.");
+}
+
+TEST_F(FrameFolder, ReadsEveryFormatThatItsRefusalNames) {
+  for (const char* extension : {".png", ".pgm", ".ppm", ".tiff", ".bmp", ".webp", ".jpg"}) {
+    cv::Mat colours;
+    cv::merge(std::vector<cv::Mat>(3, Picture(0)), colours);  // three of the same: grey
+    const bool has_colours = extension == std::string(".ppm");
+    const GrayImage image =
+        DecodeImage("a", Encoded(has_colours ? colours : Picture(0), extension));
+    ASSERT_EQ(image.width, kWidth) << extension;
+    const bool is_lossy = extension == std::string(".jpg") || extension == std::string(".webp");
+    EXPECT_NEAR(image.At(20, 30), Picture(0).at<uchar>(30, 20), is_lossy ? 25 : 0) << extension;
+  }
+}
+
+// GDCM, which OpenCV would ask, ends the program on it; found by fuzzing.
+TEST_F(FrameFolder, RefusesDamagedDicom) {
+  std::string bytes = "\xff\x4f\xff\x51" + std::string(124, '\xff') + "DICM\x03/";
+  EXPECT_THROW(DecodeImage("a", bytes), InputError);
 }
 
 // Cut at many places, and with bytes changed amid the data: never a picture that is not the file's.
