@@ -10,7 +10,7 @@
 
 namespace fathom {
 
-// The image in a file (JPEG, PNG, PGM, PPM, TIFF, BMP, WebP) in grey. A JPEG whose data are damaged
+// The image in a file (JPEG, PNG, PGM, PPM, TIFF, BMP) in grey. A JPEG whose data are damaged
 // or cut off is refused, where most decoders fill the rest with grey. Orientation tags are ignored:
 // a calibration is of the pixels as the sensor has them.
 //
