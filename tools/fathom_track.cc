@@ -138,10 +138,11 @@ Run ReadRun(const fs::path& folder) {
     return run;
   }
   Progress progress("frame");
-  run.images = DetectTags(
-      *run.Frames(), run.rig.map, DetectorOptionsFromFlags(), [&](int done, int expected) {
-        progress.Show(done, expected);
-      });
+  run.images = DetectTags(*run.Frames(),
+                          run.rig.camera,
+                          run.rig.map,
+                          DetectorOptionsFromFlags(),
+                          [&](int done, int expected) { progress.Show(done, expected); });
   run.detections = run.images->detections;
   return run;
 }

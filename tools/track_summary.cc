@@ -99,6 +99,7 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
                     summary.images->num_unreadable,
                     summary.images->num_frames_without_tags));
     add("sightings not used", std::to_string(summary.images->unused.size()));
+    add("sides not followed", std::to_string(summary.images->num_not_followed));
   } else {
     add("frames", fmt::format("{} with tags (detections.csv)", summary.num_frames));
   }

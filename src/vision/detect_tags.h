@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/vision/camera_model.h"
 #include "fathom/vision/detection.h"
 #include "fathom/vision/detection_filter.h"
 #include "fathom/vision/frame_source.h"
@@ -25,13 +26,18 @@ struct TagDetections {
   int num_unreadable = 0;  // of these
   std::vector<std::string> unreadable;
 
+  // Of `detections`: with corners as libapriltag has them, since their sides could not be followed.
+  int num_not_followed = 0;
+
   int num_frames_without_tags = 0;  // without a detection, whatever else was seen
 };
 
-// Looks for the map's markers in all frames. `progress` is told after each frame how many are done,
+// Looks for the map's markers in all frames; with options.refine_edges the corners are those of
+// FollowSides(), where it finds any. `progress` is told after each frame how many are done,
 // of num_expected; it may be empty. Throws InputError as the frames and the detector do, and if no
 // frame at all can be read.
 TagDetections DetectTags(FrameSource& frames,
+                         const CameraModel& camera,
                          const MarkerMap& map,
                          const TagDetectorOptions& options,
                          const std::function<void(int done, int expected)>& progress = {});
