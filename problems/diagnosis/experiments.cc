@@ -29,10 +29,11 @@ constexpr std::array kDecisions = {
              "steady_current",
              "No velocity log alone can: the two are identical at every speed. Log poses too."},
     Decision{"thruster_lag", "time_offset", kSteps},
-    Decision{"thruster_lag",
-             "sensor_lag",
-             "Poses too: they come without the speed sensor's lag. Or large steps, to speeds where "
-             "quadratic drag matters: in linear drag lags commute."},
+    Decision{
+        "thruster_lag",
+        "sensor_lag",
+        "Poses too, which come without the speed sensor's lag, or large steps, to speeds where "
+        "quadratic drag matters: in linear drag lags commute."},
     Decision{"sensor_lag", "time_offset", kSteps},
     Decision{"thruster_lag", "thrust_slew_limit", kSteps},
     Decision{"sensor_lag", "thrust_slew_limit", kSteps},

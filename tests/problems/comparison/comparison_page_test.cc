@@ -62,8 +62,11 @@ TEST(ParameterTable, AnUnusableRowIsFlaggedNeverBestAndShowsNoNumber) {
 TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
   DofComparison comparison = HandmadeDof(
       {UnusableRow(Family::kLeastSquares), HandmadeRow(Family::kOutputError, 0.02, 0.03)});
-  comparison.findings = {{.severity = Severity::kWarning, .sentence = "The power is negative."},
-                         {.severity = Severity::kNote, .sentence = "It is slow."}};
+  comparison.findings.resize(2);
+  comparison.findings[0].severity = Severity::kWarning;
+  comparison.findings[0].sentence = "The power is negative.";
+  comparison.findings[1].severity = Severity::kNote;
+  comparison.findings[1].sentence = "It is slow.";
   comparison.remarks = {"left out: 3 samples."};
   comparison.rows[0].message = "no motion.";
   comparison.rows[0].fitted.caveats.clear();
