@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // fathom_diagnose on logs of real vehicles, whose causes nobody knows for certain: what it must not
-// claim. The logs belong to others and are not bundled: the folder that FATHOM_REALDATA names.
-// docs/diagnosis_lbv_surge.md, docs/diagnosis_lbv_yaw.md, docs/diagnosis_pool_rov_surge.md.
+// claim. docs/diagnosis_lbv_surge.md, docs/diagnosis_lbv_yaw.md, docs/diagnosis_pool_rov_surge.md.
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "real_data.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
@@ -24,16 +23,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Path = std::filesystem::path;
 
-class RealDiagnoses : public ::testing::Test {
+class RealDiagnoses : public OnRealData {
  protected:
-  void SetUp() override {
-    const char* folder = std::getenv("FATHOM_REALDATA");
-    folder_ = folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
-    if (!std::filesystem::is_directory(folder_ / "lbv_surge")) {
-      GTEST_SKIP() << "no real logs in " << folder_ << "; set FATHOM_REALDATA to their folder";
-    }
-  }
-
   // The verdict on a log.
   nlohmann::json Diagnosed(const std::string& log,
                            const std::string& dof,
@@ -47,7 +38,6 @@ class RealDiagnoses : public ::testing::Test {
     return JsonOf(verdict);
   }
 
-  Path folder_;
   ToolRun run_;
 };
 

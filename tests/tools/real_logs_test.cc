@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The tools on logs of real vehicles. These belong to others and are not bundled: the folder that
-// FATHOM_REALDATA names.
+// The tools on logs of real vehicles.
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
 
+#include "real_data.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
@@ -23,19 +22,9 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using Path = std::filesystem::path;
 
-class RealLogsTool : public ::testing::Test {
+class RealLogsTool : public OnRealData {
  protected:
-  void SetUp() override {
-    const char* folder = std::getenv("FATHOM_REALDATA");
-    folder_ = folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
-    if (!std::filesystem::is_directory(folder_ / "lbv_surge")) {
-      GTEST_SKIP() << "no real logs in " << folder_ << "; set FATHOM_REALDATA to their folder";
-    }
-  }
-
   std::string Log(const std::string& name) const { return "--log=" + (folder_ / name).string(); }
-
-  Path folder_;
 };
 
 // A single tone of 0.2 rad/s: good predictions of the same tone, and honest about the rest.

@@ -8,11 +8,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <type_traits>
 
 #include "experiments.h"
+#include "real_data.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,12 +61,9 @@ TEST(AdaptiveIdentifier, TakesTheEulerStepsOfThePaper) {
 }
 
 // The author's own run on a real log, one pass; see its reference.json.
-TEST(AdaptiveIdentifier, ReplaysTheAuthorsRun) {
-  const char* const folder = std::getenv("FATHOM_REALDATA");
-  const std::filesystem::path real =
-      folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
-  const auto path = real / "lbv_surge" / "author_velocity.csv";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there.";
+using AdaptiveIdentifierOnRealData = OnRealData;
+TEST_F(AdaptiveIdentifierOnRealData, ReplaysTheAuthorsRun) {
+  const auto path = folder_ / "lbv_surge" / "author_velocity.csv";
   CsvSpec spec;
   spec.required = {"u", "tau_surge_shifted"};
   const Stream stream = ReadCsvTable(path, spec).stream;

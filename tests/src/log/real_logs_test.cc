@@ -3,10 +3,10 @@
 
 #include "fathom/log/log.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
+#include "real_data.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,20 +17,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-// Logs of real vehicles, which belong to others and are not bundled: the folder that
-// FATHOM_REALDATA names. The row counts are those of `wc -l`, less the header.
-class RealLogs : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const char* folder = std::getenv("FATHOM_REALDATA");
-    folder_ = folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
-    if (!std::filesystem::is_directory(folder_ / "lbv_surge")) {
-      GTEST_SKIP() << "no real logs in " << folder_ << "; set FATHOM_REALDATA to their folder";
-    }
-  }
-
-  std::filesystem::path folder_;
-};
+// The row counts are those of `wc -l`, less the header.
+using RealLogs = OnRealData;
 
 TEST_F(RealLogs, LbvSurgeIsReadWithPosesAndHeldOutTime) {
   const Log log = ReadLog(folder_ / "lbv_surge");

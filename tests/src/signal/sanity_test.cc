@@ -6,10 +6,10 @@
 #include "fathom/log/log.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 
+#include "real_data.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -132,16 +132,7 @@ TEST(Sanity, RarelyWarnsWithoutReason) {
   EXPECT_LE(num_warnings, num_runs / 100);
 }
 
-class SanityOfRealLogs : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const char* folder = std::getenv("FATHOM_REALDATA");
-    folder_ = folder != nullptr ? folder : FATHOM_SOURCE_DIR "/../shared/realdata";
-    if (!std::filesystem::exists(folder_)) GTEST_SKIP() << "no real logs in " << folder_;
-  }
-
-  std::filesystem::path folder_;
-};
+using SanityOfRealLogs = OnRealData;
 
 TEST_F(SanityOfRealLogs, WarnsOfTheYawRunThatReturnsEnergy) {
   const Log log = ReadLog(folder_ / "lbv_yaw");

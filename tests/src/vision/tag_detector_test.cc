@@ -12,13 +12,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "real_data.h"
 #include "rendered_scene.h"
 #include <gtest/gtest.h>
 
@@ -213,25 +213,15 @@ TEST(TagDetector, RefusesWhatItCannotDo) {
             "1 or 2.");
 }
 
-// Photos of libapriltag's own tests with reference corners, where FATHOM_REALDATA says.
-class Photos : public testing::Test {
+// Photos of libapriltag's own tests with reference corners.
+class Photos : public OnRealData {
  protected:
-  void SetUp() override {
-    const char* folder = std::getenv("FATHOM_REALDATA");
-    folder_ = std::filesystem::path(folder != nullptr ? folder
-                                                      : FATHOM_SOURCE_DIR "/../shared/realdata") /
-              "apriltag_photos";
-    if (!std::filesystem::exists(folder_)) {
-      GTEST_SKIP() << "no photos in " << folder_ << "; set FATHOM_REALDATA to their folder";
-    }
-  }
-
   // Differences to the reference in each coordinate, of the tags that are found within 5 px.
   std::vector<double> Differences(const TagDetectorOptions& options, int* num_tags) const {
     TagDetector detector({"tag36h11"}, options);
     std::vector<double> differences;
     *num_tags = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "apriltag_photos")) {
       if (entry.path().extension() != ".jpg") continue;
       const auto found = detector.Detect(ReadImage(entry.path()));
       std::ifstream reference(std::filesystem::path(entry.path()).replace_extension(".txt"));
@@ -273,8 +263,6 @@ class Photos : public testing::Test {
     std::sort(differences.begin(), differences.end());
     return differences;
   }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(Photos, AgreesWithTheReferenceCorners) {
