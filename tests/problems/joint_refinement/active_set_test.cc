@@ -149,10 +149,12 @@ class RunsOff final : public BoundedSearch {
  public:
   explicit RunsOff(bool always) : always_(always) {}
   Optimum Solve(const std::vector<int>& held) override {
-    const bool is_free = Rest(held, 3).back() == 2;
-    if (always_ || (is_free && x_[2] < 0.0)) return {false, 1e9, "it ran off."};
-    if (is_free) x_[2] = 2.0;
-    x_[1] = Rest(held, 3)[1] == 1 ? 3.0 : 0.0;
+    const auto is_free = [&held](int unknown) {
+      return std::find(held.begin(), held.end(), unknown) == held.end();
+    };
+    if (always_ || (is_free(2) && x_[2] < 0.0)) return {false, 1e9, "it ran off."};
+    if (is_free(2)) x_[2] = 2.0;
+    x_[1] = is_free(1) ? 3.0 : 0.0;
     const double a = x_[1] - 3.0, b = x_[2] - 2.0;
     return {true, 1.0 + a * a + b * b, "converged"};
   }
