@@ -19,8 +19,8 @@ namespace fathom {
 // A side is straight on the marker, thus straight among the rays and bent by the lens. Points along
 // the bent side are moved across it to the centre of the squared gradient, interpolated between the
 // pixels; a line is fitted to their rays, and neighbouring lines meet in the corners.
-// docs/vision.md
-// ("Detection") has what this changes against libapriltag's straight lines through whole pixels.
+// docs/vision.md, "Detection", has what this changes against libapriltag's straight lines through
+// whole pixels.
 //
 // Nothing if a side cannot be followed: off the image, without contrast, elsewhere than said, seen
 // from beyond 90 degrees, or shorter than 20 px, where the blur of a side reaches the code beside

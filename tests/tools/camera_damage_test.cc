@@ -60,6 +60,13 @@ void ChangeDetections(const fs::path& log,
   WriteTestFile(log / "detections.csv", text);
 }
 
+ToolRun Tracked(const fs::path& log, const fs::path& folder, const fs::path& summary) {
+  return RunToolBinary("fathom_track",
+                       {"--log=" + log.string(),
+                        "--out=" + (folder / "tracked").string(),
+                        "--summary=" + summary.string()});
+}
+
 TEST(CameraDamage, CountsTheFramesThatATruncatedVideoLacks) {
   const fs::path folder = EmptyTestFolder();
   const fs::path log = FilmedLog(folder, /*rendered=*/true);
@@ -84,10 +91,7 @@ TEST(CameraDamage, CountsTheFramesThatATruncatedVideoLacks) {
   fs::resize_file(video, fs::file_size(video) * 6 / 10);
   std::ofstream(log / "log.yaml", std::ios::app) << "video: film.avi\n";
   const fs::path summary = folder / "track.json";
-  const ToolRun run = RunToolBinary("fathom_track",
-                                    {"--log=" + log.string(),
-                                     "--out=" + (folder / "tracked").string(),
-                                     "--summary=" + summary.string()});
+  const ToolRun run = Tracked(log, folder, summary);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto frames = JsonOf(summary)["frames"];
   const int num_read = 20 - frames["unreadable"].get<int>();
@@ -144,10 +148,7 @@ TEST(CameraDamage, CountsDetectionsOfTagsThatAreNotInTheMapAndRefusesIfThereAreN
     if ((*row)[1] == 5.0) (*row)[1] = 77.0;
   });
   const fs::path summary = folder / "track.json";
-  const ToolRun run = RunToolBinary("fathom_track",
-                                    {"--log=" + log.string(),
-                                     "--out=" + (folder / "tracked").string(),
-                                     "--summary=" + summary.string()});
+  const ToolRun run = Tracked(log, folder, summary);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err,
               HasSubstr("Set aside as unknown id: 20 of 80 detections: tags 77 (20 times).\n"));
