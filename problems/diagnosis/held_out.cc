@@ -134,4 +134,17 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std
   return {gain(all), gains[kNumResamples / 40], gains[kNumResamples - 1 - kNumResamples / 40]};
 }
 
+void Score(const std::vector<Record>& records,
+           const ExtendedModel& before,
+           const ExtendedModel& after,
+           Scored* scored) {
+  for (const Record& record : records) {
+    auto run_before = FreeRunOver(record, before);
+    auto run_after = FreeRunOver(record, after);
+    if (!run_before || !run_after) continue;
+    scored->before.push_back(std::move(*run_before));
+    scored->after.push_back(std::move(*run_after));
+  }
+}
+
 }  // namespace fathom

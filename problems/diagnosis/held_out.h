@@ -42,4 +42,15 @@ struct Gain {
 };
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
 
+// Free runs of two models over the same records, which neither was fitted to.
+struct Scored {
+  std::vector<FreeRun> before, after;
+};
+
+// Adds the runs over the records that both models can run over.
+void Score(const std::vector<Record>& records,
+           const ExtendedModel& before,
+           const ExtendedModel& after,
+           Scored* scored);
+
 }  // namespace fathom

@@ -63,17 +63,13 @@ std::vector<bool> RivalsOf(const SearchResult& search, size_t num_suspects) {
 
 }  // namespace
 
-std::vector<Cause> CausesOf(const TrainingData& /*data*/,
-                            const SearchResult& search,
-                            const std::vector<Suspect>& suspects) {
+std::vector<Cause> CausesOf(const SearchResult& search, const std::vector<Suspect>& suspects) {
   const Hypothesis& best = search.tried[search.best];
   std::vector<Cause> causes;
   for (const int suspect : best.suspects) {
     Cause cause;
     cause.effect_index = PlaceIn(best.fit.model, suspects[suspect]);
-    std::vector<int> others = best.suspects;
-    std::erase(others, suspect);
-    if (const Hypothesis* without = FindHypothesis(search, others)) {
+    if (const Hypothesis* without = FindWithout(search, search.best, suspect)) {
       const double own_gain = best.gain - without->gain;
       cause.delta_bic = best.delta_bic - without->delta_bic;
       cause.p_value = search.significance.FamilyWisePValue(suspect, own_gain);
@@ -146,9 +142,8 @@ ExtendedModel WithoutCause(const SearchResult& search,
   const Hypothesis& best = search.tried[search.best];
   for (const int suspect : best.suspects) {
     if (PlaceIn(best.fit.model, suspects[suspect]) != cause.effect_index) continue;
-    std::vector<int> others = best.suspects;
-    std::erase(others, suspect);
-    if (const Hypothesis* without = FindHypothesis(search, others)) return without->fit.model;
+    const Hypothesis* without = FindWithout(search, search.best, suspect);
+    if (without != nullptr) return without->fit.model;
   }
   return WithoutEffect(best.fit.model, cause.effect_index);
 }

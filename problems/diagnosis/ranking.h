@@ -12,9 +12,7 @@ namespace fathom {
 
 // The causes of the best hypothesis, in the order of its model's effects, each with what these
 // records cannot tell from it and the experiment that would.
-std::vector<Cause> CausesOf(const TrainingData& data,
-                            const SearchResult& search,
-                            const std::vector<Suspect>& suspects);
+std::vector<Cause> CausesOf(const SearchResult& search, const std::vector<Suspect>& suspects);
 
 // Every suspect with what became of it, the best first.
 std::vector<Candidate> RankCandidates(const SearchResult& search,

@@ -497,6 +497,12 @@ const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<i
   return nullptr;
 }
 
+const Hypothesis* FindWithout(const SearchResult& search, int index, int suspect) {
+  std::vector<int> others = search.tried[index].suspects;
+  std::erase(others, suspect);
+  return FindHypothesis(search, others);
+}
+
 SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,

@@ -58,4 +58,7 @@ std::vector<int> FindRivals(const TrainingData& data,
 // The hypothesis with exactly these suspects; null if it was not tried.
 const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<int>& suspects);
 
+// That hypothesis less one of its suspects; null if it was not tried.
+const Hypothesis* FindWithout(const SearchResult& search, int index, int suspect);
+
 }  // namespace fathom

@@ -95,4 +95,12 @@ std::string LabelOf(const Suspect& suspect) {
                           : std::string(info.name);
 }
 
+std::string LabelsOf(const std::vector<int>& indices, const std::vector<Suspect>& suspects) {
+  std::string labels;
+  for (const int index : indices) {
+    labels += (labels.empty() ? "" : " with ") + LabelOf(suspects[index]);
+  }
+  return labels;
+}
+
 }  // namespace fathom

@@ -20,4 +20,7 @@ std::vector<Suspect> SuspectsFor(const Records& records,
 // "thruster_lag", "velocity_coupling(sway)".
 std::string LabelOf(const Suspect& suspect);
 
+// "time_offset with thrust_curve": the labels of some, by their indices in `suspects`.
+std::string LabelsOf(const std::vector<int>& indices, const std::vector<Suspect>& suspects);
+
 }  // namespace fathom

@@ -22,7 +22,7 @@ namespace fathom {
 class TrainingData {
  public:
   // `about`: a model near the truth, whose damping tells how easily the vehicle is disturbed from
-  // sample to sample (Damping).
+  // sample to sample; docs/residual_noise.md (3).
   explicit TrainingData(std::vector<Record> records, const UncoupledModel<double>& about = {});
 
   const std::vector<Record>& records() const { return records_; }

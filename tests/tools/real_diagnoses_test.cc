@@ -78,6 +78,10 @@ TEST_F(RealDiagnoses, PoolRovSurgeMissesSomethingAndNamesNoCauseForCertain) {
   const auto verdict = Diagnosed("pool_rov_surge", "surge");
   EXPECT_THAT(verdict["verdict"].get<std::string>(), AnyOf("ambiguous", "unexplained"));
   EXPECT_THAT(CertainCauses(verdict), IsEmpty());
+  // What is left out again leaves no trace.
+  if (verdict["causes"].empty()) {
+    EXPECT_EQ(verdict["extended"]["parameters"], verdict["baseline"]["parameters"]);
+  }
   // By hand, from 575 to 800 s: 0.102.
   EXPECT_LT(verdict["extended"]["heldout_nmae"].get<double>(), 0.12);
 }

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/left_out_blocks.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+constexpr int kNumFolds = 4;
+
+// The samples of a record within [from, to].
+Record Between(const Record& record, double from, double to) {
+  Record part = record;
+  const auto cut = [&](std::vector<double>* time, std::vector<double>* value) {
+    const auto begin = std::lower_bound(time->begin(), time->end(), from) - time->begin();
+    const auto end = std::upper_bound(time->begin(), time->end(), to) - time->begin();
+    *time = {time->begin() + begin, time->begin() + end};
+    *value = {value->begin() + begin, value->begin() + end};
+  };
+  cut(&part.stamps.velocity, &part.velocity);
+  cut(&part.stamps.displacement, &part.displacement);
+  return part;
+}
+
+}  // namespace
+
+Scored LeaveBlocksOut(const TrainingData& data,
+                      const StructureFit& baseline,
+                      const StructureFit& extended) {
+  Scored scored;
+  double total = 0.0;
+  for (const Record& record : data.records()) total += record.duration();
+  for (int fold = 0; fold < kNumFolds; ++fold) {
+    std::vector<Record> kept, left_out;
+    double passed = 0.0;
+    const double from = total * fold / kNumFolds, to = total * (fold + 1) / kNumFolds;
+    for (const Record& record : data.records()) {
+      const double start = record.stamps.start, end = start + record.duration();
+      const double low = std::clamp(start + from - passed, start, end);
+      const double high = std::clamp(start + to - passed, start, end);
+      passed += record.duration();
+      const auto add = [](Record part, std::vector<Record>* to_list) {
+        const auto& time = part.velocity.empty() ? part.stamps.displacement : part.stamps.velocity;
+        if (time.size() < 20) return;
+        RestartAt(time.front(), &part);
+        to_list->push_back(std::move(part));
+      };
+      if (low > start) add(Between(record, start, low - 1e-9), &kept);
+      if (high > low) add(Between(record, low, high), &left_out);
+      if (high < end) add(Between(record, high + 1e-9, end), &kept);
+    }
+    if (kept.empty() || left_out.empty()) continue;
+    std::vector<InitialState> initial;
+    for (const Record& record : kept) initial.push_back(record.initial);
+    const TrainingData rest(std::move(kept), baseline.model.baseline);
+    const Whitener whitener(extended.noise, rest.samples());
+    const Whitener baseline_whitener(baseline.noise, rest.samples());
+    const StructureFit before = FitStructure(rest, baseline.model, initial, baseline_whitener);
+    const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
+    Score(left_out, before.model, after.model, &scored);
+  }
+  return scored;
+}
+
+}  // namespace fathom

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/held_out.h"
+#include "fathom/diagnosis/structure_fit.h"
+
+namespace fathom {
+
+// For logs that hold nothing out: both structures refitted with a quarter of the data left out at a
+// time, each with its own noise, and run freely over that quarter. Nothing if the data are too few.
+Scored LeaveBlocksOut(const TrainingData& data,
+                      const StructureFit& baseline,
+                      const StructureFit& extended);
+
+}  // namespace fathom

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/held_out.h"
+#include "fathom/diagnosis/search.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What the held-out data may ask of a cause.
+enum class Burden {
+  kNotToLose,  // that they do not speak against it, as IsRefuted() has it
+  kToGain,     // that they gain by it for certain (95 %)
+};
+
+// True if data that no fit has seen speak against what is named: for certain, or as far as they go
+// by so much (5 %) that it should not be built on.
+bool IsRefuted(const Gain& gain);
+
+// Leaves out of the best hypothesis every cause that does not bear its burden on the held-out
+// records, one at a time: the best hypothesis of fewer causes without it takes the place. Where
+// causes need only not to lose, the last one stays: Diagnose() asks all data of it. A remark for
+// each that goes.
+void LeaveOutTheRefuted(const TrainingData& data,
+                        const std::vector<Record>& held_out,
+                        const std::vector<Suspect>& suspects,
+                        const DiagnosisOptions& options,
+                        Burden burden,
+                        SearchResult* search,
+                        std::vector<std::string>* remarks);
+
+}  // namespace fathom
