@@ -63,7 +63,7 @@ RestrictedLikelihood::Value RestrictedLikelihood::At(const NoiseModel& model) co
       -0.5 * (num_free * (std::log(2.0 * std::numbers::pi * variance) + 1.0) + log_determinant);
   left /= value.factor;
   value.standardised.assign(left.data(), left.data() + left.size());
-  value.log_variances = whitener.log_variances();
+  value.log_variances = whitener.LogVariances();
   return value;
 }
 

@@ -37,7 +37,7 @@ struct Whitener::Filter {
   static constexpr int kW = 0, kV = 1, kX = 2;
   static constexpr int kC = kDisturbance, kCx = kC + (kVelocityC ? 1 : 0);
   static constexpr int kNumStates = kCx + (kDisplacementC ? 1 : 0);
-  using Covariance = Eigen::Matrix<double, kNumStates, kNumStates>;
+  using Covariance = Eigen::Matrix<double, kNumStates, kNumStates>;  // its lower half
   template <int kWidth>
   using Row = Eigen::Array<double, kWidth, 1>;
 
@@ -46,11 +46,10 @@ struct Whitener::Filter {
   struct Kind {
     double dt = -1.0, variance_factor = 0.0;
     NoiseChannel channel = NoiseChannel::kVelocity;
-    bool is_filled = false;
     NoiseTransition transition;
-    Covariance before, after;
-    Step step;
-    double log_variance = 0.0;
+    const Step* last = nullptr;  // the last one of this kind
+    Covariance before, after;    // there
+    double variance = 0.0;       // there
   };
 
   // What is true at one damping rate, with the kinds met last.
@@ -76,7 +75,7 @@ struct Whitener::Filter {
       kind->dt = dt;
       kind->variance_factor = sample.variance_factor;
       kind->channel = sample.channel;
-      kind->is_filled = false;
+      kind->last = nullptr;
       kind->transition = dynamics.Over(dt);
       return kind;
     }
@@ -123,7 +122,7 @@ struct Whitener::Filter {
     Covariance P = Covariance::Zero();
     if constexpr (kHasV) {
       P(kW, kW) = dynamics.var_w();
-      P(kW, kV) = P(kV, kW) = dynamics.cov_wv();
+      P(kV, kW) = dynamics.cov_wv();
       P(kV, kV) = dynamics.var_v();
     }
     const auto square = [](double x) { return x * x; };
@@ -132,31 +131,43 @@ struct Whitener::Filter {
     return P;
   }
 
-  // P <- F P F' + Q, first the rows, then the columns.
-  static void Predict(const NoiseTransition& t, Covariance* P) {
-    const auto transform = [&](auto&& x) {
-      if constexpr (kHasX) x(kX) += t.x_from_v * x(kV) + t.x_from_w * x(kW);
-      if constexpr (kHasV) {
-        x(kV) = t.v_from_v * x(kV) + t.v_from_w * x(kW);
-        x(kW) *= t.w_from_w;
-      }
-      if constexpr (kVelocityC) x(kC) *= t.velocity_c;
-      if constexpr (kDisplacementC) x(kCx) *= t.displacement_c;
-    };
-    for (int j = 0; j < kNumStates; ++j) transform(P->col(j));
-    for (int i = 0; i < kNumStates; ++i) transform(P->row(i));
-    if constexpr (kHasV) {
-      (*P)(kW, kW) += t.q_ww;
-      (*P)(kV, kW) = (*P)(kW, kV) += t.q_wv;
-      (*P)(kV, kV) += t.q_vv;
-    }
+  // P <- F P F' + Q.
+  static void Predict(const NoiseTransition& t, Covariance* covariance) {
+    Covariance& P = *covariance;
     if constexpr (kHasX) {
-      (*P)(kX, kW) = (*P)(kW, kX) += t.q_wx;
-      (*P)(kX, kV) = (*P)(kV, kX) += t.q_vx;
-      (*P)(kX, kX) += t.q_xx;
+      // Row x of F P.
+      const double xw = P(kX, kW) + t.x_from_v * P(kV, kW) + t.x_from_w * P(kW, kW);
+      const double xv = P(kX, kV) + t.x_from_v * P(kV, kV) + t.x_from_w * P(kV, kW);
+      const double xx = P(kX, kX) + t.x_from_v * P(kX, kV) + t.x_from_w * P(kX, kW);
+      P(kX, kX) = xx + t.x_from_v * xv + t.x_from_w * xw + t.q_xx;
+      P(kX, kV) = t.v_from_v * xv + t.v_from_w * xw + t.q_vx;
+      P(kX, kW) = t.w_from_w * xw + t.q_wx;
     }
-    if constexpr (kVelocityC) (*P)(kC, kC) += t.q_velocity_c;
-    if constexpr (kDisplacementC) (*P)(kCx, kCx) += t.q_displacement_c;
+    if constexpr (kHasV) {
+      const double vw = t.v_from_v * P(kV, kW) + t.v_from_w * P(kW, kW);
+      const double vv = t.v_from_v * P(kV, kV) + t.v_from_w * P(kV, kW);
+      P(kV, kV) = t.v_from_v * vv + t.v_from_w * vw + t.q_vv;
+      P(kV, kW) = t.w_from_w * vw + t.q_wv;
+      P(kW, kW) = t.w_from_w * t.w_from_w * P(kW, kW) + t.q_ww;
+    }
+    const auto with_coloured = [&](int c, double decay) {
+      if constexpr (kHasX) {
+        P(c, kX) = decay * (P(c, kX) + t.x_from_v * P(c, kV) + t.x_from_w * P(c, kW));
+      }
+      if constexpr (kHasV) {
+        P(c, kV) = decay * (t.v_from_v * P(c, kV) + t.v_from_w * P(c, kW));
+        P(c, kW) *= decay * t.w_from_w;
+      }
+    };
+    if constexpr (kVelocityC) {
+      with_coloured(kC, t.velocity_c);
+      P(kC, kC) = t.velocity_c * t.velocity_c * P(kC, kC) + t.q_velocity_c;
+    }
+    if constexpr (kDisplacementC) {
+      with_coloured(kCx, t.displacement_c);
+      if constexpr (kVelocityC) P(kCx, kC) *= t.displacement_c * t.velocity_c;
+      P(kCx, kCx) = t.displacement_c * t.displacement_c * P(kCx, kCx) + t.q_displacement_c;
+    }
   }
 
   // The states that a channel sees, each with factor 1: calls function(index) for them.
@@ -171,26 +182,33 @@ struct Whitener::Filter {
     }
   }
 
-  // P <- P less what one sample says; fills the gain and the innovation of `step`.
-  static void Update(double white_variance, Covariance* P, Step* step, double* log_variance) {
-    Eigen::Matrix<double, kNumStates, 1> seen = Eigen::Matrix<double, kNumStates, 1>::Zero();
-    ForSeen(step->channel, [&](int i) { seen += P->col(i); });
+  // P <- P less what one sample says; fills the gain of `step` and returns the variance of its
+  // innovation.
+  static double Update(double white_variance, Covariance* covariance, Step* step) {
+    Covariance& P = *covariance;
+    std::array<double, kNumStates> seen{};
+    ForSeen(step->channel, [&](int k) {
+      for (int i = 0; i < kNumStates; ++i) seen[i] += i < k ? P(k, i) : P(i, k);
+    });
     double variance = white_variance;
-    ForSeen(step->channel, [&](int i) { variance += seen(i); });
+    ForSeen(step->channel, [&](int k) { variance += seen[k]; });
     CHECK(variance > 0.0) << "A sample without a variance of its own: " << variance << ".";
     step->inverse_std = 1.0 / std::sqrt(variance);
-    *log_variance = std::log(variance);
-    seen *= step->inverse_std;
-    for (int i = 0; i < kNumStates; ++i) step->gain[i] = seen(i);
-    P->noalias() -= seen * seen.transpose();
+    for (int i = 0; i < kNumStates; ++i) step->gain[i] = seen[i] *= step->inverse_std;
+    for (int i = 0; i < kNumStates; ++i) {
+      for (int j = 0; j <= i; ++j) P(i, j) -= seen[i] * seen[j];
+    }
+    return variance;
   }
 
-  static void FillSteps(const NoiseModel& model,
-                        std::span<const NoiseSample> samples,
-                        std::vector<Step>* steps,
-                        std::vector<double>* log_variances) {
+  // Returns log det S.
+  static double FillSteps(const NoiseModel& model,
+                          std::span<const NoiseSample> samples,
+                          std::vector<Step>* steps) {
     Regimes regimes(model);
     Covariance P = Covariance::Zero();
+    // Logarithms of products: of each variance they would take as long as all the rest.
+    double log_determinant = 0.0, product = 1.0;
     for (size_t i = 0; i < samples.size(); ++i) {
       const NoiseSample& sample = samples[i];
       const double white_std = sample.channel == NoiseChannel::kVelocity
@@ -202,35 +220,41 @@ struct Whitener::Filter {
         P = Start(model, regimes.OfFactor(1.0)->dynamics);
         step = Step{};
         step.channel = sample.channel;
-        Update(white_variance, &P, &step, &(*log_variances)[i]);
+        product *= Update(white_variance, &P, &step);
         continue;
       }
       const double dt = sample.time - samples[i - 1].time;
       CHECK(dt >= 0.0 && std::isfinite(dt)) << "Samples out of order at time " << sample.time;
       Kind* kind = regimes.OfFactor(sample.damping_factor)->KindOf(sample, dt);
-      if (!kind->is_filled || !IsSame(kind->before, P)) {
-        kind->is_filled = true;
+      if (kind->last != nullptr && IsSame(kind->before, P)) {
+        step = *kind->last;
+        P = kind->after;
+      } else {
         kind->before = P;
         const NoiseTransition& t = kind->transition;
-        kind->step = {t.w_from_w,
-                      t.v_from_w,
-                      t.v_from_v,
-                      t.x_from_w,
-                      t.x_from_v,
-                      1.0,
-                      t.velocity_c,
-                      t.displacement_c,
-                      0.0,
-                      {},
-                      sample.channel};
+        step = {t.w_from_w,
+                t.v_from_w,
+                t.v_from_v,
+                t.x_from_w,
+                t.x_from_v,
+                1.0,
+                t.velocity_c,
+                t.displacement_c,
+                0.0,
+                {},
+                sample.channel};
         Predict(t, &P);
-        Update(white_variance, &P, &kind->step, &kind->log_variance);
+        kind->variance = Update(white_variance, &P, &step);
         kind->after = P;
+        kind->last = &step;
       }
-      P = kind->after;
-      step = kind->step;
-      (*log_variances)[i] = kind->log_variance;
+      product *= kind->variance;
+      if (!(product > 1e-100 && product < 1e100)) {
+        log_determinant += std::log(product);
+        product = 1.0;
+      }
     }
+    return log_determinant + std::log(product);
   }
 
   // W times kWidth columns that stand side by side; strides from one sample to the next.
@@ -286,14 +310,13 @@ void Whitener::WithFilter(const Function& function) const {
 }
 
 Whitener::Whitener(const NoiseModel& model, std::span<const NoiseSample> samples)
-    : steps_(samples.size()), log_variances_(samples.size()) {
+    : steps_(samples.size()) {
   const bool has_displacement = Has(samples, NoiseChannel::kDisplacement);
   const bool has_velocity = Has(samples, NoiseChannel::kVelocity);
   if (model.disturbance.IsPresent()) num_disturbance_states_ = has_displacement ? 3 : 2;
   has_velocity_c_ = has_velocity && model.velocity.coloured.IsPresent();
   has_displacement_c_ = has_displacement && model.displacement.coloured.IsPresent();
-  WithFilter([&](auto filter) { filter.FillSteps(model, samples, &steps_, &log_variances_); });
-  for (const double log_variance : log_variances_) log_determinant_ += log_variance;
+  WithFilter([&](auto filter) { log_determinant_ = filter.FillSteps(model, samples, &steps_); });
 }
 
 void Whitener::Apply(std::span<const double> in, std::span<double> out) const {
@@ -319,6 +342,13 @@ void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
     apply.template operator()<4>();
     apply.template operator()<1>();
   });
+}
+
+std::vector<double> Whitener::LogVariances() const {
+  std::vector<double> log_variances;
+  log_variances.reserve(steps_.size());
+  for (const Step& step : steps_) log_variances.push_back(-2.0 * std::log(step.inverse_std));
+  return log_variances;
 }
 
 double Whitener::LogLikelihood(std::span<const double> residual) const {

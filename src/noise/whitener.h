@@ -46,7 +46,7 @@ class Whitener {
   double LogLikelihood(std::span<const double> residual) const;
 
   // log of the variance of each sample given those before it.
-  const std::vector<double>& log_variances() const { return log_variances_; }
+  std::vector<double> LogVariances() const;
 
  private:
   // From one sample to the next. The state holds only what the model and the samples need of
@@ -68,7 +68,6 @@ class Whitener {
   int num_disturbance_states_ = 0;
   bool has_velocity_c_ = false, has_displacement_c_ = false;
   std::vector<Step> steps_;
-  std::vector<double> log_variances_;
   double log_determinant_ = 0.0;
 };
 
