@@ -108,13 +108,13 @@ class EffectRun {
 
  private:
   static constexpr size_t kMostEffects = EffectSimulation::kMostEffects;
-  static constexpr double kLongestStep = 0.1;  // [s]
+  static constexpr double kLongestStep = 0.1;     // [s]
+  static constexpr double kRateTimesStep = 0.25;  // at most
   // What a vehicle in water does takes longer than a few of these; a search that gets here has run
-  // away to where inertia and a resistance stand in for one another, at thousands of steps a
-  // second.
-  static constexpr double kShortestStep = 1e-3;  // [s]
-  static constexpr double kLargestSpeed = 1e6;   // [m/s] or [rad/s]; beyond, it has diverged
-  static constexpr double kWarmUp = 60.0;        // [s] of command before the start, for thrusters
+  // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
+  static constexpr double kShortestStep = 2.5e-3;  // [s]
+  static constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
+  static constexpr double kWarmUp = 60.0;          // [s] of command before the start, for thrusters
 
   struct State {
     T velocity{0.0};
@@ -258,19 +258,30 @@ class EffectRun {
     const double reached =
         std::abs(v) + std::abs(command - Value(model_.baseline.buoyancy)) * kLongestStep / inertia;
     double rate = std::abs(d_L + 2.0 * d_Q * reached) / inertia;
-    if (acts_on_water_) {
-      constexpr double kProbe = 1e-4;  // of speed
-      for (const double at : {v, 0.0}) {
-        State here = state_;
-        State there = state_;
-        here.velocity = T(at - kProbe);
-        there.velocity = T(at + kProbe);
-        const double a0 = Value(Acceleration(here, T(command), T(s)));
-        const double a1 = Value(Acceleration(there, T(command), T(s)));
-        rate = std::max(rate, std::abs(a1 - a0) / (2.0 * kProbe));
-      }
+    if (acts_on_water_) rate = std::max(rate, WaterRate(command, s));
+    return std::min(kLongestStep, kRateTimesStep / rate);
+  }
+
+  // With the effects. It costs as much as a step: where it is far from shortening one it is looked
+  // at now and then.
+  double WaterRate(double command, double s) {
+    constexpr int kLookAgain = 5;  // steps
+    if (5.0 * water_rate_ * kLongestStep < kRateTimesStep && ++since_look_ < kLookAgain) {
+      return water_rate_;
     }
-    return std::min(kLongestStep, 0.25 / rate);
+    since_look_ = 0;
+    water_rate_ = 0.0;
+    constexpr double kProbe = 1e-4;  // of speed
+    for (const double at : {Value(state_.velocity), 0.0}) {
+      State here = state_;
+      State there = state_;
+      here.velocity = T(at - kProbe);
+      there.velocity = T(at + kProbe);
+      const double a0 = Value(Acceleration(here, T(command), T(s)));
+      const double a1 = Value(Acceleration(there, T(command), T(s)));
+      water_rate_ = std::max(water_rate_, std::abs(a1 - a0) / (2.0 * kProbe));
+    }
+    return water_rate_;
   }
 
   T Reading(const T& velocity, const T& time) {
@@ -405,8 +416,10 @@ class EffectRun {
   double held_time_ = 0.0;                 // middle of the present step, in log time [s]
   T force_{0.0};                           // mean over the step
   ThrusterStates thrust_, thrust_before_;  // at both ends of the present step
-  T reading_{0.0};                         // of the velocity at the step's begin, before any lag
-  T shown_{0.0};                           // what the lagging sensor shows there
+  double water_rate_ = std::numeric_limits<double>::infinity();  // when last looked at [1/s]
+  int since_look_ = 0;                                           // steps
+  T reading_{0.0};  // of the velocity at the step's begin, before any lag
+  T shown_{0.0};    // what the lagging sensor shows there
 };
 
 }  // namespace fathom
