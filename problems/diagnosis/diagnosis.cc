@@ -33,6 +33,9 @@ namespace {
 constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which it is said to remain
 constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
 constexpr double kLossWorthAWord = 0.02;   // of held-out NMAE
+// The least inertia that a fit may try, of the baseline's. Far below the truth a run takes ever
+// more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
+constexpr double kLeastInertia = 0.1, kLeastInertiaIfOpen = 0.01;
 
 void RequireUsable(const DiagnosisOptions& options) {
   if (!(options.false_alarm_rate > 0.0 && options.false_alarm_rate <= 0.5)) {
@@ -92,7 +95,7 @@ void ConfirmOnAllData(const TrainingData& data,
     const int best = search->best;
     for (const int suspect : search->tried[best].suspects) {
       const Hypothesis* without = FindWithout(*search, best, suspect);
-      if (without == nullptr) continue;
+      if (without == nullptr || !IsPhysical(*without)) continue;
       const auto index = static_cast<int>(without - search->tried.data());
       if (worth(index) < worth(search->best)) continue;
       search->best = index;
@@ -109,7 +112,11 @@ SearchResult SearchThinned(const TrainingData& data,
                            const StructureFit& baseline,
                            const std::vector<Suspect>& suspects,
                            const DiagnosisOptions& options) {
-  const TrainingData thinned(Thinned(data.records()), baseline.model.baseline);
+  const double inertia = baseline.model.baseline.inertia;
+  const bool is_open = !(std::sqrt(baseline.covariance(kInertia, kInertia)) < inertia);
+  const TrainingData thinned(Thinned(data.records()),
+                             baseline.model.baseline,
+                             (is_open ? kLeastInertiaIfOpen : kLeastInertia) * inertia);
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
   SearchResult search =
@@ -174,7 +181,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
                                             count == 1 ? "" : "s",
                                             count == 1 ? "its" : "their"));
   }
-  const TrainingData data(std::move(train), start->model.baseline);
+  const TrainingData data(
+      std::move(train), start->model.baseline, kLeastInertiaIfOpen * start->model.baseline.inertia);
   const StructureFit baseline = FitBaseline(data, start->model, start->initial);
   if (baseline.jacobian.size() == 0) {
     diagnosis.message = "the baseline model cannot be simulated over these logs.";

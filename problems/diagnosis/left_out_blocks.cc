@@ -56,7 +56,7 @@ Scored LeaveBlocksOut(const TrainingData& data,
     if (kept.empty() || left_out.empty()) continue;
     std::vector<InitialState> initial;
     for (const Record& record : kept) initial.push_back(record.initial);
-    const TrainingData rest(std::move(kept), baseline.model.baseline);
+    const TrainingData rest(std::move(kept), baseline.model.baseline, data.least_inertia());
     const Whitener whitener(extended.noise, rest.samples());
     const Whitener baseline_whitener(baseline.noise, rest.samples());
     const StructureFit before = FitStructure(rest, baseline.model, initial, baseline_whitener);

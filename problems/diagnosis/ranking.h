@@ -4,7 +4,8 @@
 #pragma once
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/search.h"
+#include "fathom/diagnosis/search_result.h"
+#include "fathom/diagnosis/suspects.h"
 
 #include <vector>
 

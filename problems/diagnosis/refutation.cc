@@ -24,7 +24,7 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchR
                                      other.suspects.end(),
                                      [&](int suspect) { return left_out.contains(suspect); });
     if (has_one || other.suspects.size() > most_causes) continue;
-    if (!(other.gain > ThresholdOf(search, other.suspects))) continue;
+    if (!IsPhysical(other) || !(other.gain > ThresholdOf(search, other.suspects))) continue;
     if (other.delta_bic > search.tried[best].delta_bic) best = static_cast<int>(i);
   }
   return best;

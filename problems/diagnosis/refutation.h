@@ -5,7 +5,8 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/held_out.h"
-#include "fathom/diagnosis/search.h"
+#include "fathom/diagnosis/search_result.h"
+#include "fathom/diagnosis/suspects.h"
 
 #include <string>
 #include <vector>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -19,19 +20,16 @@ namespace fathom {
 namespace {
 
 constexpr int kNullDraws = 512;
-constexpr int kBeam = 3;                // hypotheses that are carried on from each size
-constexpr int kMostRefined = 10;        // suspects refitted about one hypothesis
-constexpr int kMostRefinedMore = 4;     // and about one with causes
-constexpr double kRough = 1e-3;         // share of the error at which a first fit is near enough
-constexpr double kLeastShare = 0.3;     // of the best one's gain, below which one is not carried on
-constexpr double kWorthRefining = 5.0;  // score below which nothing can come of it
+constexpr int kBeam = 3;             // hypotheses that are carried on from each size
+constexpr int kMostRefined = 10;     // suspects refitted about one hypothesis
+constexpr int kMostRefinedMore = 4;  // and about one with causes
+constexpr double kRough = 1e-3;      // share of the error at which a first fit is near enough
+// Of the best one's gain, below which one cause, or several, are not carried on.
+constexpr double kLeastShare = 0.3, kLeastShareOfSeveral = 0.7;
+constexpr double kWorthRefining = 5.0;      // score below which nothing can come of it
 constexpr double kWorthRefiningMore = 0.6;  // of the threshold, beside other causes
 // The sharper screen is scaled to the strongest score of the other, or to this.
 constexpr double kSharpest = 12.0;
-constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
-// Under a single sine, causes that differ in phase alone are told apart by what little else there
-// is: the start, the shape of the tops. That takes more than usual.
-constexpr double kHarderUnderASine = 5.0;
 // The draws know the noise. A fit learns it along, and finds more than they do: how much more is
 // measured on logs with nothing hidden, docs/diagnosis.md (7).
 constexpr double kCautionOfLearnedNoise = 8.0;
@@ -95,9 +93,9 @@ class Searcher {
   std::vector<int> CarriedOn(int size) const {
     std::vector<int> beam = RankedOfSize(size);
     const double most = beam.empty() ? 0.0 : result_.tried[beam.front()].gain;
-    std::erase_if(beam, [&](int index) {
-      return Worth(index) <= 0.0 || result_.tried[index].gain < kLeastShare * most;
-    });
+    const double least = (size == 1 ? kLeastShare : kLeastShareOfSeveral) * most;
+    std::erase_if(
+        beam, [&](int index) { return Worth(index) <= 0.0 || result_.tried[index].gain < least; });
     if (beam.size() > kBeam) beam.resize(kBeam);
     return beam;
   }
@@ -105,6 +103,7 @@ class Searcher {
   // Gain less what noise would reach with the same causes.
   double Worth(int index) const {
     const Hypothesis& hypothesis = result_.tried[index];
+    if (!IsPhysical(hypothesis)) return -std::numeric_limits<double>::infinity();
     return hypothesis.gain - Threshold(hypothesis.suspects);
   }
 
@@ -115,7 +114,7 @@ class Searcher {
   // Refits `from` with one suspect more, where the screens give hope.
   void Extend(int from) {
     const Hypothesis base = result_.tried[from];
-    ScreenAbout(base.fit, base.fit.noise, true);
+    ScreenAbout(from, base.fit.noise, true);
     const bool is_alone = base.suspects.empty();
     if (is_alone && own_) {
       if (!is_calibrated_) Calibrate(own_->screen());
@@ -132,28 +131,41 @@ class Searcher {
                                : kWorthRefiningMore * result_.significance.ThresholdBeside(suspect);
       if (scores[suspect] < least || Has(base, suspect)) continue;
       ++num_refined;
-      Refine(base, suspect);
+      if (!HoldsTheBest(base, suspect)) Refine(base, suspect);
     }
+  }
+
+  // True if a hypothesis and one suspect more hold all of the best one's causes and others: these
+  // are looked for about the best one itself.
+  bool HoldsTheBest(const Hypothesis& base, int suspect) const {
+    const std::vector<int>& causes = result_.tried[result_.best].suspects;
+    return !causes.empty() && causes.size() <= base.suspects.size() && base.suspects != causes &&
+           std::all_of(causes.begin(), causes.end(), [&](int cause) {
+             return cause == suspect || Has(base, cause);
+           });
   }
 
   static bool Has(const Hypothesis& hypothesis, int suspect) {
     return std::count(hypothesis.suspects.begin(), hypothesis.suspects.end(), suspect) > 0;
   }
 
-  // Screens every suspect about a fit, under a noise and, if asked, under a sensor's alone: there
-  // nothing that is missing passes for a disturbance.
-  void ScreenAbout(const StructureFit& fit, const NoiseModel& noise, bool with_sensor) {
+  // Screens every suspect about a hypothesis, under a noise and, if asked, under a sensor's alone:
+  // there nothing that is missing passes for a disturbance.
+  void ScreenAbout(int about, const NoiseModel& noise, bool with_sensor) {
     own_.reset();
     sharp_.reset();
-    screened_ = fit;
-    trials_ = TrialsAbout(data_, screened_, suspects_);
-    if (trials_.trials.empty()) return;
-    own_.emplace(data_, screened_, suspects_, trials_, Whitener(noise, data_.samples()));
+    std::optional<Trials>& trials = about == 0 ? baseline_trials_ : other_trials_;
+    screened_ = result_.tried[about].fit;
+    // The baseline's fit is never another, and most of a screen is simulation.
+    if (about != 0 || !trials) trials = TrialsAbout(data_, screened_, suspects_);
+    trials_ = &*trials;
+    if (trials_->trials.empty()) return;
+    own_.emplace(data_, screened_, suspects_, *trials_, Whitener(noise, data_.samples()));
     if (!with_sensor) return;
     sharp_.emplace(data_,
                    screened_,
                    suspects_,
-                   trials_,
+                   *trials_,
                    Whitener(SensorNoiseOnly(data_, screened_.residual), data_.samples()));
   }
 
@@ -183,7 +195,7 @@ class Searcher {
   void Calibrate(const Screen& screen) {
     std::vector<int> num_amounts(suspects_.size(), 1);
     std::vector<double> caution(suspects_.size(), 1.0);
-    for (const Trial& trial : trials_.trials) {
+    for (const Trial& trial : trials_->trials) {
       num_amounts[trial.suspect] = trial.num_columns;
       const bool is_searched = trial.values.size() > trial.amounts.size();
       const bool has_partner = suspects_[trial.suspect].effect->info().has_partner;
@@ -262,7 +274,7 @@ class Searcher {
   // False for a fit that cannot be simulated, that leaves the inertia open, or that has a tone
   // where the command has its own.
   bool MeansSomething(const StructureFit& fit) const {
-    if (fit.jacobian.size() == 0) return false;
+    if (fit.jacobian.size() == 0 || fit.is_on_bound[kInertia]) return false;
     if (!(std::sqrt(fit.covariance(kInertia, kInertia)) < 3.0 * fit.model.baseline.inertia)) {
       return false;
     }
@@ -311,7 +323,7 @@ class Searcher {
     for (const int index : RankedOfSize(1)) {
       if (result_.tried[index].gain > result_.tried[best_single].gain) best_single = index;
     }
-    ScreenAbout(base.fit, result_.tried[best_single].fit.noise, true);
+    ScreenAbout(0, result_.tried[best_single].fit.noise, true);
     if (!own_) return;
     const Screen& screen = own_->screen();
     const Whitener& whitener = own_->whitener();
@@ -348,7 +360,7 @@ class Searcher {
       const Pair& pair = pairs[i];
       if (pair.score < Threshold({pair.a, pair.b})) continue;
       const auto effect = [&](int suspect, int trial) {
-        const Trial& at = trials_.trials[trial];
+        const Trial& at = trials_->trials[trial];
         return ActiveEffect{suspects_[suspect].effect, suspects_[suspect].setting, at.values};
       };
       ExtendedModel model = WithEffect(base.fit.model, effect(pair.a, pair.trial_a));
@@ -404,13 +416,13 @@ class Searcher {
     if (without < 0) return;
     const Hypothesis base = result_.tried[without];
     // Under the noise that the challenged one leaves, rivals stand out as they should.
-    ScreenAbout(base.fit, fit.noise, false);
+    ScreenAbout(without, fit.noise, false);
     if (!own_) return;
     const std::vector<double> scores = Scores();
     int num_refined = 0;
     for (const int suspect : InOrder(scores)) {
       const bool is_worse = scores[suspect] < 0.6 * scores[cause] - kRivalSlack;
-      if (is_worse || scores[suspect] <= 0.0 || num_refined == kMostRefined) break;
+      if (is_worse || scores[suspect] < kWorthRefining || num_refined == kMostRefined) break;
       if (Has(result_.tried[challenged], suspect)) continue;
       ++num_refined;
       Refine(base, suspect);
@@ -438,70 +450,13 @@ class Searcher {
 
   // The last screens, and what they are about.
   StructureFit screened_;
-  Trials trials_;
+  std::optional<Trials> baseline_trials_, other_trials_;
+  const Trials* trials_ = nullptr;
   std::optional<Starts> own_;    // under the noise of a fit
   std::optional<Starts> sharp_;  // under a sensor's noise alone
 };
 
 }  // namespace
-
-double ThresholdOf(const SearchResult& search, const std::vector<int>& suspects) {
-  double sum = 0.0, most_spared = 0.0;
-  for (const int suspect : suspects) {
-    sum += search.thresholds_beside[suspect];
-    most_spared =
-        std::max(most_spared, search.thresholds_beside[suspect] - search.thresholds[suspect]);
-  }
-  return sum - most_spared;  // one of them came first
-}
-
-std::vector<int> FindRivals(const TrainingData& data,
-                            const SearchResult& search,
-                            double separation) {
-  std::vector<int> rivals;
-  if (search.best == 0) return rivals;
-  if (data.command_tone().IsAlone()) separation *= kHarderUnderASine;
-  const Hypothesis& best = search.tried[search.best];
-  for (size_t i = 0; i < search.tried.size(); ++i) {
-    const Hypothesis& other = search.tried[i];
-    if (static_cast<int>(i) == search.best || other.suspects.size() != best.suspects.size()) {
-      continue;
-    }
-    std::vector<int> shared, own;
-    std::set_intersection(best.suspects.begin(),
-                          best.suspects.end(),
-                          other.suspects.begin(),
-                          other.suspects.end(),
-                          std::back_inserter(shared));
-    if (shared.size() + 1 != best.suspects.size()) continue;
-    std::set_difference(other.suspects.begin(),
-                        other.suspects.end(),
-                        shared.begin(),
-                        shared.end(),
-                        std::back_inserter(own));
-    // What is no better than noise explains nothing.
-    const Hypothesis* without = FindHypothesis(search, shared);
-    if (without != nullptr &&
-        search.significance.PValue(own.front(), other.gain - without->gain) > kExplainsNothing) {
-      continue;
-    }
-    if (best.delta_bic - other.delta_bic < separation) rivals.push_back(static_cast<int>(i));
-  }
-  return rivals;
-}
-
-const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<int>& suspects) {
-  for (const Hypothesis& hypothesis : search.tried) {
-    if (hypothesis.suspects == suspects) return &hypothesis;
-  }
-  return nullptr;
-}
-
-const Hypothesis* FindWithout(const SearchResult& search, int index, int suspect) {
-  std::vector<int> others = search.tried[index].suspects;
-  std::erase(others, suspect);
-  return FindHypothesis(search, others);
-}
 
 SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,

@@ -4,40 +4,12 @@
 #pragma once
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/screen.h"
-#include "fathom/diagnosis/significance.h"
-#include "fathom/diagnosis/structure_fit.h"
+#include "fathom/diagnosis/search_result.h"
+#include "fathom/diagnosis/suspects.h"
 
 #include <vector>
 
 namespace fathom {
-
-// A set of suspects with the model that has them all.
-struct Hypothesis {
-  std::vector<int> suspects;  // indices, ascending; none: the baseline
-  StructureFit fit;
-
-  // 2 log-likelihood over the baseline's.
-  double gain = 0.0;
-
-  // BIC of the baseline less its own: above 0, better than the baseline.
-  double delta_bic = 0.0;
-};
-
-// What was tried and what came of it.
-struct SearchResult {
-  std::vector<Hypothesis> tried;  // the baseline first, then as they came
-  int best = 0;                   // index into `tried`
-
-  std::vector<int> rivals;  // FindRivals() of the best
-
-  Significance significance;  // of what a suspect gains
-  // By suspect: what it must gain alone, and beside other causes.
-  std::vector<double> thresholds, thresholds_beside;
-
-  // Per suspect: the best score of the linear screens about the baseline.
-  std::vector<double> scores;
-};
 
 // Searches the sets of up to options.most_causes suspects for the one that the data call for.
 // docs/diagnosis.md (6).
@@ -45,20 +17,5 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& options);
-
-// What a set of suspects must gain over the baseline.
-double ThresholdOf(const SearchResult& search, const std::vector<int>& suspects);
-
-// Indices of hypotheses that explain the data as well as the best one, each with one of its
-// suspects replaced: worse by less than `separation` (DiagnosisOptions).
-std::vector<int> FindRivals(const TrainingData& data,
-                            const SearchResult& search,
-                            double separation);
-
-// The hypothesis with exactly these suspects; null if it was not tried.
-const Hypothesis* FindHypothesis(const SearchResult& search, const std::vector<int>& suspects);
-
-// That hypothesis less one of its suspects; null if it was not tried.
-const Hypothesis* FindWithout(const SearchResult& search, int index, int suspect);
 
 }  // namespace fathom

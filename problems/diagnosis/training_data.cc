@@ -44,8 +44,13 @@ void SetDampingFactors(const Segment& segment,
 
 }  // namespace
 
-TrainingData::TrainingData(std::vector<Record> records, const UncoupledModel<double>& about)
-    : records_(std::move(records)), bins_(records_), samples_(bins_.samples()) {
+TrainingData::TrainingData(std::vector<Record> records,
+                           const UncoupledModel<double>& about,
+                           double least_inertia)
+    : records_(std::move(records)),
+      bins_(records_),
+      samples_(bins_.samples()),
+      least_inertia_(least_inertia) {
   command_tone_.share = 1.0;
   for (const Record& record : records_) {
     longest_duration_ = std::max(longest_duration_, record.duration());

@@ -22,8 +22,10 @@ namespace fathom {
 class TrainingData {
  public:
   // `about`: a model near the truth, whose damping tells how easily the vehicle is disturbed from
-  // sample to sample; docs/residual_noise.md (3).
-  explicit TrainingData(std::vector<Record> records, const UncoupledModel<double>& about = {});
+  // sample to sample; docs/residual_noise.md (3). `least_inertia`: the smallest that a fit may try.
+  explicit TrainingData(std::vector<Record> records,
+                        const UncoupledModel<double>& about = {},
+                        double least_inertia = 0.0);
 
   const std::vector<Record>& records() const { return records_; }
   const std::vector<EffectSimulation>& simulations() const { return simulations_; }
@@ -34,6 +36,8 @@ class TrainingData {
 
   // Damping rate of a model about the usual speed of these data [1/s].
   double DampingRate(const UncoupledModel<double>& model) const;
+
+  double least_inertia() const { return least_inertia_; }
 
   bool has_displacement() const { return has_displacement_; }
 
@@ -69,6 +73,7 @@ class TrainingData {
   Bins bins_;
   std::vector<NoiseSample> samples_;
   double usual_speed_ = 0.0;  // [m/s] or [rad/s]
+  double least_inertia_ = 0.0;
   bool has_displacement_ = false;
   Tone command_tone_;
   double longest_duration_ = 0.0;

@@ -78,7 +78,7 @@ struct ThrustSaturation {
                             .lower = 0.0,
                             .upper = kInfinity,
                             .search = Search::kSize,
-                            .trials = {0.4, 0.6, 0.8, 1.0, 1.2, 1.5, 1.8, 2.2}}},
+                            .trials = {0.4, 0.6, 0.8, 1.0, 1.2, 1.5, 1.8, 2.2, 2.7}}},
             .cause = "more thrust was commanded than the thrusters give",
             .advice = "Keep commands below the limit, or clamp them there before simulating."};
   }
@@ -156,13 +156,14 @@ struct ThrustFade {
   }
 };
 
+// A thruster that fails loses all, 1, which is therefore not the bound.
 struct ThrustStepLoss {
   static EffectInfo Info() {
     return {.name = "thrust_step_loss",
             .place = Place::kActuator,
             .scope = Scope::kRun,
             .parameters =
-                {{.name = "loss", .quantity = kRatio, .null = 0.0, .lower = 0.0, .upper = 1.0},
+                {{.name = "loss", .quantity = kRatio, .null = 0.0, .lower = 0.0, .upper = 1.5},
                  {.name = "time",
                   .quantity = kDuration,
                   .null = kAny,

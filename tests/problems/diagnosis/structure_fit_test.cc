@@ -147,6 +147,22 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
   EXPECT_LT(fit.residual.dot(weighted) - dense.chi_squared, 0.01);
 }
 
+// However often it is carried on from where it ended.
+TEST(FitStructure, KeepsTheInertiaAboveTheLeast) {
+  const std::vector<Log> logs = {LogOf(Short(), 4)};
+  const double least = 1.5 * kSurgeTruth.inertia;
+  const TrainingData data(RecordsOf(logs, Dof::kSurge).all, kSurgeTruth, least);
+  const Whitener whitener(Coloured(), data.samples());
+  ExtendedModel model = {kSurgeTruth, {}};
+  for (int turn = 0; turn < 3; ++turn) {
+    const StructureFit fit = FitStructure(data, model, StatesOf(data), whitener);
+    ASSERT_TRUE(fit.converged);
+    EXPECT_EQ(fit.model.baseline.inertia, least);
+    EXPECT_TRUE(fit.is_on_bound[kInertia]);
+    model = fit.model;
+  }
+}
+
 TEST(FitStructure, SaysThatAModelCannotBeSimulated) {
   const TrainingData data = DataOf(Short(), 1);
   const Whitener whitener(Coloured(), data.samples());
