@@ -7,18 +7,17 @@
 //
 //   joint_bench [most frames=60000] [threads=1]
 
-#include "fathom/joint_refinement/first_guess.h"
 #include "fathom/joint_refinement/joint_problem.h"
 #include "fathom/joint_refinement/joint_refinement.h"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <vector>
 
 #include "camera_experiment.h"
+#include "truth.h"
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -39,36 +38,21 @@ double ProcessorSeconds() {
 
 // Of the same corners with a pose of its own for every frame, and no model.
 double PlainSecondsPerIteration(const SyntheticCameraRun& run, int num_threads) {
-  const CameraRun& camera = run.input.runs[0];
-  JointData data;
-  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
-  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, run.input.runs);
-  data.excited = excited.index;
-  data.runs.push_back(
-      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
-  JointUnknowns unknowns;
-  unknowns.model = {std::log(run.truth.inertia),
-                    run.truth.quadratic_damping,
-                    run.truth.linear_damping,
-                    run.truth.buoyancy};
-  unknowns.runs.resize(1);
-  data.runs[0].motion.Update(unknowns.Motion(0));
-  RunUnknowns& own = unknowns.runs[0];
-  own.deviation.resize(camera.time.size());
-  own.rate.resize(camera.time.size());
-  for (size_t k = 0; k < camera.time.size(); ++k) {
-    // From off the solution, so that there is something to iterate for.
-    PoseVector eta = VectorFromPose(run.true_world_from_body[k]);
-    eta += PoseVector(0.03, -0.02, 0.02, 0.01, -0.01, 0.02);
-    PoseVector::Map(own.deviation[k].data()) = eta - data.runs[0].motion.Mean(k);
+  Truth truth = TruthOf(run);
+  // From off the solution, so that there is something to iterate for.
+  for (auto& deviation : truth.unknowns.runs[0].deviation) {
+    PoseVector::Map(deviation.data()) += PoseVector(0.03, -0.02, 0.02, 0.01, -0.01, 0.02);
   }
   ProcessSet processes;
   processes.corner_sigma = 0.3;
   GlobalsPrior prior;  // clock, size and mount are known
   for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
   prior.std[kClockColumn] = 0.0;
-  const JointSolve solve = SolveJoint(
-      &data, processes, {prior}, {.num_threads = num_threads, .without_model = true}, &unknowns);
+  const JointSolve solve = SolveJoint(&truth.data,
+                                      processes,
+                                      {prior},
+                                      {.num_threads = num_threads, .without_model = true},
+                                      &truth.unknowns);
   return solve.seconds_per_iteration;
 }
 

@@ -3,46 +3,21 @@
 
 #include "cramer_rao.h"
 
-#include "fathom/joint_refinement/first_guess.h"
 #include "fathom/joint_refinement/joint_state.h"
 #include "fathom/joint_refinement/linear_joint.h"
 
 #include <cmath>
 
+#include "truth.h"
 #include <glog/logging.h>
 
 namespace fathom {
 
 ParameterVector CramerRaoStd(const CameraExperiment& experiment, const SyntheticCameraRun& run) {
   CHECK(experiment.wander == WanderKind::kFiltered || experiment.wander == WanderKind::kNone);
-  const CameraRun& camera = run.input.runs[0];
-  // By the true poses: the first guesses are no truth.
-  CameraRun true_run = camera;
-  true_run.world_from_body = run.true_world_from_body;
-  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, {&true_run, 1});
-
-  JointData data;
-  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
-  data.excited = excited.index;
-  data.runs.push_back(
-      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
-  JointUnknowns unknowns;
-  unknowns.model = {std::log(run.truth.inertia),
-                    run.truth.quadratic_damping,
-                    run.truth.linear_damping,
-                    run.truth.buoyancy};
-  unknowns.runs.resize(1);
-  RunUnknowns& own = unknowns.runs[0];
-  own.start = {run.true_velocity[0], run.true_displacement[0]};
-  CHECK(data.runs[0].motion.Update(unknowns.Motion(0)));
-  const size_t n = camera.time.size();
-  own.deviation.resize(n);
-  own.rate.resize(n);
-  for (size_t k = 0; k < n; ++k) {
-    PoseVector::Map(own.deviation[k].data()) =
-        VectorFromPose(run.true_world_from_body[k]) - data.runs[0].motion.Mean(k);
-  }
-
+  Truth truth = TruthOf(run);
+  JointData& data = truth.data;
+  JointUnknowns& unknowns = truth.unknowns;
   ProcessSet processes;
   processes.corner_sigma = experiment.corner_noise;
   if (experiment.wander == WanderKind::kFiltered) {
@@ -61,7 +36,7 @@ ParameterVector CramerRaoStd(const CameraExperiment& experiment, const Synthetic
   for (int i = 0; i < 6; ++i) prior.std[kMountColumns + i] = 0.0;
   std::vector<LinearRun> linear;
   CHECK(Linearise(&data, unknowns, processes.corner_sigma, &linear));
-  const LinearJoint joint(linear, std::vector<GlobalsPrior>{prior}, processes, excited.index);
+  const LinearJoint joint(linear, std::vector<GlobalsPrior>{prior}, processes, data.excited);
   CHECK(joint.is_usable());
   ParameterVector std = joint.covariance(0).diagonal().head<kNumParameters>().cwiseSqrt();
   std[kInertia] *= run.truth.inertia;  // of its logarithm

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "truth.h"
+
+#include "fathom/joint_refinement/first_guess.h"
+
+#include <cmath>
+
+#include <glog/logging.h>
+
+namespace fathom {
+
+Truth TruthOf(const SyntheticCameraRun& run) {
+  const CameraRun& camera = run.input.runs[0];
+  // By the true poses: the first guesses are no truth.
+  CameraRun true_run = camera;
+  true_run.world_from_body = run.true_world_from_body;
+  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, {&true_run, 1});
+
+  Truth truth;
+  truth.data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  truth.data.excited = excited.index;
+  truth.data.runs.push_back(
+      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
+  PredictedMotion& motion = truth.data.runs[0].motion;
+  truth.unknowns.model = {std::log(run.truth.inertia),
+                          run.truth.quadratic_damping,
+                          run.truth.linear_damping,
+                          run.truth.buoyancy};
+  truth.unknowns.runs.resize(1);
+  RunUnknowns& own = truth.unknowns.runs[0];
+  own.start = {run.true_velocity[0], run.true_displacement[0]};
+  CHECK(motion.Update(truth.unknowns.Motion(0)));
+  const size_t n = camera.time.size();
+  own.deviation.resize(n);
+  own.rate.resize(n);
+  for (size_t k = 0; k < n; ++k) {
+    PoseVector::Map(own.deviation[k].data()) =
+        VectorFromPose(run.true_world_from_body[k]) - motion.Mean(k);
+  }
+  return truth;
+}
+
+}  // namespace fathom
