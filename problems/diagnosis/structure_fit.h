@@ -33,9 +33,9 @@ struct StructureFit {
 };
 
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds
-// (inertia above 0, dampings at least 0, the effects' own). Levenberg and Marquardt's method on the
-// normal equations; parameters that press on a bound are held there and let go again when they no
-// longer do, docs/diagnosis.md (3).
+// (inertia at least data.least_inertia(), dampings at least 0, the effects' own). Levenberg and
+// Marquardt's method on the normal equations; parameters that press on a bound are held there and
+// let go again when they no longer do, docs/diagnosis.md (3).
 //
 // Ends when no step promises more than `smallest_share` of what is left of the error (or 0.01).
 StructureFit FitStructure(const TrainingData& data,

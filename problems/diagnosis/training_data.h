@@ -22,7 +22,8 @@ namespace fathom {
 class TrainingData {
  public:
   // `about`: a model near the truth, whose damping tells how easily the vehicle is disturbed from
-  // sample to sample; docs/residual_noise.md (3). `least_inertia`: the smallest that a fit may try.
+  // sample to sample; docs/residual_noise.md (3). `least_inertia`: the smallest that a fit may try
+  // [kg] or [kg m^2].
   explicit TrainingData(std::vector<Record> records,
                         const UncoupledModel<double>& about = {},
                         double least_inertia = 0.0);
