@@ -36,6 +36,8 @@ constexpr double kLossWorthAWord = 0.02;   // of held-out NMAE
 // The least inertia that a fit may try, of the baseline's. Far below the truth a run takes ever
 // more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
 constexpr double kLeastInertia = 0.1, kLeastInertiaIfOpen = 0.01;
+// About five for each unknown of a model with three causes.
+constexpr size_t kLeastSamples = 60;
 
 void RequireUsable(const DiagnosisOptions& options) {
   if (!(options.false_alarm_rate > 0.0 && options.false_alarm_rate <= 0.5)) {
@@ -107,14 +109,21 @@ void ConfirmOnAllData(const TrainingData& data,
   search->rivals = FindRivals(data, *search, options.separation);
 }
 
+size_t NumSamples(const std::vector<Record>& records) {
+  size_t count = 0;
+  for (const Record& record : records) count += record.velocity.size() + record.displacement.size();
+  return count;
+}
+
 // The search over thinned data, confirmed on all of them.
 SearchResult SearchThinned(const TrainingData& data,
+                           const std::vector<Record>& thinned_records,
                            const StructureFit& baseline,
                            const std::vector<Suspect>& suspects,
                            const DiagnosisOptions& options) {
   const double inertia = baseline.model.baseline.inertia;
   const bool is_open = !(std::sqrt(baseline.covariance(kInertia, kInertia)) < inertia);
-  const TrainingData thinned(Thinned(data.records()),
+  const TrainingData thinned(thinned_records,
                              baseline.model.baseline,
                              (is_open ? kLeastInertiaIfOpen : kLeastInertia) * inertia);
   const StructureFit rough =
@@ -181,6 +190,15 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
                                             count == 1 ? "" : "s",
                                             count == 1 ? "its" : "their"));
   }
+  const std::vector<Record> thinned = Thinned(train);
+  if (NumSamples(thinned) < kLeastSamples) {
+    diagnosis.message = fmt::format(
+        "the training data are {} samples (at 10 Hz at most), expected at least {}: with fewer, "
+        "structure cannot be told from noise.",
+        NumSamples(thinned),
+        kLeastSamples);
+    return diagnosis;
+  }
   const TrainingData data(
       std::move(train), start->model.baseline, kLeastInertiaIfOpen * start->model.baseline.inertia);
   const StructureFit baseline = FitBaseline(data, start->model, start->initial);
@@ -196,7 +214,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const bool is_negligible = IsNegligible(data, baseline);
   const std::vector<Suspect> suspects =
       is_negligible ? std::vector<Suspect>() : SuspectsFor(records, dof, effects);
-  SearchResult search = SearchThinned(data, baseline, suspects, options);
+  SearchResult search = SearchThinned(data, thinned, baseline, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
   const auto leave_out = [&](Burden burden) {
@@ -235,6 +253,11 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const Hypothesis& best = search.tried[search.best];
   const RemainingStructure remaining = find_remaining();
   const bool remains = Remains(remaining, search);
+  if (remaining.num_columns == 0 && !is_negligible) {
+    diagnosis.remarks.push_back(
+        "Not looked for: structure that no effect of the catalogue accounts for. The training data "
+        "are too few for that.");
+  }
   if (remains) {
     // What nothing explains gains so much per column: then it takes as many times more to tell two
     // causes apart, either of which may stand in for it.

@@ -114,18 +114,20 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> own{Eigen::MatrixXd(design.leftCols(num_fitted))};
   all.setThreshold(1e-5);
   own.setThreshold(1e-5);
-  remaining.num_columns = static_cast<int>(all.rank() - own.rank());
-  if (remaining.num_columns <= 0) return remaining;
+  constexpr Eigen::Index kSamplesPerColumn = 5;
+  if (all.rank() <= own.rank() || design.rows() < kSamplesPerColumn * all.rank()) return remaining;
 
   Whitener whitener(fit.noise, data.samples());
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
-  const NoiseModel noise =
-      FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options).model;
-  whitener = Whitener(noise, data.samples());
+  const NoiseFit noise =
+      FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options);
+  if (!std::isfinite(noise.log_likelihood)) return remaining;
+  whitener = Whitener(noise.model, data.samples());
   residual = ResidualAfter(design, fit.residual, whitener);
   const double log_likelihood = whitener.LogLikelihood(std::span(residual.data(), residual.size()));
+  remaining.num_columns = static_cast<int>(all.rank() - own.rank());
   remaining.gain = std::max(0.0, 2.0 * (log_likelihood - fit.log_likelihood));
   remaining.p_value = Eigen::numext::igammac(0.5 * remaining.num_columns, 0.5 * remaining.gain);
   return remaining;

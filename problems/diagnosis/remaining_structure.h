@@ -10,13 +10,14 @@ namespace fathom {
 // What a fitted model still leaves of the data that depends on its inputs, whatever the form.
 struct RemainingStructure {
   double gain = 0.0;     // twice the log-likelihood that smooth forces of any form would gain
-  int num_columns = 0;   // degrees of freedom they took
+  int num_columns = 0;   // degrees of freedom they took; 0: they were not tried
   double p_value = 1.0;  // of that gain where nothing is left
 };
 
 // Tries forces that are free, smooth functions of command, lagged command, speed, position and the
-// product of command and speed, all at once, the noise learned along. Nothing here knows the
-// catalogue; docs/diagnosis.md (8).
+// product of command and speed, all at once, the noise learned along. Not tried on fewer than five
+// samples per column, where they would take up the noise itself. Nothing here knows the catalogue;
+// docs/diagnosis.md (8).
 RemainingStructure FindRemainingStructure(const TrainingData& data, const StructureFit& fit);
 
 }  // namespace fathom

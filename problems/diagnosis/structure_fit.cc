@@ -252,6 +252,8 @@ NoiseModel LearnNoise(const TrainingData& data,
   options.precision = kNoisePrecision;
   const NoiseFit learned = FitNoise(
       data.samples(), std::span(fit.residual.data(), fit.residual.size()), fit.jacobian, options);
+  // Too few samples, or a channel without any error.
+  if (!std::isfinite(learned.log_likelihood)) return SensorNoiseOnly(data, fit.residual);
   return learned.model;
 }
 
@@ -262,13 +264,17 @@ NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& resi
     for (int i = 0; i < data.bins().size(); ++i) {
       if (data.samples()[i].channel == channel) values.push_back(residual[i]);
     }
-    if (values.size() < 3) continue;
-    double sum = 0.0;
+    // Of one or two the values themselves.
+    double sum = 0.0, count = 6.0 * (static_cast<double>(values.size()) - 2.0);
     for (size_t i = 2; i < values.size(); ++i) {
       const double d = values[i] - 2.0 * values[i - 1] + values[i - 2];
       sum += d * d;
     }
-    const double std = std::sqrt(sum / (6.0 * static_cast<double>(values.size() - 2)));
+    if (values.size() < 3) {
+      count = std::max<double>(1.0, static_cast<double>(values.size()));
+      for (const double value : values) sum += value * value;
+    }
+    const double std = std::sqrt(sum / count);
     (channel == NoiseChannel::kVelocity ? noise.velocity : noise.displacement).white_std =
         std::max(std, 1e-12);
   }

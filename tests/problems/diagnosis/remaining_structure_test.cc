@@ -45,6 +45,15 @@ TEST(RemainingStructure, IsRarelyFoundWhereNothingIsLeft) {
   EXPECT_LE(num_small, 6);
 }
 
+// The columns would leave no noise to measure them by.
+TEST(RemainingStructure, IsNotLookedForInTooFewSamples) {
+  SurgeRun run = Plain();
+  run.duration = 4.0;
+  const RemainingStructure remaining = RemainingIn(run, 1);
+  EXPECT_EQ(remaining.num_columns, 0);
+  EXPECT_EQ(remaining.p_value, 1.0);
+}
+
 TEST(RemainingStructure, IsFoundWhereAnEffectIsLeftOut) {
   for (const char* effect : {"thrust_dead_zone:width=15", "thruster_lag:time_constant=0.5"}) {
     SurgeRun run = Plain();
