@@ -32,7 +32,8 @@ namespace {
 
 constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which it is said to remain
 constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
-constexpr double kLossWorthAWord = 0.02;   // of held-out NMAE
+constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is named
+constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
 // The least inertia that a fit may try, of the baseline's. Far below the truth a run takes ever
 // more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
 constexpr double kLeastInertia = 0.1, kLeastInertiaIfOpen = 0.01;
@@ -74,6 +75,19 @@ DiagnosedModel Describe(const TrainingData& data, const StructureFit& fit) {
   }
   described.train = FiguresOfRuns(runs);
   return described;
+}
+
+// Output error's model, as fathom_identify gives it: what the user has, and what free runs are
+// judged against. In the baseline's own fit what is missing passes for noise; it is for weighing
+// causes, and runs worse.
+StructureFit UsersModel(const TrainingData& data,
+                        const RobustStart& start,
+                        const StructureFit& baseline) {
+  StructureFit users = FitStates(data, start.model, start.initial);
+  if (users.jacobian.size() == 0) return baseline;
+  users.covariance = start.covariance;
+  users.log_likelihood = baseline.log_likelihood;
+  return users;
 }
 
 // Fits the best hypothesis to all data, and takes from it every cause that they do not call for:
@@ -207,6 +221,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     return diagnosis;
   }
 
+  const StructureFit users = UsersModel(data, *start, baseline);
+
   const std::vector<const Effect*> effects =
       options.effects.empty()
           ? std::vector<const Effect*>(EffectCatalogue().begin(), EffectCatalogue().end())
@@ -229,24 +245,36 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   if (!held_out.empty() && Remains(find_remaining(), search)) leave_out(Burden::kToGain);
   Scored scored;
   if (held_out.empty()) {
-    scored = LeaveBlocksOut(data, baseline, search.tried[search.best].fit);
+    scored = LeaveBlocksOut(data, users.model, search.tried[search.best].fit);
   } else {
-    Score(held_out, baseline.model, search.tried[search.best].fit.model, &scored);
+    Score(held_out, users.model, search.tried[search.best].fit.model, &scored);
   }
+  if (search.best == 0) scored.after = scored.before;
   Gain gain = GainOf(scored.before, scored.after, options.seed);
+  diagnosis.baseline = Describe(data, users);
+  diagnosis.extended =
+      search.best == 0 ? diagnosis.baseline : Describe(data, search.tried[search.best].fit);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
-  const bool is_refuted =
-      search.best != 0 && (diagnosis.by_left_out_blocks ? gain.high < 0.0 : IsRefuted(gain));
+  const bool loses = diagnosis.by_left_out_blocks ? gain.high < 0.0 : IsRefuted(gain);
+  const bool runs_worse = diagnosis.extended.train.nmae >
+                          (1.0 + kLossTooMuchInTraining) * diagnosis.baseline.train.nmae;
+  const bool is_refuted = search.best != 0 && (loses || runs_worse);
   if (is_refuted) {
-    diagnosis.remarks.push_back(
-        fmt::format("Not named: {}. It fits the training data best, but on data that no fit has "
-                    "seen the error grows by {:.0f} % ({:.0f} to {:.0f} %).",
-                    LabelsOf(search.tried[search.best].suspects, suspects),
-                    -100.0 * gain.value,
-                    -100.0 * gain.high,
-                    -100.0 * gain.low));
+    diagnosis.remarks.push_back(fmt::format(
+        "Not named: {}. It is the likeliest, but {}.",
+        LabelsOf(search.tried[search.best].suspects, suspects),
+        loses ? fmt::format("on data that no fit has seen the error grows by {:.0f} % ({:.0f} to "
+                            "{:.0f} %)",
+                            -100.0 * gain.value,
+                            -100.0 * gain.high,
+                            -100.0 * gain.low)
+              : fmt::format("with it NMAE on the training data themselves grows from {:.2g} to "
+                            "{:.2g}",
+                            diagnosis.baseline.train.nmae,
+                            diagnosis.extended.train.nmae)));
     search.best = 0;
     search.rivals.clear();
+    diagnosis.extended = diagnosis.baseline;
     scored.after = scored.before;
     gain = GainOf(scored.before, scored.after, options.seed);
   }
@@ -265,18 +293,20 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     search.rivals = FindRivals(data, search, options.separation * std::max(1.0, times_noise));
   }
 
-  diagnosis.baseline = Describe(data, baseline);
-  diagnosis.extended = Describe(data, best.fit);
+  const StructureFit& extended = best.suspects.empty() ? users : best.fit;
   diagnosis.remaining_p_value = remaining.p_value;
   const double all_structure = best.gain + remaining.gain;
   diagnosis.explained_share = all_structure > 0.0 ? best.gain / all_structure : 0.0;
-  diagnosis.structure_share = StructureShare(baseline, best.fit);
+  diagnosis.structure_share = StructureShare(users, extended);
   if (remains || is_refuted) {
     diagnosis.verdict = Verdict::kUnexplained;
   } else if (best.suspects.empty()) {
     diagnosis.verdict = Verdict::kConsistent;
   } else {
     diagnosis.verdict = search.rivals.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
+  }
+  if (diagnosis.verdict == Verdict::kConsistent && !is_negligible) {
+    diagnosis.wander_ratio = WanderRatio(data, users);
   }
   diagnosis.causes = CausesOf(search, suspects);
   AddRemarksOnTheEvidence(data, baseline, &diagnosis);
@@ -293,27 +323,25 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
         "build on it before another run confirms it.");
   }
   for (Cause& cause : diagnosis.causes) {
-    const ExtendedModel without = WithoutCause(search, suspects, cause);
+    const ExtendedModel without =
+        diagnosis.causes.size() == 1 ? users.model : WithoutCause(search, suspects, cause);
     Scored own;
     if (!held_out.empty()) {
-      Score(held_out, without, best.fit.model, &own);
+      Score(held_out, without, extended.model, &own);
       cause.held_out_gain = GainOf(own.before, own.after, options.seed).value;
     } else {
       cause.held_out_gain = gain.value;
     }
   }
 
-  diagnosis.missing_force = FindMissingForce(data, baseline, best.fit, records.partners);
+  diagnosis.missing_force = FindMissingForce(data, users, extended, records.partners);
   for (size_t r = 0; r < data.records().size(); ++r) {
-    diagnosis.traces.push_back(TraceOf(data.records()[r],
-                                       baseline.model,
-                                       baseline.initial[r],
-                                       best.fit.model,
-                                       best.fit.initial[r]));
+    diagnosis.traces.push_back(TraceOf(
+        data.records()[r], users.model, users.initial[r], extended.model, extended.initial[r]));
   }
   for (const Record& record : held_out) {
     diagnosis.traces.push_back(
-        TraceOf(record, baseline.model, record.initial, best.fit.model, record.initial));
+        TraceOf(record, users.model, record.initial, extended.model, record.initial));
   }
   return diagnosis;
 }

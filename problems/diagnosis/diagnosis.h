@@ -125,7 +125,7 @@ struct Diagnosis {
   bool IsUsable() const { return message.empty(); }
 
   Verdict verdict = Verdict::kConsistent;
-  DiagnosedModel baseline;
+  DiagnosedModel baseline;  // by output error, as fathom_identify gives it
   DiagnosedModel extended;  // the baseline again where nothing is named
   std::vector<Cause> causes;
   std::vector<Candidate> candidates;  // best first
@@ -134,6 +134,10 @@ struct Diagnosis {
   // structure, what the causes account for.
   double structure_share = 0.0;
   double explained_share = 0.0;
+
+  // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
+  // named and the rest passes for noise that wanders; else 0.
+  double wander_ratio = 0.0;
 
   // p-value of what is left with the causes in: structure that no effect of the catalogue has.
   double remaining_p_value = 1.0;

@@ -14,8 +14,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kNegligible = 1e-3;            // share of the motion
-constexpr double kMuchMoreThanTheSensor = 3.0;  // at which a consistent log's noise needs a word
+constexpr double kNegligible = 1e-3;  // share of the motion
 
 // Of one channel; 0 where there is none.
 double RmsResidual(const TrainingData& data, const StructureFit& fit, NoiseChannel channel) {
@@ -51,6 +50,14 @@ bool IsNegligible(const TrainingData& data, const StructureFit& baseline) {
   return ShareLeft(data, baseline) < kNegligible;
 }
 
+double WanderRatio(const TrainingData& data, const StructureFit& fit) {
+  const NoiseModel scatter = SensorNoiseOnly(data, fit.residual);
+  const double velocity = RmsResidual(data, fit, NoiseChannel::kVelocity);
+  return velocity > 0.0
+             ? velocity / scatter.velocity.white_std
+             : RmsResidual(data, fit, NoiseChannel::kDisplacement) / scatter.displacement.white_std;
+}
+
 void AddRemarksOnTheEvidence(const TrainingData& data,
                              const StructureFit& baseline,
                              Diagnosis* diagnosis) {
@@ -77,19 +84,6 @@ void AddRemarksOnTheEvidence(const TrainingData& data,
                     100.0 * share_left,
                     100.0 * kNegligible));
     return;
-  }
-  const auto& leading =
-      diagnosis->has_velocity ? baseline.noise.velocity : baseline.noise.displacement;
-  const NoiseChannel channel =
-      diagnosis->has_velocity ? NoiseChannel::kVelocity : NoiseChannel::kDisplacement;
-  const double times_the_sensor =
-      RmsResidual(data, baseline, channel) / std::max(leading.white_std, 1e-12);
-  if (diagnosis->verdict == Verdict::kConsistent && times_the_sensor > kMuchMoreThanTheSensor) {
-    diagnosis->remarks.push_back(
-        fmt::format("The error is {:.0f} times what scatters from sample to sample. It wanders as "
-                    "slow random forces or a wandering sensor make it wander, and follows nothing "
-                    "that was logged: noise, or something that these logs do not show.",
-                    times_the_sensor));
   }
   const Tone& tone = data.command_tone();
   if (tone.IsAlone() && !diagnosis->causes.empty()) {

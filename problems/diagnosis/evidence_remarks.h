@@ -13,8 +13,12 @@ namespace fathom {
 // uncoupled model can be true. docs/diagnosis.md, "Verdict".
 bool IsNegligible(const TrainingData& data, const StructureFit& baseline);
 
+// RMS of a fit's residual of the velocity (of the displacement where there is none) over what of it
+// scatters from sample to sample.
+double WanderRatio(const TrainingData& data, const StructureFit& fit);
+
 // Adds remarks on how far the data carry what is said of them: a baseline that they do not
-// determine, poses alone, an error that wanders, a command of one tone.
+// determine, poses alone, a command of one tone.
 void AddRemarksOnTheEvidence(const TrainingData& data,
                              const StructureFit& baseline,
                              Diagnosis* diagnosis);

@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/left_out_blocks.h"
 
+#include "fathom/diagnosis/robust_start.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -26,10 +28,20 @@ Record Between(const Record& record, double from, double to) {
   return part;
 }
 
+// Where nothing measures the position: along the measured velocity, as RecordsOf() counts it.
+double PositionAt(const Record& record, double time) {
+  double position = record.initial.position;
+  const std::vector<double>& t = record.stamps.velocity;
+  for (size_t i = 1; i < t.size() && t[i] <= time; ++i) {
+    position += 0.5 * (t[i] - t[i - 1]) * (record.velocity[i - 1] + record.velocity[i]);
+  }
+  return position;
+}
+
 }  // namespace
 
 Scored LeaveBlocksOut(const TrainingData& data,
-                      const StructureFit& baseline,
+                      const ExtendedModel& baseline,
                       const StructureFit& extended) {
   Scored scored;
   double total = 0.0;
@@ -43,9 +55,10 @@ Scored LeaveBlocksOut(const TrainingData& data,
       const double low = std::clamp(start + from - passed, start, end);
       const double high = std::clamp(start + to - passed, start, end);
       passed += record.duration();
-      const auto add = [](Record part, std::vector<Record>* to_list) {
+      const auto add = [&](Record part, std::vector<Record>* to_list) {
         const auto& time = part.velocity.empty() ? part.stamps.displacement : part.stamps.velocity;
         if (time.size() < 20) return;
+        if (part.displacement.empty()) part.initial.position = PositionAt(record, time.front());
         RestartAt(time.front(), &part);
         to_list->push_back(std::move(part));
       };
@@ -56,12 +69,11 @@ Scored LeaveBlocksOut(const TrainingData& data,
     if (kept.empty() || left_out.empty()) continue;
     std::vector<InitialState> initial;
     for (const Record& record : kept) initial.push_back(record.initial);
-    const TrainingData rest(std::move(kept), baseline.model.baseline, data.least_inertia());
+    const TrainingData rest(std::move(kept), baseline.baseline, data.least_inertia());
     const Whitener whitener(extended.noise, rest.samples());
-    const Whitener baseline_whitener(baseline.noise, rest.samples());
-    const StructureFit before = FitStructure(rest, baseline.model, initial, baseline_whitener);
+    const auto before = FindRobustStart(rest.records());
     const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
-    Score(left_out, before.model, after.model, &scored);
+    Score(left_out, before ? before->model : baseline, after.model, &scored);
   }
   return scored;
 }

@@ -8,10 +8,11 @@
 
 namespace fathom {
 
-// For logs that hold nothing out: both structures refitted with a quarter of the data left out at a
-// time, each with its own noise, and run freely over that quarter. Nothing if the data are too few.
+// For logs that hold nothing out: with a quarter of the data left out at a time, the baseline by
+// output error (`baseline` itself where that finds none) and the extended structure under its own
+// noise are fitted anew and run freely over that quarter. Nothing if the data are too few.
 Scored LeaveBlocksOut(const TrainingData& data,
-                      const StructureFit& baseline,
+                      const ExtendedModel& baseline,
                       const StructureFit& extended);
 
 }  // namespace fathom

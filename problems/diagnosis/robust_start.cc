@@ -70,9 +70,13 @@ std::optional<RobustStart> FindRobustStart(std::span<const Record> records) {
   options.initial_guess = MomentumGuess(segments);
   if (!(options.initial_guess->inertia > 0.0)) return std::nullopt;  // no force ever acted
   options.output = has_velocity ? FittedOutput::kVelocity : FittedOutput::kPosition;
-  const OutputErrorSummary summary = FitOutputError(segments, options);
+  OutputErrorSummary summary = FitOutputError(segments, options);
+  if (!summary.converged) {
+    options.initial_guess.reset();
+    summary = FitOutputError(segments, options);
+  }
   if (!summary.converged) return std::nullopt;
-  RobustStart start = {{summary.model, {}}, {}};
+  RobustStart start = {{summary.model, {}}, {}, summary.covariance};
   for (size_t r = 0; r < records.size(); ++r) {
     InitialState state = records[r].initial;
     state.velocity = summary.initial_states[r].velocity;

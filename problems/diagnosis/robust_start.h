@@ -10,12 +10,16 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace fathom {
 
-// Where the fits start: output error's robust answer, and the states the records start from.
+// Output error's robust answer, which fathom_identify would give, and the states the records start
+// from. The fits start here, and what they gain is measured against it.
 struct RobustStart {
   ExtendedModel model;
   std::vector<InitialState> initial;
+  Eigen::MatrixXd covariance;  // of the baseline's parameters
 };
 
 // The baseline by output error (problems/output_error), from a guess of its own; nothing if it does

@@ -155,6 +155,22 @@ Eigen::MatrixXd CovarianceOf(const Normal& normal,
   return covariance;
 }
 
+// As if all that is left were white.
+NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual) {
+  double velocity = 0.0, displacement = 0.0;
+  int num_velocities = 0, num_displacements = 0;
+  for (int i = 0; i < data.bins().size(); ++i) {
+    const bool is_velocity = data.samples()[i].channel == NoiseChannel::kVelocity;
+    (is_velocity ? velocity : displacement) += residual[i] * residual[i];
+    ++(is_velocity ? num_velocities : num_displacements);
+  }
+  NoiseModel noise;
+  noise.velocity.white_std = std::max(1e-12, std::sqrt(velocity / std::max(1, num_velocities)));
+  noise.displacement.white_std =
+      std::max(1e-12, std::sqrt(displacement / std::max(1, num_displacements)));
+  return noise;
+}
+
 // Fills residual and Jacobian of a fit at its model; no Jacobian if it cannot be simulated.
 bool LineariseAt(const TrainingData& data, StructureFit* fit) {
   auto at = data.Linearise(fit->model, fit->initial);
@@ -290,6 +306,27 @@ StructureFit FitBaseline(const TrainingData& data,
   const StructureFit first = FitStructure(data, start, initial, sensor);
   if (first.jacobian.size() == 0) return first;
   return FitStructureAndNoise(data, first);
+}
+
+StructureFit FitStates(const TrainingData& data,
+                       const ExtendedModel& model,
+                       std::span<const InitialState> initial) {
+  StructureFit fit;
+  fit.model = model;
+  fit.initial.assign(initial.begin(), initial.end());
+  if (!LineariseAt(data, &fit)) return fit;
+  constexpr int kNumSteps = 3;
+  const Eigen::Index num_parameters = NumParameters(model);
+  for (int step = 0; step < kNumSteps; ++step) {
+    const Whitener white(WhiteNoise(data, fit.residual), data.samples());
+    const Normal normal =
+        NormalOf(white, fit.jacobian.rightCols(fit.jacobian.cols() - num_parameters), fit.residual);
+    Unknowns unknowns = Pack(data, fit.model, fit.initial);
+    unknowns.value.tail(normal.g.size()) += normal.A.ldlt().solve(normal.g);
+    Unpack(data, unknowns.value, &fit.model, &fit.initial);
+    if (!LineariseAt(data, &fit)) break;
+  }
+  return fit;
 }
 
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {

@@ -58,6 +58,12 @@ StructureFit FitBaseline(const TrainingData& data,
                          const ExtendedModel& start,
                          std::span<const InitialState> initial);
 
+// A given model from the states that fit it best, each channel weighed by what the model misses of
+// it: residual and Jacobian alone, no likelihood. No Jacobian if it cannot be simulated.
+StructureFit FitStates(const TrainingData& data,
+                       const ExtendedModel& model,
+                       std::span<const InitialState> initial);
+
 // The noise of a fit's residual, of which nothing else is known.
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit);
 

@@ -19,6 +19,8 @@
 namespace fathom {
 namespace {
 
+constexpr double kMuchMoreThanScatter = 5.0;  // at which an error without a cause needs a word
+
 constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
 
 // "38 %"; "Part" where no share is known.
@@ -169,10 +171,24 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
 std::string WithoutCauses(const Diagnosis& diagnosis) {
   std::string text;
   if (diagnosis.verdict == Verdict::kConsistent) {
-    text = fmt::format("{} show{} nothing that your {} model gets wrong beyond noise.",
-                       Capitalised(TheseLogs(diagnosis)),
-                       diagnosis.logs.size() <= 1 ? "s" : "",
-                       Name(diagnosis.dof));
+    const std::string logs = Capitalised(TheseLogs(diagnosis));
+    const char* const show = diagnosis.logs.size() <= 1 ? "shows" : "show";
+    if (diagnosis.wander_ratio > kMuchMoreThanScatter) {
+      text = fmt::format(
+          "{} {} no cause for the error of your {} model, which is {:.0f} times what scatters from "
+          "sample to sample. It wanders as slow random forces or a wandering sensor make it "
+          "wander, and follows nothing that was logged: noise, or something that cannot be seen "
+          "here.",
+          logs,
+          show,
+          Name(diagnosis.dof),
+          diagnosis.wander_ratio);
+    } else {
+      text = fmt::format("{} {} nothing that your {} model gets wrong beyond noise.",
+                         logs,
+                         show,
+                         Name(diagnosis.dof));
+    }
   } else {
     text = fmt::format(
         "{} of the error of your {} model is not noise, and nothing in the catalogue accounts for "

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -271,6 +273,22 @@ TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
 }
 
 // Nothing was commanded and nothing moved: no model, no verdict, no page.
+// Down to the fewest samples that can be trained on: no noise can be learned from them.
+TEST(DiagnoseTool, AFewSecondsEndWithExitCodeTwo) {
+  for (const int count : {20, 30, 59}) {
+    SCOPED_TRACE(count);
+    const Path folder = EmptyTestFolder();
+    const Path log = WriteSmallLog(folder / "log");
+    std::istringstream all(SmallVelocityCsv());
+    std::string line, few;
+    for (int i = 0; i <= count && std::getline(all, line); ++i) few += line + "\n";
+    WriteTestFile(log / "velocity.csv", few);
+    const ToolRun run = Diagnosed(log, {});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.err, HasSubstr(fmt::format("the training data are {} samples", count)));
+  }
+}
+
 TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");

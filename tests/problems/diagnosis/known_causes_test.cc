@@ -27,11 +27,14 @@ using ::testing::UnorderedElementsAre;
 
 constexpr double kInertiaOfFlatfish = 851.05, kLinearDampingOfFlatfish = 39.57;
 
-// FlatFish under data/experiments/surge_multisine.yaml with one effect hidden, diagnosed.
-Diagnosis DiagnosedFlatfish(const std::string& effect, double value, int seed) {
+// FlatFish under an experiment of data/experiments with one effect hidden, diagnosed.
+Diagnosis DiagnosedFlatfish(const std::string& name,
+                            const std::string& effect,
+                            double value,
+                            int seed) {
   const std::string data = FATHOM_DATA_DIR;
   const Vehicle vehicle = ReadVehicleFile(data + "/vehicles/flatfish.yaml");
-  const Experiment experiment = ReadExperimentFile(data + "/experiments/surge_multisine.yaml");
+  const Experiment experiment = ReadExperimentFile(data + "/experiments/" + name);
   const ActiveEffect hidden = {FindEffect(effect), {.dof = Dof::kSurge}, {value}};
   const Log log = Synthesize(
       vehicle, experiment, std::span<const ActiveEffect>(&hidden, 1), static_cast<unsigned>(seed));
@@ -69,7 +72,8 @@ double StdOf(const Diagnosis& diagnosis, const Cause& cause) {
 class KnownCauses : public ::testing::TestWithParam<int> {};
 
 TEST_P(KnownCauses, ADeadZoneOfEightNewtonIsNamedAndTheInertiaPutRight) {
-  const Diagnosis diagnosis = DiagnosedFlatfish("thrust_dead_zone", 8.0, GetParam());
+  const Diagnosis diagnosis =
+      DiagnosedFlatfish("surge_multisine.yaml", "thrust_dead_zone", 8.0, GetParam());
   EXPECT_GT(diagnosis.baseline.model.baseline.inertia, 1.15 * kInertiaOfFlatfish);
   EXPECT_NEAR(
       diagnosis.extended.model.baseline.inertia, kInertiaOfFlatfish, 0.02 * kInertiaOfFlatfish);
@@ -86,7 +90,7 @@ TEST_P(KnownCauses, ADeadZoneOfEightNewtonIsNamedAndTheInertiaPutRight) {
 
 // In the linear range lags commute: which of the two it is no such log can tell.
 TEST_P(KnownCauses, ALagOfHalfASecondIsNamedAndTheLinearDampingPutRight) {
-  const Diagnosis diagnosis = DiagnosedFlatfish("thruster_lag", 0.5, GetParam());
+  const Diagnosis diagnosis = DiagnosedFlatfish("surge_fast.yaml", "thruster_lag", 0.5, GetParam());
   EXPECT_GT(std::abs(diagnosis.baseline.model.baseline.linear_damping - kLinearDampingOfFlatfish),
             0.5 * kLinearDampingOfFlatfish);
   EXPECT_NEAR(diagnosis.extended.model.baseline.linear_damping,
