@@ -34,8 +34,9 @@ constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which i
 constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
 constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is named
 constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
-// The least inertia that a fit may try, of the baseline's. Far below the truth a run takes ever
-// more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
+// The least inertia that a fit may try, of the smaller of the baseline's and output error's. Far
+// below the truth a run takes ever more steps; but where the baseline leaves the inertia open, it
+// is no measure of the truth.
 constexpr double kLeastInertia = 0.1, kLeastInertiaIfOpen = 0.01;
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
@@ -87,6 +88,7 @@ StructureFit UsersModel(const TrainingData& data,
   if (users.jacobian.size() == 0) return baseline;
   users.covariance = start.covariance;
   users.log_likelihood = baseline.log_likelihood;
+  users.noise = baseline.noise;
   return users;
 }
 
@@ -133,10 +135,12 @@ size_t NumSamples(const std::vector<Record>& records) {
 SearchResult SearchThinned(const TrainingData& data,
                            const std::vector<Record>& thinned_records,
                            const StructureFit& baseline,
+                           const StructureFit& users,
                            const std::vector<Suspect>& suspects,
                            const DiagnosisOptions& options) {
-  const double inertia = baseline.model.baseline.inertia;
-  const bool is_open = !(std::sqrt(baseline.covariance(kInertia, kInertia)) < inertia);
+  const double inertia = std::min(baseline.model.baseline.inertia, users.model.baseline.inertia);
+  const bool is_open =
+      !(std::sqrt(baseline.covariance(kInertia, kInertia)) < baseline.model.baseline.inertia);
   const TrainingData thinned(thinned_records,
                              baseline.model.baseline,
                              (is_open ? kLeastInertiaIfOpen : kLeastInertia) * inertia);
@@ -230,7 +234,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const bool is_negligible = IsNegligible(data, baseline);
   const std::vector<Suspect> suspects =
       is_negligible ? std::vector<Suspect>() : SuspectsFor(records, dof, effects);
-  SearchResult search = SearchThinned(data, thinned, baseline, suspects, options);
+  SearchResult search = SearchThinned(data, thinned, baseline, users, suspects, options);
   const std::vector<Record> held_out = Part(records.all, true);
   diagnosis.by_left_out_blocks = held_out.empty();
   const auto leave_out = [&](Burden burden) {
