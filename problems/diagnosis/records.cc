@@ -7,6 +7,7 @@
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/savitzky_golay.h"
+#include "fathom/simulate/effect_inputs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +134,7 @@ std::shared_ptr<const EffectInputs> InputsOf(const Log& log, Dof dof) {
   for (const Dof other : kAllDofs) {
     if (log.velocity) {
       if (const auto* column = log.velocity->Find(VelocityColumn(other))) {
-        inputs->velocity[Index(other)] = {log.velocity->time, *column};
+        inputs->velocity[Index(other)] = PartnerVelocity(log.velocity->time, *column);
       }
     }
     if (log.command) {

@@ -61,6 +61,20 @@ double ResponseAt(const ActiveEffect& active, const Instant<double>& now) {
 
 }  // namespace
 
+SampledSignal PartnerVelocity(const std::vector<double>& time,
+                              const std::vector<double>& measured) {
+  constexpr std::size_t kFewest = 20;
+  if (measured.size() < kFewest) return {time, measured};
+  const double step = MedianStep(time);
+  SavitzkyGolayOptions options;
+  options.window = ChooseWindow(time, measured, options.order, 5.5 * step, 80.5 * step);
+  SampledSignal smooth = {time, SavitzkyGolay(time, measured, 0, options)};
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (!std::isfinite(smooth.value[i])) smooth.value[i] = measured[i];
+  }
+  return smooth;
+}
+
 EffectInputs EffectInputsOf(const Log& log, Dof dof) {
   EffectInputs inputs;
   inputs.command = CommandOf(log, dof);
@@ -74,7 +88,7 @@ EffectInputs EffectInputsOf(const Log& log, Dof dof) {
     }
     const auto* velocity = log.velocity ? log.velocity->Find(VelocityColumn(other)) : nullptr;
     inputs.velocity[Index(other)] = velocity != nullptr
-                                        ? SampledSignal{log.velocity->time, *velocity}
+                                        ? PartnerVelocity(log.velocity->time, *velocity)
                                         : from_poses[Index(other)];
   }
   return inputs;

@@ -10,6 +10,10 @@
 
 namespace fathom {
 
+// A measured velocity as effects read it from a partner: smoothed by local polynomials over the
+// window that predicts left-out samples best, since a model takes it as exact.
+SampledSignal PartnerVelocity(const std::vector<double>& time, const std::vector<double>& measured);
+
 // What effects along `dof` take from a log: every command, and every velocity that velocity.csv or
 // else the poses' derivative tells. Throws InputError if `dof` itself was not commanded.
 EffectInputs EffectInputsOf(const Log& log, Dof dof);
