@@ -19,9 +19,11 @@
 #include <gflags/gflags.h>
 
 DEFINE_string(dofs, "", "Comma-separated; the log's excited DOFs if not given.");
-DEFINE_string(families,
-              "",
-              "Comma-separated: least_squares, adaptive, output_error; all if not given.");
+DEFINE_string(
+    families,
+    "",
+    "Comma-separated: least_squares, adaptive, output_error, joint; all that the log allows if "
+    "not given.");
 DEFINE_string(sources,
               "",
               "Comma-separated: pose_estimator, camera; what the log has if not given.");
@@ -39,8 +41,10 @@ const ToolInfo kInfo = {
     "Compares identifier families and sources on one log, scored by free-running simulation.",
     "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
-    "The row that predicts best on held-out data is marked *, one without a usable model !. Exit "
-    "code 2: a DOF without a usable model."};
+    "The row that predicts best on held-out data is marked *, one without a usable model !. The "
+    "family "
+    "joint takes the source camera, of logs with detections.csv, camera.yaml, tags.yaml and "
+    "mount.yaml. Exit code 2: a DOF without a usable model."};
 
 ComparisonOptions OptionsFromFlags() {
   ComparisonOptions options;

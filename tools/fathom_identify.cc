@@ -7,17 +7,24 @@
 #include "fathom/base/output_file.h"
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/identification_text.h"
+#include "fathom/comparison/joint_identification.h"
 #include "fathom/tools/identifier_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
-DEFINE_string(family, "output_error", "least_squares, adaptive or output_error.");
+DEFINE_string(family,
+              "output_error",
+              "least_squares, adaptive, output_error or joint (of the source camera).");
 DEFINE_string(source, "", "pose_estimator or camera; the best the log has if not given.");
 DEFINE_string(model, "", "Write the model to this JSON file.");
 
@@ -30,7 +37,9 @@ const ToolInfo kInfo = {
     "--log=LOG[,LOG...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
     "[--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
-    "Several logs are fitted together, each with an initial state of its own."};
+    "Several logs are fitted together, each with an initial state of its own. The family joint "
+    "takes "
+    "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md."};
 
 Dof DofFromFlagOrLog(const Log& log) {
   if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
@@ -39,35 +48,43 @@ Dof DofFromFlagOrLog(const Log& log) {
       fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
 }
 
-Source SourceFromFlagOrLog(const Log& log, Dof dof) {
+Source SourceFromFlagOrLog(const Log& log, Dof dof, Family family) {
   if (!FLAGS_source.empty()) return ParseFlag("source", FLAGS_source, ParseSource);
+  if (family == Family::kJoint) return Source::kCamera;
   const auto sources = SourcesOf(log, dof);
   return sources.empty() ? Source::kPoseEstimator : sources.front();
 }
 
-// The signals of all logs as one, a segment each or more.
-Signals SignalsFromFlags(Dof* dof) {
+std::vector<Log> LogsFromFlags(Family family) {
   std::optional<Dof> given;
   if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
-  Signals all;
-  bool is_first = true;
   if (!FLAGS_velocity.empty() && FLAGS_log.find(',') != std::string::npos) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }
+  std::vector<Log> logs;
   for (const std::string& path : SplitAtCommas(FLAGS_log)) {
-    Log log = ReadLogFromFlags(path, given);
-    if (FLAGS_source == Name(Source::kCamera)) AddCameraSource(&log);
-    *dof = DofFromFlagOrLog(log);
-    Signals signals = SignalsOf(log, *dof, {.source = SourceFromFlagOrLog(log, *dof)});
-    if (is_first) {
+    logs.push_back(ReadLogFromFlags(path, given));
+    if (FLAGS_source == Name(Source::kCamera) || family == Family::kJoint) {
+      AddCameraSource(&logs.back());
+    }
+  }
+  return logs;
+}
+
+// The signals of all logs as one, a segment each or more.
+Signals SignalsOfAll(const std::vector<Log>& logs, Family family) {
+  Signals all;
+  for (const Log& log : logs) {
+    const Dof dof = DofFromFlagOrLog(log);
+    Signals signals = SignalsOf(log, dof, {.source = SourceFromFlagOrLog(log, dof, family)});
+    if (&log == &logs.front()) {
       all = std::move(signals);
-      is_first = false;
       continue;
     }
     if (signals.dof != all.dof) {
       throw InputError(
           fmt::format("{}: its DOF is {}, expected {} as in the first log; say which with --dof.",
-                      path,
+                      log.path.string(),
                       Name(signals.dof),
                       Name(all.dof)));
     }
@@ -75,7 +92,7 @@ Signals SignalsFromFlags(Dof* dof) {
       throw InputError(fmt::format(
           "{}: its command unit or source differs from the first log's ({} from {}, expected {} "
           "from {}).",
-          path,
+          log.path.string(),
           signals.force_unit,
           Name(signals.source),
           all.force_unit,
@@ -90,15 +107,24 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const Family family = ParseFlag("family", FLAGS_family, ParseFamily);
   const IdentificationOptions options = IdentificationOptionsFromFlags();
-  Dof dof = Dof::kSurge;
-  const Signals signals = SignalsFromFlags(&dof);
+  if (family == Family::kJoint && FLAGS_source == Name(Source::kPoseEstimator)) {
+    throw InputError(
+        "--source: is 'pose_estimator', expected camera: the family joint takes the corners that "
+        "a camera saw.");
+  }
+  std::vector<Log> logs = LogsFromFlags(family);
+  const Signals signals = SignalsOfAll(logs, family);
+  std::vector<std::string> remarks;
+  Identification result = family == Family::kJoint
+                              ? IdentifyJointly(std::move(logs), signals, options.joint, &remarks)
+                              : Identify(signals, signals, family, options);
   for (const std::string& remark : signals.remarks) std::printf("note: %s\n", remark.c_str());
   for (const Finding& finding : CheckSanity(signals)) {
     std::printf("%s: %s\n",
                 finding.severity == Severity::kWarning ? "WARNING" : "note",
                 finding.sentence.c_str());
   }
-  Identification result = Identify(signals, signals, family, options);
+  for (const std::string& remark : remarks) std::printf("note: %s\n", remark.c_str());
   std::printf("%s", FormatIdentification(result).c_str());
   if (!result.is_usable) {
     std::fprintf(stderr, "fathom_identify: no usable model: %s\n", result.message.c_str());

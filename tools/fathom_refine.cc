@@ -81,9 +81,9 @@ ImageComparisonOptions OptionsFromFlags() {
   ImageComparisonOptions options;
   options.identification = IdentificationOptionsFromFlags();
   if (!FLAGS_initial_guess.empty()) {
-    options.initial_guess = ParseFlag("initial_guess", FLAGS_initial_guess, ParseFamily);
+    options.initial_guess = ParseFlag("initial_guess", FLAGS_initial_guess, ParseSignalFamily);
   }
-  JointOptions& joint = options.joint;
+  JointOptions& joint = options.identification.joint;
   joint.clock_offset_std = FLAGS_clock_offset_std;
   joint.size_scale_std = FLAGS_size_scale_std;
   joint.mount_position_std = FLAGS_mount_position_std;
@@ -150,7 +150,7 @@ int RunRefine() {
   const Dof dof = DofFromFlagOrLogs(logs);
   const MarkerLogs markers = PrepareMarkerLogs(std::move(logs), dof);
   std::optional<Progress> progress(std::in_place, "round");
-  options.joint.on_round = [&](int round, int most) { progress->Show(round, most); };
+  options.identification.joint.on_round = [&](int round, int most) { progress->Show(round, most); };
   ImageComparison images = CompareOnImages(markers, options);
   progress.reset();
 

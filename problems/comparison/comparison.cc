@@ -4,12 +4,44 @@
 #include "fathom/comparison/comparison.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/comparison/joint_identification.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 namespace fathom {
+namespace {
+
+// Whether `value` is asked for; nothing asked for stands for everything.
+template <typename T>
+bool IsAmong(const std::vector<T>& wanted, T value) {
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), value) != wanted.end();
+}
+
+// Its remarks are told from those on the signals by its name.
+void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison* result) {
+  if (!IsAmong(options.families, Family::kJoint)) return;
+  const bool is_default = options.families.empty();
+  const bool has_camera = IsAmong(options.sources, Source::kCamera);
+  if (is_default && (!has_camera || !log.detections || !log.pose)) return;
+  if (!has_camera) {
+    throw InputError(
+        "the family joint takes the corners that a camera saw, expected the source camera with "
+        "it.");
+  }
+  std::vector<std::string> remarks;
+  try {
+    result->rows.push_back(
+        IdentifyJointly({log}, result->scored, options.identification.joint, &remarks));
+  } catch (const InputError& error) {
+    if (!is_default) throw;
+    remarks = {std::string("left out: ") + error.what()};
+  }
+  for (const std::string& remark : remarks) result->remarks.push_back("Joint camera: " + remark);
+}
+
+}  // namespace
 
 std::vector<Source> SourcesOf(const Log& log, Dof dof) {
   std::vector<Source> sources;
@@ -50,14 +82,12 @@ Comparison Compare(const Log& log, const ComparisonOptions& options) {
         signals = SignalsOf(log, dof, {.source = source});
         result.remarks.insert(result.remarks.end(), signals.remarks.begin(), signals.remarks.end());
       }
-      for (const Family family : kAllFamilies) {
-        const auto& wanted = options.families;
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), family) == wanted.end()) {
-          continue;
-        }
+      for (const Family family : kSignalFamilies) {
+        if (!IsAmong(options.families, family)) continue;
         result.rows.push_back(Identify(signals, result.scored, family, options.identification));
       }
     }
+    AddJointRow(log, options, &result);
     comparison.dofs.push_back(std::move(result));
   }
   return comparison;

@@ -15,7 +15,7 @@ namespace fathom {
 
 struct ComparisonOptions {
   std::vector<Dof> dofs = {};         // empty: the log's
-  std::vector<Family> families = {};  // empty: all
+  std::vector<Family> families = {};  // empty: all that the log allows
   std::vector<Source> sources = {};   // empty: every source the log has
   IdentificationOptions identification = {};
 };
@@ -30,14 +30,16 @@ struct DofComparison {
 };
 
 // Families x sources x DOFs on one log: the paper's Table II and Fig. 5, with held-out figures and
-// intervals.
+// intervals. The joint refinement has one row more, the last: its source is the corners in
+// detections.csv, whatever pose.csv holds.
 struct Comparison {
   std::string log_name;
   std::vector<std::string> remarks;  // of the log's reader
   std::vector<DofComparison> dofs;
 };
 
-// Throws InputError if the log lacks what is asked for.
+// Throws InputError if the log lacks what is asked for. Where no family is asked for and the
+// corners do not serve the joint refinement, a remark says why.
 Comparison Compare(const Log& log, const ComparisonOptions& options = {});
 
 // The sources this log has for `dof`.

@@ -5,6 +5,8 @@
 
 #include "fathom/base/input_error.h"
 
+#include <span>
+
 namespace fathom {
 
 std::string_view Name(Family family) {
@@ -13,11 +15,22 @@ std::string_view Name(Family family) {
   return kNames[static_cast<size_t>(family)];
 }
 
-Family ParseFamily(const std::string& name) {
-  for (const Family family : kAllFamilies) {
+namespace {
+
+Family ParseAmong(std::span<const Family> families, const std::string& name) {
+  std::string names;
+  for (const Family family : families) {
     if (Name(family) == name) return family;
+    names += names.empty() ? "" : ", ";
+    names += Name(family);
   }
-  throw InputError("is '" + name + "', expected one of least_squares, adaptive, output_error.");
+  throw InputError("is '" + name + "', expected one of " + names + ".");
 }
+
+}  // namespace
+
+Family ParseFamily(const std::string& name) { return ParseAmong(kAllFamilies, name); }
+
+Family ParseSignalFamily(const std::string& name) { return ParseAmong(kSignalFamilies, name); }
 
 }  // namespace fathom

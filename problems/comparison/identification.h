@@ -5,6 +5,7 @@
 
 #include "fathom/adaptive/adaptive.h"
 #include "fathom/comparison/family.h"
+#include "fathom/joint_refinement/joint_refinement.h"
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/signals.h"
 #include "fathom/vehicle/fitted_model.h"
@@ -17,6 +18,7 @@ namespace fathom {
 struct IdentificationOptions {
   AdaptiveOptions adaptive;
   OutputErrorOptions output_error;  // its output follows the source
+  JointOptions joint;
 };
 
 // What one family made of one DOF's signals.
@@ -39,7 +41,7 @@ struct Identification {
 // models from several sources are measured with one yardstick.
 //
 // A fit that does not work does not throw: see the result. Throws InputError for broken options.
-// `family` is one of kAllFamilies.
+// `family` is one of kSignalFamilies.
 Identification Identify(const Signals& signals,
                         const Signals& scored,
                         Family family,

@@ -4,6 +4,7 @@
 #include "fathom/comparison/image_comparison.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/comparison/joint_identification.h"
 #include "fathom/joint_refinement/first_guess.h"
 
 #include <algorithm>
@@ -27,21 +28,6 @@ Signals SignalsOfAll(const MarkerLogs& logs, Source source) {
 
 bool HasVelocity(const Log& log, Dof dof) {
   return log.velocity && log.velocity->Find(VelocityColumn(dof)) != nullptr;
-}
-
-Identification JointIdentification(const JointSummary& joint, const Signals& scored) {
-  Identification row;
-  row.family = Family::kJoint;
-  row.source = Source::kCamera;
-  row.fitted.dof = scored.dof;
-  row.fitted.force_unit = scored.force_unit;
-  row.is_usable = joint.IsUsable();
-  row.message = joint.message;
-  row.fitted.model = joint.model;
-  row.fitted.covariance = joint.covariance;
-  row.fitted.caveats = joint.caveats;
-  if (row.is_usable) ScoreByFreeRuns(scored, &row.fitted);
-  return row;
 }
 
 }  // namespace
@@ -83,8 +69,8 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
                             ? "MAE and NMAE are against velocity.csv, which no row was fitted to."
                             : "MAE and NMAE are against the derivative of the PnP poses, whose "
                               "noise is in all of them: there is no velocity.csv.");
-  JointOptions joint = options.joint;
-  for (const Family family : kAllFamilies) {
+  JointOptions joint = options.identification.joint;
+  for (const Family family : kSignalFamilies) {
     dof.rows.push_back(Identify(camera, dof.scored, family, options.identification));
     const Identification& row = dof.rows.back();
     if (family != options.initial_guess) continue;
@@ -96,7 +82,7 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   }
   result.excited = ExcitedCoordinateOf(logs.dof, logs.input.runs).index;
   result.joint = FitJoint(logs.input, joint);
-  dof.rows.push_back(JointIdentification(result.joint, dof.scored));
+  dof.rows.push_back(IdentificationOf(result.joint, dof.scored));
   result.comparison.dofs.push_back(std::move(dof));
   return result;
 }

@@ -15,7 +15,6 @@ namespace fathom {
 
 struct ImageComparisonOptions {
   IdentificationOptions identification;
-  JointOptions joint;
 
   // The row that the joint search starts from; absent: what FitJoint() chooses.
   std::optional<Family> initial_guess = {};

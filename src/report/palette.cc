@@ -10,8 +10,8 @@
 namespace fathom {
 namespace {
 
-constexpr std::array<std::string_view, 6> kColors = {
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+constexpr std::array<std::string_view, 7> kColors = {
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ inline constexpr std::string_view kLoneColor = "#57606e";
 // appear.
 class Palette {
  public:
-  // "#0072b2"; the seventh name gets the first colour again.
+  // "#0072b2"; the eighth name gets the first colour again.
   std::string_view ColorOf(const std::string& name);
 
  private:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "expect_refusal.h"
+#include "filmed_minute.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
@@ -24,27 +25,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 const std::string kData = FATHOM_DATA_DIR;
-constexpr double kSurgeInertia = 851.05;  // [kg], of data/vehicles/flatfish.yaml
-
-// A minute of surge before the wall of data/films, the last 12 s held out; true poses in pose.csv,
-// a velocity sensor of 1 cm/s.
-fs::path Synthesize(const fs::path& log, const std::string& film, double amplitude, int seed) {
-  const fs::path experiment =
-      WriteTestFile(log.string() + ".yaml",
-                    "name: minute\nduration: 60\ncommand_rate: 10\nsurge: {control: open_loop, "
-                    "initial_speed: 0, input: {kind: square, amplitude: " +
-                        std::to_string(amplitude) +
-                        ", frequency: 0.5, offset: -0.81}}\nvelocity: {rate: 10, noise: {surge: "
-                        "0.01}}\npose: {rate: 10}\nheld_out: [48, 60]\n");
-  const ToolRun run = RunToolBinary("fathom_synthesize",
-                                    {"--vehicle=" + kData + "/vehicles/flatfish.yaml",
-                                     "--experiment=" + experiment.string(),
-                                     "--film=" + kData + "/films/" + film,
-                                     "--seed=" + std::to_string(seed),
-                                     "--out=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return log;
-}
 
 // Made once for all tests of a process, which damage copies of it only.
 const fs::path& OneMarkerLog() {
@@ -52,11 +32,11 @@ const fs::path& OneMarkerLog() {
     fs::path log;
     ~Made() { fs::remove_all(log.parent_path()); }
   };
-  static const Made made = {
-      Synthesize(fs::path(FATHOM_SCRATCH_DIR) / ("RefineTool." + std::to_string(getpid())) / "log",
-                 "wall.yaml",
-                 40.0,
-                 1)};
+  static const Made made = {SynthesizeMinute(
+      fs::path(FATHOM_SCRATCH_DIR) / ("RefineTool." + std::to_string(getpid())) / "log",
+      "wall.yaml",
+      40.0,
+      1)};
   return made.log;
 }
 
@@ -142,7 +122,7 @@ TEST(RefineTool, FindsModelAndPathFromOneMarker) {
 
 TEST(RefineTool, FitsSeveralLogsTogether) {
   const fs::path folder = EmptyTestFolder();
-  const fs::path second = Synthesize(folder / "second", "wall.yaml", 25.0, 2);
+  const fs::path second = SynthesizeMinute(folder / "second", "wall.yaml", 25.0, 2);
   const std::vector<std::string> both = {
       "--log=" + OneMarkerLog().string(), "--log=" + second.string(), "--dof=surge"};
   auto arguments = both;
@@ -172,7 +152,7 @@ TEST(RefineTool, SaysWhatItMeasuresAgainstWithoutASensor) {
 
 TEST(RefineTool, CountsMarkersThatAreNotInTheMap) {
   const fs::path folder = EmptyTestFolder();
-  const fs::path log = Synthesize(folder / "log", "wall_four.yaml", 15.0, 3);
+  const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 15.0, 3);
   ReplaceIn(log / "tags.yaml", "id: 9", "id: 19");
   const ToolRun run = RunToolBinary("fathom_refine", {"--log=" + log.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -220,7 +200,7 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
 
 TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
   const fs::path folder = EmptyTestFolder();
-  const fs::path log = Synthesize(folder / "log", "wall_four.yaml", 0.0, 3);
+  const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 0.0, 3);
   const ToolRun run = RunToolBinary(
       "fathom_refine", {"--log=" + log.string(), "--model=" + (folder / "model.json").string()});
   EXPECT_EQ(run.exit_code, 2) << run.out;

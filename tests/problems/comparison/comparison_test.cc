@@ -84,7 +84,7 @@ TEST(Compare, TriesEveryFamilyOnEverySource) {
   const auto& rows = comparison.dofs[0].rows;
   ASSERT_EQ(rows.size(), 6u);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(rows[i].family, kAllFamilies[i % 3]);
+    EXPECT_EQ(rows[i].family, kSignalFamilies[i % 3]);
     EXPECT_EQ(rows[i].source, i < 3 ? Source::kPoseEstimator : Source::kCamera);
     EXPECT_TRUE(rows[i].is_usable) << i << ": " << rows[i].message;
   }
@@ -156,6 +156,13 @@ TEST(Compare, RefusesASourceThatTheLogDoesNotHold) {
   EXPECT_THAT(RefusalOf(log, options), HasSubstr("pose.csv"));
 }
 
+TEST(Compare, RefusesAJointRefinementWithoutCornersOrCamera) {
+  ComparisonOptions options = Only(Family::kJoint);
+  EXPECT_THAT(RefusalOf(KnownRun(), options), HasSubstr("holds no detections.csv"));
+  options.sources = {Source::kPoseEstimator};
+  EXPECT_THAT(RefusalOf(KnownRun(), options), HasSubstr("source camera"));
+}
+
 TEST(SourcesOf, PutsTheVelocityBeforeThePoses) {
   Log log = KnownRun();
   EXPECT_THAT(SourcesOf(log, Dof::kSurge), ElementsAre(Source::kPoseEstimator, Source::kCamera));
@@ -170,7 +177,7 @@ TEST(Identify, AVehicleAtRestGivesNoUsableModelAndAReason) {
   for (double& force : log.command->values[0]) force = 0.0;
   for (double& speed : log.velocity->values[0]) speed = 0.0;
   const Signals signals = SignalsOf(log, Dof::kSurge);
-  for (const Family family : kAllFamilies) {
+  for (const Family family : kSignalFamilies) {
     const Identification result = Identify(signals, signals, family);
     EXPECT_FALSE(result.is_usable) << Name(family);
     EXPECT_FALSE(result.message.empty()) << Name(family);

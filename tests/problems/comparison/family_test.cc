@@ -23,7 +23,7 @@ TEST(Family, NamesGoThereAndBack) {
     names.emplace(Name(family));
     EXPECT_EQ(ParseFamily(std::string(Name(family))), family);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"least_squares", "adaptive", "output_error"}));
+  EXPECT_EQ(names, (std::set<std::string>{"least_squares", "adaptive", "output_error", "joint"}));
 }
 
 TEST(Family, AnUnknownNameIsRefusedWithTheNamesThereAre) {
@@ -32,10 +32,20 @@ TEST(Family, AnUnknownNameIsRefusedWithTheNamesThereAre) {
       ParseFamily(name);
       ADD_FAILURE() << "'" << name << "' is taken for a family";
     } catch (const InputError& error) {
-      EXPECT_THAT(
-          error.what(),
-          AllOf(HasSubstr("'" + name + "'"), HasSubstr("least_squares, adaptive, output_error")));
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr("'" + name + "'"),
+                        HasSubstr("one of least_squares, adaptive, output_error, joint.")));
     }
+  }
+}
+
+TEST(Family, TheJointRefinementTakesNoSignals) {
+  EXPECT_EQ(ParseSignalFamily("adaptive"), Family::kAdaptive);
+  try {
+    ParseSignalFamily("joint");
+    ADD_FAILURE() << "joint is taken for a family of signals";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("one of least_squares, adaptive, output_error."));
   }
 }
 

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/identification.h"
+#include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/log/log.h"
+#include "fathom/signal/signals.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// A joint refinement as one result among those of Identify(), scored as they are: by free runs over
+// `scored`.
+Identification IdentificationOf(const JointSummary& joint, const Signals& scored);
+
+// The joint refinement of the corners in these logs' detections.csv, along the DOF of `scored`.
+// What was left out or decided on the way is added to `remarks`. Poses that the logs hold are not
+// read.
+//
+// A fit that does not work does not throw: see the result. Throws InputError if a log lacks
+// detections or their calibration, as PrepareMarkerLogs() does, or for broken options.
+Identification IdentifyJointly(std::vector<Log> logs,
+                               const Signals& scored,
+                               const JointOptions& options,
+                               std::vector<std::string>* remarks);
+
+}  // namespace fathom
