@@ -340,12 +340,14 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
 
   diagnosis.missing_force = FindMissingForce(data, users, extended, records.partners);
   for (size_t r = 0; r < data.records().size(); ++r) {
-    diagnosis.traces.push_back(TraceOf(
-        data.records()[r], users.model, users.initial[r], extended.model, extended.initial[r]));
+    const Record& record = data.records()[r];
+    diagnosis.traces.push_back(TraceOf(record,
+                                       FreeRunOver(record, users.model, users.initial[r]),
+                                       FreeRunOver(record, extended.model, extended.initial[r])));
   }
   for (const Record& record : held_out) {
     diagnosis.traces.push_back(
-        TraceOf(record, users.model, record.initial, extended.model, record.initial));
+        TraceOf(record, FreeRunOver(record, users.model), FreeRunOver(record, extended.model)));
   }
   return diagnosis;
 }

@@ -3,7 +3,6 @@
 
 #include "fathom/diagnosis/missing_force.h"
 
-#include "fathom/diagnosis/held_out.h"
 #include "fathom/noise/smooth_disturbance.h"
 #include "fathom/simulate/partner_signals.h"
 
@@ -95,21 +94,17 @@ MissingForce FindMissingForce(const TrainingData& data,
 }
 
 ResidualTrace TraceOf(const Record& record,
-                      const ExtendedModel& before,
-                      const InitialState& before_start,
-                      const ExtendedModel& after,
-                      const InitialState& after_start) {
+                      std::optional<FreeRun> before,
+                      std::optional<FreeRun> after) {
   ResidualTrace trace;
   trace.log = record.log;
   trace.is_held_out = record.is_held_out;
-  if (auto run = FreeRunOver(record, before, before_start)) {
-    trace.time = run->time;
-    trace.measured = run->measured;
-    trace.before = std::move(run->predicted);
+  if (before) {
+    trace.time = std::move(before->time);
+    trace.measured = std::move(before->measured);
+    trace.before = std::move(before->predicted);
   }
-  if (auto run = FreeRunOver(record, after, after_start)) {
-    trace.after = std::move(run->predicted);
-  }
+  if (after) trace.after = std::move(after->predicted);
   return trace;
 }
 

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/held_out.h"
 #include "fathom/diagnosis/structure_fit.h"
 
+#include <optional>
 #include <vector>
 
 namespace fathom {
@@ -18,11 +20,9 @@ MissingForce FindMissingForce(const TrainingData& data,
                               const StructureFit& extended,
                               const std::vector<Dof>& partners);
 
-// Measured against both models' free runs over one record.
+// Measured against both models' free runs over one record; a run that diverged is left out.
 ResidualTrace TraceOf(const Record& record,
-                      const ExtendedModel& before,
-                      const InitialState& before_start,
-                      const ExtendedModel& after,
-                      const InitialState& after_start);
+                      std::optional<FreeRun> before,
+                      std::optional<FreeRun> after);
 
 }  // namespace fathom
