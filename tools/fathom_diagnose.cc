@@ -11,6 +11,7 @@
 #include "fathom/diagnosis/verdict_file.h"
 #include "fathom/diagnosis/verdict_sentence.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/log/pose_remarks.h"
 #include "fathom/signal/signals.h"
 #include "fathom/tools/log_flags.h"
 #include "fathom/tools/tool.h"
@@ -134,7 +135,9 @@ int Run() {
   }
   for (const Log& log : logs.all) {
     for (const std::string& remark : log.remarks) {
-      if (remark.starts_with("detections.csv: ")) diagnosis.remarks.push_back(remark);
+      if (remark.starts_with("detections.csv: ") || remark.starts_with(kPoseRemark)) {
+        diagnosis.remarks.push_back(remark);
+      }
     }
   }
   if (!FLAGS_verdict.empty()) {

@@ -117,8 +117,10 @@ int Run() {
   std::optional<Film> film;
   if (!FLAGS_film.empty()) film = ReadFilmFile(FLAGS_film);
   if (FLAGS_render && !film) throw InputError("--render: there is no --film to say how.");
-  const std::filesystem::path folder = OutputFolder(
-      RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
+  const std::filesystem::path folder =
+      OutputFolder(RequireFlag("out", FLAGS_out, "the folder of the log to write"),
+                   FLAGS_overwrite,
+                   FLAGS_render);
 
   std::vector<ActiveEffect> effects;
   if (!FLAGS_effects.empty()) {

@@ -7,11 +7,13 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
-#include "fathom/log/write_log.h"
+#include "fathom/log/pose_remarks.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/tools/output_folder.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
+#include "fathom/tools/track_output.h"
+#include "fathom/tools/track_overlay.h"
 #include "fathom/tools/track_summary.h"
 #include "fathom/vision/camera_rig.h"
 #include "fathom/vision/detect_tags.h"
@@ -28,6 +30,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(log, "", "Log folder with images or a video, camera.yaml, tags.yaml and mount.yaml.");
@@ -35,7 +38,9 @@ DEFINE_string(out,
               "",
               "Folder of a new log with detections.csv and pose.csv and the files of --log but its "
               "images. Without it both are written into --log.");
-DEFINE_bool(overwrite, false, "Replace the log in --out, or the two files in --log.");
+DEFINE_bool(overwrite,
+            false,
+            "Replace the log in --out, unless it holds images, or the two files in --log.");
 DEFINE_string(from,
               "",
               "Start from `images` or from `detections` (detections.csv). Not given: from "
@@ -45,7 +50,9 @@ DEFINE_string(summary, "", "Write the account of every frame and detection to th
 DEFINE_bool(estimate_markers,
             false,
             "Estimate the places of all markers but one from the images, also of those surveyed.");
-DEFINE_int32(reference, -1, "The marker that then stays in its place; -1: the one seen most.");
+DEFINE_int32(reference,
+             -1,
+             "The marker that then stays in its place. Not given: the one seen most.");
 DEFINE_double(gate,
               4.0,
               "Detections further off than this, in corner sigmas, are outliers. More where the "
@@ -88,6 +95,8 @@ bool StartsFromDetections(const fs::path& folder) {
   return FLAGS_from == "detections";
 }
 
+bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+
 TagDetectorOptions DetectorOptionsFromFlags() {
   TagDetectorOptions options;
   options.max_hamming = static_cast<int>(FLAGS_max_hamming);
@@ -104,8 +113,32 @@ MarkerTrajectoryOptions TrajectoryOptionsFromFlags() {
     throw InputError(fmt::format("--gate: is {}, expected a number above 0.", FLAGS_gate));
   }
   options.pose_track.gate = FLAGS_gate;
-  if (FLAGS_reference >= 0) options.reference_id = FLAGS_reference;
+  if (IsGiven("reference")) {
+    if (!FLAGS_estimate_markers) {
+      throw InputError(fmt::format(
+          "--reference={}: stands without --estimate_markers, expected both: it is the marker that "
+          "keeps its place while the others are estimated.",
+          FLAGS_reference));
+    }
+    options.reference_id = FLAGS_reference;
+  }
   return options;
+}
+
+// Names the flag and the file, before the frames are read.
+void RequireReference(const MarkerTrajectoryOptions& options,
+                      const MarkerMap& map,
+                      const fs::path& tags_file) {
+  if (!options.reference_id) return;
+  std::vector<int> surveyed;
+  for (const Marker& marker : map.markers) {
+    if (marker.is_surveyed) surveyed.push_back(marker.id);
+    if (marker.is_surveyed && marker.id == *options.reference_id) return;
+  }
+  throw InputError(fmt::format("--reference={}: is no surveyed tag of {}, expected one of {}.",
+                               *options.reference_id,
+                               tags_file.string(),
+                               fmt::join(surveyed, ", ")));
 }
 
 // What both ways in need, and what comes of them.
@@ -121,20 +154,25 @@ struct Run {
   }
 };
 
-Run ReadRun(const fs::path& folder) {
+Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throw InputError(fmt::format("--log={}: is no folder, expected a log folder.", FLAGS_log));
   }
   Run run;
   run.folder = folder;
-  ReadLogOptions options;
-  options.may_lack_motion = true;
-  options.may_lack_command = true;
-  run.log = ReadLog(folder, options);
+  ReadLogOptions log_options;
+  log_options.may_lack_motion = true;
+  log_options.may_lack_command = true;
+  run.log = ReadLog(folder, log_options);
+  // On poses that are made anew now.
+  std::erase_if(run.log.remarks,
+                [](const std::string& remark) { return remark.starts_with(kPoseRemark); });
   run.rig = ReadCameraRig(folder);
+  RequireReference(options, run.rig.map, folder / "tags.yaml");
   if (StartsFromDetections(folder)) {
     run.detections = DetectionsOf(*run.log.detections);
+    if (!FLAGS_overlay.empty()) run.Frames();  // refuses where there is nothing to draw on
     return run;
   }
   Progress progress("frame");
@@ -147,101 +185,19 @@ Run ReadRun(const fs::path& folder) {
   return run;
 }
 
-// Where the track puts the corners of the markers that were detected.
-std::vector<std::array<Eigen::Vector2d, 4>> PredictedCorners(const OverlayFrame& frame,
-                                                             const CameraModel& camera,
-                                                             const MarkerMap& map,
-                                                             const Pose& world_from_camera) {
-  std::vector<std::array<Eigen::Vector2d, 4>> predicted;
-  for (const Detection& detection : frame.detections) {
-    const Marker* marker = map.Find(detection.tag_id);
-    if (marker == nullptr || !marker->is_surveyed) continue;
-    const Pose camera_from_tag = world_from_camera.Inverse() * marker->world_from_tag;
-    const auto corners_in_tag = CornersInTag(marker->size);
-    auto& corners = predicted.emplace_back();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Eigen::Vector3d x_camera = camera_from_tag * corners_in_tag[i];
-      corners[i] = Project(camera, x_camera);
-    }
-  }
-  return predicted;
-}
-
-void DrawOverlay(const Run& run, const MarkerTrack& track, OverlayWriter* overlay) {
-  const auto frames = run.Frames();
-  const int num_frames =
-      run.images ? static_cast<int>(run.images->frame_times.size()) : frames->num_expected();
-  Progress progress("overlay frame");
-  std::size_t next_detection = 0, next_unused = 0, next_pose = 0;
-  const auto& poses = track.world_from_camera;
-  int index = 0;
-  for (ImageFrame image; frames->Next(&image); ++index) {
-    OverlayFrame frame;
-    frame.image = &image.image;
-    while (next_detection < run.detections.size() &&
-           run.detections[next_detection].time <= image.time) {
-      const Detection& detection = run.detections[next_detection++];
-      if (detection.time == image.time) frame.detections.push_back(detection);
-    }
-    while (run.images && next_unused < run.images->unused.size() &&
-           run.images->unused[next_unused].time <= image.time) {
-      frame.unused.push_back(run.images->unused[next_unused++]);
-    }
-    while (next_pose < poses.size() && poses[next_pose].time < image.time) ++next_pose;
-    frame.caption = fmt::format("t {:.2f} s, {} tags", image.time, frame.detections.size());
-    if (next_pose < poses.size() && poses[next_pose].time == image.time) {
-      frame.predicted = PredictedCorners(frame, run.rig.camera, track.map, poses[next_pose].pose);
-      const Eigen::Vector3d& p = track.world_from_body[next_pose].pose.translation;
-      frame.caption += fmt::format(", x {:.2f} y {:.2f} z {:.2f} m, rms {:.2f} px",
-                                   p.x(),
-                                   p.y(),
-                                   p.z(),
-                                   track.frame_rms[next_pose]);
-    } else {
-      frame.caption += ", no pose";
-    }
-    if (overlay->Wants(index, num_frames)) overlay->Add(frame);
-    progress.Show(index + 1, num_frames);
-  }
-}
-
 double RateOf(const std::vector<double>& times) {
   if (times.size() < 2 || !(times.back() > times.front())) return 10.0;
   return (static_cast<double>(times.size()) - 1.0) / (times.back() - times.front());
 }
 
-void WriteTrack(const fs::path& folder, const Run& run, const MarkerTrack& track) {
-  WriteDetections(folder / "detections.csv", run.detections);
-  WriteStream(folder / "pose.csv", PoseStreamOf(track.world_from_body));
-  if (!track.estimated_ids.empty()) {
-    WriteFile(folder / "tags_estimated.yaml", FormatTagsFile(track.map));
-  }
-}
-
-// The files of a log that are not its frames or the track.
-void CopyLog(const fs::path& from, const fs::path& to) {
-  for (const char* file :
-       {"log.yaml", "command.csv", "velocity.csv", "camera.yaml", "tags.yaml", "mount.yaml"}) {
-    if (!Exists(from / file)) continue;
-    std::error_code error;
-    fs::create_directories(to, error);
-    fs::copy_file(from / file, to / file, error);
-    if (error) {
-      throw InputError(
-          fmt::format("{}: cannot write this file: {}.", (to / file).string(), error.message()));
-    }
-  }
-}
-
 // Throws before any work is done if the result may not be written.
 fs::path WhereToWrite(const fs::path& folder) {
   if (!FLAGS_out.empty()) {
-    const fs::path out = OutputFolder(FLAGS_out, FLAGS_overwrite);
     std::error_code error;
-    if (fs::equivalent(out, folder, error)) {
+    if (fs::equivalent(FLAGS_out, folder, error)) {
       throw InputError("--out: is --log itself. Leave it out to write into the log.");
     }
-    return out;
+    return OutputFolder(FLAGS_out, FLAGS_overwrite);
   }
   for (const char* file : {"pose.csv", "detections.csv"}) {
     const bool is_input = file == std::string("detections.csv") && StartsFromDetections(folder);
@@ -254,42 +210,78 @@ fs::path WhereToWrite(const fs::path& folder) {
   return folder;
 }
 
+// Throws before any work is done if a file that was asked for cannot be written.
+void RequireOutputs(const fs::path& out) {
+  if (!FLAGS_overlay.empty()) {
+    RequireOverlayEnding(FLAGS_overlay);
+    RequireWritableFile(FLAGS_overlay);
+  }
+  if (!FLAGS_summary.empty()) RequireWritableFile(FLAGS_summary);
+  if (FLAGS_out.empty()) {
+    RequireWritableFile(out / "pose.csv");
+  } else {
+    RequireWritableFolder(out);
+  }
+}
+
+std::unique_ptr<OverlayWriter> MakeOverlay(const Run& run, const MarkerTrack& track) {
+  const auto times = run.images ? run.images->frame_times : std::vector<double>{};
+  auto overlay =
+      OpenOverlay(FLAGS_overlay, run.rig.camera.width, run.rig.camera.height, RateOf(times));
+  Progress progress("overlay frame");
+  DrawOverlay(*run.Frames(),
+              run.rig.camera,
+              run.images,
+              run.detections,
+              track,
+              overlay.get(),
+              [&](int done, int expected) { progress.Show(done, expected); });
+  return overlay;
+}
+
 int RunTrack() {
   const fs::path folder = RequireFlag("log", FLAGS_log, "a log folder with images");
+  MarkerTrajectoryOptions options = TrajectoryOptionsFromFlags();
   const fs::path out = WhereToWrite(folder);
-  if (!FLAGS_overlay.empty()) RequireOverlayEnding(FLAGS_overlay);
-  const Run run = ReadRun(folder);
+  RequireOutputs(out);
+  const Run run = ReadRun(folder, options);
   for (const std::string& remark : run.log.remarks) fmt::print(stderr, "{}\n", remark);
   if (run.images) {
     for (const std::string& problem : run.images->unreadable) fmt::print(stderr, "{}\n", problem);
+    options.pose_track.frame_times = run.images->frame_times;
   }
-  MarkerTrajectoryOptions options = TrajectoryOptionsFromFlags();
-  if (run.images) options.pose_track.frame_times = run.images->frame_times;
   const MarkerTrack track =
       TrackMarkers(run.detections, run.rig.camera, run.rig.map, run.rig.body_from_camera, options);
-  for (const std::string& remark : track.remarks) fmt::print(stderr, "{}\n", remark);
-
   const TrackSummary summary =
-      Summarize(run.log.name, run.images, run.detections, run.rig.camera, track);
-  if (!FLAGS_overlay.empty()) {
-    const auto times = run.images ? run.images->frame_times : std::vector<double>{};
-    const auto overlay =
-        OpenOverlay(FLAGS_overlay, run.rig.camera.width, run.rig.camera.height, RateOf(times));
-    DrawOverlay(run, track, overlay.get());
-    overlay->Finish();
+      Summarize(run.log.name, run.images, run.detections, run.rig.camera, run.rig.map, track);
+  for (const std::string& remark : summary.remarks) fmt::print(stderr, "{}\n", remark);
+
+  // All are made before the first takes its name: whatever fails leaves nothing behind.
+  std::unique_ptr<OverlayWriter> overlay;
+  if (!FLAGS_overlay.empty()) overlay = MakeOverlay(run, track);
+  std::optional<FolderInTheMaking> made;
+  if (track.IsUsable() && !FLAGS_out.empty()) {
+    made.emplace(out);
+    CopyLog(run.log, track, made->path());
+    WriteTrack(made->path(), run.detections, track, summary.remarks);
   }
   if (!FLAGS_summary.empty()) WriteFile(FLAGS_summary, FormatJson(summary, track, run.detections));
+  if (overlay) overlay->Finish();
   if (!track.IsUsable()) {
     fmt::print(stderr, "fathom_track: no usable trajectory: {}\n", track.message);
     return 2;
   }
-  if (FLAGS_out.empty()) {
-    WriteTrack(out, run, track);
+  if (made) {
+    made->Finish();
   } else {
-    const FolderInTheMaking made(out);
-    CopyLog(folder, made.path());
-    WriteTrack(made.path(), run, track);
-    made.Finish();
+    WriteTrack(out, run.detections, track, summary.remarks);
+    if (!track.estimated_ids.empty()) {
+      WriteFile(out / "tags_estimated.yaml", FormatTagsFile(track.map));
+      fmt::print(stderr,
+                 "{}: the places that the poses rest on. What reads corners reads tags.yaml: put "
+                 "this file in its place, or write a new log (--out).\n",
+                 (out / "tags_estimated.yaml").string());
+    }
   }
   fmt::print("{:<20}{}\n{}", "log", out.string(), FormatText(summary, track));
   return 0;

@@ -11,8 +11,24 @@
 #include <unistd.h>
 
 namespace fathom {
+namespace {
 
-std::filesystem::path OutputFolder(const std::string& out, bool overwrite) {
+// What of a log is not plain text that a tool has written; empty if there is nothing.
+std::string RawDataIn(const std::filesystem::path& folder, bool makes_images) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path name = entry.path().filename();
+    if (makes_images && (name == "frames" || name == "frames.csv")) continue;
+    const bool is_text = name.extension() == ".csv" || name.extension() == ".yaml";
+    if (!is_text || entry.is_directory() || name == "frames.csv" || name == "frame_times.csv") {
+      return name.string();
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool makes_images) {
   const std::filesystem::path folder = out;
   // Without a slash at the end, which would make the temporary's place be inside it.
   const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
@@ -29,6 +45,14 @@ std::filesystem::path OutputFolder(const std::string& out, bool overwrite) {
                                  out,
                                  is_log ? ", expected --overwrite to replace the log in it"
                                         : " and holds no log, expected a new folder"));
+  }
+  if (const std::string raw = RawDataIn(named, makes_images); !raw.empty()) {
+    throw InputError(
+        fmt::format("--out={}: the log in it holds {}, which this program did not write and cannot "
+                    "make again, expected a new folder, or a log without images to replace. Remove "
+                    "that log yourself if it is not needed.",
+                    out,
+                    raw));
   }
   return named;
 }

@@ -8,9 +8,13 @@
 
 namespace fathom {
 
-// The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log.
-// Throws InputError for any other.
-std::filesystem::path OutputFolder(const std::string& out, bool overwrite);
+// The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log and
+// nothing that the program could not have written: a camera's images or a video cannot be made
+// again. `makes_images`: the program writes a folder `frames` itself. Throws InputError for any
+// other folder.
+std::filesystem::path OutputFolder(const std::string& out,
+                                   bool overwrite,
+                                   bool makes_images = false);
 
 // A folder that takes its final name only once it is complete; what is not finished leaves nothing
 // behind.

@@ -56,12 +56,15 @@ TrackSummary Summarize(const std::string& log,
                        const std::optional<TagDetections>& images,
                        std::span<const Detection> detections,
                        const CameraModel& camera,
+                       const MarkerMap& map,
                        const MarkerTrack& track) {
   TrackSummary summary;
   summary.log = log;
   summary.images = images;
   summary.num_detections = static_cast<int>(detections.size());
   summary.num_frames = track.pnp.num_frames;
+  if (images) summary.remarks = RemarksOn(*images, map);
+  summary.remarks.insert(summary.remarks.end(), track.remarks.begin(), track.remarks.end());
 
   std::set<int> rejected;
   for (const RejectedDetection& it : track.pnp.rejected) rejected.insert(it.index);
@@ -94,17 +97,22 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
   const int num_with_pose = static_cast<int>(track.world_from_body.size());
   if (summary.images) {
     add("frames",
-        fmt::format("{} read, {} unreadable, {} without tags",
+        fmt::format("{} read, {} unreadable, {} without tags, {} with none that is used",
                     summary.images->frame_times.size(),
                     summary.images->num_unreadable,
-                    summary.images->num_frames_without_tags));
+                    summary.images->num_frames_without_tags,
+                    summary.images->times_with_unused_only.size()));
     add("sightings not used", std::to_string(summary.images->unused.size()));
     add("sides not followed", std::to_string(summary.images->num_not_followed));
   } else {
-    add("frames", fmt::format("{} with tags (detections.csv)", summary.num_frames));
+    add("frames",
+        fmt::format("{} with detections; detections.csv does not list others", summary.num_frames));
   }
   add("frames with a pose",
-      fmt::format("{} ({:.1f} %)", num_with_pose, 100.0 * summary.ShareWithPose(track)));
+      fmt::format("{} ({:.1f} %{})",
+                  num_with_pose,
+                  100.0 * summary.ShareWithPose(track),
+                  summary.images ? "" : " of these"));
   add("detections",
       fmt::format("{} found, {} rejected", summary.num_detections, track.pnp.rejected.size()));
   add("corner sigma", fmt::format("{:.3f} px", track.corner_sigma));
@@ -138,6 +146,8 @@ std::string FormatJson(const TrackSummary& summary,
   frames["unreadable"] = summary.images ? summary.images->num_unreadable : 0;
   frames["without_tags"] =
       summary.images ? summary.images->num_frames_without_tags : track.pnp.num_frames_without_tags;
+  frames["times_with_unused_tags_only"] =
+      summary.images ? Json(summary.images->times_with_unused_only) : Json::array();
   frames["with_pose"] = track.world_from_body.size();
   frames["share_with_pose"] = NumberOrNull(summary.ShareWithPose(track));
   frames["unreadable_ones"] =
@@ -178,7 +188,7 @@ std::string FormatJson(const TrackSummary& summary,
 
   json["markers_estimated"] = track.estimated_ids;
   json["markers_not_placed"] = track.unplaced_ids;
-  json["remarks"] = track.remarks;
+  json["remarks"] = summary.remarks;
   return json.dump(1) + "\n";
 }
 

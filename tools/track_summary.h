@@ -24,6 +24,9 @@ struct TrackSummary {
   int num_frames = 0;                // with their stamps known: all that could be read
   std::vector<double> corner_error;  // of every used corner to where it is drawn [px], rising
 
+  // What was lost on the way from the frames to the poses, and what was decided, a sentence each.
+  std::vector<std::string> remarks;
+
   // Share of all frames that there should be, so also of the unreadable ones.
   double ShareWithPose(const MarkerTrack& track) const;
 };
@@ -32,6 +35,7 @@ TrackSummary Summarize(const std::string& log,
                        const std::optional<TagDetections>& images,
                        std::span<const Detection> detections,
                        const CameraModel& camera,
+                       const MarkerMap& map,
                        const MarkerTrack& track);
 
 // A few lines for a person.

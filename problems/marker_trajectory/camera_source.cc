@@ -27,16 +27,19 @@ void TrackDetections(Log* log) {
   if (track.world_from_body.size() < 2) {
     std::string losses;
     for (const std::string& remark : track.remarks) losses += " " + remark;
-    throw InputError(fmt::format("{}: {} of {} frames gave a pose, expected at least two.{}{}",
-                                 (log->path / "detections.csv").string(),
-                                 track.world_from_body.size(),
-                                 track.pnp.num_frames,
-                                 track.message.empty() ? "" : " " + track.message,
-                                 losses));
+    throw InputError(
+        fmt::format("{}: {} of {} frames with detections gave a pose, expected at least two.{}{}",
+                    (log->path / "detections.csv").string(),
+                    track.world_from_body.size(),
+                    track.pnp.num_frames,
+                    track.message.empty() ? "" : " " + track.message,
+                    losses));
   }
   log->pose = PoseStreamOf(track.world_from_body);
   log->remarks.push_back(
-      fmt::format("detections.csv: {} of {} frames gave a pose; corner sigma {:.3g} px.",
+      fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames that show "
+                  "no marker are not "
+                  "listed there); corner sigma {:.3g} px.",
                   track.world_from_body.size(),
                   track.pnp.num_frames,
                   track.corner_sigma));

@@ -51,7 +51,8 @@ std::string RemarkOnLostMotion(std::span<const Detection> detections, const Mark
   return fmt::format(
       "{} poses rest on a single marker whose tilt they know to {:.2g} rad: the noise of the tilt "
       "shortens the distance, and motion towards the marker comes out too small by {:.1f} % or "
-      "more, inertia and damping along it too large. Several markers, one seen at an angle, or the "
+      "more, inertia and damping along it too large; corner sigma and standard deviations come out "
+      "too small. Several markers, one seen at an angle, or the "
       "joint refinement from the corners do not have this.",
       tilts.num_frames,
       std::sqrt(tilts.variance / 2.0),

@@ -12,4 +12,9 @@ namespace fathom {
 // where it is missing. Throws InputError, naming the file, if it cannot be written.
 void WriteFile(const std::filesystem::path& path, std::string_view content);
 
+// Throws InputError as WriteFile would, before the work is done that is to end in this file, or in
+// this folder; leaves nothing behind. A disk may still fill up in between.
+void RequireWritableFile(const std::filesystem::path& path);
+void RequireWritableFolder(const std::filesystem::path& path);
+
 }  // namespace fathom

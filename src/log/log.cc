@@ -70,6 +70,7 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
     text.velocity = ReadText(folder / "velocity.csv");
   }
   if (Exists(folder / "pose.csv")) text.pose = ReadText(folder / "pose.csv");
+  if (Exists(folder / "pose.yaml")) text.pose_yaml = ReadText(folder / "pose.yaml");
   if (Exists(folder / "detections.csv")) text.detections = ReadText(folder / "detections.csv");
 
   Log log = ParseLog(text);

@@ -7,6 +7,7 @@
 #include "fathom/log/log_clocks.h"
 #include "fathom/log/log_streams.h"
 #include "fathom/log/log_yaml.h"
+#include "fathom/log/pose_remarks.h"
 
 #include <algorithm>
 #include <utility>
@@ -68,6 +69,12 @@ Log ParseLog(const LogText& text) {
     keep_motion(ParseVelocity(text.velocity->name, text.velocity->text), &log.velocity);
   }
   if (text.pose) keep_motion(ParsePose(text.pose->name, text.pose->text), &log.pose);
+  if (text.pose && text.pose_yaml) {
+    for (const std::string& remark :
+         ParsePoseRemarks(text.pose_yaml->name, text.pose_yaml->text, log.pose->time.size())) {
+      log.remarks.push_back(kPoseRemark + remark);
+    }
+  }
   if (text.detections) {
     keep_motion(ParseDetections(text.detections->name, text.detections->text), &log.detections);
   }

@@ -23,6 +23,7 @@ struct LogText {
   std::optional<File> velocity;  // one of these three at least
   std::optional<File> pose;
   std::optional<File> detections;
+  std::optional<File> pose_yaml;  // what is to be said of `pose`
 };
 
 // ReadLog for files that are in memory already. They throw InputError, naming file, line and

@@ -31,7 +31,9 @@ void WriteOrRequireNone(const std::filesystem::path& path, const std::optional<S
   }
 }
 
-std::string LogYaml(const Log& log) {
+}  // namespace
+
+std::string FormatLogYaml(const Log& log) {
   YAML::Emitter yaml;
   const auto emit_text = [&](const char* key, const std::string& text) {
     if (!text.empty()) yaml << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << text;
@@ -57,8 +59,6 @@ std::string LogYaml(const Log& log) {
   return std::string(yaml.c_str()) + "\n";
 }
 
-}  // namespace
-
 void WriteStream(const std::filesystem::path& path, const Stream& stream) {
   std::string csv = "t";
   for (const std::string& column : stream.columns) csv += "," + column;
@@ -78,7 +78,9 @@ void WriteLog(const std::filesystem::path& folder, const Log& log) {
   WriteOrRequireNone(folder / "velocity.csv", log.velocity);
   WriteOrRequireNone(folder / "pose.csv", log.pose);
   WriteOrRequireNone(folder / "detections.csv", log.detections);
-  WriteFile(folder / "log.yaml", LogYaml(log));
+  // On the poses of another log.
+  WriteOrRequireNone(folder / "pose.yaml", std::nullopt);
+  WriteFile(folder / "log.yaml", FormatLogYaml(log));
 }
 
 }  // namespace fathom

@@ -6,9 +6,36 @@
 #include "fathom/base/input_error.h"
 #include "fathom/vision/edge_refinement.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
+namespace {
+
+// "tag16h5 13 (124 times), tag16h5 7 (3 times)": at most ten, the most frequent first.
+std::string ListOf(const std::map<std::pair<std::string, int>, int>& count_of_tag) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::pair<int, std::string>> tags;
+  for (const auto& [tag, count] : count_of_tag) {
+    tags.emplace_back(
+        count,
+        fmt::format("{} {} ({} time{})", tag.first, tag.second, count, count == 1 ? "" : "s"));
+  }
+  std::stable_sort(
+      tags.begin(), tags.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < std::min(kMost, tags.size()); ++i) shown.push_back(tags[i].second);
+  if (tags.size() > kMost) shown.push_back(fmt::format("... ({} tags in all)", tags.size()));
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
+
+}  // namespace
 
 TagDetections DetectTags(FrameSource& frames,
                          const CameraModel& camera,
@@ -33,7 +60,10 @@ TagDetections DetectTags(FrameSource& frames,
       }
     }
     result.frame_times.push_back(frame.time);
-    if (found.detections.empty()) ++result.num_frames_without_tags;
+    if (found.detections.empty()) {
+      if (found.unused.empty()) ++result.num_frames_without_tags;
+      if (!found.unused.empty()) result.times_with_unused_only.push_back(frame.time);
+    }
     result.detections.insert(
         result.detections.end(), found.detections.begin(), found.detections.end());
     result.unused.insert(result.unused.end(), found.unused.begin(), found.unused.end());
@@ -48,6 +78,37 @@ TagDetections DetectTags(FrameSource& frames,
         result.unreadable.empty() ? "the video holds none." : result.unreadable.front()));
   }
   return result;
+}
+
+std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& map) {
+  std::vector<std::string> remarks;
+  if (found.num_frames_without_tags > 0) {
+    remarks.push_back(fmt::format("{} of {} frames show no tag of {}.",
+                                  found.num_frames_without_tags,
+                                  found.frame_times.size(),
+                                  fmt::join(map.Families(), ", ")));
+  }
+  if (!found.times_with_unused_only.empty()) {
+    remarks.push_back(
+        fmt::format("{} of {} frames show tags, but none that is used, the first at t = {}.",
+                    found.times_with_unused_only.size(),
+                    found.frame_times.size(),
+                    found.times_with_unused_only.front()));
+  }
+  std::map<SightingFault, std::map<std::pair<std::string, int>, int>> counts;
+  for (const UnusedSighting& it : found.unused) {
+    ++counts[it.fault][{it.sighting.family, it.sighting.tag_id}];
+  }
+  for (const auto& [fault, count_of_tag] : counts) {
+    int num = 0;
+    for (const auto& [tag, count] : count_of_tag) num += count;
+    remarks.push_back(fmt::format("Not used: {} sighting{} of a tag that {}: {}.",
+                                  num,
+                                  num == 1 ? "" : "s",
+                                  Describe(fault),
+                                  ListOf(count_of_tag)));
+  }
+  return remarks;
 }
 
 }  // namespace fathom

@@ -29,7 +29,8 @@ struct TagDetections {
   // Of `detections`: with corners as libapriltag has them, since their sides could not be followed.
   int num_not_followed = 0;
 
-  int num_frames_without_tags = 0;  // without a detection, whatever else was seen
+  int num_frames_without_tags = 0;             // nothing was seen
+  std::vector<double> times_with_unused_only;  // something was, but nothing that is used [s]
 };
 
 // Looks for the map's markers in all frames; with options.refine_edges the corners are those of
@@ -41,5 +42,9 @@ TagDetections DetectTags(FrameSource& frames,
                          const MarkerMap& map,
                          const TagDetectorOptions& options,
                          const std::function<void(int done, int expected)>& progress = {});
+
+// What was seen and is not used, by reason and tag, and how many frames show nothing else or
+// nothing at all; a sentence each, empty if nothing was lost. `map`: that of DetectTags().
+std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& map);
 
 }  // namespace fathom

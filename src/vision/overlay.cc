@@ -86,6 +86,13 @@ cv::Mat Draw(const OverlayFrame& frame, double scale) {
             kRed,
             scale);
   }
+  for (const OverlayFrame::Rejected& it : frame.rejected) {
+    Outline(&picture,
+            it.detection.corners,
+            fmt::format("{} {}", it.detection.tag_id, Name(it.reason)),
+            kRed,
+            scale);
+  }
   for (const Detection& detection : frame.detections) {
     Outline(&picture, detection.corners, std::to_string(detection.tag_id), kGreen, scale);
   }

@@ -5,6 +5,7 @@
 
 #include "fathom/vision/detection.h"
 #include "fathom/vision/detection_filter.h"
+#include "fathom/vision/detection_screen.h"
 #include "fathom/vision/gray_image.h"
 
 #include <array>
@@ -20,11 +21,18 @@ namespace fathom {
 // One frame with what was made of it, for a person to check.
 struct OverlayFrame {
   const GrayImage* image = nullptr;
-  std::string caption;                 // ASCII
-  std::vector<Detection> detections;   // outlined in green, the first corner as a dot
-  std::vector<UnusedSighting> unused;  // outlined in red
+  std::string caption;                // ASCII
+  std::vector<Detection> detections;  // in use: outlined in green, the first corner as a dot
 
-  // Where the estimated pose puts the corners: orange crosses on the green outlines.
+  // Outlined in red, with the reason.
+  std::vector<UnusedSighting> unused;
+  struct Rejected {
+    Detection detection;
+    Rejection reason = Rejection::kOutlier;
+  };
+  std::vector<Rejected> rejected;
+
+  // Where the estimated pose puts the corners: orange crosses.
   std::vector<std::array<Eigen::Vector2d, 4>> predicted;
 };
 

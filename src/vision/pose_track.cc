@@ -203,8 +203,9 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
 std::vector<std::string> RemarksOn(const PoseTrack& track, std::span<const Detection> detections) {
   std::vector<std::string> remarks;
   if (track.num_frames_without_tags > 0) {
-    remarks.push_back(fmt::format(
-        "{} of {} show no tag.", track.num_frames_without_tags, Plural(track.num_frames, "frame")));
+    remarks.push_back(fmt::format("{} of {} have no detection.",
+                                  track.num_frames_without_tags,
+                                  Plural(track.num_frames, "frame")));
   }
   if (!track.times_without_pose.empty()) {
     remarks.push_back(fmt::format("{} with tags gave no pose, the first at t = {}.",

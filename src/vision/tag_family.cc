@@ -7,6 +7,7 @@
 #include "fathom/base/quoted.h"
 
 #include <array>
+#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -64,6 +65,19 @@ TagFamilyPtr CreateTagFamily(const std::string& name) {
   throw InputError(fmt::format("tag family {} is not known, expected one of {}.",
                                Quoted(name),
                                fmt::join(TagFamilies(), ", ")));
+}
+
+int NumTagsOf(const std::string& family) {
+  // Making a family of 48 000 codes takes as long as reading a file.
+  static const std::map<std::string, int> nums = [] {
+    std::map<std::string, int> all;
+    for (const std::string& name : TagFamilies()) {
+      all[name] = static_cast<int>(CreateTagFamily(name)->ncodes);
+    }
+    return all;
+  }();
+  const auto found = nums.find(family);
+  return found != nums.end() ? found->second : static_cast<int>(CreateTagFamily(family)->ncodes);
 }
 
 TagPattern PatternOf(const std::string& family_name, int tag_id) {

@@ -21,6 +21,9 @@ using TagFamilyPtr = std::unique_ptr<apriltag_family, void (*)(apriltag_family*)
 // none of this name.
 TagFamilyPtr CreateTagFamily(const std::string& name);
 
+// Its tags have the ids from 0 on, below this. Throws as CreateTagFamily().
+int NumTagsOf(const std::string& family);
+
 // The picture of a tag as it is printed: square cells, row by row from the top left of the upright
 // tag.
 struct TagPattern {

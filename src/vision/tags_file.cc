@@ -6,6 +6,7 @@
 #include "fathom/base/input_file.h"
 #include "fathom/base/quoted.h"
 #include "fathom/base/yaml_file.h"
+#include "fathom/vision/tag_family.h"
 #include "fathom/vision/yaml_pose.h"
 
 #include <algorithm>
@@ -61,6 +62,16 @@ int IdAt(const YamlMap& map) {
   return static_cast<int>(id);
 }
 
+void RequireIdOfFamily(const YamlMap& tag, const Marker& marker) {
+  const int num = NumTagsOf(marker.family);
+  if (marker.id < num) return;
+  tag.Fail("id",
+           fmt::format("is {}, expected one of {}: it has the ids from 0 to {}.",
+                       marker.id,
+                       marker.family,
+                       num - 1));
+}
+
 }  // namespace
 
 MarkerMap ReadTagsFile(const std::filesystem::path& path) {
@@ -83,6 +94,7 @@ MarkerMap ParseTagsFile(const std::string& name, const std::string& text) {
     }
     marker.size = SizeAt(tag);
     marker.family = family.empty() || tag.Has("family") ? FamilyAt(tag) : family;
+    RequireIdOfFamily(tag, marker);
     marker.is_surveyed = tag.Has("world_from_tag");
     if (marker.is_surveyed) marker.world_from_tag = PoseAt(tag, "world_from_tag");
     map.markers.push_back(marker);

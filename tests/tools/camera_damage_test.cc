@@ -157,7 +157,8 @@ TEST(CameraDamage, CountsDetectionsOfTagsThatAreNotInTheMapAndRefusesIfThereAreN
   ChangeDetections(log, [](std::vector<double>* row) { (*row)[1] += 100.0; });
   EXPECT_THAT(
       ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
-      HasSubstr("detections.csv: 0 of 20 frames gave a pose, expected at least two."));
+      HasSubstr(
+          "detections.csv: 0 of 20 frames with detections gave a pose, expected at least two."));
 }
 
 }  // namespace

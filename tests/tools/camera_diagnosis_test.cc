@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -64,7 +65,7 @@ nlohmann::json VerdictOn(const Path& log, const std::vector<std::string>& more =
   arguments.insert(arguments.end(), more.begin(), more.end());
   const ToolRun run = RunToolBinary("fathom_diagnose", arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("detections.csv: 900 of 900 frames gave a pose"));
+  EXPECT_THAT(run.err, HasSubstr("detections.csv: 900 of 900 frames with detections gave a pose"));
   return JsonOf(file);
 }
 
@@ -90,6 +91,39 @@ TEST(CameraDiagnosis, NamesNothingWhereNothingIsMissing) {
   const auto verdict = VerdictOn(FilmedLog(EmptyTestFolder(), ""));
   EXPECT_EQ(verdict["verdict"], "consistent");
   EXPECT_EQ(CausesIn(verdict), Names());
+}
+
+// What the track has to say of poses goes with them: a marker seen face on loses motion.
+TEST(CameraDiagnosis, RepeatsWhatTheTrackSaidOfItsPoses) {
+  const Path folder = EmptyTestFolder();
+  const Path log = FilmedLog(folder, "", kFilms + "wall_one_tag.yaml");
+  const Path tracked = folder / "tracked";
+  const ToolRun track =
+      RunToolBinary("fathom_track", {"--log=" + log.string(), "--out=" + tracked.string()});
+  ASSERT_EQ(track.exit_code, 0) << track.err;
+  const std::string said = " poses rest on a single marker whose tilt they know to ";
+  EXPECT_THAT(track.err, HasSubstr(said));
+
+  const Path verdict = folder / "verdict.json";
+  const auto expect_said = [&](const char* tool, std::vector<std::string> more) {
+    more.push_back("--log=" + tracked.string());
+    const ToolRun run = RunToolBinary(tool, more);
+    EXPECT_THAT(run.exit_code, ::testing::AnyOf(0, 2)) << tool << ": " << run.err;
+    EXPECT_THAT(run.err, HasSubstr("pose.yaml: ")) << tool;
+    EXPECT_THAT(run.err, HasSubstr(said)) << tool;
+  };
+  expect_said("fathom_identify", {"--source=camera", "--model=" + (folder / "m.json").string()});
+  expect_said("fathom_compare", {"--families=least_squares"});
+  expect_said("fathom_diagnose", {"--source=camera", "--verdict=" + verdict.string()});
+  const std::vector<std::string> remarks = JsonOf(verdict)["remarks"];
+  EXPECT_THAT(remarks, Contains(HasSubstr(said)));
+
+  // Other poses in their place: what is said is not said of them.
+  std::ofstream(tracked / "pose.csv", std::ios::app) << "91,0,0,0,0,0,0,1,1,1,1,1,1,1\n";
+  EXPECT_EQ(ExpectRefusal("fathom_identify", {"--log=" + tracked.string()}, folder),
+            "fathom_identify: " + (tracked / "pose.yaml").string() +
+                ":1: key 'poses' is 900, but pose.csv holds 901, expected remarks on those poses. "
+                "Remove this file if pose.csv was replaced.\n");
 }
 
 TEST(CameraDiagnosis, NamesAClockThatIsAFifthOfASecondOff) {

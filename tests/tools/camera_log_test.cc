@@ -86,7 +86,7 @@ TEST(CameraLog, IdentifyFindsTheModelFromDetectionsAlone) {
                                      "--source=camera",
                                      "--model=" + (folder / "model.json").string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("1800 of 1800 frames gave a pose; corner sigma 0."));
+  EXPECT_THAT(run.err, HasSubstr("1800 of 1800 frames with detections gave a pose"));
   const auto model = JsonOf(folder / "model.json");
   EXPECT_EQ(model["provenance"]["source"], "camera");
   const auto& inertia = model["parameters"]["inertia"];

@@ -4,7 +4,11 @@
 // fathom_track from rendered images, whose trajectory is known, to poses; and what it refuses.
 
 #include "fathom/log/csv_table.h"
+#include "fathom/log/log.h"
+#include "fathom/vision/detections_file.h"
+#include "fathom/vision/tags_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -15,9 +19,12 @@
 
 #include "expect_refusal.h"
 #include "run_tool.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <unistd.h>
 
 namespace fathom {
@@ -25,6 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::string kData = FATHOM_DATA_DIR;
@@ -177,6 +185,207 @@ TEST(TrackTool, CountsTagsThatAreNotInTheMap) {
   const auto unused = nlohmann::json::parse(Bytes(summary))["detections"]["sightings_not_used"];
   EXPECT_EQ(unused.size(), 24u);
   EXPECT_EQ(unused[0]["reason"], "is not in the map");
+  EXPECT_THAT(run.out,
+              HasSubstr("12 read, 0 unreadable, 0 without tags, 0 with none that is used\n"));
+  EXPECT_THAT(run.err,
+              HasSubstr("Not used: 24 sightings of a tag that is not in the map: tag36h11 5 (12 "
+                        "times), tag36h11 6 (12 times).\n"));
+}
+
+// Tags that are seen are not "no tag": their ids and the reason stand on the terminal.
+TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
+  const fs::path log = CopyOfTheLog();
+  WriteTestFile(log / "tags.yaml",
+                "family: tag36h11\ntags: [{id: 77, size: 0.4, world_from_tag: {position: [4, 0, "
+                "0], quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n");
+  const fs::path summary = log.parent_path() / "track.json";
+  const ToolRun run = Track(
+      log, {"--out=" + (log.parent_path() / "tracked").string(), "--summary=" + summary.string()});
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("12 of 12 frames show tags, but none that is used"));
+  EXPECT_THAT(run.err,
+              HasSubstr("Not used: 36 sightings of a tag that is not in the map: tag36h11 4 (12 "
+                        "times), tag36h11 5 (12 times), tag36h11 6 (12 times).\n"));
+  EXPECT_THAT(run.err, Not(HasSubstr("no tag")));
+  const auto frames = nlohmann::json::parse(Bytes(summary))["frames"];
+  EXPECT_EQ(frames["without_tags"], 0);
+  EXPECT_EQ(frames["times_with_unused_tags_only"].size(), 12u);
+}
+
+// What is written is a log in itself: it names no video or vehicle that is not there.
+TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  const ToolRun tracked =
+      Track(log, {"--overlay=" + (folder / "dive.avi").string(), "--overwrite"});
+  ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
+  const fs::path dive = folder / "dive";
+  for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml", "command.csv"}) {
+    WriteTestFile(dive / file, Bytes(log / file));
+  }
+  fs::rename(folder / "dive.avi", dive / "dive.avi");
+  std::string times = "frame,t\n";
+  for (int i = 0; i < 12; ++i) times += fmt::format("{},{}\n", i, 0.1 * i);
+  WriteTestFile(dive / "frame_times.csv", times);
+  WriteTestFile(folder / "rov.yaml", "name: rov\nmass: 20\nsize: [1, 1, 1]\n");
+  WriteTestFile(dive / "log.yaml",
+                "name: dive\ndof: surge\nvideo: dive.avi\nvehicle: ../rov.yaml\nnotes: still\n");
+
+  const ToolRun run = Track(dive, {"--out=" + (folder / "out").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Log out = ReadLog(folder / "out");
+  EXPECT_EQ(out.name, "dive");
+  EXPECT_EQ(out.notes, "still");
+  EXPECT_EQ(out.video, "");
+  EXPECT_EQ(out.vehicle, "rov.yaml");
+  EXPECT_EQ(Bytes(folder / "out/rov.yaml"), Bytes(folder / "rov.yaml"));
+  const std::vector<std::string> again = {"--log=" + (folder / "out").string(),
+                                          "--out=" + (folder / "again").string()};
+  EXPECT_EQ(RunToolBinary("fathom_track", again).exit_code, 0);
+  for (const std::string& more :
+       {std::string("--from=images"), "--overlay=" + (folder / "a.png").string()}) {
+    const std::vector<std::string> arguments = {
+        "--log=" + (folder / "out").string(), "--out=" + (folder / "third").string(), more};
+    EXPECT_EQ(ExpectRefusal("fathom_track", arguments, folder),
+              "fathom_track: " + (folder / "out").string() +
+                  ": holds no images: no frames.csv, and log.yaml names no video. See "
+                  "docs/file_formats.md.\n");
+  }
+}
+
+// The map of the new log is the one that its poses rest on.
+TEST(TrackTool, WritesTheEstimatedMarkersAsThoseOfTheNewLog) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  // A survey that is 0.1 m wrong in one tag.
+  const MarkerMap truth = ReadTagsFile(log / "tags.yaml");
+  MarkerMap survey = truth;
+  ASSERT_EQ(survey.markers[1].id, 5);
+  survey.markers[1].world_from_tag.translation.y() += 0.1;
+  WriteTestFile(log / "tags.yaml", FormatTagsFile(survey));
+  const fs::path out = folder / "out";
+  const ToolRun run =
+      Track(log, {"--out=" + out.string(), "--estimate_markers", "--reference=4", "--gate=100"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const MarkerMap found = ReadTagsFile(out / "tags.yaml");
+  ASSERT_EQ(found.markers.size(), truth.markers.size());
+  // Tag 4 holds the world; tag 5 beside it is found to centimetres from 2 to 4 m.
+  EXPECT_EQ(found.Find(4)->world_from_tag.translation, truth.Find(4)->world_from_tag.translation);
+  EXPECT_LT((found.Find(5)->world_from_tag.translation - truth.Find(5)->world_from_tag.translation)
+                .norm(),
+            0.03);
+  EXPECT_FALSE(fs::exists(out / "tags_estimated.yaml"));
+  // The same poses again, with the map as the survey.
+  const ToolRun again = Track(out, {"--out=" + (folder / "again").string()});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const CsvTable first = PosesIn(out);
+  const CsvTable second = PosesIn(folder / "again");
+  for (const char* axis : {"x", "y", "z"}) {
+    for (std::size_t row = 0; row < 12; ++row) {
+      EXPECT_NEAR((*second.stream.Find(axis))[row], (*first.stream.Find(axis))[row], 1e-3) << axis;
+    }
+  }
+}
+
+// Pixels of the sheet that are pure in one colour near a place of the image.
+int NumColoured(const cv::Mat& sheet, const cv::Point& place, const cv::Vec3b& colour) {
+  int num = 0;
+  for (int v = place.y - 4; v <= place.y + 4; ++v) {
+    for (int u = place.x - 4; u <= place.x + 4; ++u) {
+      if (u < 0 || v < 0 || u >= sheet.cols || v >= sheet.rows) continue;
+      if (cv::norm(cv::Vec3i(sheet.at<cv::Vec3b>(v, u)) - cv::Vec3i(colour)) < 30.0) ++num;
+    }
+  }
+  return num;
+}
+
+// Green is in use, red is not: the corners of tag 5 in the first frame run the wrong way.
+TEST(TrackTool, DrawsARejectedDetectionInRed) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  ASSERT_EQ(Track(log, {"--overwrite"}).exit_code, 0);
+  std::vector<Detection> detections = DetectionsOf(*ReadLog(log).detections);
+  ASSERT_EQ(detections[1].tag_id, 5);
+  std::reverse(detections[1].corners.begin(), detections[1].corners.end());
+  WriteDetections(log / "detections.csv", detections);
+  const ToolRun run = Track(
+      log,
+      {"--out=" + (folder / "tracked").string(), "--overlay=" + (folder / "sheet.png").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("Set aside as mirrored: 1 of 48 detections: tags 5 (1 times)."));
+  const cv::Mat sheet = cv::imread((folder / "sheet.png").string());
+  ASSERT_EQ(sheet.cols, 3 * 420);
+  const cv::Vec3b green(80, 220, 60), red(60, 60, 255);
+  const double scale = 420.0 / 800.0;
+  // The dot at the first corner is filled: its pixels are of the pure colour.
+  const auto dot = [&](int index) {
+    const Eigen::Vector2d at = scale * (detections[index].corners[0] + Eigen::Vector2d(0.5, 0.5)) -
+                               Eigen::Vector2d(0.5, 0.5);
+    return cv::Point(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())));
+  };
+  EXPECT_GT(NumColoured(sheet, dot(1), red), 10);
+  EXPECT_EQ(NumColoured(sheet, dot(1), green), 0);
+  for (const int used : {0, 2}) {
+    EXPECT_GT(NumColoured(sheet, dot(used), green), 10) << used;
+    EXPECT_EQ(NumColoured(sheet, dot(used), red), 0) << used;
+  }
+}
+
+// What cannot be written is refused before the work, and nothing is left of the rest.
+TEST(TrackTool, LeavesNothingBehindWhereAnOutputCannotBeWritten) {
+  const fs::path& log = RenderedLog();
+  const fs::path folder = EmptyTestFolder();
+  const std::vector<std::string> outputs = {"--log=" + log.string(),
+                                            "--out=" + (folder / "deep/tracked").string(),
+                                            "--overlay=" + (folder / "new/a.avi").string()};
+  std::vector<std::string> arguments = outputs;
+  arguments.emplace_back("--summary=/proc/x.json");
+  EXPECT_THAT(ExpectRefusal("fathom_track", arguments, folder),
+              StartsWith("fathom_track: /proc/x.json: cannot write this file: "));
+  EXPECT_TRUE(ListOf(folder).empty());
+  arguments.back() = "--summary=" + folder.string();
+  EXPECT_EQ(ExpectRefusal("fathom_track", arguments, folder),
+            "fathom_track: " + folder.string() + ": is a folder, expected a file to write.\n");
+  EXPECT_TRUE(ListOf(folder).empty());
+  arguments = {"--log=" + log.string(), "--out=/proc/tracked"};
+  EXPECT_THAT(ExpectRefusal("fathom_track", arguments, folder),
+              StartsWith("fathom_track: /proc/tracked: cannot write this file: "));
+}
+
+TEST(TrackTool, DoesNotReplaceALogThatHoldsImages) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  const fs::path other = folder / "other";
+  const auto refusal = [&] {
+    return ExpectRefusal("fathom_track",
+                         {"--log=" + log.string(), "--out=" + other.string(), "--overwrite"},
+                         folder);
+  };
+  const auto holds = [&](const std::string& what) {
+    return "fathom_track: --out=" + other.string() + ": the log in it holds " + what +
+           ", which this program did not write and cannot make again, expected a new folder, or a "
+           "log without images to replace. Remove that log yourself if it is not needed.\n";
+  };
+  WriteTestFile(other / "log.yaml", "name: other\ndof: surge\n");
+  WriteTestFile(other / "frames/000.png", "an image");
+  EXPECT_EQ(refusal(), holds("frames"));
+  fs::remove_all(other / "frames");
+  WriteTestFile(other / "dive.mp4", "a video");
+  EXPECT_EQ(refusal(), holds("dive.mp4"));
+  EXPECT_EQ(Bytes(other / "dive.mp4"), "a video");
+  fs::remove(other / "dive.mp4");
+  WriteTestFile(other / "frame_times.csv", "frame,t\n0,0\n1,1\n");
+  EXPECT_EQ(refusal(), holds("frame_times.csv"));
+  fs::remove(other / "frame_times.csv");
+  const ToolRun run = Track(log, {"--out=" + other.string(), "--overwrite"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  // The log itself, by another way there.
+  fs::create_directory_symlink(log, folder / "link");
+  EXPECT_EQ(
+      ExpectRefusal("fathom_track",
+                    {"--log=" + log.string(), "--out=" + (folder / "link").string(), "--overwrite"},
+                    folder),
+      "fathom_track: --out: is --log itself. Leave it out to write into the log.\n");
 }
 
 TEST(TrackTool, RefusesWhatItCannotUse) {
@@ -200,6 +409,12 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
             "fathom_track: " + log.string() + ": holds no detections.csv. Leave out --from.\n");
   EXPECT_EQ(refusal(log, {out, "--max_hamming=3"}),
             "fathom_track: tag detector: max_hamming is 3, expected 0, 1 or 2.\n");
+  EXPECT_EQ(refusal(log, {out, "--reference=5"}),
+            "fathom_track: --reference=5: stands without --estimate_markers, expected both: it is "
+            "the marker that keeps its place while the others are estimated.\n");
+  EXPECT_EQ(refusal(log, {out, "--estimate_markers", "--reference=-7"}),
+            "fathom_track: --reference=-7: is no surveyed tag of " + (log / "tags.yaml").string() +
+                ", expected one of 4, 5, 6, 9.\n");
   EXPECT_EQ(refusal(log, {out, "--gate=0"}),
             "fathom_track: --gate: is 0, expected a number above 0.\n");
   EXPECT_EQ(refusal(log, {out, "--overlay=" + (folder / "sheet.gif").string()}),

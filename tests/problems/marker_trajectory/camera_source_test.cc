@@ -62,7 +62,7 @@ TEST(CameraSource, TurnsDetectionsIntoTheMotionOfTheBody) {
   ASSERT_TRUE(log.pose);
   EXPECT_FALSE(NeedsTracking(log));
   ASSERT_EQ(log.pose->time.size(), 600u);
-  EXPECT_THAT(log.remarks, Contains(HasSubstr("600 of 600 frames gave a pose")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("600 of 600 frames with detections gave a pose")));
   const Signals signals = SignalsOf(log, Dof::kSurge, {.source = Source::kCamera});
   ASSERT_EQ(signals.train.size(), 1u);
   const Segment& segment = signals.train[0];
@@ -101,7 +101,8 @@ TEST(CameraSource, SaysWhyNoTrajectoryCameOfIt) {
     TrackDetections(&log);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("detections.csv: 0 of 600 frames gave a pose"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("detections.csv: 0 of 600 frames with detections gave a pose"));
     EXPECT_THAT(error.what(), HasSubstr("Set aside as unknown id: 600 of 600"));
   }
 }

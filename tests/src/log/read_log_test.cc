@@ -4,6 +4,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
 #include "fathom/log/log.h"
+#include "fathom/log/pose_remarks.h"
 
 #include <map>
 #include <string>
@@ -116,6 +117,17 @@ TEST(ReadLog, IgnoresOtherFilesAndRemarksOnOtherColumns) {
   EXPECT_THAT(
       log.remarks,
       ElementsAre("pose.csv: 6 further columns are not read: sx, sy, sz, sroll, spitch, syaw."));
+}
+
+TEST(ReadLog, RepeatsWhatIsToBeSaidOfThePoses) {
+  const std::vector<std::string> remarks = {"2 poses: \"bad\", say.", "line\nbreak # [x]"};
+  const std::string yaml = FormatPoseRemarks(remarks, 2);
+  EXPECT_EQ(ParsePoseRemarks("pose.yaml", yaml, 2), remarks);
+  const Log log = ReadLog(Folder(With({{"pose.csv", kPose}, {"pose.yaml", yaml}})));
+  EXPECT_THAT(log.remarks, ElementsAre("pose.yaml: " + remarks[0], "pose.yaml: " + remarks[1]));
+  // Without poses there is nothing to say.
+  EXPECT_THAT(ReadLog(Folder(With({{"pose.yaml", yaml}}))).remarks, IsEmpty());
+  EXPECT_THROW(ParsePoseRemarks("pose.yaml", yaml, 3), InputError);
 }
 
 TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {

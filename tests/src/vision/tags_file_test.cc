@@ -72,6 +72,10 @@ TEST(TagsFile, RefusesWhatItCannotUse) {
       "also across families: detections tell tags apart by id alone.");
   EXPECT_EQ(Error(kTags, "id: 5", "id: -5"),
             "tags.yaml:4: key 'tags[1].id' is -5, expected a number from 0 on.");
+  EXPECT_EQ(Error(kTags, "id: 4", "id: 587"),
+            "tags.yaml:3: key 'tags[0].id' is 587, expected one of tag36h11: it has the ids from 0 "
+            "to 586.");
+  EXPECT_EQ(Error(kTags, "id: 4", "id: 586"), "no error");
   EXPECT_EQ(Error(kTags, "tag36h11", "tag36h12"),
             "tags.yaml:1: key 'family' is 'tag36h12', expected one of tag16h5, tag25h9, tag36h10, "
             "tag36h11, tagCircle21h7, tagCircle49h12, tagCustom48h12, tagStandard41h12, "

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// pose.yaml of a log: what whoever made pose.csv has to say of it, so that it is said again
+// wherever these poses are used; docs/file_formats.md.
+
+// What Log::remarks puts before each of them.
+inline const std::string kPoseRemark = "pose.yaml: ";
+
+// The remarks; `num_poses` is the number of rows of pose.csv. Throws InputError, naming file, line
+// and key, for whatever breaks the format, and if the remarks are on another number of poses.
+std::vector<std::string> ParsePoseRemarks(const std::string& name,
+                                          const std::string& text,
+                                          std::size_t num_poses);
+
+// A file that reads back as the same remarks.
+std::string FormatPoseRemarks(std::span<const std::string> remarks, std::size_t num_poses);
+
+}  // namespace fathom

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/marker_trajectory/marker_trajectory.h"
+#include "fathom/vision/camera_model.h"
+#include "fathom/vision/detect_tags.h"
+#include "fathom/vision/frame_source.h"
+#include "fathom/vision/overlay.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace fathom {
+
+// Draws the frames of a log with what a track made of them: detections in use, and in red those
+// that the track rejected and the sightings that are none (`images`, where they were looked for in
+// this run). `progress` is told how many frames are done, of how many.
+void DrawOverlay(FrameSource& frames,
+                 const CameraModel& camera,
+                 const std::optional<TagDetections>& images,
+                 std::span<const Detection> detections,
+                 const MarkerTrack& track,
+                 OverlayWriter* overlay,
+                 const std::function<void(int done, int expected)>& progress);
+
+}  // namespace fathom
