@@ -3,6 +3,7 @@
 
 #include "fathom/film/film_file.h"
 
+#include "fathom/base/input_file.h"
 #include "fathom/base/yaml_file.h"
 #include "fathom/simulate/yaml_numbers.h"
 #include "fathom/vision/camera_file.h"
@@ -34,8 +35,10 @@ WaterView ReadView(const std::optional<YamlMap>& map) {
 
 }  // namespace
 
-Film ReadFilmFile(const std::filesystem::path& path) {
-  const YamlMap file = ReadYamlFile(path);
+Film ReadFilmFile(const std::filesystem::path& path) { return ParseFilmFile(path, ReadFile(path)); }
+
+Film ParseFilmFile(const std::filesystem::path& path, const std::string& text) {
+  const YamlMap file = ParseYaml(path.string(), text);
   const std::filesystem::path folder = path.parent_path();
   Film film;
   film.camera_file = folder / file.String("camera");

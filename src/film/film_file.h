@@ -6,6 +6,7 @@
 #include "fathom/film/film.h"
 
 #include <filesystem>
+#include <string>
 
 namespace fathom {
 
@@ -13,5 +14,9 @@ namespace fathom {
 // names, which are looked for in its folder. Throws InputError, naming file, line and key, for
 // whatever breaks their formats.
 Film ReadFilmFile(const std::filesystem::path& path);
+
+// The same with the film file in memory; `path` stands for it in messages, and its folder is where
+// the other files are.
+Film ParseFilmFile(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace fathom
