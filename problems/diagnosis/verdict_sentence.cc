@@ -19,7 +19,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kMuchMoreThanScatter = 5.0;  // at which an error without a cause needs a word
+constexpr double kMuchMoreThanScatter = 3.0;  // at which an error without a cause needs a word
 
 constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
 
