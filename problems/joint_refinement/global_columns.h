@@ -21,6 +21,7 @@ inline constexpr int kModelColumns = kNumParameters;
 inline constexpr int kSizeColumn = kModelColumns;
 inline constexpr int kMountColumns = kSizeColumn + 1;
 inline constexpr int kNumShared = kMountColumns + 6;
+inline constexpr int kSetupColumns = kNumShared - kSizeColumn;  // size and mount
 
 inline constexpr int kNumHeld = 5;        // coordinates that are not excited
 inline constexpr int kResponseTerms = 4;  // mean, displacement, velocity, acceleration

@@ -10,6 +10,7 @@
 #include "fathom/joint_refinement/joint_problem.h"
 #include "fathom/joint_refinement/pose_spread.h"
 #include "fathom/joint_refinement/process_fit.h"
+#include "fathom/joint_refinement/setup_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -266,6 +267,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
   double likelihood = -std::numeric_limits<double>::infinity();
   std::vector<int> held_at_zero;
   bool processes_settled = false;
+  SetupFit setup;
   constexpr double kSettled = 0.5;  // of the log-likelihood
   for (int round = 0; round < options.max_rounds; ++round) {
     if (options.on_round) options.on_round(round + 1, options.max_rounds);
@@ -273,7 +275,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
       summary.message = "the simulation diverges, or a marker falls behind the camera.";
       return summary;
     }
-    const auto priors = PriorsOf(options, unknowns, held_at_zero);
+    const auto priors = WithSetupHeld(PriorsOf(options, unknowns, held_at_zero));
     const double before =
         round == 0 ? -std::numeric_limits<double>::infinity()
                    : LinearJoint(linear, priors, processes, excited.index).log_likelihood();
@@ -295,7 +297,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     const JointSolve solve =
         SolveJoint(&data,
                    processes,
-                   PriorsOf(options, unknowns, {}),
+                   WithSetupHeld(PriorsOf(options, unknowns, {})),
                    {.max_iterations = options.max_iterations, .num_threads = options.num_threads},
                    &unknowns);
     ++summary.num_rounds;
@@ -307,6 +309,15 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     summary.converged = solve.converged;
     held_at_zero = solve.held_at_zero;
     if (!solve.converged) return summary;
+    setup = FitSetup([&](const JointUnknowns& at) { return PriorsOf(options, at, held_at_zero); },
+                     &data,
+                     &processes,
+                     &unknowns);
+    if (!setup.converged) {
+      summary.converged = false;
+      summary.message = setup.message;
+      return summary;
+    }
   }
 
   // The covariance at the end.
@@ -315,7 +326,8 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     summary.message = "the corners cannot be projected at the end of the search.";
     return summary;
   }
-  const LinearJoint end(linear, PriorsOf(options, unknowns, {}), processes, excited.index);
+  const LinearJoint end(
+      linear, PriorsOf(options, unknowns, {}), processes, excited.index, &setup.information);
   summary.model = data.runs[0].motion.size() > 0 ? unknowns.Motion(0).Model() : summary.model;
   for (const int i : held_at_zero) summary.on_bound[i] = true;
   summary.determined = end.is_usable();

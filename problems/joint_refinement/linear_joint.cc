@@ -27,12 +27,35 @@ double StdOf(const GlobalsPrior& prior,
   return std == 0.0 && run.response[column - kResponseColumns] != 0.0 ? kNoResponseStd : std;
 }
 
+// Changes the block of the setup in H so that it has this information once all other columns are
+// eliminated. `columns` of H's first run.
+void ReplaceSetup(const std::vector<int>& columns,
+                  const SetupInformation& information,
+                  Eigen::MatrixXd* H) {
+  std::vector<int> setup, others, wanted;
+  for (size_t c = 0; c < columns.size(); ++c) {
+    const bool is_setup = columns[c] >= kSizeColumn && columns[c] < kNumShared;
+    (is_setup ? setup : others).push_back(static_cast<int>(c));
+    if (is_setup) wanted.push_back(columns[c] - kSizeColumn);
+  }
+  for (int c = static_cast<int>(columns.size()); c < H->cols(); ++c) others.push_back(c);
+  if (setup.empty()) return;
+  const Eigen::MatrixXd cross = (*H)(others, setup);
+  const Eigen::MatrixXd among = (*H)(others, others);
+  const Eigen::VectorXd unscale = among.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = unscale.asDiagonal() * cross;
+  const Eigen::LLT<Eigen::MatrixXd> llt(unscale.asDiagonal() * among * unscale.asDiagonal());
+  if (llt.info() != Eigen::Success) return;  // what follows says so
+  (*H)(setup, setup) = information(wanted, wanted) + scaled.transpose() * llt.solve(scaled);
+}
+
 }  // namespace
 
 LinearJoint::LinearJoint(std::span<const LinearRun> runs,
                          std::span<const GlobalsPrior> priors,
                          const ProcessSet& processes,
-                         int excited) {
+                         int excited,
+                         const SetupInformation* setup) {
   // Where each run's columns stand in the system of all of them.
   std::vector<std::vector<int>> place(runs.size());
   int size = 0;
@@ -77,6 +100,7 @@ LinearJoint::LinearJoint(std::span<const LinearRun> runs,
       constant += 0.5 * precision * offset * offset;
     }
   }
+  if (setup != nullptr) ReplaceSetup(columns_[0], *setup, &H);
   // On columns of unit length: units differ by orders of magnitude.
   const Eigen::VectorXd unscale = H.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::LLT<Eigen::MatrixXd> llt(unscale.asDiagonal() * H * unscale.asDiagonal());

@@ -30,15 +30,21 @@ struct GlobalsPrior {
   GlobalsPrior() { std.fill(std::numeric_limits<double>::infinity()); }
 };
 
+// Information about the size scale and the mount; 0 in the rows and columns of what is held.
+using SetupInformation = Eigen::Matrix<double, kSetupColumns, kSetupColumns>;
+
 // All runs, linearised at one point, solved under one set of processes: docs/joint_refinement.md
 // (8) to (10). Columns shared by the runs take their prior from the first one.
 class LinearJoint {
  public:
-  // `runs` must outlive this object.
+  // `runs` must outlive this object. With `setup`, what all rows and priors together tell of the
+  // size scale and the mount is replaced by it, everything else unknown: the linear problem, in
+  // which the wander that is seen is a number, is no judge of that. docs/joint_refinement.md (15)
   LinearJoint(std::span<const LinearRun> runs,
               std::span<const GlobalsPrior> priors,
               const ProcessSet& processes,
-              int excited);
+              int excited,
+              const SetupInformation* setup = nullptr);
 
   // False if some unknown leaves no trace; the rest then means nothing.
   bool is_usable() const { return is_usable_; }

@@ -262,6 +262,8 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
   }
   MarkerMap true_map = input.map;
   for (Marker& marker : true_map.markers) marker.size *= experiment.size_scale;
+  Pose true_mount = input.body_from_camera;
+  true_mount.translation += Eigen::Vector3d::Map(experiment.mount_error.data());
 
   std::array<std::vector<double>, 6> wander;
   for (auto& path : wander) path = Wander(experiment.wander, motion.x.size(), &generator);
@@ -287,8 +289,7 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
     eta[4] += experiment.pitch_per_acceleration * a[i];
     eta[excited] = displacement;
     const Pose truth = PoseOf(eta);
-    std::vector<Detection> seen =
-        ObserveCorners(input.camera, true_map, truth * input.body_from_camera, t);
+    std::vector<Detection> seen = ObserveCorners(input.camera, true_map, truth * true_mount, t);
     if (seen.empty()) continue;
     for (Detection& detection : seen) {
       for (auto& corner : detection.corners) {

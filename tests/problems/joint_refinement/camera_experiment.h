@@ -8,6 +8,7 @@
 #include "fathom/log/log.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
+#include <array>
 #include <vector>
 
 namespace fathom {
@@ -39,6 +40,8 @@ struct CameraExperiment {
   double flips = 0.0;         // share of frames whose first guess is the square's other solution
   double clock_offset = 0.0;  // what the camera's stamps lack [s]
   double size_scale = 1.0;    // true side of the markers over that of the map
+  // Where the camera truly hangs less where its mount says, along the body's axes [m].
+  std::array<double, 3> mount_error = {};
   unsigned seed = 1;
 };
 
