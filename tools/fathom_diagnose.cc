@@ -97,7 +97,7 @@ struct Logs {
 Logs LogsFromFlags() {
   std::optional<Dof> dof;
   if (!FLAGS_dof.empty()) dof = ParseFlag("dof", FLAGS_dof, ParseDof);
-  const std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
+  const std::vector<std::string> paths = LogPathsFromFlags();
   if (!FLAGS_velocity.empty() && paths.size() > 1) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }

@@ -62,7 +62,7 @@ std::vector<Log> LogsFromFlags(Family family) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }
   std::vector<Log> logs;
-  for (const std::string& path : SplitAtCommas(FLAGS_log)) {
+  for (const std::string& path : LogPathsFromFlags()) {
     logs.push_back(ReadLogFromFlags(path, given));
     if (FLAGS_source == Name(Source::kCamera) || family == Family::kJoint) {
       AddCameraSource(&logs.back());

@@ -137,7 +137,7 @@ int RunRefine() {
   std::optional<Dof> given;
   if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
   std::vector<Log> logs;
-  for (const std::string& path : SplitAtCommas(FLAGS_log)) {
+  for (const std::string& path : LogPathsFromFlags()) {
     // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
     logs.push_back(ReadLogFromFlags(path, given, /*may_lack_motion=*/true));
   }

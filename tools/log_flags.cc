@@ -7,7 +7,10 @@
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/vehicle/vehicle_file.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -28,6 +31,25 @@ std::vector<std::string> SplitAtCommas(const std::string& text) {
     if (comma == std::string::npos) return parts;
     begin = comma + 1;
   }
+}
+
+std::vector<std::string> LogPathsFromFlags() {
+  namespace fs = std::filesystem;
+  std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
+  std::vector<fs::path> places;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    fs::path place = fs::canonical(path, error);
+    if (error) continue;  // the reader says what is wrong with it
+    if (std::find(places.begin(), places.end(), place) != places.end()) {
+      throw InputError(fmt::format(
+          "--log: names {} twice, expected each log once: its data would count as twice "
+          "as much as they are.",
+          path));
+    }
+    places.push_back(std::move(place));
+  }
+  return paths;
 }
 
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {

@@ -32,6 +32,10 @@ auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
   }
 }
 
+// The paths that --log names, one or several. Throws InputError if two are the same place: the same
+// data twice would count as twice as much.
+std::vector<std::string> LogPathsFromFlags();
+
 // Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
 // says how, and prints the reader's remarks to stderr. Of a log whose only motion is detections the
 // poses are made (AddCameraSource).

@@ -24,6 +24,12 @@ struct ComparisonOptions {
 struct DofComparison {
   Dof dof = Dof::kSurge;
   Signals scored;  // what all models of this DOF are scored on
+
+  // Which log each of scored's segments is of; empty where there is one. Several logs may have one
+  // clock that starts anew.
+  std::vector<size_t> log_of_train = {};
+  std::vector<size_t> log_of_held_out = {};
+
   std::vector<Finding> findings;
   std::vector<std::string> remarks;
   std::vector<Identification> rows;

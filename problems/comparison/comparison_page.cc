@@ -11,6 +11,8 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,15 +43,46 @@ std::string Figure(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-// The scored segments, held out or not, in the order of time.
-std::vector<const Segment*> InOrderOfTime(const Signals& signals) {
-  std::vector<const Segment*> segments;
-  for (const Segment& segment : signals.train) segments.push_back(&segment);
-  for (const Segment& segment : signals.held_out) segments.push_back(&segment);
-  std::sort(segments.begin(), segments.end(), [](const Segment* a, const Segment* b) {
-    return a->time.front() < b->time.front();
+// A scored segment on the time axis of a panel.
+struct PlacedSegment {
+  const Segment* segment;
+  bool is_held_out;
+  size_t log;
+  double shift = 0.0;  // from the log's clock to the panel's [s]
+
+  double from() const { return segment->time.front() + shift; }
+  double to() const { return segment->time.back() + shift; }
+};
+
+// The scored segments, held out or not, in the order of time, which begins at 0. Logs come one
+// behind the other: their clocks may start anew.
+std::vector<PlacedSegment> InOrderOfTime(const DofComparison& comparison) {
+  std::vector<PlacedSegment> placed;
+  const auto add =
+      [&](const std::vector<Segment>& segments, const std::vector<size_t>& logs, bool is_held_out) {
+        for (size_t i = 0; i < segments.size(); ++i) {
+          placed.push_back({&segments[i], is_held_out, logs.empty() ? 0 : logs[i]});
+        }
+      };
+  add(comparison.scored.train, comparison.log_of_train, false);
+  add(comparison.scored.held_out, comparison.log_of_held_out, true);
+  std::sort(placed.begin(), placed.end(), [](const PlacedSegment& a, const PlacedSegment& b) {
+    return std::pair(a.log, a.from()) < std::pair(b.log, b.from());
   });
-  return segments;
+  constexpr double kBetweenLogs = 1.0;  // [s]
+  for (size_t i = 0; i < placed.size(); ++i) {
+    const bool is_new_log = i == 0 || placed[i].log != placed[i - 1].log;
+    const double begin = i == 0 ? 0.0 : placed[i - 1].to() + kBetweenLogs;
+    placed[i].shift = is_new_log ? begin - placed[i].from() : placed[i - 1].shift;
+  }
+  return placed;
+}
+
+// How many logs the segments are of.
+size_t NumLogs(const std::vector<PlacedSegment>& placed) {
+  std::set<size_t> logs;
+  for (const PlacedSegment& segment : placed) logs.insert(segment.log);
+  return logs.size();
 }
 
 std::string Capitalised(std::string text) {
@@ -186,12 +219,15 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     panel.responses.push_back(
         {ModelName(row), {}, fmt::format("NMAE {:.3f}", row.fitted.train.nmae)});
   }
-  const std::vector<const Segment*> segments = InOrderOfTime(comparison.scored);
-  if (segments.empty()) return panel;
-  const double start = segments.front()->time.front();
-  for (const Segment* segment : segments) {
-    for (const double t : segment->time) panel.time.push_back(t - start);
-    panel.time.push_back(segment->time.back() - start);  // a gap before the next segment
+  const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);
+  if (const size_t num_logs = NumLogs(placed); num_logs > 1) {
+    panel.title = fmt::format("{} logs, one behind the other", num_logs);
+  }
+  for (const PlacedSegment& place : placed) {
+    const Segment* const segment = place.segment;
+    if (place.is_held_out) panel.held_out.push_back({place.from(), place.to()});
+    for (const double t : segment->time) panel.time.push_back(t + place.shift);
+    panel.time.push_back(place.to());  // a gap before the next segment
     auto& measured = panel.measured->values;
     measured.insert(measured.end(), segment->velocity.begin(), segment->velocity.end());
     measured.push_back(kNotComputed);
@@ -207,9 +243,6 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
       }
       values.push_back(kNotComputed);
     }
-  }
-  for (const Segment& segment : comparison.scored.held_out) {
-    panel.held_out.push_back({segment.time.front() - start, segment.time.back() - start});
   }
   return panel;
 }

@@ -17,13 +17,24 @@ namespace fathom {
 namespace {
 
 // The signals of all logs as one, a segment each or more.
-Signals SignalsOfAll(const MarkerLogs& logs, Source source) {
+struct SignalsOfLogs {
+  Signals all;
+  std::vector<size_t> log_of_train, log_of_held_out;  // of each segment
+};
+SignalsOfLogs SignalsOfAll(const MarkerLogs& logs, Source source) {
   const SignalsOptions options = {.source = source};
-  Signals all = SignalsOf(logs.logs.front(), logs.dof, options);
-  for (size_t i = 1; i < logs.logs.size(); ++i) {
-    Append(SignalsOf(logs.logs[i], logs.dof, options), &all);
+  SignalsOfLogs result;
+  for (size_t i = 0; i < logs.logs.size(); ++i) {
+    Signals own = SignalsOf(logs.logs[i], logs.dof, options);
+    if (i == 0) {
+      result.all = std::move(own);
+    } else {
+      Append(std::move(own), &result.all);
+    }
+    result.log_of_train.resize(result.all.train.size(), i);
+    result.log_of_held_out.resize(result.all.held_out.size(), i);
   }
-  return all;
+  return result;
 }
 
 bool HasVelocity(const Log& log, Dof dof) {
@@ -55,11 +66,15 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   result.comparison.remarks = logs.remarks;
   DofComparison dof;
   dof.dof = logs.dof;
-  const Signals camera = SignalsOfAll(logs, Source::kCamera);
+  const SignalsOfLogs by_camera = SignalsOfAll(logs, Source::kCamera);
+  const Signals& camera = by_camera.all;
   const bool has_velocity = std::all_of(logs.logs.begin(), logs.logs.end(), [&](const Log& log) {
     return HasVelocity(log, logs.dof);
   });
-  dof.scored = has_velocity ? SignalsOfAll(logs, Source::kPoseEstimator) : camera;
+  SignalsOfLogs scored = has_velocity ? SignalsOfAll(logs, Source::kPoseEstimator) : by_camera;
+  dof.scored = std::move(scored.all);
+  dof.log_of_train = std::move(scored.log_of_train);
+  dof.log_of_held_out = std::move(scored.log_of_held_out);
   dof.findings = CheckSanity(dof.scored);
   dof.remarks = dof.scored.remarks;
   if (has_velocity) {

@@ -45,6 +45,9 @@ TimePanel PathPanel(const MarkerLogs& logs, const ImageComparison& comparison) {
     series->values.insert(series->values.end(), values.begin(), values.end());
     series->values.push_back(kNaN);
   };
+  if (logs.logs.size() > 1) {
+    panel.title = fmt::format("{} logs, one behind the other", logs.logs.size());
+  }
   double origin = 0.0, shift = 0.0;
   for (size_t r = 0; r < comparison.joint.runs.size(); ++r) {
     const CameraRun& before = logs.input.runs[r];
@@ -118,6 +121,12 @@ Table RefinementTable(const ImageComparison& comparison) {
           found.unit);
     }
   }
+  constexpr double kDrift = 10.0;  // [s]
+  const auto strays = [&] { return std::sqrt(joint.processes.ModelError().Over(kDrift).Q(0, 0)); };
+  const Dof dof = comparison.comparison.dofs[0].dof;
+  add(fmt::format("{} strays from the model, in {:.0f} s, by", Name(dof), kDrift),
+      joint.processes.model_error > 0.0 ? fmt::format("{:.2g}", strays()) : "0",
+      IsAngular(dof) ? "rad" : "m");
   for (size_t r = 0; r < joint.runs.size(); ++r) {
     const RefinedRun& run = joint.runs[r];
     if (run.clock_offset_std == 0.0) continue;

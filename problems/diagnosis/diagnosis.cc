@@ -7,6 +7,7 @@
 #include "fathom/diagnosis/evidence_remarks.h"
 #include "fathom/diagnosis/held_out.h"
 #include "fathom/diagnosis/left_out_blocks.h"
+#include "fathom/diagnosis/log_names.h"
 #include "fathom/diagnosis/missing_force.h"
 #include "fathom/diagnosis/outliers.h"
 #include "fathom/diagnosis/ranking.h"
@@ -184,11 +185,20 @@ std::string_view Name(Verdict verdict) {
 
 Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options) {
   RequireUsable(options);
+  const std::vector<std::string> names = DistinctNames(logs);
+  std::vector<Log> renamed;
+  if (!std::equal(names.begin(), names.end(), logs.begin(), [](const auto& name, const Log& log) {
+        return name == log.name;
+      })) {
+    renamed.assign(logs.begin(), logs.end());
+    for (size_t i = 0; i < names.size(); ++i) renamed[i].name = names[i];
+    logs = renamed;
+  }
   const Records records = RecordsOf(logs, dof);
   Diagnosis diagnosis;
   diagnosis.dof = dof;
   diagnosis.force_unit = records.force_unit;
-  for (const Log& log : logs) diagnosis.logs.push_back(log.name);
+  diagnosis.logs = names;
   diagnosis.fits_displacement = records.has_displacement;
   diagnosis.has_velocity = records.has_velocity;
   diagnosis.remarks = records.remarks;

@@ -251,6 +251,21 @@ TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
   EXPECT_THAT(with_commas.out, HasSubstr("\nThese 2 logs show"));
 }
 
+TEST(DiagnoseTool, TellsLogsOfOneNameApart) {
+  const Path folder = EmptyTestFolder();
+  const std::string first = SmallLogWith(folder, "first", "", 1).string();
+  const std::string second = SmallLogWith(folder, "second", "", 2).string();
+  const std::string yaml = TextOf(Path(first) / "log.yaml");
+  ASSERT_EQ(yaml, TextOf(Path(second) / "log.yaml"));
+  const Path report = folder / "page.html";
+  const ToolRun run = RunToolBinary(
+      "fathom_diagnose", {"--log=" + first, "--log=" + second, "--report=" + report.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string page = TextOf(report);
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("small_multisine (first)"), HasSubstr("small_multisine (second)")));
+}
+
 TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
   const Path folder = EmptyTestFolder();
   const Path log = SmallLogWith(folder, "log", "steady_current:speed=0.05", 4);
@@ -364,6 +379,14 @@ TEST_F(DiagnoseRefusals, AVelocityFileForSeveralLogs) {
   const Path second = WriteSmallLog(folder_ / "second");
   EXPECT_EQ(Refused({"--log=" + second.string(), "--velocity=velocity.csv"}),
             "fathom_diagnose: --velocity: belongs to one log, expected a single --log with it.\n");
+}
+
+TEST_F(DiagnoseRefusals, TheSameLogTwice) {
+  const std::string again = (log_ / ".." / log_.filename()).string();
+  EXPECT_EQ(
+      Refused({"--log=" + again}),
+      "fathom_diagnose: --log: names " + again +
+          " twice, expected each log once: its data would count as twice as much as they are.\n");
 }
 
 TEST_F(DiagnoseRefusals, TheSecondOfTwoLogs) {

@@ -127,8 +127,11 @@ TEST(RefineTool, FitsSeveralLogsTogether) {
       "--log=" + OneMarkerLog().string(), "--log=" + second.string(), "--dof=surge"};
   auto arguments = both;
   arguments.push_back("--json=" + (folder / "rows.json").string());
+  arguments.push_back("--report=" + (folder / "page.html").string());
   const ToolRun run = RunToolBinary("fathom_refine", arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
+  // Both clocks begin at the same time.
+  EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("2 logs, one behind the other"));
   const auto json = JsonOf(folder / "rows.json");
   ASSERT_EQ(json["joint"]["runs"].size(), 2);
   const auto inertia = RowOf(json, "joint")["parameters"]["inertia"];
@@ -138,6 +141,15 @@ TEST(RefineTool, FitsSeveralLogsTogether) {
   arguments.push_back("--trajectory=" + (folder / "pose.csv").string());
   EXPECT_THAT(ExpectRefusal("fathom_refine", arguments, folder),
               HasSubstr("--trajectory: holds the poses of one log"));
+}
+
+TEST(RefineTool, RefusesTheSameLogTwice) {
+  const fs::path folder = EmptyTestFolder();
+  const std::string log = OneMarkerLog().string();
+  const std::string again = log + "/../" + OneMarkerLog().filename().string();
+  EXPECT_THAT(
+      ExpectRefusal("fathom_refine", {"--log=" + log, "--log=" + again, "--dof=surge"}, folder),
+      HasSubstr("--log: names " + again + " twice"));
 }
 
 TEST(RefineTool, SaysWhatItMeasuresAgainstWithoutASensor) {
