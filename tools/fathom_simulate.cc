@@ -42,11 +42,11 @@ const ToolInfo kInfo = {
     "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction stands at the stamps of the log's motion stream (its command stream where "
-    "there "
-    "is none) and starts from the first measured speed; a silence of over 30 s starts it anew. A "
-    "verdict of fathom_diagnose is simulated with its causes, as the sensor would show it; what "
-    "other DOFs take part is taken from the log. Causes that belong to one run are left out on any "
-    "other log."};
+    "there is none) and starts from the first measured speed (where a sensor lags, from what shows "
+    "the first two seconds best); a silence of over 30 s starts it anew. A verdict of "
+    "fathom_diagnose is simulated with its causes, as the sensor would show it; what other DOFs "
+    "take part is taken from the log. Causes that belong to one run are left out on any other "
+    "log."};
 
 constexpr double kLongestGap = 30.0;  // [s], as in SignalsOptions
 
@@ -103,15 +103,15 @@ class FreeRuns {
 
   const std::vector<Segment>& segments() const { return segments_; }
 
-  // Started from the first measured speed; nothing if it diverges.
+  // Started from the first measured speed, or readings; nothing if it diverges.
   std::optional<std::vector<double>> Predict(size_t k) const {
     const Segment& segment = segments_[k];
     const double first = segment.velocity.front();
     if (model_.effects.empty()) return PredictVelocity(model_.baseline, segment, first);
-    const double start =
-        is_measured_ ? VelocityBehind(model_, inputs_, segment.time.front(), first) : first;
-    if (!std::isfinite(start)) return std::nullopt;
-    return PredictReadings(model_, inputs_, segment.time, {start, positions_[k]});
+    const auto start = is_measured_ ? StartOf(model_, inputs_, segment, first, positions_[k])
+                                    : InitialState{first, positions_[k]};
+    if (!start) return std::nullopt;
+    return PredictReadings(model_, inputs_, segment.time, *start);
   }
 
   FitFigures Figures() const {

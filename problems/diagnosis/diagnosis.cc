@@ -107,7 +107,7 @@ void ConfirmOnAllData(const TrainingData& data,
   };
   const auto worth = [&](int index) {
     return 2.0 * (fit_of(index).log_likelihood - baseline.log_likelihood) -
-           ThresholdOf(*search, search->tried[index].suspects);
+           PriceOfStarts(data, fit_of(index)) - ThresholdOf(*search, search->tried[index].suspects);
   };
   for (bool is_settled = false; !is_settled;) {
     is_settled = true;

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/held_out.h"
 
+#include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/random_stream.h"
 
 #include <algorithm>
@@ -66,14 +67,25 @@ std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& mo
   const EffectSimulation simulation(record.inputs.get(), record.stamps);
   InitialState start = record.initial;
   EffectOutputs outputs;
+  const bool has_memory = !record.velocity.empty() && EffectSimulation::HasReadingMemory(model);
   for (int repeat = 0; repeat < 2; ++repeat) {
+    if (has_memory) {
+      const auto behind = StateBehind(model,
+                                      *record.inputs,
+                                      record.stamps.start,
+                                      record.stamps.velocity,
+                                      record.velocity,
+                                      start);
+      if (!behind) return std::nullopt;
+      start = *behind;
+    }
     if (!simulation.Run(model, start, &outputs)) return std::nullopt;
     const Miss in_velocity = FirstMiss(record.stamps.velocity, record.velocity, outputs.velocity);
     const Miss in_place =
         FirstMiss(record.stamps.displacement, record.displacement, outputs.displacement);
     // Without velocities the poses tell the first speed too.
     const bool by_poses = record.velocity.empty();
-    start.velocity += by_poses ? in_place.slope : in_velocity.mean;
+    if (!has_memory) start.velocity += by_poses ? in_place.slope : in_velocity.mean;
     start.position += by_poses ? in_place.first : in_place.mean;
   }
   return FreeRunOver(record, model, start);

@@ -22,9 +22,9 @@ struct FreeRun {
 };
 
 // The free run of a model over a record, from the state at which its readings agree with the first
-// two seconds of the measured ones on average, or, of poses without velocities, in a straight line;
-// nothing if it diverges. (What is measured is not the state: a sensor's bias would start the run
-// at a wrong speed.)
+// two seconds of the measured ones on average, StateBehind() of a sensor with a memory, or, of
+// poses without velocities, in a straight line; nothing if it diverges. (What is measured is not
+// the state: a sensor's bias would start the run at a wrong speed.)
 std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model);
 
 // The same from a given start.

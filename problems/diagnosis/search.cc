@@ -301,7 +301,8 @@ class Searcher {
     }
     const auto found = known_.find(suspects);
     if (!MeansSomething(hypothesis.fit)) return found == known_.end() ? -1 : found->second;
-    hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
+    hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
+                      PriceOfStarts(data_, hypothesis.fit);
     hypothesis.delta_bic =
         hypothesis.gain - log_num_data_ * (NumParameters(hypothesis) - NumParameters(baseline));
     if (found == known_.end()) {

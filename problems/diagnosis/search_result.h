@@ -16,7 +16,7 @@ struct Hypothesis {
   std::vector<int> suspects;  // indices, ascending; none: the baseline
   StructureFit fit;
 
-  // 2 log-likelihood over the baseline's.
+  // 2 log-likelihood over the baseline's, less PriceOfStarts().
   double gain = 0.0;
 
   // BIC of the baseline less its own: above 0, better than the baseline.

@@ -15,7 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr int kEffectColumn = EffectSimulation::kFirstEffectColumn;
 constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
 constexpr int kMostIterations = 40;
 // Of the log-likelihood. A finer search of the noise takes twice as long and ends no less often at
@@ -28,15 +27,14 @@ struct Unknowns {
   Eigen::VectorXd value, lower, upper;
 };
 
-int NumParameters(const ExtendedModel& model) {
-  return EffectSimulation::NumColumns(model) - kEffectColumn + kNumParameters;
-}
+int NumParameters(const ExtendedModel& model) { return EffectSimulation::NumParameters(model); }
 
 Unknowns Pack(const TrainingData& data,
               const ExtendedModel& model,
               std::span<const InitialState> initial) {
   const int num_parameters = NumParameters(model);
-  const int size = num_parameters + data.num_states() * static_cast<int>(initial.size());
+  const int size = num_parameters + data.num_states(model) * static_cast<int>(initial.size());
+  const bool has_memory = EffectSimulation::HasReadingMemory(model);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Unknowns unknowns = {Eigen::VectorXd(size),
                        Eigen::VectorXd::Constant(size, -kInfinity),
@@ -56,6 +54,7 @@ Unknowns Pack(const TrainingData& data,
   for (const InitialState& state : initial) {
     unknowns.value[i++] = state.velocity;
     if (data.has_displacement()) unknowns.value[i++] = state.position;
+    if (has_memory) unknowns.value[i++] = state.reading_excess;
   }
   return unknowns;
 }
@@ -69,9 +68,11 @@ void Unpack(const TrainingData& data,
   for (ActiveEffect& active : model->effects) {
     for (double& number : active.values) number = value[i++];
   }
+  const bool has_memory = EffectSimulation::HasReadingMemory(*model);
   for (InitialState& state : *initial) {
     state.velocity = value[i++];
     if (data.has_displacement()) state.position = value[i++];
+    state.reading_excess = has_memory ? value[i++] : 0.0;
   }
 }
 
@@ -171,6 +172,24 @@ NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual)
   return noise;
 }
 
+// StructureFit::start_gains of a fit.
+std::vector<double> StartGainsOf(const TrainingData& data,
+                                 const StructureFit& fit,
+                                 const Normal& normal,
+                                 const std::vector<int>& free) {
+  std::vector<double> gains;
+  if (!EffectSimulation::HasReadingMemory(fit.model)) return gains;
+  const auto size = static_cast<int>(normal.g.size());
+  const Eigen::VectorXd variance = CovarianceOf(normal, free, size).diagonal();
+  int i = NumParameters(fit.model) - 1;
+  for (const InitialState& state : fit.initial) {
+    i += data.num_states(fit.model);
+    const double excess = state.reading_excess;
+    gains.push_back(variance[i] > 0.0 ? excess * excess / variance[i] : 0.0);
+  }
+  return gains;
+}
+
 // Fills residual and Jacobian of a fit at its model; no Jacobian if it cannot be simulated.
 bool LineariseAt(const TrainingData& data, StructureFit* fit) {
   auto at = data.Linearise(fit->model, fit->initial);
@@ -232,6 +251,7 @@ StructureFit SearchFrom(const TrainingData& data,
   const std::vector<int> free = FreeOf(unknowns, normal.g);
   const int num_parameters = NumParameters(fit.model);
   fit.covariance = CovarianceOf(normal, free, num_parameters);
+  fit.start_gains = StartGainsOf(data, fit, normal, free);
   fit.is_on_bound.assign(num_parameters, true);
   for (const int i : free) {
     if (i < num_parameters) fit.is_on_bound[i] = false;
@@ -241,6 +261,13 @@ StructureFit SearchFrom(const TrainingData& data,
 }
 
 }  // namespace
+
+double PriceOfStarts(const TrainingData& data, const StructureFit& fit) {
+  const double most = std::log(static_cast<double>(data.bins().size()));
+  double price = 0.0;
+  for (const double gain : fit.start_gains) price += std::min(gain, most);
+  return price;
+}
 
 StructureFit FitStructure(const TrainingData& data,
                           const ExtendedModel& start,

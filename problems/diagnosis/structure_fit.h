@@ -30,7 +30,16 @@ struct StructureFit {
   RowMajorMatrix jacobian;        // not whitened
   Eigen::MatrixXd covariance;     // of the baseline's and the effects' parameters
   std::vector<bool> is_on_bound;  // of the same
+
+  // By how much chi squared falls because a sensor with a memory may start anywhere, to first
+  // order, record by record: (excess / its standard deviation)^2. Empty for models without one.
+  std::vector<double> start_gains;
 };
+
+// What its free starts take from a model's log-likelihood ratio (2 log L): each as little as BIC
+// asks, which is its gain where it had better not be there, else the logarithm of the number of
+// data. A model thus pays for what its records' starts need, and for nothing where they need none.
+double PriceOfStarts(const TrainingData& data, const StructureFit& fit);
 
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds
 // (inertia at least data.least_inertia(), dampings at least 0, the effects' own). Levenberg and

@@ -112,9 +112,9 @@ std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model
 
 std::optional<TrainingData::Linearised> TrainingData::Linearise(
     const ExtendedModel& model, std::span<const InitialState> initial) const {
-  const int num_parameters =
-      EffectSimulation::NumColumns(model) - EffectSimulation::kFirstEffectColumn + kNumParameters;
-  const int num_columns = num_parameters + num_states() * static_cast<int>(records_.size());
+  const int num_parameters = EffectSimulation::NumParameters(model);
+  const int num_states = this->num_states(model);
+  const int num_columns = num_parameters + num_states * static_cast<int>(records_.size());
   Linearised linearised = {Eigen::VectorXd(bins_.size()),
                            RowMajorMatrix::Zero(bins_.size(), num_columns)};
   EffectOutputs outputs;
@@ -131,11 +131,15 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
     auto to = linearised.jacobian.middleRows(first, num_rows);
     to.leftCols(kNumParameters) = rows.leftCols(kNumParameters);
     const int num_effect_parameters = num_parameters - kNumParameters;
-    to.middleCols(kNumParameters, num_effect_parameters) = rows.rightCols(num_effect_parameters);
-    const int state = num_parameters + num_states() * static_cast<int>(r);
+    to.middleCols(kNumParameters, num_effect_parameters) =
+        rows.middleCols(EffectSimulation::kFirstEffectColumn, num_effect_parameters);
+    const int state = num_parameters + num_states * static_cast<int>(r);
     to.col(state) = rows.col(EffectSimulation::kInitialVelocityColumn);
     if (has_displacement_) {
       to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
+    }
+    if (EffectSimulation::HasReadingMemory(model)) {
+      to.col(state + num_states - 1) = rows.rightCols(1);
     }
   }
   return linearised;

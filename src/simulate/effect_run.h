@@ -40,6 +40,7 @@ struct ScalarModel {
   UncoupledModel<T> baseline;
   T initial_velocity{0.0};
   T initial_position{0.0};
+  T initial_reading_excess{0.0};
   std::vector<ScalarEffect<T>> effects;
 };
 
@@ -79,7 +80,7 @@ class EffectRun {
     state_.position = model_.initial_position;
     state_.memory.fill(model_.initial_velocity);
     reading_ = Reading(state_.velocity, T(stamps_.start));
-    shown_ = reading_;
+    shown_ = follows_reading_ ? T(reading_ + model_.initial_reading_excess) : reading_;
     size_t next_edge = std::upper_bound(edges.begin(), edges.end(), Value(begin)) - edges.begin();
     WarmUp(Value(begin), next_edge);
     size_t row_v = 0, row_x = 0;

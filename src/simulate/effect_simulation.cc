@@ -6,6 +6,7 @@
 #include "fathom/simulate/effect_run.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <ceres/jet.h>
@@ -45,6 +46,9 @@ ScalarModel<T> InScalars(const ExtendedModel& model, const InitialState& initial
       effect.parameters.push_back(Seeded<T>(value, column++));
     }
     scalars.effects.push_back(std::move(effect));
+  }
+  if (EffectSimulation::HasReadingMemory(model)) {
+    scalars.initial_reading_excess = Seeded<T>(initial.reading_excess, column);
   }
   return scalars;
 }
@@ -87,9 +91,20 @@ bool RunIn(const EffectInputs& inputs,
 }  // namespace
 
 int EffectSimulation::NumColumns(const ExtendedModel& model) {
-  size_t num_columns = kFirstEffectColumn;
-  for (const ActiveEffect& active : model.effects) num_columns += active.values.size();
-  return static_cast<int>(num_columns);
+  return NumParameters(model) + kFirstEffectColumn - kNumParameters +
+         (HasReadingMemory(model) ? 1 : 0);
+}
+
+int EffectSimulation::NumParameters(const ExtendedModel& model) {
+  size_t num_parameters = kNumParameters;
+  for (const ActiveEffect& active : model.effects) num_parameters += active.values.size();
+  return static_cast<int>(num_parameters);
+}
+
+bool EffectSimulation::HasReadingMemory(const ExtendedModel& model) {
+  return std::any_of(model.effects.begin(), model.effects.end(), [](const ActiveEffect& active) {
+    return active.effect->laws().has.follow_reading;
+  });
 }
 
 EffectSimulation::EffectSimulation(const EffectInputs* inputs, OutputStamps stamps)

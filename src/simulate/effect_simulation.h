@@ -42,8 +42,8 @@ struct EffectOutputs {
   std::vector<double> displacement;  // at OutputStamps::displacement [m] or [rad]
 
   // A row for each output. Columns: the baseline's parameters in the order of kParameterInfo, the
-  // initial velocity, the initial position, and the effects' parameters in their order. Empty
-  // unless asked for.
+  // initial velocity, the initial position, the effects' parameters in their order, and the initial
+  // excess of the reading where HasReadingMemory(). Empty unless asked for.
   SensitivityMatrix velocity_sensitivity;
   SensitivityMatrix displacement_sensitivity;
 };
@@ -64,10 +64,18 @@ class EffectSimulation {
 
   static constexpr size_t kMostEffects = 6;
 
-  // The most parameters that all effects of a model may have together.
+  // The most parameters that all effects of a model may have together, an initial excess of the
+  // reading counted along.
   static constexpr int kMostEffectParameters = 10;
 
   static int NumColumns(const ExtendedModel& model);
+
+  // Of the baseline and the effects: columns less those of the state at the start.
+  static int NumParameters(const ExtendedModel& model);
+
+  // True if the sensor's reading has a memory of its own, and InitialState::reading_excess a
+  // column, the last one.
+  static bool HasReadingMemory(const ExtendedModel& model);
 
   // `inputs` must outlive this. `stamps.velocity` or `stamps.displacement` may be empty, not both.
   EffectSimulation(const EffectInputs* inputs, OutputStamps stamps);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Dense>
 #include <glog/logging.h>
 
 namespace fathom {
@@ -41,6 +42,45 @@ double VelocityBehind(const ExtendedModel& model,
   return slope == 0.0 ? kNone : probes[0] + (reading - shown[0]) / slope;
 }
 
+std::optional<InitialState> StateBehind(const ExtendedModel& model,
+                                        const EffectInputs& inputs,
+                                        double start,
+                                        const std::vector<double>& time,
+                                        const std::vector<double>& readings,
+                                        const InitialState& guess) {
+  constexpr double kFirstSeconds = 2.0;
+  constexpr int kNumSteps = 3;  // it is linear but for the damping
+  const auto end = std::lower_bound(time.begin(), time.end(), time.front() + kFirstSeconds);
+  const EffectSimulation simulation(&inputs, {start, {time.begin(), end}, {}});
+  InitialState state = guess;
+  EffectOutputs outputs;
+  for (int step = 0; step < kNumSteps; ++step) {
+    if (!simulation.RunWithSensitivities(model, state, &outputs)) return std::nullopt;
+    const auto n = static_cast<Eigen::Index>(outputs.velocity.size());
+    Eigen::MatrixXd columns(n, 2);
+    columns.col(0) = outputs.velocity_sensitivity.col(EffectSimulation::kInitialVelocityColumn);
+    columns.col(1) = outputs.velocity_sensitivity.rightCols(1);
+    const Eigen::VectorXd miss = Eigen::Map<const Eigen::VectorXd>(readings.data(), n) -
+                                 Eigen::Map<const Eigen::VectorXd>(outputs.velocity.data(), n);
+    const Eigen::Vector2d change = columns.completeOrthogonalDecomposition().solve(miss);
+    state.velocity += change[0];
+    state.reading_excess += change[1];
+  }
+  return state;
+}
+
+std::optional<InitialState> StartOf(const ExtendedModel& model,
+                                    const EffectInputs& inputs,
+                                    const Segment& segment,
+                                    double reading,
+                                    double position) {
+  const double velocity = VelocityBehind(model, inputs, segment.time.front(), reading);
+  if (!std::isfinite(velocity)) return std::nullopt;
+  const InitialState start = {velocity, position};
+  if (!EffectSimulation::HasReadingMemory(model)) return start;
+  return StateBehind(model, inputs, segment.time.front(), segment.time, segment.velocity, start);
+}
+
 double PositionAt(const Log& log, Dof dof, double time) {
   if (!log.pose) return 0.0;
   const Poses poses = PosesOf(*log.pose);
@@ -62,10 +102,9 @@ FitFigures FiguresOf(const ExtendedModel& model,
   double sum_of_errors = 0.0, sum_of_speeds = 0.0;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const Segment& segment = segments[k];
-    const double start =
-        VelocityBehind(model, inputs, segment.time.front(), InitialVelocity(segment));
-    if (!std::isfinite(start)) return {};
-    const auto shown = PredictReadings(model, inputs, segment.time, {start, positions[k]});
+    const auto start = StartOf(model, inputs, segment, InitialVelocity(segment), positions[k]);
+    if (!start) return {};
+    const auto shown = PredictReadings(model, inputs, segment.time, *start);
     if (!shown) return {};
     for (std::size_t i = 0; i < segment.time.size(); ++i) {
       sum_of_errors += std::abs((*shown)[i] - segment.velocity[i]);

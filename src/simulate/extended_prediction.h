@@ -33,11 +33,31 @@ double VelocityBehind(const ExtendedModel& model,
                       double time,
                       double reading);
 
+// The state at `start` from which a model whose sensor has a memory
+// (EffectSimulation::HasReadingMemory()) shows the first two seconds of `readings`, at `time`,
+// best: least squares over the velocity and the excess of the reading, near `guess`, whose position
+// it keeps. One reading tells the velocity of no such vehicle: the sensor still shows what was
+// before. Nothing if the simulation diverges.
+std::optional<InitialState> StateBehind(const ExtendedModel& model,
+                                        const EffectInputs& inputs,
+                                        double start,
+                                        const std::vector<double>& time,
+                                        const std::vector<double>& readings,
+                                        const InitialState& guess);
+
+// Where a free run over a measured segment starts: the InitialVelocity() behind its `reading`, or
+// StateBehind() of its first readings. Nothing if there is none.
+std::optional<InitialState> StartOf(const ExtendedModel& model,
+                                    const EffectInputs& inputs,
+                                    const Segment& segment,
+                                    double reading,
+                                    double position);
+
 // The displacement along `dof` at `time` where the log has poses, in line between them; else 0.
 double PositionAt(const Log& log, Dof dof, double time);
 
-// MAE and NMAE of free runs over `segments`, each started where its InitialVelocity() is shown, at
-// the position of the same index. NaN as FiguresOf() of the baseline.
+// MAE and NMAE of free runs over `segments`, each from its StartOf() about its InitialVelocity()
+// and the position of the same index. NaN as FiguresOf() of the baseline.
 FitFigures FiguresOf(const ExtendedModel& model,
                      const EffectInputs& inputs,
                      std::span<const Segment> segments,

@@ -15,6 +15,10 @@ namespace fathom {
 struct InitialState {
   double velocity = 0.0;  // [m/s] or [rad/s]
   double position = 0.0;  // [m] or [rad]
+
+  // What a sensor with a memory (`sensor_lag`) shows beyond what it would show without one, [m/s]
+  // or [rad/s]: its own past, which is nowhere else. No other model asks for it.
+  double reading_excess = 0.0;
 };
 
 // A model over one log's command, integrated from output stamp to output stamp.

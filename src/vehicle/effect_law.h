@@ -97,7 +97,7 @@ class EffectLaw {
     return reading;
   }
   // A reading that follows one which goes from `begin` to `end` in a straight line over `duration`:
-  // advances `state`, the reading shown.
+  // advances `state`, the reading shown. Where it starts, InitialState says.
   virtual void FollowReading(
       const T* /*p*/, const T& /*begin*/, const T& end, const T& /*duration*/, T* state) const {
     *state = end;

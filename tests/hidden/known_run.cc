@@ -105,15 +105,18 @@ bool KnownRun::Linearise(const ExtendedModel& model,
                          RowMajorMatrix* sensitivity) const {
   EffectOutputs outputs;
   if (!simulation_->RunWithSensitivities(model, initial, &outputs)) return false;
-  const int num_columns = EffectSimulation::NumColumns(model);
+  // A lagging sensor starts at what it reads in these logs: that column is not looked at.
+  const int num_columns =
+      EffectSimulation::NumColumns(model) - (EffectSimulation::HasReadingMemory(model) ? 1 : 0);
   RowMajorMatrix all(num_samples(), num_columns + 1);
   for (int i = 0; i < num_samples(); ++i) {
     const bool is_velocity = samples_[i].channel == NoiseChannel::kVelocity;
     const int row = row_[i];
     all(i, num_columns) =
         measured_[i] - (is_velocity ? outputs.velocity[row] : outputs.displacement[row]);
-    all.row(i).head(num_columns) = is_velocity ? outputs.velocity_sensitivity.row(row)
-                                               : outputs.displacement_sensitivity.row(row);
+    const auto& all_columns =
+        is_velocity ? outputs.velocity_sensitivity : outputs.displacement_sensitivity;
+    all.row(i).head(num_columns) = all_columns.row(row).head(num_columns);
   }
   if (!all.allFinite()) return false;
   whitener_->Apply(all, all);

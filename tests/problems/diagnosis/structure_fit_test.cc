@@ -112,6 +112,85 @@ TEST(FitStructure, StandsWhereDenseGeneralisedLeastSquaresHasNothingToGain) {
               1e-6 * n);
 }
 
+// A sensor that lags by 1.2 s, seen from the run's start or amid it, and again after a silence.
+TrainingData LaggingData(double first, std::uint64_t seed) {
+  SurgeRun run = Short();
+  run.duration = 200.0;
+  run.noise_correlation = 0.0;
+  run.velocity_noise = 0.005;
+  run.effects = "sensor_lag:time_constant=1.2";
+  const Log log = WithoutMotion(WithoutMotion(LogOf(run, seed), 0.0, first), 80.0, 130.0);
+  return TrainingData(RecordsOf(std::vector<Log>{log}, Dof::kSurge).all);
+}
+
+StructureFit FitLag(const TrainingData& data) {
+  NoiseModel noise;
+  noise.velocity.white_std = 0.005;
+  const ExtendedModel start = {{700.0, 90.0, 25.0, 1.0}, {{FindEffect("sensor_lag"), {}, {0.4}}}};
+  return FitStructure(data, start, StatesOf(data), Whitener(noise, data.samples()));
+}
+
+TEST(FitStructure, FreesWhereALaggingSensorStartsInEveryRecord) {
+  const TrainingData data = LaggingData(30.0, 3);
+  ASSERT_EQ(data.records().size(), 2u);
+  const StructureFit fit = FitLag(data);
+  ASSERT_TRUE(fit.converged);
+  const double std = std::sqrt(fit.covariance(kNumParameters, kNumParameters));
+  EXPECT_LT(std, 0.05);
+  EXPECT_NEAR(fit.model.effects[0].values[0], 1.2, 4.0 * std);
+  const double num_free = static_cast<double>(fit.residual.size() - fit.jacobian.cols());
+  EXPECT_NEAR(fit.chi_squared, num_free, 4.0 * std::sqrt(2.0 * num_free));
+  // The last columns are the records' states, velocity and excess in turns.
+  ASSERT_EQ(fit.jacobian.cols(), kNumParameters + 1 + 4);
+  for (int column = 0; column < 4; ++column) {
+    std::vector<InitialState> low = fit.initial, high = fit.initial;
+    const auto place = [&](std::vector<InitialState>* initial) -> double& {
+      InitialState& state = (*initial)[column / 2];
+      return column % 2 == 0 ? state.velocity : state.reading_excess;
+    };
+    place(&low) -= 1e-4;
+    place(&high) += 1e-4;
+    const Eigen::VectorXd difference =
+        (*data.Simulate(fit.model, high) - *data.Simulate(fit.model, low)) / 2e-4;
+    EXPECT_GT(difference.norm(), 0.5);
+    EXPECT_LT((difference - fit.jacobian.col(kNumParameters + 1 + column)).norm(), 1e-5) << column;
+  }
+}
+
+// Both records begin amid an acceleration, so that y = v is far off there, and what freedom gains
+// is what it gains over the fit without it.
+TEST(FitStructure, PaysForAFreeStartWhereItIsNeeded) {
+  const double log_n = std::log(static_cast<double>(LaggingData(30.0, 3).bins().size()));
+  const StructureFit needed = FitLag(LaggingData(30.0, 3));
+  ASSERT_EQ(needed.start_gains.size(), 2u);
+  EXPECT_GT(std::min(needed.start_gains[0], needed.start_gains[1]), log_n);
+  EXPECT_NEAR(PriceOfStarts(LaggingData(30.0, 3), needed), 2.0 * log_n, 1e-9);
+}
+
+// From rest it starts at what it reads: the excess is noise, chi squared of one degree of freedom.
+TEST(FitStructure, PaysNextToNothingWhereTheSensorStartsAtRest) {
+  double sum = 0.0;
+  const int num_runs = 12;
+  for (int seed = 0; seed < num_runs; ++seed) {
+    const TrainingData data = LaggingData(0.0, 10 + seed);
+    const StructureFit fit = FitLag(data);
+    ASSERT_EQ(fit.start_gains.size(), 2u);
+    const double log_n = std::log(static_cast<double>(data.bins().size()));
+    sum += fit.start_gains[0];
+    EXPECT_NEAR(PriceOfStarts(data, fit),
+                std::min(fit.start_gains[0], log_n) + std::min(fit.start_gains[1], log_n),
+                1e-9);
+    // Nothing but a sensor's memory has a start to pay for.
+    StructureFit quick =
+        FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), Whitener(Coloured(), data.samples()));
+    EXPECT_TRUE(quick.start_gains.empty());
+    EXPECT_EQ(PriceOfStarts(data, quick), 0.0);
+    EXPECT_EQ(quick.initial[0].reading_excess, 0.0);
+  }
+  // Mean 1, variance 2: four standard deviations of the sum.
+  EXPECT_NEAR(sum, num_runs, 4.0 * std::sqrt(2.0 * num_runs));
+}
+
 TEST(FitStructure, EndsAtTheSamePlaceFromFarAway) {
   const TrainingData data = DataOf(Short(), 2);
   const Whitener whitener(Coloured(), data.samples());

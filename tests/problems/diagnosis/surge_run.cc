@@ -6,7 +6,9 @@
 #include "fathom/simulate/effect_list.h"
 #include "fathom/simulate/synthesize.h"
 
+#include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace fathom {
@@ -63,6 +65,22 @@ Log LogOf(const SurgeRun& run, std::uint64_t seed) {
     }
   }
   return Synthesize(vehicle, experiment, effects, seed);
+}
+
+Log WithoutMotion(Log log, double from, double to) {
+  for (std::optional<Stream>* stream : {&log.velocity, &log.pose}) {
+    if (!*stream) continue;
+    const Stream all = std::exchange(**stream, {{}, (*stream)->columns, {}});
+    (*stream)->values.resize(all.values.size());
+    for (std::size_t i = 0; i < all.time.size(); ++i) {
+      if (from <= all.time[i] && all.time[i] < to) continue;
+      (*stream)->time.push_back(all.time[i]);
+      for (std::size_t k = 0; k < all.values.size(); ++k) {
+        (*stream)->values[k].push_back(all.values[k][i]);
+      }
+    }
+  }
+  return log;
 }
 
 }  // namespace fathom

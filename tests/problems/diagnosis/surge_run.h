@@ -42,4 +42,7 @@ InputSignal Steps(std::vector<double> levels, double hold);
 
 Log LogOf(const SurgeRun& run, std::uint64_t seed);
 
+// The log without what its sensors showed from `from` up to `to`, as if they had been switched off.
+Log WithoutMotion(Log log, double from, double to);
+
 }  // namespace fathom

@@ -105,7 +105,7 @@ TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
   const EffectInputs inputs = Inputs();
   const EffectSimulation simulation(&inputs, Stamps());
   const std::vector<double> values = TypicalValues(GetParam()->info());
-  const InitialState initial = {0.1, 2.0};
+  const InitialState initial = {0.1, 2.0, 0.07};
   EffectOutputs at;
   ASSERT_TRUE(simulation.RunWithSensitivities(ModelWith(values), initial, &at));
   EffectOutputs plain;
@@ -125,7 +125,10 @@ TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
                                 &model.baseline.buoyancy,
                                 &start.velocity,
                                 &start.position};
-      double* const place = column < 6 ? places[column] : &model.effects[0].values[column - 6];
+      double* const place = column < 6 ? places[column]
+                            : column < 6 + static_cast<int>(values.size())
+                                ? &model.effects[0].values[column - 6]
+                                : &start.reading_excess;
       step = 1e-5 * std::max(std::abs(*place), 0.01);
       *place += side == 0 ? -step : step;
       ASSERT_TRUE(simulation.Run(model, start, &outputs[side]));
@@ -186,6 +189,34 @@ TEST(EffectSimulation, AnswersAStepThroughALagAsTheClosedFormDoes) {
             : force / d * (1.0 - (tau * std::exp(-t / tau) - T * std::exp(-t / T)) / (tau - T));
     EXPECT_NEAR(outputs.velocity[i], expected, 1e-4) << "t = " << t;
   }
+}
+
+// What a sensor's first reading has too much dies away as exp(-(t - start) / T), whatever the
+// vehicle does and however late its command comes, and no other sensor has any.
+TEST(EffectSimulation, ForgetsWhereALaggingSensorStarted) {
+  const double T = 1.3, excess = -0.2;
+  const EffectInputs inputs = Inputs();
+  const EffectSimulation simulation(&inputs, Stamps());
+  const ActiveEffect lag = {FindEffect("sensor_lag"), {}, {T}};
+  const ActiveEffect late = {FindEffect("time_offset"), {}, {0.23}};
+  for (const ExtendedModel& model :
+       {ExtendedModel{kSurge, {lag}}, ExtendedModel{kSurge, {late, lag}}}) {
+    ASSERT_TRUE(EffectSimulation::HasReadingMemory(model));
+    EffectOutputs settled, other;
+    ASSERT_TRUE(simulation.Run(model, {0.1, 2.0}, &settled));
+    ASSERT_TRUE(simulation.Run(model, {0.1, 2.0, excess}, &other));
+    for (size_t i = 0; i < Stamps().velocity.size(); ++i) {
+      const double t = Stamps().velocity[i] - Stamps().start;
+      EXPECT_NEAR(other.velocity[i] - settled.velocity[i], excess * std::exp(-t / T), 1e-12) << t;
+    }
+    EXPECT_EQ(other.displacement, settled.displacement);
+  }
+  const ExtendedModel quick = {kSurge, {late}};
+  EXPECT_FALSE(EffectSimulation::HasReadingMemory(quick));
+  EffectOutputs settled, other;
+  ASSERT_TRUE(simulation.Run(quick, {0.1, 2.0}, &settled));
+  ASSERT_TRUE(simulation.Run(quick, {0.1, 2.0, excess}, &other));
+  EXPECT_EQ(other.velocity, settled.velocity);
 }
 
 // A linear spring k and mass m with damping d at rest x0 away from where the force balances.

@@ -60,6 +60,36 @@ TEST(VelocityBehind, UndoesWhatTheSensorDoes) {
   EXPECT_NEAR(VelocityBehind(With("thruster_lag", {0.4}), inputs, 1.0, 0.5), 0.5, 1e-12);
 }
 
+// v = v0 + 2 t, T dy/dt = v - y: y = v - 2 T + (y0 - v0 + 2 T) exp(-t / T).
+TEST(StateBehind, ShowsTheFirstReadingsOfALaggingSensorUnderWay) {
+  const double T = 0.8, v0 = 0.7, y0 = 0.2;
+  const EffectInputs inputs = PushedInputs();
+  Segment segment;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.1 * i;
+    segment.time.push_back(1.0 + t);
+    segment.velocity.push_back(v0 + 2.0 * (t - T) + (y0 - v0 + 2.0 * T) * std::exp(-t / T));
+  }
+  const ExtendedModel model = With("sensor_lag", {T});
+  const auto state =
+      StateBehind(model, inputs, 1.0, segment.time, segment.velocity, {5.0, 3.0, -4.0});
+  ASSERT_TRUE(state);
+  EXPECT_NEAR(state->velocity, v0, 1e-9);
+  EXPECT_NEAR(state->reading_excess, y0 - v0, 1e-9);
+  EXPECT_EQ(state->position, 3.0);
+  // The free run from there shows every reading.
+  const std::vector<double> positions = {0.0};
+  EXPECT_NEAR(FiguresOf(model, inputs, std::vector{segment}, positions).mae, 0.0, 1e-9);
+}
+
+TEST(StateBehind, TakesWhatASingleReadingTells) {
+  const auto state =
+      StateBehind(With("sensor_lag", {0.8}), PushedInputs(), 1.0, {1.0}, {0.5}, {0.5, 0.0});
+  ASSERT_TRUE(state);
+  EXPECT_NEAR(state->velocity, 0.5, 1e-12);
+  EXPECT_NEAR(state->reading_excess, 0.0, 1e-12);
+}
+
 TEST(FiguresOfExtendedModels, CountFromWhereTheReadingStarts) {
   Segment segment;
   segment.time = {1.0, 1.5, 2.0};
