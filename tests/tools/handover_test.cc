@@ -111,8 +111,11 @@ TEST(Handover, TrackGoesOnWithTheNextMarkerAndCountsTheGap) {
   EXPECT_GE(num_empty, 5);  // 0.2 m at less than 0.4 m/s
   const auto frames = JsonOf(summary)["frames"];
   EXPECT_EQ(frames["expected"], 40);
-  EXPECT_EQ(frames["without_tags"], num_empty);
-  EXPECT_THAT(run.err, HasSubstr(std::to_string(num_empty) + " of 40 frames show no tag."));
+  // A tag half out of the image may be read with wrong bits: seen, but of no use.
+  const int num_unused = static_cast<int>(frames["times_with_unused_tags_only"].size());
+  EXPECT_LE(num_unused, 2);
+  EXPECT_EQ(frames["without_tags"], num_empty - num_unused);
+  EXPECT_THAT(run.err, HasSubstr(std::to_string(num_empty) + " of 40 frames have no detection."));
   // A marker that just touches the image's edge may be set aside, on either side of the gap.
   const auto num_refused = frames["times_without_pose"].size();
   EXPECT_LE(num_refused, 2u);
