@@ -16,17 +16,6 @@ namespace {
 
 constexpr double kNegligible = 1e-3;  // share of the motion
 
-// Of one channel; 0 where there is none.
-double RmsResidual(const TrainingData& data, const StructureFit& fit, NoiseChannel channel) {
-  double sum = 0.0, n = 0.0;
-  for (int i = 0; i < data.bins().size(); ++i) {
-    if (data.samples()[i].channel != channel) continue;
-    sum += fit.residual[i] * fit.residual[i];
-    n += 1.0;
-  }
-  return n > 0.0 ? std::sqrt(sum / n) : 0.0;
-}
-
 // The baseline's residual as a share of the motion: of the speed, and of the way made in a second.
 // The larger of the two.
 double ShareLeft(const TrainingData& data, const StructureFit& baseline) {
@@ -37,11 +26,9 @@ double ShareLeft(const TrainingData& data, const StructureFit& baseline) {
       num_speeds += 1.0;
     }
   }
-  double largest = 0.0;
-  for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
-    largest = std::max(largest, RmsResidual(data, baseline, channel));
-  }
-  return largest / std::sqrt(speed2 / num_speeds);
+  const NoiseModel left = WhiteNoise(data, baseline.residual);
+  return std::max(left.velocity.white_std, left.displacement.white_std) /
+         std::sqrt(speed2 / num_speeds);
 }
 
 }  // namespace
@@ -51,11 +38,15 @@ bool IsNegligible(const TrainingData& data, const StructureFit& baseline) {
 }
 
 double WanderRatio(const TrainingData& data, const StructureFit& fit) {
+  const NoiseModel all = WhiteNoise(data, fit.residual);
   const NoiseModel scatter = SensorNoiseOnly(data, fit.residual);
-  const double velocity = RmsResidual(data, fit, NoiseChannel::kVelocity);
-  return velocity > 0.0
-             ? velocity / scatter.velocity.white_std
-             : RmsResidual(data, fit, NoiseChannel::kDisplacement) / scatter.displacement.white_std;
+  const auto& samples = data.samples();
+  const bool has_velocity =
+      std::any_of(samples.begin(), samples.end(), [](const NoiseSample& sample) {
+        return sample.channel == NoiseChannel::kVelocity;
+      });
+  return has_velocity ? all.velocity.white_std / scatter.velocity.white_std
+                      : all.displacement.white_std / scatter.displacement.white_std;
 }
 
 void AddRemarksOnTheEvidence(const TrainingData& data,

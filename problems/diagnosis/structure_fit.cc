@@ -156,22 +156,6 @@ Eigen::MatrixXd CovarianceOf(const Normal& normal,
   return covariance;
 }
 
-// As if all that is left were white.
-NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual) {
-  double velocity = 0.0, displacement = 0.0;
-  int num_velocities = 0, num_displacements = 0;
-  for (int i = 0; i < data.bins().size(); ++i) {
-    const bool is_velocity = data.samples()[i].channel == NoiseChannel::kVelocity;
-    (is_velocity ? velocity : displacement) += residual[i] * residual[i];
-    ++(is_velocity ? num_velocities : num_displacements);
-  }
-  NoiseModel noise;
-  noise.velocity.white_std = std::max(1e-12, std::sqrt(velocity / std::max(1, num_velocities)));
-  noise.displacement.white_std =
-      std::max(1e-12, std::sqrt(displacement / std::max(1, num_displacements)));
-  return noise;
-}
-
 // StructureFit::start_gains of a fit.
 std::vector<double> StartGainsOf(const TrainingData& data,
                                  const StructureFit& fit,
@@ -333,6 +317,21 @@ StructureFit FitBaseline(const TrainingData& data,
   const StructureFit first = FitStructure(data, start, initial, sensor);
   if (first.jacobian.size() == 0) return first;
   return FitStructureAndNoise(data, first);
+}
+
+NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual) {
+  double velocity = 0.0, displacement = 0.0;
+  int num_velocities = 0, num_displacements = 0;
+  for (int i = 0; i < data.bins().size(); ++i) {
+    const bool is_velocity = data.samples()[i].channel == NoiseChannel::kVelocity;
+    (is_velocity ? velocity : displacement) += residual[i] * residual[i];
+    ++(is_velocity ? num_velocities : num_displacements);
+  }
+  NoiseModel noise;
+  noise.velocity.white_std = std::max(1e-12, std::sqrt(velocity / std::max(1, num_velocities)));
+  noise.displacement.white_std =
+      std::max(1e-12, std::sqrt(displacement / std::max(1, num_displacements)));
+  return noise;
 }
 
 StructureFit FitStates(const TrainingData& data,

@@ -73,6 +73,9 @@ StructureFit FitStates(const TrainingData& data,
                        const ExtendedModel& model,
                        std::span<const InitialState> initial);
 
+// As if all of a residual were white: its RMS, channel by channel; at least 1e-12.
+NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual);
+
 // The noise of a fit's residual, of which nothing else is known.
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit);
 

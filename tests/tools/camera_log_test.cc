@@ -87,6 +87,7 @@ TEST(CameraLog, IdentifyFindsTheModelFromDetectionsAlone) {
                                      "--model=" + (folder / "model.json").string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("1800 of 1800 frames with detections gave a pose"));
+  EXPECT_THAT(run.err, HasSubstr("; corner sigma 0."));
   const auto model = JsonOf(folder / "model.json");
   EXPECT_EQ(model["provenance"]["source"], "camera");
   const auto& inertia = model["parameters"]["inertia"];
