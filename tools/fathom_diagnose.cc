@@ -127,10 +127,13 @@ void Print(const Diagnosis& diagnosis) {
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const DiagnosisOptions options = OptionsFromFlags();
+  for (const std::string& file : {FLAGS_verdict, FLAGS_report}) {
+    if (!file.empty()) RequireWritableFile(file);
+  }
   const Logs logs = LogsFromFlags();
   Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
-  if (!diagnosis.IsUsable()) {
-    std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", diagnosis.message.c_str());
+  if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
+    std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
     return 2;
   }
   for (const Log& log : logs.all) {

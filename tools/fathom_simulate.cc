@@ -75,15 +75,18 @@ std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
 // Leaves out of the model what belongs to another run than the log's, and says what that was.
 std::vector<std::string> LeaveOutRunEffects(const Log& log, FittedModel* fitted) {
   const auto& known = fitted->log_fingerprints;
-  const bool is_own_run = std::find(known.begin(), known.end(), FingerprintOf(log)) != known.end();
+  const auto own = std::find(known.begin(), known.end(), FingerprintOf(log)) - known.begin();
+  const bool is_known = own < std::ssize(known);
+  const std::string name = is_known && own < std::ssize(fitted->logs) ? fitted->logs[own] : "";
   std::vector<std::string> left_out;
-  if (is_own_run || FLAGS_keep_run_effects) return left_out;
   std::erase_if(fitted->effects, [&](const ActiveEffect& active) {
     const EffectInfo& info = active.effect->info();
-    if (info.scope != Scope::kRun) return false;
+    if (info.scope != Scope::kRun || FLAGS_keep_run_effects) return false;
+    if (is_known && active.setting.ActsIn(name)) return false;
     left_out.push_back(LabelOf(info, active.setting));
     return true;
   });
+  for (ActiveEffect& active : fitted->effects) active.setting.log.clear();  // this is the log
   return left_out;
 }
 

@@ -31,8 +31,7 @@ std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
     std::string name(parameter.name);
     std::replace(name.begin(), name.end(), '_', ' ');
     const double value = active.values[k];
-    const bool is_at_bound =
-        stds[k] == 0.0 && (value == parameter.lower || value == parameter.upper);
+    const bool is_at_bound = value == parameter.lower || value == parameter.upper;
     sizes.push_back(fmt::format(
         "{} {}{}{}",
         name,

@@ -7,7 +7,6 @@
 #include "fathom/diagnosis/evidence_remarks.h"
 #include "fathom/diagnosis/held_out.h"
 #include "fathom/diagnosis/left_out_blocks.h"
-#include "fathom/diagnosis/log_names.h"
 #include "fathom/diagnosis/missing_force.h"
 #include "fathom/diagnosis/outliers.h"
 #include "fathom/diagnosis/ranking.h"
@@ -141,6 +140,7 @@ SearchResult SearchThinned(const TrainingData& data,
                            const DiagnosisOptions& options) {
   const double inertia = std::min(baseline.model.baseline.inertia, users.model.baseline.inertia);
   const bool is_open =
+      !baseline.is_on_bound[kInertia] &&
       !(std::sqrt(baseline.covariance(kInertia, kInertia)) < baseline.model.baseline.inertia);
   const TrainingData thinned(thinned_records,
                              baseline.model.baseline,
@@ -183,22 +183,30 @@ std::string_view Name(Verdict verdict) {
   return "";
 }
 
+std::string WhyOfNoUse(const Diagnosis& diagnosis) {
+  if (!diagnosis.IsUsable()) return diagnosis.message;
+  if (diagnosis.verdict != Verdict::kConsistent) return "";
+  constexpr double kNormal95 = 1.96;
+  const double inertia = diagnosis.baseline.model.baseline.inertia;
+  const double variance = diagnosis.baseline.covariance(kInertia, kInertia);
+  const double half_width = kNormal95 * std::sqrt(variance);
+  if (half_width < inertia) return "";
+  return fmt::format(
+      "these logs do not determine the inertia: {:.3g} +- {:.2g} {} (95 %), and no cause that was "
+      "tried makes up for it. Commands that change fast and move the vehicle by much would: steps, "
+      "or a square wave of 10 to 20 s.",
+      inertia,
+      half_width,
+      ParameterUnit(kInertia, diagnosis.dof, diagnosis.force_unit));
+}
+
 Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options) {
   RequireUsable(options);
-  const std::vector<std::string> names = DistinctNames(logs);
-  std::vector<Log> renamed;
-  if (!std::equal(names.begin(), names.end(), logs.begin(), [](const auto& name, const Log& log) {
-        return name == log.name;
-      })) {
-    renamed.assign(logs.begin(), logs.end());
-    for (size_t i = 0; i < names.size(); ++i) renamed[i].name = names[i];
-    logs = renamed;
-  }
   const Records records = RecordsOf(logs, dof);
   Diagnosis diagnosis;
   diagnosis.dof = dof;
   diagnosis.force_unit = records.force_unit;
-  diagnosis.logs = names;
+  diagnosis.logs = records.logs;
   diagnosis.fits_displacement = records.has_displacement;
   diagnosis.has_velocity = records.has_velocity;
   diagnosis.remarks = records.remarks;

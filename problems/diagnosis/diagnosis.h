@@ -64,7 +64,8 @@ struct DiagnosedModel {
   double log_likelihood = kNotComputed;  // with the noise learned along with the model
 };
 
-// One effect (with its partner, if it has one) that was tried.
+// One effect (with its partner, if it has one, and its log, if it belongs to one of several) that
+// was tried.
 struct Candidate {
   const Effect* effect = nullptr;
   EffectSetting setting;
@@ -116,11 +117,13 @@ struct ResidualTrace {
 struct Diagnosis {
   Dof dof = Dof::kSurge;
   std::string force_unit;
-  std::vector<std::string> logs;
+  std::vector<std::string>
+      logs;  // their names, told apart by their folders where they are the same
   bool fits_displacement = false;  // poses were used too, or alone
   bool has_velocity = true;
 
-  // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted.
+  // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted,
+  // or it leaves the inertia open and nothing that was found makes up for it.
   std::string message;
   bool IsUsable() const { return message.empty(); }
 
@@ -153,6 +156,10 @@ struct Diagnosis {
   std::vector<ResidualTrace> traces;
   std::vector<std::string> remarks;  // what was dropped, counted; what could not be tried, and why
 };
+
+// Why a diagnosis is of no use to anyone: its message; or nothing is missing from a baseline that
+// leaves the inertia open, by fathom_identify's measure. Empty where it is of use.
+std::string WhyOfNoUse(const Diagnosis& diagnosis);
 
 // Finds what the baseline misses in `logs` along `dof`, names the cause as far as the data force it
 // to, and measures what naming it gains. docs/diagnosis.md.

@@ -49,7 +49,8 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
   section.heading = IsAngular(diagnosis.dof) ? "The missing moment" : "The missing force";
   section.text = {
       "What would have to be added to the command for the model without causes to follow the "
-      "measurement, as a random walk smoothed over the run; the band is two standard deviations. " +
+      "measurement, as a random force that fades within seconds (an Ornstein-Uhlenbeck process), "
+      "smoothed over the run; the band is two standard deviations. " +
       std::string(diagnosis.causes.empty()
                       ? "Where it follows one of the suspects below, look there."
                       : "What the causes account for should lie inside it; the points show both "

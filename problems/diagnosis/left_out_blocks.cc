@@ -6,6 +6,8 @@
 #include "fathom/diagnosis/robust_start.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,13 +46,24 @@ Scored LeaveBlocksOut(const TrainingData& data,
                       const ExtendedModel& baseline,
                       const StructureFit& extended) {
   Scored scored;
-  double total = 0.0;
-  for (const Record& record : data.records()) total += record.duration();
+  // What belongs to one log alone is known from its other blocks only: then each log leaves out its
+  // own.
+  const auto& effects = extended.model.effects;
+  const bool is_by_log = std::any_of(effects.begin(), effects.end(), [](const auto& active) {
+    return !active.setting.log.empty();
+  });
+  std::map<std::string, double> totals;
+  for (const Record& record : data.records()) {
+    totals[is_by_log ? record.log : ""] += record.duration();
+  }
   for (int fold = 0; fold < kNumFolds; ++fold) {
     std::vector<Record> kept, left_out;
-    double passed = 0.0;
-    const double from = total * fold / kNumFolds, to = total * (fold + 1) / kNumFolds;
+    std::map<std::string, double> passed_of;
     for (const Record& record : data.records()) {
+      const std::string of = is_by_log ? record.log : "";
+      const double total = totals[of];
+      double& passed = passed_of[of];
+      const double from = total * fold / kNumFolds, to = total * (fold + 1) / kNumFolds;
       const double start = record.stamps.start, end = start + record.duration();
       const double low = std::clamp(start + from - passed, start, end);
       const double high = std::clamp(start + to - passed, start, end);

@@ -43,7 +43,9 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     }
     if (info.scope == Scope::kRun) {
       steps.push_back(fmt::format(
-          "{} belongs to this run: fathom_simulate leaves it out on any other log.", label));
+          "{} belongs to {}: fathom_simulate leaves it out on any other log.",
+          label,
+          active.setting.log.empty() ? "this run" : fmt::format("{} alone", active.setting.log)));
     }
   }
   if (diagnosis.verdict == Verdict::kUnexplained) {

@@ -16,27 +16,28 @@
 namespace fathom {
 namespace {
 
-// Place of a suspect's effect in a model; -1 if it is not there.
-int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
-  for (size_t k = 0; k < model.effects.size(); ++k) {
-    if (model.effects[k].effect == suspect.effect &&
-        model.effects[k].setting.partner == suspect.setting.partner) {
-      return static_cast<int>(k);
-    }
+// Why a suspect has no refit of its own.
+std::string WhyNotRefitted(double score, double threshold, bool failed) {
+  if (failed) {
+    return "dropped: its fit cannot be simulated, leaves the inertia open, or is a tone at the "
+           "command's own";
   }
-  return -1;
+  if (score < threshold) {
+    return fmt::format(
+        "dropped: scores {:.1f} on the screen, noise alone would reach {:.1f}", score, threshold);
+  }
+  return fmt::format("not refitted: scores {:.1f} on the screen, others score higher", score);
 }
 
-std::string WhyOf(const Candidate& candidate, double threshold, bool is_rival, bool any_kept) {
+std::string WhyOf(
+    const Candidate& candidate, double threshold, bool failed, bool is_rival, bool any_kept) {
   if (candidate.is_kept && !(candidate.gain > threshold)) return "kept: gains beside the others";
   if (candidate.is_kept) {
     return fmt::format(
         "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, threshold);
   }
   if (is_rival) return "cannot be told from a kept cause on these logs";
-  if (std::isnan(candidate.gain)) {
-    return fmt::format("dropped: the screen finds no more than noise ({:.1f})", candidate.score);
-  }
+  if (std::isnan(candidate.gain)) return WhyNotRefitted(candidate.score, threshold, failed);
   if (candidate.gain < threshold) {
     return fmt::format("dropped: gains {:.1f}, noise alone would reach {:.1f}",
                        std::max(0.0, candidate.gain),
@@ -122,8 +123,11 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
     const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
     candidate.p_value = search.significance.FamilyWisePValue(index, gain);
     candidate.is_kept = std::count(best.suspects.begin(), best.suspects.end(), index) > 0;
-    candidate.why =
-        WhyOf(candidate, search.significance.Threshold(index), is_rival[k], search.best != 0);
+    candidate.why = WhyOf(candidate,
+                          search.significance.Threshold(index),
+                          search.failed_alone[k],
+                          is_rival[k],
+                          search.best != 0);
     candidates.push_back(std::move(candidate));
   }
   const auto worth = [](const Candidate& candidate) {

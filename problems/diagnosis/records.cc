@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/records.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/diagnosis/log_names.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/savitzky_golay.h"
@@ -101,7 +102,10 @@ double LeakOf(Dof dof, const Poses& poses) {
   return std::sqrt((d - d.mean()).square().mean());
 }
 
-std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::string>* remarks) {
+std::optional<Channel> DisplacementOf(const Log& log,
+                                      const std::string& name,
+                                      Dof dof,
+                                      std::vector<std::string>* remarks) {
   if (!log.pose || log.pose->time.size() < kFewestSamples) return std::nullopt;
   const Poses poses = PosesOf(*log.pose);
   const Displacement displacement = DisplacementAlong(dof, poses);
@@ -110,7 +114,7 @@ std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::
     remarks->push_back(
         fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so that no "
                     "world coordinate is its displacement.",
-                    log.name,
+                    name,
                     Name(dof),
                     turn));
     return std::nullopt;
@@ -120,7 +124,7 @@ std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::
     remarks->push_back(
         fmt::format("{}: the poses are not used: the vehicle turns, and what leaks from its other "
                     "motion into the {} coordinate is {:.1f} times the coordinate's noise.",
-                    log.name,
+                    name,
                     Name(dof),
                     leak));
     return std::nullopt;
@@ -128,8 +132,9 @@ std::optional<Channel> DisplacementOf(const Log& log, Dof dof, std::vector<std::
   return Channel{poses.time, displacement.value};
 }
 
-std::shared_ptr<const EffectInputs> InputsOf(const Log& log, Dof dof) {
+std::shared_ptr<const EffectInputs> InputsOf(const Log& log, const std::string& name, Dof dof) {
   auto inputs = std::make_shared<EffectInputs>();
+  inputs->log = name;
   inputs->command = CommandOf(log, dof);
   for (const Dof other : kAllDofs) {
     if (log.velocity) {
@@ -173,6 +178,7 @@ void Append(const Channel& channel, double from, double to, Channel* out) {
 
 struct LogChannels {
   const Log* log;
+  std::string name;
   std::optional<Channel> velocity, displacement;
 };
 
@@ -183,14 +189,14 @@ void AppendRecords(const LogChannels& channels,
                    bool use_displacement,
                    Records* records) {
   const Log& log = *channels.log;
-  const auto inputs = InputsOf(log, dof);
+  const auto inputs = InputsOf(log, channels.name, dof);
   const Channel& leading = use_velocity ? *channels.velocity : *channels.displacement;
   const std::vector<double>& time = leading.time;
   const size_t first =
       std::lower_bound(time.begin(), time.end(), inputs->command.time.front()) - time.begin();
   if (first > 0) {
-    records->remarks.push_back(
-        fmt::format("{}: left out: {} motion samples before the first command.", log.name, first));
+    records->remarks.push_back(fmt::format(
+        "{}: left out: {} motion samples before the first command.", channels.name, first));
   }
   // Without poses the position counts from the first sample, along the measured velocity.
   std::vector<double> way(time.size(), 0.0);
@@ -210,7 +216,7 @@ void AppendRecords(const LogChannels& channels,
       num_short_samples += end - begin;
     } else {
       Record record;
-      record.log = log.name;
+      record.log = channels.name;
       record.is_held_out = held_out;
       record.inputs = inputs;
       record.stamps.start = time[begin];
@@ -234,7 +240,7 @@ void AppendRecords(const LogChannels& channels,
   if (num_short > 0) {
     records->remarks.push_back(
         fmt::format("{}: left out: {} segments of fewer than {} samples ({} samples).",
-                    log.name,
+                    channels.name,
                     num_short,
                     kFewestSamples,
                     num_short_samples));
@@ -252,27 +258,29 @@ double Record::duration() const {
 Records RecordsOf(std::span<const Log> logs, Dof dof) {
   if (logs.empty()) throw InputError("A diagnosis needs at least one log.");
   Records records;
+  records.logs = DistinctNames(logs);
   std::vector<LogChannels> channels;
   bool every_velocity = true, every_displacement = true;
-  for (const Log& log : logs) {
+  for (size_t k = 0; k < logs.size(); ++k) {
+    const Log& log = logs[k];
     const std::string unit =
         log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
     if (!records.force_unit.empty() && unit != records.force_unit) {
       throw InputError(
           fmt::format("{}: its commands are in {}, those of {} in {}: expected logs of one unit.",
-                      log.name,
+                      records.logs[k],
                       unit,
-                      logs.front().name,
+                      records.logs.front(),
                       records.force_unit));
     }
     records.force_unit = unit;
-    LogChannels own = {&log, std::nullopt, std::nullopt};
+    LogChannels own = {&log, records.logs[k], std::nullopt, std::nullopt};
     if (log.velocity) {
       if (const auto* column = log.velocity->Find(VelocityColumn(dof))) {
         own.velocity = Channel{log.velocity->time, *column};
       }
     }
-    own.displacement = DisplacementOf(log, dof, &records.remarks);
+    own.displacement = DisplacementOf(log, own.name, dof, &records.remarks);
     if (!own.velocity && !own.displacement) MotionStream(log, dof, Source::kPoseEstimator);
     every_velocity = every_velocity && own.velocity.has_value();
     every_displacement = every_displacement && own.displacement.has_value();

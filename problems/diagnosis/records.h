@@ -19,7 +19,7 @@ namespace fathom {
 
 // One unbroken stretch of a log along one DOF: what drove it and what was measured of it.
 struct Record {
-  std::string log;  // its name
+  std::string log;  // its name, which no other of the logs has
   bool is_held_out = false;
   std::shared_ptr<const EffectInputs> inputs;  // of the whole log
   OutputStamps stamps;
@@ -32,6 +32,7 @@ struct Record {
 
 struct Records {
   std::vector<Record> all;
+  std::vector<std::string> logs;  // their names, each told from the others, in their order
   std::string force_unit;
   bool has_velocity = true;
   bool has_displacement = false;

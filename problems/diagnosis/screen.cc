@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -37,7 +38,22 @@ struct NaturalSize {
   }
 };
 
-NaturalSize SizeOf(const TrainingData& data, const ForceResponse& response) {
+// Times of one log, or of all where it has no name.
+void SetTimes(const TrainingData& data, const std::string& log, NaturalSize* size) {
+  size->first_time = std::numeric_limits<double>::infinity();
+  size->last_time = -std::numeric_limits<double>::infinity();
+  for (const Record& record : data.records()) {
+    if (!log.empty() && record.log != log) continue;
+    const double start = record.stamps.start - record.inputs->command.time.front();
+    size->first_time = std::min(size->first_time, start);
+    size->last_time = std::max(size->last_time, start + record.duration());
+  }
+}
+
+// Of all logs but for the times, which are of one where the suspect acts there alone.
+NaturalSize SizeOf(const TrainingData& data,
+                   const ForceResponse& response,
+                   const Suspect& suspect) {
   NaturalSize size;
   double force = 0.0, speed = 0.0;
   for (const ForceResponse::Point& point : response.points()) {
@@ -47,13 +63,7 @@ NaturalSize SizeOf(const TrainingData& data, const ForceResponse& response) {
   const auto n = static_cast<double>(response.points().size());
   size.force = std::max(1e-9, std::sqrt(force / n));
   size.speed = std::max(1e-9, std::sqrt(speed / n));
-  size.first_time = std::numeric_limits<double>::infinity();
-  size.last_time = -std::numeric_limits<double>::infinity();
-  for (const Record& record : data.records()) {
-    const double start = record.stamps.start - record.inputs->command.time.front();
-    size.first_time = std::min(size.first_time, start);
-    size.last_time = std::max(size.last_time, start + record.duration());
-  }
+  SetTimes(data, suspect.setting.log, &size);
   return size;
 }
 
@@ -160,12 +170,18 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
   PartnerSignals partner;
   int record = -1;
   double time_zero = 0.0;
+  bool acts = true;
   for (const ForceResponse::Point& point : response.points()) {
     if (point.record != record) {
       record = point.record;
+      acts = suspect.setting.ActsIn(data.records()[record].log);
       const EffectInputs& inputs = *data.records()[record].inputs;
       if (suspect.effect->info().has_partner) partner = PartnerSignals(inputs, suspect.setting);
       time_zero = inputs.command.time.front();
+    }
+    if (!acts) {
+      force.push_back(0.0);
+      continue;
     }
     Instant<double> now;
     now.time = point.time - time_zero;
@@ -205,7 +221,8 @@ void AppendSignatures(const TrainingData& data,
         continue;
       }
       ExtendedModel model = WithEffect(fit.model, {suspect.effect, suspect.setting, values});
-      if (const auto simulated = data.Simulate(model, fit.initial); simulated && base) {
+      if (!base) continue;
+      if (const auto simulated = data.SimulateLog(suspect.setting.log, model, fit.initial, *base)) {
         column = *simulated - *base;
       }
     }
@@ -237,8 +254,8 @@ Trials TrialsAbout(const TrainingData& data,
   Trials trials;
   const ForceResponse response(&data, fit);
   if (response.is_empty()) return trials;
-  const NaturalSize size = SizeOf(data, response);
   for (size_t k = 0; k < suspects.size(); ++k) {
+    const NaturalSize size = SizeOf(data, response, suspects[k]);
     AppendTrials(data, static_cast<int>(k), suspects[k].effect->info(), size, &trials);
   }
   AppendSignatures(data, response, fit, suspects, &trials);
@@ -257,7 +274,7 @@ Trials TrialsNear(const TrainingData& data,
   if (time == parameters.end()) return trials;
   const ForceResponse response(&data, fit);
   if (response.is_empty()) return trials;
-  const NaturalSize size = SizeOf(data, response);
+  const NaturalSize size = SizeOf(data, response, suspects[trial.suspect]);
   const double middle = trial.values[time - parameters.begin()];
   const double reach = SpacingOfTimes(size);
   for (double t = std::max(size.first_time, middle - reach);

@@ -13,7 +13,7 @@
 
 namespace fathom {
 
-// What is tried: an effect with its partner.
+// What is tried: an effect with its partner, and the log that it acts in alone, if so.
 struct Suspect {
   const Effect* effect = nullptr;
   EffectSetting setting;

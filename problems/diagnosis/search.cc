@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/search.h"
 
 #include "fathom/diagnosis/starts.h"
+#include "fathom/diagnosis/suspects.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ class Searcher {
     result_.tried.push_back({{}, baseline, 0.0, 0.0});
     known_[{}] = 0;
     result_.scores.assign(suspects.size(), 0.0);
+    result_.failed_alone.assign(suspects.size(), false);
   }
 
   SearchResult Run() {
@@ -253,6 +255,7 @@ class Searcher {
     if (sharp_) sharp = RoughFit(base, suspect, *sharp_);
     if (sharp) Add(suspects, *sharp);
     if (own && !(sharp && AreAlike(*own, *sharp))) Add(suspects, *own);
+    if (base.suspects.empty()) result_.failed_alone[suspect] = !known_.contains(suspects);
   }
 
   bool ShowsElsewhere(const Hypothesis& base, int suspect, const Hypothesis& known) const {
@@ -431,14 +434,9 @@ class Searcher {
   }
 
   int EffectPlace(const ExtendedModel& model, int suspect) const {
-    for (size_t k = 0; k < model.effects.size(); ++k) {
-      if (model.effects[k].effect == suspects_[suspect].effect &&
-          model.effects[k].setting.partner == suspects_[suspect].setting.partner) {
-        return static_cast<int>(k);
-      }
-    }
-    LOG(FATAL) << "A hypothesis has the effects of its suspects.";
-    return -1;
+    const int place = PlaceIn(model, suspects_[suspect]);
+    CHECK_GE(place, 0) << "A hypothesis has the effects of its suspects.";
+    return place;
   }
 
   const TrainingData& data_;

@@ -36,6 +36,10 @@ struct SearchResult {
 
   // Per suspect: the best score of the linear screens about the baseline.
   std::vector<double> scores;
+
+  // By suspect: refitted alone, and no model that means something came of it: it cannot be
+  // simulated, leaves the inertia open, or has a tone where the command has its own.
+  std::vector<bool> failed_alone;
 };
 
 // False where a cause presses on a bound of what is physical: the data ask for something else.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -131,27 +132,52 @@ Eigen::VectorXd StepOf(const Normal& normal, const std::vector<int>& free, doubl
   return step;
 }
 
-// Inverse of the normal matrix of the free unknowns, its leading parameters; zero for those held.
+// The scaled pseudo-inverse of the normal matrix of some unknowns, and for each the share of it
+// that the data tell: 1, or less where a combination with others leaves no trace.
+struct Inverse {
+  Eigen::MatrixXd covariance;
+  Eigen::VectorXd told;
+};
+
+Inverse InverseOf(const Normal& normal, const std::vector<int>& some) {
+  const auto n = static_cast<Eigen::Index>(some.size());
+  Eigen::MatrixXd A(n, n);
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    scale[i] = 1.0 / std::sqrt(std::max(normal.A(some[i], some[i]), 1e-300));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      A(i, j) = scale[i] * scale[j] * normal.A(some[i], some[j]);
+    }
+  }
+  const Eigen::MatrixXd inverse = A.completeOrthogonalDecomposition().pseudoInverse();
+  return {(scale * scale.transpose()).cwiseProduct(inverse), (inverse * A).diagonal()};
+}
+
+// Inverse of the normal matrix of the free unknowns, its leading parameters. A parameter that is
+// held has the variance it would have without its bound; NaN where the data then tell nothing of
+// it.
 Eigen::MatrixXd CovarianceOf(const Normal& normal,
                              const std::vector<int>& free,
                              int num_parameters) {
   const auto n = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd A(n, n);
-  Eigen::VectorXd scale(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    scale[i] = 1.0 / std::sqrt(std::max(normal.A(free[i], free[i]), 1e-300));
-  }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      A(i, j) = scale[i] * scale[j] * normal.A(free[i], free[j]);
-    }
-  }
-  const Eigen::MatrixXd inverse = A.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd of_free = InverseOf(normal, free).covariance;
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(num_parameters, num_parameters);
   for (Eigen::Index i = 0; i < n && free[i] < num_parameters; ++i) {
     for (Eigen::Index j = 0; j < n && free[j] < num_parameters; ++j) {
-      covariance(free[i], free[j]) = scale[i] * scale[j] * inverse(i, j);
+      covariance(free[i], free[j]) = of_free(i, j);
     }
+  }
+  if (n == normal.g.size()) return covariance;
+  constexpr double kTold = 0.999;
+  std::vector<int> all(normal.g.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Inverse of_all = InverseOf(normal, all);
+  for (int i = 0; i < num_parameters; ++i) {
+    if (std::count(free.begin(), free.end(), i) > 0) continue;
+    covariance(i, i) =
+        of_all.told[i] > kTold ? of_all.covariance(i, i) : std::numeric_limits<double>::quiet_NaN();
   }
   return covariance;
 }

@@ -26,9 +26,12 @@ struct StructureFit {
   double log_likelihood = -std::numeric_limits<double>::infinity();
   double chi_squared = std::numeric_limits<double>::infinity();  // |W (y - simulated)|^2
 
-  Eigen::VectorXd residual;       // measured - simulated, by bins, not whitened
-  RowMajorMatrix jacobian;        // not whitened
-  Eigen::MatrixXd covariance;     // of the baseline's and the effects' parameters
+  Eigen::VectorXd residual;  // measured - simulated, by bins, not whitened
+  RowMajorMatrix jacobian;   // not whitened
+  // Of the baseline's and the effects' parameters. One that is held on its bound has the variance
+  // it would have without it, NaN where these data say nothing of it, and no covariance with
+  // others.
+  Eigen::MatrixXd covariance;
   std::vector<bool> is_on_bound;  // of the same
 
   // By how much chi squared falls because a sensor with a memory may start anywhere, to first

@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/suspects.h"
 
+#include "fathom/vehicle/model_file.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +50,18 @@ bool CanShowInPoses(const Records& records, const EffectInfo& info) {
              });
 }
 
+// The logs that an effect is looked for in, one by one: those that are trained on, if it belongs to
+// a run and there are several. Otherwise one without a name, which stands for all.
+std::vector<std::string> LogsFor(const Records& records, const EffectInfo& info) {
+  if (info.scope != Scope::kRun || records.logs.size() < 2) return {""};
+  std::vector<std::string> logs;
+  for (const Record& record : records.all) {
+    const bool is_new = std::find(logs.begin(), logs.end(), record.log) == logs.end();
+    if (is_new && !record.is_held_out) logs.push_back(record.log);
+  }
+  return logs;
+}
+
 // Whether `partner` can be what the effect acts through, and these records show it.
 bool CanPartner(const Records& records, Dof dof, Dof partner, std::string_view effect) {
   if (partner == dof) return false;
@@ -76,13 +90,15 @@ std::vector<Suspect> SuspectsFor(const Records& records,
     if (info.needs_pose && !CanShowInPoses(records, info)) continue;
     const bool reads_velocity = effect->laws().has.reading || effect->laws().has.follow_reading;
     if (reads_velocity && !records.has_velocity) continue;
-    if (!info.has_partner) {
-      suspects.push_back({effect, {dof, dof, reference_force}});
-      continue;
-    }
-    for (const Dof partner : kAllDofs) {
-      if (CanPartner(records, dof, partner, info.name)) {
-        suspects.push_back({effect, {dof, partner, reference_force}});
+    for (const std::string& log : LogsFor(records, info)) {
+      if (!info.has_partner) {
+        suspects.push_back({effect, {dof, dof, reference_force, log}});
+        continue;
+      }
+      for (const Dof partner : kAllDofs) {
+        if (CanPartner(records, dof, partner, info.name)) {
+          suspects.push_back({effect, {dof, partner, reference_force, log}});
+        }
       }
     }
   }
@@ -90,9 +106,18 @@ std::vector<Suspect> SuspectsFor(const Records& records,
 }
 
 std::string LabelOf(const Suspect& suspect) {
-  const EffectInfo& info = suspect.effect->info();
-  return info.has_partner ? fmt::format("{}({})", info.name, Name(suspect.setting.partner))
-                          : std::string(info.name);
+  return LabelOf(suspect.effect->info(), suspect.setting);
+}
+
+int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
+  for (size_t k = 0; k < model.effects.size(); ++k) {
+    const ActiveEffect& active = model.effects[k];
+    if (active.effect == suspect.effect && active.setting.partner == suspect.setting.partner &&
+        active.setting.log == suspect.setting.log) {
+      return static_cast<int>(k);
+    }
+  }
+  return -1;
 }
 
 std::string LabelsOf(const std::vector<int>& indices, const std::vector<Suspect>& suspects) {

@@ -97,9 +97,16 @@ double TrainingData::DampingRate(const UncoupledModel<double>& model) const {
 
 std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model,
                                                       std::span<const InitialState> initial) const {
-  Eigen::VectorXd simulated(bins_.size());
+  return SimulateLog("", model, initial, Eigen::VectorXd(bins_.size()));
+}
+
+std::optional<Eigen::VectorXd> TrainingData::SimulateLog(const std::string& log,
+                                                         const ExtendedModel& model,
+                                                         std::span<const InitialState> initial,
+                                                         Eigen::VectorXd simulated) const {
   EffectOutputs outputs;
   for (size_t r = 0; r < records_.size(); ++r) {
+    if (!log.empty() && records_[r].log != log) continue;
     if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
     const int first = bins_.first_row(r);
     bins_.Average(r,

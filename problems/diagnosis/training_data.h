@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -59,6 +60,13 @@ class TrainingData {
   // Simulated, averaged over the bins; nothing if a run diverges.
   std::optional<Eigen::VectorXd> Simulate(const ExtendedModel& model,
                                           std::span<const InitialState> initial) const;
+
+  // The same where only the rows of one log differ from what is known, `elsewhere`; without a name,
+  // all are simulated.
+  std::optional<Eigen::VectorXd> SimulateLog(const std::string& log,
+                                             const ExtendedModel& model,
+                                             std::span<const InitialState> initial,
+                                             Eigen::VectorXd elsewhere) const;
 
   // The same with its derivatives: columns are the baseline's parameters, the effects', then the
   // free states record by record.

@@ -95,17 +95,24 @@ Dof FirstPartner(const EffectInfo& info, Dof dof, const Experiment& experiment) 
                    PartnerNames(info, dof, experiment)));
 }
 
+// "a number from 0 to 20", "a finite number of at least 0".
+std::string ValuesOf(const EffectParameter& parameter) {
+  const bool has_lower = std::isfinite(parameter.lower), has_upper = std::isfinite(parameter.upper);
+  if (has_lower && has_upper) {
+    return fmt::format("a number from {} to {}", parameter.lower, parameter.upper);
+  }
+  if (has_lower) return fmt::format("a finite number of at least {}", parameter.lower);
+  if (has_upper) return fmt::format("a finite number of at most {}", parameter.upper);
+  return "a finite number";
+}
+
 double ParseValue(const EffectInfo& info,
                   const EffectParameter& parameter,
                   const std::string& text) {
   const std::optional<double> value = ParseFiniteNumber(text);
   if (value && parameter.lower <= *value && *value <= parameter.upper) return *value;
-  Fail(fmt::format("{}'s {} is {}, expected a number from {} to {}.",
-                   info.name,
-                   parameter.name,
-                   Quoted(text),
-                   parameter.lower,
-                   parameter.upper));
+  Fail(fmt::format(
+      "{}'s {} is {}, expected {}.", info.name, parameter.name, Quoted(text), ValuesOf(parameter)));
 }
 
 std::vector<std::string_view> Keys(const EffectInfo& info) {

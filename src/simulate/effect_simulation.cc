@@ -7,6 +7,7 @@
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <ceres/jet.h>
@@ -24,9 +25,12 @@ T Seeded(double value, int column) {
   }
 }
 
-// The model's numbers as scalars, each its own direction of differentiation.
+// The model's numbers as scalars, each its own direction of differentiation. What acts in another
+// log alone keeps its directions and is otherwise not there.
 template <typename T>
-ScalarModel<T> InScalars(const ExtendedModel& model, const InitialState& initial) {
+ScalarModel<T> InScalars(const ExtendedModel& model,
+                         const InitialState& initial,
+                         const std::string& log) {
   ScalarModel<T> scalars;
   scalars.baseline = {Seeded<T>(model.baseline.inertia, kInertia),
                       Seeded<T>(model.baseline.quadratic_damping, kQuadraticDamping),
@@ -36,6 +40,10 @@ ScalarModel<T> InScalars(const ExtendedModel& model, const InitialState& initial
   scalars.initial_position = Seeded<T>(initial.position, EffectSimulation::kInitialPositionColumn);
   int column = EffectSimulation::kFirstEffectColumn;
   for (const ActiveEffect& active : model.effects) {
+    if (!active.setting.ActsIn(log)) {
+      column += static_cast<int>(active.values.size());
+      continue;
+    }
     ScalarEffect<T> effect = {&active.effect->laws(),
                               &active.effect->laws().In<T>(),
                               active.setting,
@@ -78,7 +86,7 @@ bool RunIn(const EffectInputs& inputs,
       matrix->row(i) = value.v.head(matrix->cols()).transpose();
     }
   };
-  EffectRun<T> run(inputs, InScalars<T>(model, initial), stamps);
+  EffectRun<T> run(inputs, InScalars<T>(model, initial, inputs.log), stamps);
   return run.Integrate(
       [&](size_t row, const T& value) {
         store(value, row, &outputs->velocity, &outputs->velocity_sensitivity);

@@ -8,6 +8,7 @@
 #include "fathom/vehicle/extended_model.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,6 +26,7 @@ struct EffectInputs {
   HeldCommand command;                    // of the DOF that is modelled
   std::array<SampledSignal, 6> velocity;  // measured, by Index(Dof); empty where not
   std::array<HeldCommand, 6> force;       // commanded, by Index(Dof); empty where not
+  std::string log = {};                   // as EffectSetting::log names it, where there are several
 };
 
 // When the run starts and where its outputs are wanted, in log time [s].

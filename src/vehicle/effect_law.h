@@ -5,6 +5,8 @@
 
 #include "fathom/base/dof.h"
 
+#include <string>
+
 namespace ceres {
 template <typename T, int N>
 struct Jet;
@@ -21,6 +23,9 @@ struct EffectSetting {
   Dof dof = Dof::kSurge;         // the one that is modelled
   Dof partner = Dof::kYaw;       // the one that takes part, if any
   double reference_force = 1.0;  // RMS of the command of the log it was identified from [N, N m]
+  std::string log = {};          // of several that share a model, the one it acts in; empty: all
+
+  bool ActsIn(const std::string& other) const { return log.empty() || log == other; }
 };
 
 // What is measured of the other DOFs at one instant.

@@ -46,6 +46,9 @@ struct FittedModel {
   // that belong to a run.
   std::vector<std::string> log_fingerprints;
 
+  // Their names, in the same order, where EffectSetting::log goes by them; otherwise empty.
+  std::vector<std::string> logs;
+
   ExtendedModel Extended() const { return {model, effects}; }
 };
 

@@ -29,14 +29,16 @@ Json FormatEffect(const ActiveEffect& active) {
   if (active.setting.reference_force != 1.0) {
     json["reference_force"] = active.setting.reference_force;
   }
+  if (!active.setting.log.empty()) json["log"] = active.setting.log;
   return json;
 }
 
 }  // namespace
 
 std::string LabelOf(const EffectInfo& info, const EffectSetting& setting) {
-  if (!info.has_partner) return std::string(info.name);
-  return fmt::format("{}({})", info.name, Name(setting.partner));
+  std::string within = info.has_partner ? std::string(Name(setting.partner)) : "";
+  if (!setting.log.empty()) within += (within.empty() ? "" : ", ") + setting.log;
+  return within.empty() ? std::string(info.name) : fmt::format("{}({})", info.name, within);
 }
 
 std::string KeyOf(const ActiveEffect& active, const EffectParameter& parameter) {
@@ -79,6 +81,7 @@ std::string FormatModel(const FittedModel& fitted) {
                {"held_out", FormatFigures(fitted.held_out)},
                {"caveats", fitted.caveats},
                {"provenance", fitted.provenance}};
+  if (!fitted.logs.empty()) json["logs"] = fitted.logs;
   if (!fitted.log_fingerprints.empty()) json["log_fingerprints"] = fitted.log_fingerprints;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

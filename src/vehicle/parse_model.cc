@@ -62,6 +62,18 @@ class Reader {
     return &value;
   }
 
+  // None where the file says nothing.
+  std::vector<std::string> TextsIfThere(const Json& object, const std::string& key) const {
+    std::vector<std::string> texts;
+    if (const Json* list = ListIfThere(object, key)) {
+      for (const Json& text : *list) {
+        if (!text.is_string()) Fail(key, "is not a list of texts");
+        texts.push_back(text.get<std::string>());
+      }
+    }
+    return texts;
+  }
+
   // NaN where the file says null or nothing.
   double NumberIfKnown(const Json& object, const std::string& key) const {
     if (!object.is_object() || !object.contains(key) || object.at(key).is_null()) return kNotKnown;
@@ -128,6 +140,7 @@ ActiveEffect ReadEffect(const Reader& reader, const Json& json, Dof dof) {
                   fmt::format("is {}, expected a value above 0", active.setting.reference_force));
     }
   }
+  if (json.contains("log")) active.setting.log = reader.Text(json, "log");
   return active;
 }
 
@@ -292,12 +305,8 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
     fitted.train = ReadFigures(reader, json, "fit");
     fitted.held_out = ReadFigures(reader, json, "held_out");
   }
-  if (const Json* fingerprints = reader.ListIfThere(json, "log_fingerprints")) {
-    for (const Json& fingerprint : *fingerprints) {
-      if (!fingerprint.is_string()) reader.Fail("log_fingerprints", "is not a list of texts");
-      fitted.log_fingerprints.push_back(fingerprint.get<std::string>());
-    }
-  }
+  fitted.log_fingerprints = reader.TextsIfThere(json, "log_fingerprints");
+  fitted.logs = reader.TextsIfThere(json, "logs");
   return fitted;
 }
 

@@ -62,7 +62,10 @@ TEST(RemainingStructure, IsFoundWhereAnEffectIsLeftOut) {
   }
 }
 
-// The catalogue is not asked: effects that it does not have are found just as well.
+// The catalogue is not asked. Of the eight effects that it does not have, at their usual sizes,
+// those are found that act through command and speed and are large here: backlash, heat and wash
+// (p-values of 1e-14, 1e-6, 1e-18). The levels of the thrust are lost in the noise; a bump, a slack
+// tether, a current that wanders, and a power of speed that the damping nearly has are not seen.
 TEST(RemainingStructure, IsFoundWhereAnUnlistedEffectIsLeftOut) {
   int num_found = 0;
   for (const Effect* effect : UnlistedEffects()) {
@@ -72,7 +75,7 @@ TEST(RemainingStructure, IsFoundWhereAnUnlistedEffectIsLeftOut) {
     num_found += p < 0.01;
     RecordProperty(std::string(effect->info().name), std::to_string(p));
   }
-  EXPECT_GE(num_found, 1);
+  EXPECT_GE(num_found, 3);
 }
 
 }  // namespace

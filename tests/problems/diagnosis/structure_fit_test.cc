@@ -215,15 +215,39 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
   ASSERT_TRUE(fit.converged);
   EXPECT_EQ(fit.model.baseline.linear_damping, 0.0);
   EXPECT_TRUE(fit.is_on_bound[kLinearDamping]);
-  EXPECT_EQ(fit.covariance(kLinearDamping, kLinearDamping), 0.0);
   const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.samples());
   const Eigen::MatrixXd J = JacobianAt(data, fit);
+  // Its spread is that without the bound; the others' is that beside a damping known to be zero.
+  const Eigen::MatrixXd unbounded = FitDense(S, J, fit.residual).information.inverse();
+  EXPECT_NEAR(
+      fit.covariance(kLinearDamping, kLinearDamping) / unbounded(kLinearDamping, kLinearDamping),
+      1.0,
+      0.01);
+  EXPECT_EQ(fit.covariance(kInertia, kLinearDamping), 0.0);
   const Eigen::VectorXd weighted = Eigen::LLT<Eigen::MatrixXd>(S).solve(fit.residual);
   EXPECT_LT(J.col(kLinearDamping).dot(weighted), 0.0);  // downhill is below zero
   Eigen::MatrixXd others(J.rows(), 4);
   others << J.leftCols(2), J.rightCols(2);
   const DenseFit dense = FitDense(S, others, fit.residual);
   EXPECT_LT(fit.residual.dot(weighted) - dense.chi_squared, 0.01);
+  EXPECT_NEAR(fit.covariance(kInertia, kInertia) / dense.information.inverse()(0, 0), 1.0, 0.01);
+}
+
+// A late thruster wants less damping of what is fast, a memory gives more: there is none, and of
+// none the time constant leaves no trace.
+TEST(FitStructure, GivesNoSpreadToAParameterOnItsBoundThatTheDataSayNothingOf) {
+  SurgeRun run = Short();
+  run.effects = "thruster_lag:time_constant=1.0";
+  const TrainingData data = DataOf(run, 6);
+  const Whitener whitener(Coloured(), data.samples());
+  const Effect* memory = FindEffect("fluid_memory");
+  const double shortest = memory->info().parameters[1].lower;
+  const ExtendedModel start = {kSurgeTruth, {{memory, {}, {0.0, shortest}}}};
+  const StructureFit fit = FitStructure(data, start, StatesOf(data), whitener);
+  ASSERT_TRUE(fit.converged);
+  ASSERT_TRUE(fit.is_on_bound[kNumParameters] && fit.is_on_bound[kNumParameters + 1]);
+  EXPECT_GT(fit.covariance(kNumParameters, kNumParameters), 0.0);
+  EXPECT_TRUE(std::isnan(fit.covariance(kNumParameters + 1, kNumParameters + 1)));
 }
 
 // However often it is carried on from where it ended.

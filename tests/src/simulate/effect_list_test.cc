@@ -120,6 +120,9 @@ TEST(EffectList, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("buoyancy_step:jump"), HasSubstr("'jump' sets no parameter"));
   EXPECT_EQ(MessageOf("thruster_lag:time_constant=fast"),
             "--effects: thruster_lag's time_constant is 'fast', expected a number from 0 to 20.");
+  EXPECT_EQ(
+      MessageOf("thrust_dead_zone:width=inf"),
+      "--effects: thrust_dead_zone's width is 'inf', expected a finite number of at least 0.");
   EXPECT_THAT(MessageOf("thruster_lag:time_constant=21"), HasSubstr("is '21', expected a number"));
   EXPECT_THAT(MessageOf("thruster_lag:time_constant=1:time_constant=2"),
               HasSubstr("thruster_lag: time_constant is given twice"));
