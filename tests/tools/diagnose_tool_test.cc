@@ -73,7 +73,7 @@ TEST(DiagnoseTool, HelpGivesFlagsAnExampleAndExitCodes) {
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "");
   for (const char* flag :
-       {"--log", "--dof", "--verdict", "--report", "--false_alarm_rate (default 0.05", "--seed"}) {
+       {"--log", "--dof", "--verdict", "--report", "--false_alarm_rate (default 0.05)", "--seed"}) {
     EXPECT_THAT(run.out, HasSubstr(flag));
   }
   EXPECT_THAT(
@@ -266,6 +266,49 @@ TEST(DiagnoseTool, TellsLogsOfOneNameApart) {
               AllOf(HasSubstr("small_multisine (first)"), HasSubstr("small_multisine (second)")));
 }
 
+// A jump of one log is named of that log, and fathom_simulate has it there alone.
+TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
+  const Path folder = EmptyTestFolder();
+  const std::string jump = "buoyancy_step:jump=6:time=30";
+  const Path jumped = SmallLogWith(folder, "jumped", jump, 1);
+  const Path clean = SmallLogWith(folder, "clean", "", 2);
+  WriteTestFile(jumped / "log.yaml", "name: jumped\ndof: surge\nheld_out: [70, 90]\n");
+  WriteTestFile(clean / "log.yaml", "name: clean\ndof: surge\nheld_out: [70, 90]\n");
+  const Path verdict = folder / "verdict.json";
+  const ToolRun run =
+      Diagnosed(clean, {"--log=" + jumped.string(), "--verdict=" + verdict.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
+  EXPECT_THAT(run.out, HasSubstr("(buoyancy_step(jumped)), jump 6"));
+  EXPECT_THAT(run.out, HasSubstr("buoyancy_step(jumped) belongs to jumped alone"));
+  const auto json = JsonOf(verdict);
+  ASSERT_EQ(json["causes"].size(), 1u);
+  EXPECT_EQ(json["causes"][0]["effect"], "buoyancy_step");
+  EXPECT_EQ(json["causes"][0]["log"], "jumped");
+  EXPECT_EQ(json["logs"], nlohmann::json({"clean", "jumped"}));
+
+  const std::string note = "left out: buoyancy_step(jumped)";
+  for (const Path& log : {clean, jumped, SmallLogWith(folder, "third", jump, 3)}) {
+    const ToolRun simulated =
+        RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+    ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+    const bool has_it = log == jumped;
+    EXPECT_EQ(simulated.out.find(note) == std::string::npos, has_it) << simulated.out;
+    // Noise of 0.005 m/s, 0.8 of which is the mean of its size; a jump that is missing shows.
+    const double miss = NumberBehind("MAE ", simulated.out);
+    if (log == jumped || log == clean) {
+      EXPECT_LT(miss, 0.006) << log;
+    } else {
+      EXPECT_GT(miss, 0.012);
+    }
+  }
+  const ToolRun kept = RunToolBinary("fathom_simulate",
+                                     {"--model=" + verdict.string(),
+                                      "--log=" + (folder / "third").string(),
+                                      "--keep_run_effects"});
+  EXPECT_LT(NumberBehind("MAE ", kept.out), 0.006);
+}
+
 TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
   const Path folder = EmptyTestFolder();
   const Path log = SmallLogWith(folder, "log", "steady_current:speed=0.05", 4);
@@ -323,6 +366,22 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
             "fathom_diagnose: no diagnosis: output error finds no physical baseline model along "
             "surge, and without one there is nothing to diagnose. fathom_identify says why.\n");
   EXPECT_EQ(ListOf(folder), before);
+}
+
+// The thrusters never answer: nothing that moves depends on the inertia.
+TEST(DiagnoseTool, ACommandThatMovesNothingEndsWithExitCodeTwo) {
+  const Path folder = EmptyTestFolder();
+  const Path log = Synthesized(kData + "/vehicles/flatfish.yaml",
+                               kData + "/experiments/surge_multisine.yaml",
+                               "thrust_dead_zone:width=1000",
+                               1,
+                               folder / "log");
+  const Path verdict = folder / "verdict.json";
+  const ToolRun run = Diagnosed(log, {"--verdict=" + verdict.string()});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("these logs do not determine the inertia"));
+  EXPECT_FALSE(std::filesystem::exists(verdict));
 }
 
 class DiagnoseRefusals : public ::testing::Test {
@@ -412,6 +471,18 @@ TEST_F(DiagnoseRefusals, AVerdictThatCannotBeWritten) {
                              "--report=" + (folder_ / "out/page.html").string()},
                             folder_),
               StartsWith("fathom_diagnose: " + verdict + ": cannot write this file: "));
+}
+
+// The verdict is not left behind by the page that cannot be written.
+TEST_F(DiagnoseRefusals, APageThatCannotBeWritten) {
+  WriteTestFile(folder_ / "file", "not a folder\n");
+  const std::string page = (folder_ / "file/page.html").string();
+  EXPECT_THAT(ExpectRefusal("fathom_diagnose",
+                            {"--log=" + log_.string(),
+                             "--verdict=" + (folder_ / "verdict.json").string(),
+                             "--report=" + page},
+                            folder_),
+              StartsWith("fathom_diagnose: " + page + ": cannot write this file: "));
 }
 
 }  // namespace
