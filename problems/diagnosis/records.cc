@@ -135,6 +135,7 @@ std::optional<Channel> DisplacementOf(const Log& log,
 std::shared_ptr<const EffectInputs> InputsOf(const Log& log, const std::string& name, Dof dof) {
   auto inputs = std::make_shared<EffectInputs>();
   inputs->log = name;
+  inputs->dof = dof;
   inputs->command = CommandOf(log, dof);
   for (const Dof other : kAllDofs) {
     if (log.velocity) {

@@ -35,7 +35,7 @@ Unknowns Pack(const TrainingData& data,
               std::span<const InitialState> initial) {
   const int num_parameters = NumParameters(model);
   const int size = num_parameters + data.num_states(model) * static_cast<int>(initial.size());
-  const bool has_memory = EffectSimulation::HasReadingMemory(model);
+  const std::vector<Excess> excesses = EffectSimulation::ExcessesOf(model);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Unknowns unknowns = {Eigen::VectorXd(size),
                        Eigen::VectorXd::Constant(size, -kInfinity),
@@ -55,7 +55,7 @@ Unknowns Pack(const TrainingData& data,
   for (const InitialState& state : initial) {
     unknowns.value[i++] = state.velocity;
     if (data.has_displacement()) unknowns.value[i++] = state.position;
-    if (has_memory) unknowns.value[i++] = state.reading_excess;
+    for (const Excess excess : excesses) unknowns.value[i++] = state.*excess;
   }
   return unknowns;
 }
@@ -69,11 +69,11 @@ void Unpack(const TrainingData& data,
   for (ActiveEffect& active : model->effects) {
     for (double& number : active.values) number = value[i++];
   }
-  const bool has_memory = EffectSimulation::HasReadingMemory(*model);
+  const std::vector<Excess> excesses = EffectSimulation::ExcessesOf(*model);
   for (InitialState& state : *initial) {
-    state.velocity = value[i++];
-    if (data.has_displacement()) state.position = value[i++];
-    state.reading_excess = has_memory ? value[i++] : 0.0;
+    const double velocity = value[i++];
+    state = {velocity, data.has_displacement() ? value[i++] : state.position};
+    for (const Excess excess : excesses) state.*excess = value[i++];
   }
 }
 
@@ -188,14 +188,19 @@ std::vector<double> StartGainsOf(const TrainingData& data,
                                  const Normal& normal,
                                  const std::vector<int>& free) {
   std::vector<double> gains;
-  if (!EffectSimulation::HasReadingMemory(fit.model)) return gains;
+  const std::vector<Excess> excesses = EffectSimulation::ExcessesOf(fit.model);
+  if (excesses.empty()) return gains;
   const auto size = static_cast<int>(normal.g.size());
   const Eigen::VectorXd variance = CovarianceOf(normal, free, size).diagonal();
-  int i = NumParameters(fit.model) - 1;
+  int next = NumParameters(fit.model);
   for (const InitialState& state : fit.initial) {
-    i += data.num_states(fit.model);
-    const double excess = state.reading_excess;
-    gains.push_back(variance[i] > 0.0 ? excess * excess / variance[i] : 0.0);
+    next += data.num_states(fit.model);
+    int i = next - static_cast<int>(excesses.size());
+    for (const Excess excess : excesses) {
+      const double value = state.*excess;
+      gains.push_back(variance[i] > 0.0 ? value * value / variance[i] : 0.0);
+      ++i;
+    }
   }
   return gains;
 }

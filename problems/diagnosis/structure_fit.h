@@ -34,8 +34,9 @@ struct StructureFit {
   Eigen::MatrixXd covariance;
   std::vector<bool> is_on_bound;  // of the same
 
-  // By how much chi squared falls because a sensor with a memory may start anywhere, to first
-  // order, record by record: (excess / its standard deviation)^2. Empty for models without one.
+  // By how much chi squared falls because sensor and water may remember anything at the start, to
+  // first order, record by record: (excess / its standard deviation)^2, one for each of
+  // ExcessesOf() the model.
   std::vector<double> start_gains;
 };
 

@@ -145,9 +145,8 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
     if (has_displacement_) {
       to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
     }
-    if (EffectSimulation::HasReadingMemory(model)) {
-      to.col(state + num_states - 1) = rows.rightCols(1);
-    }
+    const int num_excesses = num_states - (has_displacement_ ? 2 : 1);
+    to.middleCols(state + num_states - num_excesses, num_excesses) = rows.rightCols(num_excesses);
   }
   return linearised;
 }

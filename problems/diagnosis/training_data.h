@@ -43,10 +43,11 @@ class TrainingData {
 
   bool has_displacement() const { return has_displacement_; }
 
-  // States of a record that are free: the velocity, the position where it is measured, and the
-  // excess of the reading of a sensor with a memory. In this order.
+  // States of a record that are free: the velocity, the position where it is measured, and
+  // ExcessesOf() the model. In this order.
   int num_states(const ExtendedModel& model) const {
-    return (has_displacement_ ? 2 : 1) + (EffectSimulation::HasReadingMemory(model) ? 1 : 0);
+    return (has_displacement_ ? 2 : 1) +
+           static_cast<int>(EffectSimulation::ExcessesOf(model).size());
   }
 
   // The strongest line of the command that is least of a tone.

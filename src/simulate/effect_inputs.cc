@@ -77,6 +77,7 @@ SampledSignal PartnerVelocity(const std::vector<double>& time,
 
 EffectInputs EffectInputsOf(const Log& log, Dof dof) {
   EffectInputs inputs;
+  inputs.dof = dof;
   inputs.command = CommandOf(log, dof);
   std::vector<SampledSignal> from_poses(kAllDofs.size());
   if (log.pose) from_poses = VelocitiesFromPoses(*log.pose);

@@ -41,6 +41,7 @@ struct ScalarModel {
   T initial_velocity{0.0};
   T initial_position{0.0};
   T initial_reading_excess{0.0};
+  T initial_memory_excess{0.0};
   std::vector<ScalarEffect<T>> effects;
 };
 
@@ -78,7 +79,10 @@ class EffectRun {
     T begin = stamps_.start - delay_;
     state_.velocity = model_.initial_velocity;
     state_.position = model_.initial_position;
-    state_.memory.fill(model_.initial_velocity);
+    for (size_t k = 0; k < model_.effects.size(); ++k) {
+      if (!model_.effects[k].laws->has.memory_rate) continue;
+      state_.memory[k] = RememberedBefore(model_.effects[k]) + model_.initial_memory_excess;
+    }
     reading_ = Reading(state_.velocity, T(stamps_.start));
     shown_ = follows_reading_ ? T(reading_ + model_.initial_reading_excess) : reading_;
     size_t next_edge = std::upper_bound(edges.begin(), edges.end(), Value(begin)) - edges.begin();
@@ -115,7 +119,7 @@ class EffectRun {
   // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
   static constexpr double kShortestStep = 2.5e-3;  // [s]
   static constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
-  static constexpr double kWarmUp = 60.0;          // [s] of command before the start, for thrusters
+  static constexpr double kWarmUp = 60.0;          // [s] before the start, for what has a memory
 
   struct State {
     T velocity{0.0};
@@ -173,6 +177,39 @@ class EffectRun {
       if (end > edges[i])
         MeanForce(inputs_.command.value[i], T(edges[i]), T(end - edges[i]), &thrust_);
     }
+  }
+
+  // A water effect's state at the start, from the velocity measured before it.
+  T RememberedBefore(const ScalarEffect<T>& effect) const {
+    const SampledSignal& measured = inputs_.velocity[Index(inputs_.dof)];
+    if (measured.time.empty() || !(measured.time.front() < stamps_.start)) {
+      return model_.initial_velocity;
+    }
+    const double first = std::max(measured.time.front(), stamps_.start - kWarmUp);
+    const double num_steps = std::ceil((stamps_.start - first) / kLongestStep);
+    const double h = (stamps_.start - first) / num_steps;
+    T memory(ValueAt(measured, first));
+    for (double i = 0.0; i < num_steps; ++i) {
+      const auto rate = [&](double share, const T& at) {
+        const T speed(ValueAt(measured, first + h * (i + share)));
+        return effect.law->MemoryRate(effect.parameters.data(), at, speed);
+      };
+      const T k1 = rate(0.0, memory);
+      const T k2 = rate(0.5, T(memory + 0.5 * h * k1));
+      const T k3 = rate(0.5, T(memory + 0.5 * h * k2));
+      const T k4 = rate(1.0, T(memory + h * k3));
+      memory = memory + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    }
+    return memory;
+  }
+
+  static double ValueAt(const SampledSignal& signal, double t) {
+    const auto next = std::upper_bound(signal.time.begin(), signal.time.end(), t);
+    if (next == signal.time.begin()) return signal.value.front();
+    if (next == signal.time.end()) return signal.value.back();
+    const auto i = static_cast<size_t>(next - signal.time.begin());
+    const double share = (t - signal.time[i - 1]) / (signal.time[i] - signal.time[i - 1]);
+    return signal.value[i - 1] + share * (signal.value[i] - signal.value[i - 1]);
   }
 
   T Acceleration(const State& at, const T& mean_force, const T& s) {

@@ -55,8 +55,10 @@ ScalarModel<T> InScalars(const ExtendedModel& model,
     }
     scalars.effects.push_back(std::move(effect));
   }
-  if (EffectSimulation::HasReadingMemory(model)) {
-    scalars.initial_reading_excess = Seeded<T>(initial.reading_excess, column);
+  for (const Excess excess : EffectSimulation::ExcessesOf(model)) {
+    (excess == &InitialState::reading_excess ? scalars.initial_reading_excess
+                                             : scalars.initial_memory_excess) =
+        Seeded<T>(initial.*excess, column++);
   }
   return scalars;
 }
@@ -100,7 +102,7 @@ bool RunIn(const EffectInputs& inputs,
 
 int EffectSimulation::NumColumns(const ExtendedModel& model) {
   return NumParameters(model) + kFirstEffectColumn - kNumParameters +
-         (HasReadingMemory(model) ? 1 : 0);
+         static_cast<int>(ExcessesOf(model).size());
 }
 
 int EffectSimulation::NumParameters(const ExtendedModel& model) {
@@ -113,6 +115,17 @@ bool EffectSimulation::HasReadingMemory(const ExtendedModel& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const ActiveEffect& active) {
     return active.effect->laws().has.follow_reading;
   });
+}
+
+std::vector<Excess> EffectSimulation::ExcessesOf(const ExtendedModel& model) {
+  std::vector<Excess> excesses;
+  if (HasReadingMemory(model)) excesses.push_back(&InitialState::reading_excess);
+  const bool has_memory =
+      std::any_of(model.effects.begin(), model.effects.end(), [](const ActiveEffect& active) {
+        return active.effect->laws().has.memory_rate;
+      });
+  if (has_memory) excesses.push_back(&InitialState::memory_excess);
+  return excesses;
 }
 
 EffectSimulation::EffectSimulation(const EffectInputs* inputs, OutputStamps stamps)

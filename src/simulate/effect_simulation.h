@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/base/dof.h"
 #include "fathom/log/held_command.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/extended_model.h"
@@ -23,7 +24,8 @@ struct SampledSignal {
 
 // What a run with effects takes from a log, at the streams' own stamps.
 struct EffectInputs {
-  HeldCommand command;                    // of the DOF that is modelled
+  Dof dof = Dof::kSurge;                  // the one that is modelled
+  HeldCommand command;                    // of it
   std::array<SampledSignal, 6> velocity;  // measured, by Index(Dof); empty where not
   std::array<HeldCommand, 6> force;       // commanded, by Index(Dof); empty where not
   std::string log = {};                   // as EffectSetting::log names it, where there are several
@@ -36,6 +38,9 @@ struct OutputStamps {
   std::vector<double> displacement;  // strictly increasing, from `start` on
 };
 
+// A part of the state at the start that only some models have.
+using Excess = double InitialState::*;
+
 using SensitivityMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // What the sensors would show.
@@ -44,8 +49,8 @@ struct EffectOutputs {
   std::vector<double> displacement;  // at OutputStamps::displacement [m] or [rad]
 
   // A row for each output. Columns: the baseline's parameters in the order of kParameterInfo, the
-  // initial velocity, the initial position, the effects' parameters in their order, and the initial
-  // excess of the reading where HasReadingMemory(). Empty unless asked for.
+  // initial velocity, the initial position, the effects' parameters in their order, and the
+  // ExcessesOf() the model. Empty unless asked for.
   SensitivityMatrix velocity_sensitivity;
   SensitivityMatrix displacement_sensitivity;
 };
@@ -56,7 +61,9 @@ struct EffectOutputs {
 // the water's quickest time constant; the force of a step is its mean, which lag and slew limit
 // know exactly. Outputs lie on the cubic through both ends of their step, so that stamps can be
 // moved (`time_offset`, `sensor_clock_offset`) and differentiated by how far. `time` in the
-// effects' equations counts from the first command sample.
+// effects' equations counts from the first command sample. What thrusters and water remember at the
+// start comes from the command and the measured velocity of the 60 s before it; where nothing was
+// measured before, the water is in balance with the initial velocity.
 class EffectSimulation {
  public:
   // Columns before those of the effects.
@@ -66,8 +73,7 @@ class EffectSimulation {
 
   static constexpr size_t kMostEffects = 6;
 
-  // The most parameters that all effects of a model may have together, an initial excess of the
-  // reading counted along.
+  // The most parameters that all effects of a model may have together, excesses counted along.
   static constexpr int kMostEffectParameters = 10;
 
   static int NumColumns(const ExtendedModel& model);
@@ -75,9 +81,12 @@ class EffectSimulation {
   // Of the baseline and the effects: columns less those of the state at the start.
   static int NumParameters(const ExtendedModel& model);
 
-  // True if the sensor's reading has a memory of its own, and InitialState::reading_excess a
-  // column, the last one.
+  // True if the sensor's reading has a memory of its own.
   static bool HasReadingMemory(const ExtendedModel& model);
+
+  // What the model asks of InitialState beside velocity and position, in the order of the last
+  // columns: of the reading, of the water's memory, or both.
+  static std::vector<Excess> ExcessesOf(const ExtendedModel& model);
 
   // `inputs` must outlive this. `stamps.velocity` or `stamps.displacement` may be empty, not both.
   EffectSimulation(const EffectInputs* inputs, OutputStamps stamps);

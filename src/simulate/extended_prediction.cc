@@ -59,7 +59,9 @@ std::optional<InitialState> StateBehind(const ExtendedModel& model,
     const auto n = static_cast<Eigen::Index>(outputs.velocity.size());
     Eigen::MatrixXd columns(n, 2);
     columns.col(0) = outputs.velocity_sensitivity.col(EffectSimulation::kInitialVelocityColumn);
-    columns.col(1) = outputs.velocity_sensitivity.rightCols(1);
+    columns.col(1) = outputs.velocity_sensitivity.col(
+        EffectSimulation::NumColumns(model) -
+        static_cast<Eigen::Index>(EffectSimulation::ExcessesOf(model).size()));
     const Eigen::VectorXd miss = Eigen::Map<const Eigen::VectorXd>(readings.data(), n) -
                                  Eigen::Map<const Eigen::VectorXd>(outputs.velocity.data(), n);
     const Eigen::Vector2d change = columns.completeOrthogonalDecomposition().solve(miss);

@@ -19,6 +19,10 @@ struct InitialState {
   // What a sensor with a memory (`sensor_lag`) shows beyond what it would show without one, [m/s]
   // or [rad/s]: its own past, which is nowhere else. No other model asks for it.
   double reading_excess = 0.0;
+
+  // What the water remembers of the speed (`fluid_memory`) beyond the speed at the start, [m/s] or
+  // [rad/s]: its past too. No other model asks for it.
+  double memory_excess = 0.0;
 };
 
 // A model over one log's command, integrated from output stamp to output stamp.

@@ -89,7 +89,7 @@ class EffectLaw {
                        const Instant<T>& /*now*/) const {
     return T(0.0);
   }
-  // Rate of the effect's own state, which starts at the first speed.
+  // Rate of the effect's own state. Where it starts, InitialState says.
   virtual T MemoryRate(const T* /*p*/, const T& /*memory*/, const T& /*speed*/) const {
     return T(0.0);
   }

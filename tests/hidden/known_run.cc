@@ -27,6 +27,7 @@ double MeanOfFirst(const std::vector<double>& values, std::size_t count) {
 
 EffectInputs EffectInputsOf(const Log& log, Dof dof) {
   EffectInputs inputs;
+  inputs.dof = dof;
   for (const Dof other : kAllDofs) {
     if (const auto* force = log.command->Find(ForceColumn(other))) {
       inputs.force[Index(other)] = {log.command->time, *force};
@@ -105,9 +106,9 @@ bool KnownRun::Linearise(const ExtendedModel& model,
                          RowMajorMatrix* sensitivity) const {
   EffectOutputs outputs;
   if (!simulation_->RunWithSensitivities(model, initial, &outputs)) return false;
-  // A lagging sensor starts at what it reads in these logs: that column is not looked at.
-  const int num_columns =
-      EffectSimulation::NumColumns(model) - (EffectSimulation::HasReadingMemory(model) ? 1 : 0);
+  // Nothing is remembered from before these logs: those columns are not looked at.
+  const int num_columns = EffectSimulation::NumColumns(model) -
+                          static_cast<int>(EffectSimulation::ExcessesOf(model).size());
   RowMajorMatrix all(num_samples(), num_columns + 1);
   for (int i = 0; i < num_samples(); ++i) {
     const bool is_velocity = samples_[i].channel == NoiseChannel::kVelocity;

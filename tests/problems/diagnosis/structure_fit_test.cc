@@ -191,6 +191,43 @@ TEST(FitStructure, PaysNextToNothingWhereTheSensorStartsAtRest) {
   EXPECT_NEAR(sum, num_runs, 4.0 * std::sqrt(2.0 * num_runs));
 }
 
+// The water too: its memory of the time before each record, beside a sensor's.
+TEST(FitStructure, FreesWhatTheWaterRemembersInEveryRecord) {
+  SurgeRun run = Short();
+  run.duration = 200.0;
+  run.noise_correlation = 0.0;
+  run.velocity_noise = 0.005;
+  run.effects = "fluid_memory:coefficient=130:time_constant=4,sensor_lag:time_constant=1.2";
+  const Log log = WithoutMotion(WithoutMotion(LogOf(run, 3), 0.0, 30.0), 80.0, 130.0);
+  const TrainingData data(RecordsOf(std::vector<Log>{log}, Dof::kSurge).all);
+  ASSERT_EQ(data.records().size(), 2u);
+  NoiseModel noise;
+  noise.velocity.white_std = 0.005;
+  const ExtendedModel start = {
+      {700.0, 90.0, 25.0, 1.0},
+      {{FindEffect("fluid_memory"), {}, {60.0, 2.0}}, {FindEffect("sensor_lag"), {}, {0.4}}}};
+  const StructureFit fit =
+      FitStructure(data, start, StatesOf(data), Whitener(noise, data.samples()));
+  ASSERT_TRUE(fit.converged);
+  const double num_free = static_cast<double>(fit.residual.size() - fit.jacobian.cols());
+  EXPECT_NEAR(fit.chi_squared, num_free, 4.0 * std::sqrt(2.0 * num_free));
+  // The last columns are the records' states: velocity, the reading's excess, the water's.
+  const int first = kNumParameters + 3;
+  ASSERT_EQ(fit.jacobian.cols(), first + 6);
+  ASSERT_EQ(fit.start_gains.size(), 4u);
+  for (int column = 0; column < 6; ++column) {
+    std::vector<InitialState> low = fit.initial, high = fit.initial;
+    constexpr double InitialState::*kPlaces[] = {
+        &InitialState::velocity, &InitialState::reading_excess, &InitialState::memory_excess};
+    low[column / 3].*kPlaces[column % 3] -= 1e-4;
+    high[column / 3].*kPlaces[column % 3] += 1e-4;
+    const Eigen::VectorXd difference =
+        (*data.Simulate(fit.model, high) - *data.Simulate(fit.model, low)) / 2e-4;
+    EXPECT_GT(difference.norm(), 0.5);
+    EXPECT_LT((difference - fit.jacobian.col(first + column)).norm(), 1e-5) << column;
+  }
+}
+
 TEST(FitStructure, EndsAtTheSamePlaceFromFarAway) {
   const TrainingData data = DataOf(Short(), 2);
   const Whitener whitener(Coloured(), data.samples());

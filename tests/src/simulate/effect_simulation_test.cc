@@ -105,7 +105,7 @@ TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
   const EffectInputs inputs = Inputs();
   const EffectSimulation simulation(&inputs, Stamps());
   const std::vector<double> values = TypicalValues(GetParam()->info());
-  const InitialState initial = {0.1, 2.0, 0.07};
+  const InitialState initial = {0.1, 2.0, 0.07, -0.04};
   EffectOutputs at;
   ASSERT_TRUE(simulation.RunWithSensitivities(ModelWith(values), initial, &at));
   EffectOutputs plain;
@@ -113,6 +113,7 @@ TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
   EXPECT_LT(Spread(at.velocity, plain.velocity), 1e-12);
   const int num_columns = EffectSimulation::NumColumns(ModelWith(values));
   ASSERT_EQ(at.velocity_sensitivity.cols(), num_columns);
+  const auto excesses = EffectSimulation::ExcessesOf(ModelWith(values));
   for (int column = 0; column < num_columns; ++column) {
     EffectOutputs outputs[2];
     double step = 0.0;
@@ -128,7 +129,7 @@ TEST_P(EveryEffect, HasTheDerivativesOfItsFiniteDifferences) {
       double* const place = column < 6 ? places[column]
                             : column < 6 + static_cast<int>(values.size())
                                 ? &model.effects[0].values[column - 6]
-                                : &start.reading_excess;
+                                : &(start.*excesses.at(column - 6 - values.size()));
       step = 1e-5 * std::max(std::abs(*place), 0.01);
       *place += side == 0 ? -step : step;
       ASSERT_TRUE(simulation.Run(model, start, &outputs[side]));
@@ -217,6 +218,64 @@ TEST(EffectSimulation, ForgetsWhereALaggingSensorStarted) {
   ASSERT_TRUE(simulation.Run(quick, {0.1, 2.0}, &settled));
   ASSERT_TRUE(simulation.Run(quick, {0.1, 2.0, excess}, &other));
   EXPECT_EQ(other.velocity, settled.velocity);
+}
+
+// What the water has too much in mind at the start, in linear drag: with the vehicle's speed v it
+// is the state of d/dt (v, z) = A (v, z), and what it changes is the second column of exp(A t).
+TEST(EffectSimulation, ForgetsWhatTheWaterRememberedAtTheStart) {
+  const double m = 500.0, d = 50.0, k = 120.0, T = 3.0, excess = -0.2;
+  const EffectInputs inputs = Inputs();
+  const EffectSimulation simulation(&inputs, Stamps());
+  const ActiveEffect memory = {FindEffect("fluid_memory"), {}, {k, T}};
+  const ExtendedModel model = {{m, 0.0, d, 0.0}, {memory}};
+  ASSERT_EQ(EffectSimulation::ExcessesOf(model), (std::vector{&InitialState::memory_excess}));
+  EffectOutputs balanced, other;
+  ASSERT_TRUE(simulation.Run(model, {0.1, 2.0}, &balanced));
+  ASSERT_TRUE(simulation.Run(model, {0.1, 2.0, 0.0, excess}, &other));
+  const double a = -(d + k) / m, b = k / m, c = 1.0 / T;
+  const double mean = 0.5 * (a - c), root = std::sqrt(0.25 * (a + c) * (a + c) + b * c);
+  double largest = 0.0;
+  for (size_t i = 0; i < Stamps().velocity.size(); ++i) {
+    const double t = Stamps().velocity[i] - Stamps().start;
+    const double expected = excess * b * std::exp(mean * t) * std::sinh(root * t) / root;
+    EXPECT_NEAR(other.velocity[i] - balanced.velocity[i], expected, 1e-5) << t;
+    largest = std::max(largest, std::abs(expected));
+  }
+  EXPECT_GT(largest, 0.05);
+  const ActiveEffect lag = {FindEffect("sensor_lag"), {}, {1.0}};
+  EXPECT_EQ(EffectSimulation::ExcessesOf({kSurge, {memory, lag}}),
+            (std::vector{&InitialState::reading_excess, &InitialState::memory_excess}));
+  EXPECT_TRUE(EffectSimulation::ExcessesOf({kSurge, {}}).empty());
+}
+
+// From amid a log that was measured before, a run goes on as the one from the log's start does.
+TEST(EffectSimulation, RemembersTheVelocityMeasuredBeforeItsStart) {
+  EffectInputs inputs = Inputs();
+  OutputStamps all;
+  for (int i = 0; i < 1600; ++i) all.velocity.push_back(100.0 + 0.05 * i);
+  all.start = all.velocity.front();
+  const ExtendedModel model = {kSurge, {{FindEffect("fluid_memory"), {}, {150.0, 4.0}}}};
+  EffectOutputs from_rest;
+  ASSERT_TRUE(EffectSimulation(&inputs, all).Run(model, {}, &from_rest));
+  const size_t middle = 850;  // speeding up
+  OutputStamps rest;
+  rest.velocity.assign(all.velocity.begin() + middle, all.velocity.end());
+  rest.start = rest.velocity.front();
+  const InitialState there = {from_rest.velocity[middle], 0.0};
+  double miss[2] = {};
+  for (const Dof measured : {Dof::kSurge, Dof::kHeave}) {
+    for (SampledSignal& velocity : inputs.velocity) velocity = {};
+    inputs.velocity[Index(measured)] = {all.velocity, from_rest.velocity};
+    EffectOutputs amid;
+    ASSERT_TRUE(EffectSimulation(&inputs, rest).Run(model, there, &amid));
+    for (size_t i = 0; i < rest.velocity.size(); ++i) {
+      miss[measured != Dof::kSurge] =
+          std::max(miss[measured != Dof::kSurge],
+                   std::abs(amid.velocity[i] - from_rest.velocity[middle + i]));
+    }
+  }
+  EXPECT_LT(miss[0], 1e-5);
+  EXPECT_GT(miss[1], 1e-3);  // in balance there, which it was not
 }
 
 // A linear spring k and mass m with damping d at rest x0 away from where the force balances.
