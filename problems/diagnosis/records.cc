@@ -5,14 +5,12 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/log_names.h"
+#include "fathom/diagnosis/pose_coordinate.h"
 #include "fathom/signal/log_column.h"
-#include "fathom/signal/pose_velocity.h"
-#include "fathom/signal/savitzky_golay.h"
 #include "fathom/simulate/effect_inputs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -21,135 +19,14 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestGap = 30.0;       // [s], as in SignalsOptions
-constexpr size_t kFewestSamples = 20;      // of a record's leading channel
-constexpr double kLargestAxisTurn = 0.12;  // RMS [rad] at which a world coordinate still serves
-constexpr double kSteadyAxis = 0.02;       // RMS [rad] below which it is taken to keep still
-constexpr double kLargestLeak = 1.0;       // of the positions' noise: what the turning adds to it
-constexpr double kStartWindow = 2.0;       // [s] of samples behind the guess of the start
-
-struct Channel {
-  std::vector<double> time, value;
-};
+constexpr double kLongestGap = 30.0;   // [s], as in SignalsOptions
+constexpr size_t kFewestSamples = 20;  // of a record's leading channel
+constexpr double kStartWindow = 2.0;   // [s] of samples behind the guess of the start
 
 bool IsHeldOut(const Log& log, double t) {
   return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
     return interval.Contains(t);
   });
-}
-
-// How far the DOF's axis turns about its mean [rad, RMS]; angles have no such axis.
-double AxisTurn(Dof dof, const Poses& poses) {
-  if (IsAngular(dof)) return 0.0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& rotation : poses.world_from_body) {
-    mean += rotation.toRotationMatrix().col(Index(dof));
-  }
-  mean.normalize();
-  double sum = 0.0;
-  for (const auto& rotation : poses.world_from_body) {
-    const double cosine = rotation.toRotationMatrix().col(Index(dof)).dot(mean);
-    sum += 2.0 * (1.0 - cosine);
-  }
-  return std::sqrt(sum / static_cast<double>(poses.size()));
-}
-
-// Poses averaged over about a second, so that their noise does not add up along the way.
-Poses SlowPoses(const Poses& poses) {
-  Poses slow;
-  for (size_t begin = 0; begin < poses.size();) {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    Eigen::Vector4d rotation = Eigen::Vector4d::Zero();
-    size_t end = begin;
-    for (; end < poses.size() && poses.time[end] - poses.time[begin] < 1.0; ++end) {
-      position += poses.position[end];
-      const Eigen::Vector4d q = poses.world_from_body[end].coeffs();
-      rotation += q.dot(poses.world_from_body[begin].coeffs()) < 0.0 ? Eigen::Vector4d(-q) : q;
-    }
-    slow.time.push_back(poses.time[begin]);
-    slow.position.push_back(position / static_cast<double>(end - begin));
-    slow.world_from_body.push_back(Eigen::Quaterniond(rotation).normalized());
-    begin = end;
-  }
-  return slow;
-}
-
-// Noise of a coordinate, from its second differences.
-double NoiseOf(const std::vector<double>& coordinate) {
-  double sum = 0.0;
-  for (size_t i = 2; i < coordinate.size(); ++i) {
-    const double bend = coordinate[i] - 2.0 * coordinate[i - 1] + coordinate[i - 2];
-    sum += bend * bend / 6.0;
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<size_t>(coordinate.size(), 3) - 2));
-}
-
-// By how much the world coordinate differs from the way along the turning axis [RMS]: motion along
-// the other axes leaks into a coordinate when the vehicle turns.
-double LeakOf(Dof dof, const Poses& poses) {
-  const Poses slow = SlowPoses(poses);
-  if (AxisTurn(dof, slow) < kSteadyAxis) return 0.0;  // attitude noise alone would add up
-  const std::vector<double> coordinate = DisplacementAlong(dof, slow).value;
-  std::vector<double> difference = {0.0};
-  double way = 0.0;
-  for (size_t i = 1; i < slow.size(); ++i) {
-    const Eigen::Quaterniond middle =
-        slow.world_from_body[i - 1].slerp(0.5, slow.world_from_body[i]);
-    way += (middle.conjugate() * (slow.position[i] - slow.position[i - 1]))[Index(dof)];
-    difference.push_back(coordinate[i] - coordinate[0] - way);
-  }
-  const Eigen::Map<const Eigen::ArrayXd> d(difference.data(), std::ssize(difference));
-  return std::sqrt((d - d.mean()).square().mean());
-}
-
-std::optional<Channel> DisplacementOf(const Log& log,
-                                      const std::string& name,
-                                      Dof dof,
-                                      std::vector<std::string>* remarks) {
-  if (!log.pose || log.pose->time.size() < kFewestSamples) return std::nullopt;
-  const Poses poses = PosesOf(*log.pose);
-  const Displacement displacement = DisplacementAlong(dof, poses);
-  const double turn = AxisTurn(dof, poses);
-  if (turn > kLargestAxisTurn && log.velocity) {
-    remarks->push_back(
-        fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so that no "
-                    "world coordinate is its displacement.",
-                    name,
-                    Name(dof),
-                    turn));
-    return std::nullopt;
-  }
-  const double leak = LeakOf(dof, poses) / std::max(NoiseOf(displacement.value), 1e-12);
-  if (leak > kLargestLeak && log.velocity) {
-    remarks->push_back(
-        fmt::format("{}: the poses are not used: the vehicle turns, and what leaks from its other "
-                    "motion into the {} coordinate is {:.1f} times the coordinate's noise.",
-                    name,
-                    Name(dof),
-                    leak));
-    return std::nullopt;
-  }
-  return Channel{poses.time, displacement.value};
-}
-
-std::shared_ptr<const EffectInputs> InputsOf(const Log& log, const std::string& name, Dof dof) {
-  auto inputs = std::make_shared<EffectInputs>();
-  inputs->log = name;
-  inputs->dof = dof;
-  inputs->command = CommandOf(log, dof);
-  for (const Dof other : kAllDofs) {
-    if (log.velocity) {
-      if (const auto* column = log.velocity->Find(VelocityColumn(other))) {
-        inputs->velocity[Index(other)] = PartnerVelocity(log.velocity->time, *column);
-      }
-    }
-    if (log.command) {
-      if (const auto* column = log.command->Find(ForceColumn(other))) {
-        inputs->force[Index(other)] = {log.command->time, *column};
-      }
-    }
-  }
-  return inputs;
 }
 
 // Value and slope at the first sample, by a straight line over the first two seconds.
@@ -168,7 +45,7 @@ std::pair<double, double> StartOf(std::span<const double> time, std::span<const 
   return {(sy - slope * st) / n, slope};
 }
 
-void Append(const Channel& channel, double from, double to, Channel* out) {
+void Append(const SampledSignal& channel, double from, double to, SampledSignal* out) {
   const auto begin = std::lower_bound(channel.time.begin(), channel.time.end(), from);
   const auto end = std::upper_bound(channel.time.begin(), channel.time.end(), to);
   out->time.assign(begin, end);
@@ -180,7 +57,7 @@ void Append(const Channel& channel, double from, double to, Channel* out) {
 struct LogChannels {
   const Log* log;
   std::string name;
-  std::optional<Channel> velocity, displacement;
+  std::optional<SampledSignal> velocity, displacement;
 };
 
 // The stretches of one log, cut at silences and at the ends of held-out intervals.
@@ -190,8 +67,9 @@ void AppendRecords(const LogChannels& channels,
                    bool use_displacement,
                    Records* records) {
   const Log& log = *channels.log;
-  const auto inputs = InputsOf(log, channels.name, dof);
-  const Channel& leading = use_velocity ? *channels.velocity : *channels.displacement;
+  auto inputs = std::make_shared<EffectInputs>(MeasuredInputsOf(log, dof));
+  inputs->log = channels.name;
+  const SampledSignal& leading = use_velocity ? *channels.velocity : *channels.displacement;
   const std::vector<double>& time = leading.time;
   const size_t first =
       std::lower_bound(time.begin(), time.end(), inputs->command.time.front()) - time.begin();
@@ -222,7 +100,7 @@ void AppendRecords(const LogChannels& channels,
       record.inputs = inputs;
       record.stamps.start = time[begin];
       record.initial.position = way[begin];
-      Channel part;
+      SampledSignal part;
       if (use_velocity) {
         Append(*channels.velocity, time[begin], time[end - 1], &part);
         record.stamps.velocity = std::move(part.time);
@@ -278,10 +156,10 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
     LogChannels own = {&log, records.logs[k], std::nullopt, std::nullopt};
     if (log.velocity) {
       if (const auto* column = log.velocity->Find(VelocityColumn(dof))) {
-        own.velocity = Channel{log.velocity->time, *column};
+        own.velocity = SampledSignal{log.velocity->time, *column};
       }
     }
-    own.displacement = DisplacementOf(log, own.name, dof, &records.remarks);
+    own.displacement = PoseCoordinate(log, own.name, dof, &records.remarks);
     if (!own.velocity && !own.displacement) MotionStream(log, dof, Source::kPoseEstimator);
     every_velocity = every_velocity && own.velocity.has_value();
     every_displacement = every_displacement && own.displacement.has_value();
@@ -351,80 +229,6 @@ Segment SegmentOfRecord(const Record& record) {
   }
   segment.initial_velocity = record.initial.velocity;
   return segment;
-}
-
-Bins::Bins(std::span<const Record> records) {
-  for (size_t index = 0; index < records.size(); ++index) {
-    const Record& record = records[index];
-    first_rows_.push_back(size());
-    const double width = std::clamp(record.duration() / 3000.0, 0.2, 0.5);
-    struct Row {
-      double time;
-      Bin bin;
-    };
-    std::vector<Row> rows;
-    const auto add = [&](const std::vector<double>& time, NoiseChannel channel) {
-      for (size_t begin = 0; begin < time.size();) {
-        size_t end = begin + 1;
-        double sum = time[begin];
-        while (end < time.size() && time[end] - time[begin] < width - 1e-6) sum += time[end++];
-        rows.push_back({sum / static_cast<double>(end - begin), {channel, begin, end}});
-        begin = end;
-      }
-    };
-    add(record.stamps.velocity, NoiseChannel::kVelocity);
-    add(record.stamps.displacement, NoiseChannel::kDisplacement);
-    std::stable_sort(
-        rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.time < b.time; });
-    std::array<std::vector<size_t>, 2> counts;
-    for (const Row& row : rows) {
-      counts[static_cast<size_t>(row.bin.channel)].push_back(row.bin.end - row.bin.begin);
-    }
-    std::array<double, 2> usual = {1.0, 1.0};
-    for (size_t channel = 0; channel < 2; ++channel) {
-      auto& of_channel = counts[channel];
-      if (of_channel.empty()) continue;
-      const auto middle = of_channel.begin() + static_cast<std::ptrdiff_t>(of_channel.size() / 2);
-      std::nth_element(of_channel.begin(), middle, of_channel.end());
-      usual[channel] = static_cast<double>(*middle);
-    }
-    for (const Row& row : rows) {
-      const auto count = static_cast<double>(row.bin.end - row.bin.begin);
-      bins_.push_back(row.bin);
-      samples_.push_back({row.time,
-                          row.bin.channel,
-                          usual[static_cast<size_t>(row.bin.channel)] / count,
-                          static_cast<int>(index)});
-    }
-  }
-  first_rows_.push_back(size());
-}
-
-void Bins::Average(std::size_t index,
-                   const std::vector<double>& velocity,
-                   const std::vector<double>& displacement,
-                   std::span<double> to) const {
-  for (int row = first_row(index); row < first_row(index + 1); ++row) {
-    const Bin& bin = bins_[row];
-    const auto& from = bin.channel == NoiseChannel::kVelocity ? velocity : displacement;
-    double sum = 0.0;
-    for (size_t i = bin.begin; i < bin.end; ++i) sum += from[i];
-    to[row - first_row(index)] = sum / static_cast<double>(bin.end - bin.begin);
-  }
-}
-
-void Bins::Average(std::size_t index,
-                   const SensitivityMatrix& velocity,
-                   const SensitivityMatrix& displacement,
-                   Eigen::Ref<SensitivityMatrix> to) const {
-  for (int row = first_row(index); row < first_row(index + 1); ++row) {
-    const Bin& bin = bins_[row];
-    const auto& from = bin.channel == NoiseChannel::kVelocity ? velocity : displacement;
-    to.row(row - first_row(index)) = from.middleRows(static_cast<Eigen::Index>(bin.begin),
-                                                     static_cast<Eigen::Index>(bin.end - bin.begin))
-                                         .colwise()
-                                         .mean();
-  }
 }
 
 }  // namespace fathom

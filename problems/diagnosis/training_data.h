@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/diagnosis/bins.h"
 #include "fathom/diagnosis/records.h"
 #include "fathom/noise/noise_model.h"
 #include "fathom/noise/whitener.h"

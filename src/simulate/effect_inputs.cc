@@ -75,22 +75,32 @@ SampledSignal PartnerVelocity(const std::vector<double>& time,
   return smooth;
 }
 
-EffectInputs EffectInputsOf(const Log& log, Dof dof) {
+EffectInputs MeasuredInputsOf(const Log& log, Dof dof) {
   EffectInputs inputs;
   inputs.dof = dof;
   inputs.command = CommandOf(log, dof);
-  std::vector<SampledSignal> from_poses(kAllDofs.size());
-  if (log.pose) from_poses = VelocitiesFromPoses(*log.pose);
   for (const Dof other : kAllDofs) {
     if (log.command) {
       if (const auto* force = log.command->Find(ForceColumn(other))) {
         inputs.force[Index(other)] = {log.command->time, *force};
       }
     }
-    const auto* velocity = log.velocity ? log.velocity->Find(VelocityColumn(other)) : nullptr;
-    inputs.velocity[Index(other)] = velocity != nullptr
-                                        ? PartnerVelocity(log.velocity->time, *velocity)
-                                        : from_poses[Index(other)];
+    if (log.velocity) {
+      if (const auto* velocity = log.velocity->Find(VelocityColumn(other))) {
+        inputs.velocity[Index(other)] = PartnerVelocity(log.velocity->time, *velocity);
+      }
+    }
+  }
+  return inputs;
+}
+
+EffectInputs EffectInputsOf(const Log& log, Dof dof) {
+  EffectInputs inputs = MeasuredInputsOf(log, dof);
+  if (!log.pose) return inputs;
+  const std::vector<SampledSignal> from_poses = VelocitiesFromPoses(*log.pose);
+  for (const Dof other : kAllDofs) {
+    SampledSignal& velocity = inputs.velocity[Index(other)];
+    if (velocity.time.empty()) velocity = from_poses[Index(other)];
   }
   return inputs;
 }

@@ -14,8 +14,11 @@ namespace fathom {
 // window that predicts left-out samples best, since a model takes it as exact.
 SampledSignal PartnerVelocity(const std::vector<double>& time, const std::vector<double>& measured);
 
-// What effects along `dof` take from a log: every command, and every velocity that velocity.csv or
-// else the poses' derivative tells. Throws InputError if `dof` itself was not commanded.
+// What effects along `dof` take from a log: every command, and every velocity of velocity.csv.
+// Throws InputError if `dof` itself was not commanded.
+EffectInputs MeasuredInputsOf(const Log& log, Dof dof);
+
+// The same, with the poses' derivatives where velocity.csv has none.
 EffectInputs EffectInputsOf(const Log& log, Dof dof);
 
 // Which of a partner's measurements an effect really uses, found by asking its equation.

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+#include "fathom/simulate/effect_simulation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// The world coordinate that is the displacement along `dof` of a log with poses. Nothing without
+// poses, or where the vehicle turns so much that no coordinate is the displacement; that is a
+// remark, in which the log is `name`.
+std::optional<SampledSignal> PoseCoordinate(const Log& log,
+                                            const std::string& name,
+                                            Dof dof,
+                                            std::vector<std::string>* remarks);
+
+}  // namespace fathom
