@@ -3,117 +3,21 @@
 
 #include "fathom/vision/view_pose.h"
 
+#include "fathom/vision/pose_refinement.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <ceres/tiny_solver.h>
-#include <ceres/tiny_solver_autodiff_function.h>
 #include <opencv2/calib3d.hpp>
 
 namespace fathom {
 namespace {
-
-// A point of the world and where it was seen.
-struct SeenCorner {
-  Eigen::Vector3d x_world;
-  Eigen::Vector2d pixel;
-};
-
-// Residuals [px] of all corners for a step away from a pose: 0 where every corner is seen where it
-// is drawn. With Huber's loss as a factor on each corner, the sum of squares is the robust cost.
-struct ViewResiduals {
-  const CameraModel& camera;
-  const Pose& world_from_camera;
-  std::span<const SeenCorner> corners;
-  double huber;
-
-  int NumResiduals() const { return 2 * static_cast<int>(corners.size()); }
-
-  template <typename T>
-  bool operator()(const T* step, T* residuals) const {
-    using std::sqrt;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Eigen::Matrix<T, 3, 1> x_world = corners[i].x_world.cast<T>();
-      const Eigen::Matrix<T, 3, 1> x_camera =
-          InverseTransformNear(world_from_camera, step, x_world);
-      Eigen::Matrix<T, 2, 1> residual;
-      if (camera.lens != LensModel::kEquidistant && !(x_camera.z() > 1e-9)) {
-        // Behind the camera: no step may lead there.
-        residual = Eigen::Matrix<T, 2, 1>(T(1e6), T(1e6));
-      } else {
-        residual = Project(camera, x_camera) - corners[i].pixel.cast<T>();
-      }
-      const T square = residual.squaredNorm();
-      if (square > huber * huber) {
-        const T size = sqrt(square);
-        residual *= sqrt(huber * (2.0 * size - huber)) / size;
-      }
-      residuals[2 * i] = residual[0];
-      residuals[2 * i + 1] = residual[1];
-    }
-    return true;
-  }
-};
-
-using ViewFunction = ceres::TinySolverAutoDiffFunction<ViewResiduals, Eigen::Dynamic, 6>;
-
-struct RefinedPose {
-  Pose world_from_camera;
-  PoseCovariance unit_covariance;
-};
-
-std::optional<RefinedPose> Refine(const CameraModel& camera,
-                                  std::span<const SeenCorner> corners,
-                                  Pose pose,
-                                  double huber) {
-  const ViewResiduals residuals = {camera, pose, corners, huber};
-  const ViewFunction function(residuals);
-  ceres::TinySolver<ViewFunction> solver;
-  solver.options.max_num_iterations = 100;
-  solver.options.function_tolerance = 1e-12;
-  solver.options.parameter_tolerance = 1e-12;
-  solver.options.gradient_tolerance = 1e-9;
-  PoseIncrement step = PoseIncrement::Zero();
-  solver.Solve(function, &step);
-  if (!step.allFinite() || !std::isfinite(solver.summary.final_cost)) return std::nullopt;
-
-  Eigen::VectorXd values(residuals.NumResiduals());
-  Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian(residuals.NumResiduals(), 6);
-  // The covariance is about the pose that was found: a step of the step.
-  const Pose found = Moved(pose, step);
-  const ViewResiduals at_found = {camera, found, corners, huber};
-  step.setZero();
-  const ViewFunction function_at_found(at_found);
-  function_at_found(step.data(), values.data(), jacobian.data());
-  const Eigen::LDLT<PoseCovariance> information(jacobian.transpose() * jacobian);
-  if (!values.allFinite() || information.info() != Eigen::Success || !information.isPositive()) {
-    return std::nullopt;
-  }
-  const PoseCovariance covariance = information.solve(PoseCovariance::Identity());
-  if (!covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0.0)) return std::nullopt;
-  return RefinedPose{found, covariance};
-}
-
-// Squared residuals of a detection's four corners, summed [px^2]; infinite if one is behind.
-double SquaredError(const CameraModel& camera,
-                    std::span<const SeenCorner> corners,
-                    const Pose& world_from_camera) {
-  const Pose camera_from_world = world_from_camera.Inverse();
-  double sum = 0.0;
-  for (const SeenCorner& corner : corners) {
-    const Eigen::Vector3d x_camera = camera_from_world * corner.x_world;
-    if (camera.lens != LensModel::kEquidistant && !(x_camera.z() > 0.0)) {
-      return std::numeric_limits<double>::infinity();
-    }
-    sum += (Project(camera, x_camera) - corner.pixel).squaredNorm();
-  }
-  return sum;
-}
 
 // Both poses of a square seen along these rays, by infinitesimal plane-based pose estimation
 // (Collins and Bartoli 2014). OpenCV's corners are ours, in the same order.
@@ -149,15 +53,6 @@ std::vector<Pose> SolveByIppe(double size, const std::array<Eigen::Vector2d, 4>&
   return poses;
 }
 
-std::array<SeenCorner, 4> SeenCornersOf(const Marker& marker, const Detection& detection) {
-  const auto corners_in_tag = CornersInTag(marker.size);
-  std::array<SeenCorner, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = {marker.world_from_tag * corners_in_tag[i], detection.corners[i]};
-  }
-  return corners;
-}
-
 // Two refined poses are the same minimum if they draw the corners in the same place.
 bool IsSameMinimum(const Pose& a, const Pose& b, const PoseCovariance& unit_covariance) {
   constexpr double kSame = 1e-3;  // [px]
@@ -171,27 +66,135 @@ struct Candidate {
   int proposer = 0;  // index of the square's detection
 };
 
-// Keeps the candidates that fit all detections best, each counting no more than an outlier.
-void KeepTheBest(const CameraModel& camera,
-                 const std::vector<std::array<SeenCorner, 4>>& seen,
-                 double most_square,
-                 std::vector<Candidate>* candidates) {
-  constexpr std::size_t kMost = 4;
-  if (candidates->size() <= kMost) return;
-  std::vector<std::pair<double, std::size_t>> scores;
-  for (std::size_t k = 0; k < candidates->size(); ++k) {
-    double score = 0.0;
-    for (const auto& corners : seen) {
-      score +=
-          std::min(SquaredError(camera, corners, (*candidates)[k].world_from_camera), most_square);
+// A pose and the detections that it explains, as indices into the frame, rising.
+struct Explanation {
+  RefinedPose pose;
+  std::vector<int> used;
+};
+
+// The corners of one frame, and what it takes to explain them.
+class Frame {
+ public:
+  Frame(const CameraModel& camera,
+        const MarkerMap& map,
+        std::span<const Detection> frame,
+        const ViewPoseOptions& options)
+      : camera_(camera), options_(options), gate_square_(4.0 * options.gate * options.gate) {
+    for (const Detection& detection : frame) {
+      seen_.push_back(SeenCornersOf(*map.Find(detection.tag_id), detection));
     }
-    scores.emplace_back(score, k);
+    // One square alone, its tilt known to some degrees, puts those a metre away far off: before all
+    // are fitted together nothing within this is an outlier.
+    constexpr double kWideGate = 100.0;  // rms [px]
+    wide_square_ =
+        frame.size() > 1 ? std::max(gate_square_, 4.0 * kWideGate * kWideGate) : gate_square_;
   }
-  std::sort(scores.begin(), scores.end());
-  std::vector<Candidate> best;
-  for (std::size_t k = 0; k < kMost; ++k) best.push_back((*candidates)[scores[k].second]);
-  *candidates = std::move(best);
-}
+
+  // Keeps the candidates that fit all detections best, each counting no more than an outlier; first
+  // those that explain their own square, of whose two poses the other is the flipped one.
+  void KeepTheBest(std::vector<Candidate>* candidates) const {
+    constexpr std::size_t kMost = 4;
+    if (candidates->size() <= kMost) return;
+    std::vector<std::tuple<bool, double, std::size_t>> scores;
+    for (std::size_t k = 0; k < candidates->size(); ++k) {
+      const auto& [pose, proposer] = (*candidates)[k];
+      double score = 0.0;
+      for (std::size_t i = 0; i < seen_.size(); ++i) {
+        score += std::min(Error(i, pose), wide_square_);
+      }
+      scores.emplace_back(Error(proposer, pose) > gate_square_, score, k);
+    }
+    std::sort(scores.begin(), scores.end());
+    std::vector<Candidate> best;
+    for (std::size_t k = 0; k < kMost; ++k) best.push_back((*candidates)[std::get<2>(scores[k])]);
+    *candidates = std::move(best);
+  }
+
+  // From all that lies within the wide gate; where that explains no more than half of the frame,
+  // something among them may have spoilt the fit: then from the candidate's own square, outwards.
+  std::optional<Explanation> Explain(const Candidate& candidate) const {
+    auto all =
+        Settle(candidate.world_from_camera, ExplainedBy(candidate.world_from_camera, wide_square_));
+    if (seen_.size() == 1 || (all && 2 * all->used.size() > seen_.size())) return all;
+    auto grown = Grow(candidate);
+    if (grown) grown = Settle(grown->pose.world_from_camera, grown->used);
+    return grown && (!all || grown->used.size() > all->used.size()) ? grown : all;
+  }
+
+  // Squared residuals of one detection's corners, summed [px^2].
+  double Error(std::size_t i, const Pose& pose) const {
+    return SquaredError(camera_, seen_[i], pose);
+  }
+
+ private:
+  std::vector<int> ExplainedBy(const Pose& pose, double square) const {
+    std::vector<int> used;
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      if (Error(i, pose) <= square) used.push_back(static_cast<int>(i));
+    }
+    return used;
+  }
+
+  std::optional<RefinedPose> Refine(const std::vector<int>& used,
+                                    const Pose& start,
+                                    double huber) const {
+    std::vector<SeenCorner> corners;
+    for (const int i : used) corners.insert(corners.end(), seen_[i].begin(), seen_[i].end());
+    return RefinePose(camera_, corners, start, huber);
+  }
+
+  // Fits the pose to the detections that it explains until these stay the same. None if it comes to
+  // explain nothing.
+  std::optional<Explanation> Settle(Pose pose, std::vector<int> used) const {
+    constexpr int kMostRounds = 5;
+    for (int round = 0; round < kMostRounds && !used.empty(); ++round) {
+      // The first fit may hold outliers: none of them may pull more than the gate allows.
+      const double huber =
+          round == 0 && used.size() > 1 ? std::min(options_.huber, options_.gate) : options_.huber;
+      const auto refined = Refine(used, pose, huber);
+      if (!refined) return std::nullopt;
+      pose = refined->world_from_camera;
+      std::vector<int> next = ExplainedBy(pose, gate_square_);
+      if ((next == used && huber == options_.huber) || round + 1 == kMostRounds) {
+        return Explanation{*refined, std::move(used)};
+      }
+      used = std::move(next);
+    }
+    return std::nullopt;
+  }
+
+  // The candidate's own square, and one by one the detection next to the pose so far, where one
+  // pose explains it together with all those before. None if not even the square is explained.
+  std::optional<Explanation> Grow(const Candidate& candidate) const {
+    std::optional<Explanation> grown;
+    std::vector<int> left = ExplainedBy(candidate.world_from_camera, wide_square_);
+    std::erase(left, candidate.proposer);
+    int added = candidate.proposer;
+    Pose start = candidate.world_from_camera;
+    while (true) {
+      std::vector<int> used = grown ? grown->used : std::vector<int>();
+      used.insert(std::upper_bound(used.begin(), used.end(), added), added);
+      const auto refined = Refine(used, start, options_.huber);
+      const bool is_consistent = refined && std::all_of(used.begin(), used.end(), [&](int i) {
+                                   return Error(i, refined->world_from_camera) <= gate_square_;
+                                 });
+      if (is_consistent) grown = Explanation{*refined, std::move(used)};
+      if (!grown || left.empty()) return grown;
+      start = grown->pose.world_from_camera;
+      const auto nearest = std::min_element(left.begin(), left.end(), [&](int a, int b) {
+        return Error(a, start) < Error(b, start);
+      });
+      added = *nearest;
+      left.erase(nearest);
+    }
+  }
+
+  const CameraModel& camera_;
+  const ViewPoseOptions options_;
+  const double gate_square_;  // sum over a detection's corners [px^2]; and so the next
+  double wide_square_;
+  std::vector<std::array<SeenCorner, 4>> seen_;
+};
 
 }  // namespace
 
@@ -217,8 +220,8 @@ std::vector<Pose> SolveSquare(const CameraModel& camera,
   std::vector<Solution> solutions;
   std::optional<RefinedPose> first;
   for (const Pose& camera_from_tag : SolveByIppe(size, slopes)) {
-    const auto refined =
-        Refine(camera, seen, camera_from_tag.Inverse(), std::numeric_limits<double>::infinity());
+    const auto refined = RefinePose(
+        camera, seen, camera_from_tag.Inverse(), std::numeric_limits<double>::infinity());
     if (!refined) continue;
     if (first &&
         IsSameMinimum(
@@ -253,23 +256,7 @@ std::vector<ViewPose> SolveView(const CameraModel& camera,
                                 std::span<const Detection> frame,
                                 std::span<const std::vector<Pose>> squares,
                                 const ViewPoseOptions& options) {
-  std::vector<std::array<SeenCorner, 4>> seen;
-  for (const Detection& detection : frame) {
-    seen.push_back(SeenCornersOf(*map.Find(detection.tag_id), detection));
-  }
-  const double gate_square = 4.0 * options.gate * options.gate;
-  // One square alone, its tilt known to some degrees, puts those a metre away far off: before all
-  // are fitted together nothing within this is an outlier.
-  constexpr double kWideGate = 100.0;  // rms [px]
-  const double wide_square =
-      frame.size() > 1 ? std::max(gate_square, 4.0 * kWideGate * kWideGate) : gate_square;
-  const auto explained_by = [&](const Pose& pose, double square) {
-    std::vector<int> used;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (SquaredError(camera, seen[i], pose) <= square) used.push_back(static_cast<int>(i));
-    }
-    return used;
-  };
+  const Frame corners(camera, map, frame, options);
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Pose& world_from_tag = map.Find(frame[i].tag_id)->world_from_tag;
@@ -277,40 +264,18 @@ std::vector<ViewPose> SolveView(const CameraModel& camera,
       candidates.push_back({world_from_tag * camera_from_tag.Inverse(), static_cast<int>(i)});
     }
   }
-  KeepTheBest(camera, seen, wide_square, &candidates);
+  corners.KeepTheBest(&candidates);
 
   std::vector<ViewPose> poses;
   for (const Candidate& candidate : candidates) {
-    Pose pose = candidate.world_from_camera;
-    std::vector<int> used = explained_by(pose, wide_square);
-    std::optional<RefinedPose> refined;
-    constexpr int kMostRounds = 5;
-    for (int round = 0; round < kMostRounds && !used.empty(); ++round) {
-      std::vector<SeenCorner> corners;
-      for (const int i : used) corners.insert(corners.end(), seen[i].begin(), seen[i].end());
-      // The first fit may hold outliers: none of them may pull more than the gate allows.
-      const double huber =
-          round == 0 && used.size() > 1 ? std::min(options.huber, options.gate) : options.huber;
-      refined = Refine(camera, corners, pose, huber);
-      if (!refined) break;
-      pose = refined->world_from_camera;
-      std::vector<int> next = explained_by(pose, gate_square);
-      if (next.empty() && round == 0 && used.size() > 1) {
-        pose = candidate.world_from_camera;  // spoilt: from its own square, outwards
-        next = {candidate.proposer};
-      } else if ((next == used && huber == options.huber) || round + 1 == kMostRounds) {
-        break;
-      }
-      refined.reset();
-      used = std::move(next);
-    }
-    if (!refined || used.empty()) continue;
+    auto explanation = corners.Explain(candidate);
+    if (!explanation) continue;
     ViewPose view;
-    view.world_from_camera = refined->world_from_camera;
-    view.unit_covariance = refined->unit_covariance;
-    view.used = used;
-    for (const int i : used) view.squared_error += SquaredError(camera, seen[i], pose);
-    view.degrees_of_freedom = 8 * static_cast<int>(used.size()) - 6;
+    view.world_from_camera = explanation->pose.world_from_camera;
+    view.unit_covariance = explanation->pose.unit_covariance;
+    view.used = std::move(explanation->used);
+    for (const int i : view.used) view.squared_error += corners.Error(i, view.world_from_camera);
+    view.degrees_of_freedom = 8 * static_cast<int>(view.used.size()) - 6;
     const bool is_known = std::any_of(poses.begin(), poses.end(), [&](const ViewPose& other) {
       return other.used == view.used &&
              IsSameMinimum(other.world_from_camera, view.world_from_camera, other.unit_covariance);

@@ -50,8 +50,10 @@ struct ViewPoseOptions {
 
 // The poses that explain a frame, the best first: most detections, then the least error. Candidates
 // are the two poses of each square; of these, the four that fit all of the frame's corners best are
-// refined, each over the corners of the detections that it explains. Those that end in the same
-// minimum are one. Every detection's marker must be in the map and have a place.
+// refined, each over the corners of the detections that it explains. Where that are no more than
+// half, a wild one among them may have spoilt the fit: the set is then grown from the candidate's
+// own square, one detection at a time that one pose explains together with those before. Poses that
+// end in the same minimum are one. Every detection's marker must be in the map and have a place.
 std::vector<ViewPose> SolveView(const CameraModel& camera,
                                 const MarkerMap& map,
                                 std::span<const Detection> frame,

@@ -191,6 +191,34 @@ TEST(TrackPoses, LosesNothingOfSeveralMarkersThatAgree) {
   EXPECT_THAT(track.rejected, IsEmpty());
 }
 
+// One false decode in each frame of quiet corners costs that one, and neither the frame nor the
+// markers next to it.
+TEST(TrackPoses, SetsAsideOneWildMarkerOfAFrameAlone) {
+  for (const std::size_t num_markers : {4, 3}) {
+    MarkerMap map = FourMarkers();
+    map.markers.resize(num_markers);
+    SyntheticRecord record = MakeRecord(map, 200, 0.3, 0.05, 15);
+    ASSERT_EQ(record.detections.size(), 200 * num_markers);
+    std::mt19937 random(4);
+    std::vector<int> wild;
+    for (std::size_t i = 0; i < 200; ++i) {
+      const std::size_t index = num_markers * i + i % num_markers;
+      wild.push_back(static_cast<int>(index));
+      PutElsewhere(i % 3 == 0 ? 2000.0 : 120.0, &random, &record.detections[index]);
+    }
+    const PoseTrack track = TrackPoses(record.detections, SyntheticCamera(), map);
+    ExpectNothingIsLost(track);
+    EXPECT_EQ(track.views.size(), 200u);
+    std::vector<int> rejected;
+    for (const RejectedDetection& one : track.rejected) {
+      EXPECT_EQ(one.reason, Rejection::kOutlier);
+      rejected.push_back(one.index);
+    }
+    EXPECT_EQ(rejected, wild);
+    EXPECT_LT(std::abs(track.corner_sigma - 0.05), 5.0 * track.corner_sigma_std);
+  }
+}
+
 // Frames by turns show two markers and two others, whose survey is 3 cm off: the pose jumps by
 // more than its corners allow, and is no outlier.
 TEST(TrackPoses, KeepsFramesThatTheSurveyMakesJump) {

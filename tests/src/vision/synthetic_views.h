@@ -69,6 +69,24 @@ inline void AddNoise(double sigma, std::mt19937* random, std::vector<Detection>*
   }
 }
 
+// A false decode: the right id on a square of somewhere else, up to `farthest` [px] from its
+// marker.
+inline void PutElsewhere(double farthest, std::mt19937* random, Detection* detection) {
+  std::uniform_real_distribution<double> u(100.0, 1180.0), v(100.0, 860.0), half(10.0, 50.0);
+  std::uniform_real_distribution<double> turn(-0.5, 0.5);
+  const Eigen::Vector2d was = 0.25 * (detection->corners[0] + detection->corners[1] +
+                                      detection->corners[2] + detection->corners[3]);
+  Eigen::Vector2d centre;
+  do {
+    centre = {u(*random), v(*random)};
+  } while ((centre - was).norm() < 5.0 || (centre - was).norm() > farthest);
+  const double angle = turn(*random), size = half(*random);
+  const Eigen::Vector2d right(size * std::cos(angle), size * std::sin(angle));
+  const Eigen::Vector2d down(-right.y(), right.x());
+  detection->corners = {
+      centre - right + down, centre + right + down, centre + right - down, centre - right - down};
+}
+
 struct SyntheticRecord {
   std::vector<double> time;             // of all frames
   std::vector<Pose> world_from_camera;  // the truth

@@ -3,6 +3,9 @@
 
 #include "fathom/vision/view_pose.h"
 
+#include <algorithm>
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include "synthetic_views.h"
@@ -103,6 +106,43 @@ TEST(SolveView, LeavesOutADetectionThatContradictsTheOthers) {
   ASSERT_GE(poses.size(), 1u);
   EXPECT_EQ(poses[0].used, (std::vector<int>{0, 1, 3}));
   EXPECT_LT(DistanceBetween(poses[0].world_from_camera, truth), 1e-7);
+}
+
+// Where corners are quiet the gate is narrow, so that a single square does not tell where the
+// others are to within it, and a fit that holds the wild detection misses all of them.
+TEST(SolveView, KeepsTheQuietMarkersNextToAWildOne) {
+  constexpr double kSigma = 0.05;  // [px]
+  constexpr int kNumSeeds = 100;
+  for (const size_t num_markers : {4, 3}) {
+    MarkerMap map = FourMarkers();
+    map.markers.resize(num_markers);
+    for (int wild = 0; wild < static_cast<int>(num_markers); ++wild) {
+      std::vector<int> others;
+      for (int i = 0; i < static_cast<int>(num_markers); ++i) {
+        if (i != wild) others.push_back(i);
+      }
+      int num_kept = 0;
+      for (int seed = 0; seed < kNumSeeds; ++seed) {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        const Pose truth = CameraPoseAt(0.37 * seed, 0.3 * std::sin(1.0 * seed));
+        auto frame = ObserveCorners(SyntheticCamera(), map, truth);
+        ASSERT_EQ(frame.size(), num_markers);
+        AddNoise(kSigma, &random, &frame);
+        // Half of them so near that they count as perhaps seen by every pose to start with.
+        PutElsewhere(seed % 2 == 0 ? 120.0 : 2000.0, &random, &frame[wild]);
+        // Gate and loss as TrackPoses() sets them.
+        const auto poses =
+            SolveView(SyntheticCamera(), map, frame, {.gate = 4.0 * kSigma, .huber = 3.0 * kSigma});
+        if (poses.empty() || poses[0].used != others) continue;
+        ++num_kept;
+        // Chi-square of 6 degrees of freedom: one in two million is above 40.
+        const PoseIncrement error = StepBetween(poses[0].world_from_camera, truth);
+        EXPECT_LT(error.dot(poses[0].unit_covariance.ldlt().solve(error)) / (kSigma * kSigma), 40.0)
+            << num_markers << " markers, wild " << wild << ", seed " << seed;
+      }
+      EXPECT_EQ(num_kept, kNumSeeds) << num_markers << " markers, wild " << wild;
+    }
+  }
 }
 
 }  // namespace
