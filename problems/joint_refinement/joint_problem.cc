@@ -80,7 +80,7 @@ std::vector<int> MovingCoordinates(const ProcessSet& processes, int excited) {
 }
 
 // Reprojection of one detection, whitened. Blocks: deviation of the frame (if any coordinate
-// moves), model, start, response, then what is free of: clock, setup (size scale and mount).
+// moves), model, start, response, and the clock if it is free.
 class CornerCost final : public ceres::CostFunction {
  public:
   CornerCost(const JointData& data,
@@ -91,8 +91,7 @@ class CornerCost final : public ceres::CostFunction {
              size_t run,
              size_t frame,
              const Detection& detection,
-             bool with_clock,
-             bool with_setup)
+             bool with_clock)
       : data_(data),
         simulate_(simulate),
         moving_(moving),
@@ -101,8 +100,7 @@ class CornerCost final : public ceres::CostFunction {
         run_(run),
         frame_(frame),
         detection_(detection),
-        marker_(*data.setup.map.Find(detection.tag_id)),
-        with_setup_(with_setup) {
+        marker_(*data.setup.map.Find(detection.tag_id)) {
     set_num_residuals(8);
     auto* const sizes = mutable_parameter_block_sizes();
     if (!moving.empty()) sizes->push_back(static_cast<int>(moving.size()));
@@ -111,10 +109,6 @@ class CornerCost final : public ceres::CostFunction {
     if (with_clock) {
       sizes->push_back(1);
       first_columns_.push_back(kClockColumn);
-    }
-    if (with_setup) {
-      sizes->push_back(7);
-      first_columns_.push_back(kSizeColumn);
     }
   }
 
@@ -125,15 +119,9 @@ class CornerCost final : public ceres::CostFunction {
     const PredictedMotion& motion = data_.runs[run_].motion;
     PoseVector eta = motion.Mean(frame_);
     for (size_t i = 0; i < moving_.size(); ++i) eta[moving_[i]] += parameters[0][i];
-    SetupUnknowns setup = unknowns_.setup;
-    if (with_setup_) {
-      const double* const block = parameters[parameter_block_sizes().size() - 1];
-      setup.size_scale = block[0];
-      std::copy_n(block + 1, 6, setup.mount.begin());
-    }
     CornerRows rows;
     if (!EvaluateCorners(
-            data_.setup, setup, marker_, detection_, eta, corner_sigma_, with_setup_, &rows)) {
+            data_.setup, unknowns_.setup, marker_, detection_, eta, corner_sigma_, false, &rows)) {
       return false;
     }
     std::copy_n(rows.residual.data(), 8, residuals);
@@ -158,11 +146,7 @@ class CornerCost final : public ceres::CostFunction {
       const int size = parameter_block_sizes()[block];
       if (double* const out = jacobians[block++]; out != nullptr) {
         Eigen::Map<RowMajor> J(out, 8, size);
-        if (first == kSizeColumn) {
-          J = rows.by_setup;
-        } else {
-          J.noalias() = rows.by_pose * mean.middleCols(first, size);
-        }
+        J.noalias() = rows.by_pose * mean.middleCols(first, size);
       }
     }
     return true;
@@ -177,7 +161,6 @@ class CornerCost final : public ceres::CostFunction {
   const size_t run_, frame_;
   const Detection& detection_;
   const Marker& marker_;
-  const bool with_setup_;
   std::vector<int> first_columns_;
 };
 
@@ -293,10 +276,9 @@ void Hold(double* block,
       also.empty() ? nullptr : new ceres::SubsetManifold(static_cast<int>(std.size()), also));
 }
 
-// What Ceres moves: the moving coordinates of the deviations side by side, and the setup as one.
+// What Ceres moves of the deviations: the moving coordinates side by side.
 struct Blocks {
   std::vector<std::vector<double>> deviation, rate;  // by run; n numbers a frame
-  std::array<double, 7> setup = {};
 
   void Load(const JointUnknowns& unknowns, const std::vector<int>& moving) {
     deviation.assign(unknowns.runs.size(), {});
@@ -309,8 +291,6 @@ struct Blocks {
         }
       }
     }
-    setup[0] = unknowns.setup.size_scale;
-    std::copy_n(unknowns.setup.mount.begin(), 6, setup.begin() + 1);
   }
 
   void Store(const std::vector<int>& moving, JointUnknowns* unknowns) const {
@@ -324,8 +304,6 @@ struct Blocks {
         }
       }
     }
-    unknowns->setup.size_scale = setup[0];
-    std::copy_n(setup.begin() + 1, 6, unknowns->setup.mount.begin());
   }
 };
 
@@ -421,9 +399,6 @@ JointSolve SolveJoint(JointData* data,
   Loss loss(data->loss_limit);
   ceres::Problem problem(problem_options);
 
-  const bool with_setup = std::any_of(priors[0].std.begin() + kSizeColumn,
-                                      priors[0].std.begin() + kSizeColumn + 7,
-                                      [](double std) { return std > 0.0; });
   for (size_t r = 0; r < data->runs.size(); ++r) {
     const JointRun& run = data->runs[r];
     RunUnknowns& own = unknowns->runs[r];
@@ -434,7 +409,6 @@ JointSolve SolveJoint(JointData* data,
         if (n > 0) list.push_back(&blocks.deviation[r][k * n]);
         list.insert(list.end(), {unknowns->model.data(), own.start.data(), own.response.data()});
         if (with_clock) list.push_back(&own.clock_offset);
-        if (with_setup) list.push_back(blocks.setup.data());
         problem.AddResidualBlock(new CornerCost(*data,
                                                 simulate,
                                                 moving,
@@ -443,8 +417,7 @@ JointSolve SolveJoint(JointData* data,
                                                 r,
                                                 k,
                                                 detection,
-                                                with_clock,
-                                                with_setup),
+                                                with_clock),
                                  &loss,
                                  list);
       }
@@ -486,12 +459,6 @@ JointSolve SolveJoint(JointData* data,
                Means(priors[r], kClockColumn, 1, &own.clock_offset),
                &problem);
     }
-  }
-  if (with_setup) {
-    const auto std = Stds(priors[0], kSizeColumn, 7);
-    AddPrior(
-        blocks.setup.data(), std, Means(priors[0], kSizeColumn, 7, blocks.setup.data()), &problem);
-    Hold(blocks.setup.data(), std, {}, &problem);
   }
 
   ceres::Solver::Options solver;

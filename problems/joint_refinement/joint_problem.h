@@ -27,12 +27,13 @@ struct JointSolveOptions {
   bool without_model = false;  // plain bundle adjustment of the same poses, to compare with
 };
 
-// The one Ceres problem: every pose, the model, the starts, the responses and what else is free,
-// over all corners, under given processes. Dampings stay at least 0 by SearchActiveSet(), since
-// Ceres' bounds report convergence at a wrong point when one is active; one that `priors` hold
-// stays where it is.
+// The one Ceres problem: every pose, the model, the starts, the responses and the clocks, over all
+// corners, under given processes and with the setup as it is (FitSetup() moves that). Dampings stay
+// at least 0 by SearchActiveSet(), since Ceres' bounds report convergence at a wrong point when one
+// is active; one that `priors` hold stays where it is.
 //
-// `priors` as in SolveLinear(); their offsets are those at the present unknowns.
+// `priors` as in LinearJoint, but for the setup's, which do not count; their offsets are those at
+// the present unknowns.
 JointSolve SolveJoint(JointData* data,
                       const ProcessSet& processes,
                       const std::vector<GlobalsPrior>& priors,

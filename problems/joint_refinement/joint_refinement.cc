@@ -297,7 +297,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     const JointSolve solve =
         SolveJoint(&data,
                    processes,
-                   WithSetupHeld(PriorsOf(options, unknowns, {})),
+                   PriorsOf(options, unknowns, {}),
                    {.max_iterations = options.max_iterations, .num_threads = options.num_threads},
                    &unknowns);
     ++summary.num_rounds;

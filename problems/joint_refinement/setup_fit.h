@@ -15,7 +15,7 @@
 
 namespace fathom {
 
-// The priors at given unknowns, as in SolveLinear().
+// The priors at given unknowns, as in LinearJoint.
 using PriorsAt = std::function<std::vector<GlobalsPrior>(const JointUnknowns&)>;
 
 // The same priors with the size scale and the mount held where they are.
