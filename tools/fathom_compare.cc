@@ -41,9 +41,9 @@ const ToolInfo kInfo = {
     "Compares identifier families and sources on one log, scored by free-running simulation.",
     "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
-    "The row that predicts best on held-out data is marked *, one without a usable model !. The "
-    "family "
-    "joint takes the source camera, of logs with detections.csv, camera.yaml, tags.yaml and "
+    "The row of least held-out NMAE is marked *, by however little: a narrow lead may be chance "
+    "(docs/comparison.md). One without a usable model is marked !. The family joint takes the "
+    "source camera, of logs with detections.csv, camera.yaml, tags.yaml and "
     "mount.yaml. Exit code 2: a DOF without a usable model."};
 
 ComparisonOptions OptionsFromFlags() {
