@@ -23,6 +23,31 @@ using Node = YamlMap::Node;
 
 constexpr std::size_t kDeepest = 32;
 
+// Length of the UTF-8 character that starts at `at`, or 0 if none does.
+std::size_t Utf8Length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80           ? 1
+                             : (first >> 5) == 0x06 ? 2
+                             : (first >> 4) == 0x0e ? 3
+                             : (first >> 3) == 0x1e ? 4
+                                                    : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  for (std::size_t i = at + 1; i < at + length; ++i) {
+    if ((byte(i) >> 6) != 0x02) return 0;
+  }
+  return length;
+}
+
+bool IsUtf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = Utf8Length(text, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
 // Builds the tree from yaml-cpp's events. Its own node type would hide repeated keys and follow
 // aliases into cycles.
 class TreeBuilder : public YAML::EventHandler {
@@ -49,6 +74,10 @@ class TreeBuilder : public YAML::EventHandler {
                 YAML::anchor_t anchor,
                 const std::string& value) override {
     RefuseExtras(mark, tag, anchor);
+    // yaml-cpp 0.7 takes the escapes \N and \_ for single bytes, which no text can hold.
+    if (!IsUtf8(value)) {
+      Fail(mark, "the escape '\\N' or '\\_' stands in a text, expected the character itself.");
+    }
     if (!open_.empty() && open_.back().WaitsForKey()) {
       OpenKey(mark, value);
       return;
@@ -158,22 +187,6 @@ class TreeBuilder : public YAML::EventHandler {
   const std::string& name_;
   std::vector<Collection> open_;  // outermost first
 };
-
-// Length of the UTF-8 character that starts at `at`, or 0 if none does.
-std::size_t Utf8Length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  const std::size_t length = first < 0x80           ? 1
-                             : (first >> 5) == 0x06 ? 2
-                             : (first >> 4) == 0x0e ? 3
-                             : (first >> 3) == 0x1e ? 4
-                                                    : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = at + 1; i < at + length; ++i) {
-    if ((byte(i) >> 6) != 0x02) return 0;
-  }
-  return length;
-}
 
 void RefuseBadCharacters(const std::string& name, std::string_view text) {
   int line = 1;

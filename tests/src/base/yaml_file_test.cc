@@ -185,6 +185,13 @@ TEST(YamlFile, RefusesBytesThatAreNotText) {
   EXPECT_EQ(ParseError(std::string("a: 1\n\0\0", 7)),
             "v.yaml:2: control character 0x00, expected text. The file is damaged; restore it.");
   EXPECT_EQ(Parse("a: caf\xc3\xa9").String("a"), "caf\xc3\xa9");
+  // Found by fuzzing: yaml-cpp makes a single byte of these.
+  for (const char* const text :
+       {"a: 1\nb: \"o\\N\"\n", "a: 1\nb: \"o\\_\"\n", "a: 1\n\"o\\N\": b\n"}) {
+    EXPECT_EQ(
+        ParseError(text),
+        "v.yaml:2: the escape '\\N' or '\\_' stands in a text, expected the character itself.");
+  }
 }
 
 // 100000 levels would overflow the stack of any reader that recurses without a limit.
