@@ -36,6 +36,13 @@ std::size_t Utf8Length(std::string_view text, std::size_t at) {
   for (std::size_t i = at + 1; i < at + length; ++i) {
     if ((byte(i) >> 6) != 0x02) return 0;
   }
+  // Longer than needed, a half of a pair, or beyond the last code point.
+  const unsigned char second = length > 1 ? byte(at + 1) : 0;
+  if (first == 0xc0 || first == 0xc1 || (first == 0xe0 && second < 0xa0) ||
+      (first == 0xed && second > 0x9f) || (first == 0xf0 && second < 0x90) ||
+      (first == 0xf4 && second > 0x8f) || first > 0xf4) {
+    return 0;
+  }
   return length;
 }
 

@@ -185,6 +185,22 @@ TEST(YamlFile, RefusesBytesThatAreNotText) {
   EXPECT_EQ(ParseError(std::string("a: 1\n\0\0", 7)),
             "v.yaml:2: control character 0x00, expected text. The file is damaged; restore it.");
   EXPECT_EQ(Parse("a: caf\xc3\xa9").String("a"), "caf\xc3\xa9");
+  // Found by fuzzing: an encoding longer than needed; half a pair; beyond the last code point.
+  for (const char* const text : {"a: \xe0\x84\x9e",
+                                 "a: \xc0\x80",
+                                 "a: \xed\xa0\x80",
+                                 "a: \xf0\x8f\xbf\xbf",
+                                 "a: \xf4\x90\x80\x80"}) {
+    EXPECT_THAT(ParseError(text), HasSubstr("is not UTF-8")) << text;
+  }
+  for (const char* const text : {"\xc2\xa0",
+                                 "\xe0\xa0\x80",
+                                 "\xed\x9f\xbf",
+                                 "\xee\x80\x80",
+                                 "\xf0\x90\x80\x80",
+                                 "\xf4\x8f\xbf\xbd"}) {
+    EXPECT_EQ(Parse(std::string("a: x") + text).String("a"), std::string("x") + text);
+  }
   // Found by fuzzing: yaml-cpp makes a single byte of these.
   for (const char* const text :
        {"a: 1\nb: \"o\\N\"\n", "a: 1\nb: \"o\\_\"\n", "a: 1\n\"o\\N\": b\n"}) {
