@@ -4,6 +4,7 @@
 #include "fathom/vision/edge_refinement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -53,16 +54,21 @@ std::optional<double> EdgeAcross(const GrayImage& image,
                                  double reach,
                                  double sign) {
   constexpr double kStep = 0.25;
+  constexpr int kHalfPixel = 2;  // steps
+  constexpr int kMost = static_cast<int>(kLargestReach / kStep) + kHalfPixel;
   const int num = static_cast<int>(reach / kStep);
+  std::array<double, 2 * kMost + 1> grey;
+  for (int i = -num - kHalfPixel; i <= num + kHalfPixel; ++i) {
+    const auto here = GreyAt(image, middle + kStep * i * across);
+    if (!here) return {};
+    grey[i + kMost] = *here;
+  }
   double sum = 0.0, moment = 0.0;
   for (int i = -num; i <= num; ++i) {
-    const double n = kStep * i;
-    const auto before = GreyAt(image, middle + (n - 0.5) * across);
-    const auto after = GreyAt(image, middle + (n + 0.5) * across);
-    if (!before || !after) return {};
-    const double change = std::max(0.0, sign * (*after - *before));
+    const double before = grey[i - kHalfPixel + kMost], after = grey[i + kHalfPixel + kMost];
+    const double change = std::max(0.0, sign * (after - before));
     sum += change * change;
-    moment += change * change * n;
+    moment += change * change * kStep * i;
   }
   if (!(sum > 0.0)) return {};
   return moment / sum;
