@@ -188,10 +188,11 @@ class EffectRun {
     const double first = std::max(measured.time.front(), stamps_.start - kWarmUp);
     const double num_steps = std::ceil((stamps_.start - first) / kLongestStep);
     const double h = (stamps_.start - first) / num_steps;
-    T memory(ValueAt(measured, first));
+    std::size_t place = 0;
+    T memory(LineAt(measured, first, &place).value);
     for (double i = 0.0; i < num_steps; ++i) {
       const auto rate = [&](double share, const T& at) {
-        const T speed(ValueAt(measured, first + h * (i + share)));
+        const T speed(LineAt(measured, first + h * (i + share), &place).value);
         return effect.law->MemoryRate(effect.parameters.data(), at, speed);
       };
       const T k1 = rate(0.0, memory);
@@ -201,15 +202,6 @@ class EffectRun {
       memory = memory + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
     }
     return memory;
-  }
-
-  static double ValueAt(const SampledSignal& signal, double t) {
-    const auto next = std::upper_bound(signal.time.begin(), signal.time.end(), t);
-    if (next == signal.time.begin()) return signal.value.front();
-    if (next == signal.time.end()) return signal.value.back();
-    const auto i = static_cast<size_t>(next - signal.time.begin());
-    const double share = (t - signal.time[i - 1]) / (signal.time[i] - signal.time[i - 1]);
-    return signal.value[i - 1] + share * (signal.value[i] - signal.value[i - 1]);
   }
 
   T Acceleration(const State& at, const T& mean_force, const T& s) {

@@ -35,9 +35,9 @@ double VelocityBehind(const ExtendedModel& model,
 
 // The state at `start` from which a model whose sensor has a memory
 // (EffectSimulation::HasReadingMemory()) shows the first two seconds of `readings`, at `time`,
-// best: least squares over the velocity and the excess of the reading, near `guess`, whose position
-// it keeps. One reading tells the velocity of no such vehicle: the sensor still shows what was
-// before. Nothing if the simulation diverges.
+// best: least squares over the velocity and the excess of the reading, near `guess`, of which it
+// keeps the position and what the water remembers. One reading tells the velocity of no such
+// vehicle: the sensor still shows what was before. Nothing if the simulation diverges.
 std::optional<InitialState> StateBehind(const ExtendedModel& model,
                                         const EffectInputs& inputs,
                                         double start,

@@ -19,14 +19,7 @@ std::size_t PlaceOf(const std::vector<double>& time, double t, std::size_t place
 
 }  // namespace
 
-PartnerSignals::PartnerSignals(const EffectInputs& inputs, const EffectSetting& setting)
-    : velocity_(&inputs.velocity[Index(setting.partner)]),
-      yaw_rate_(&inputs.velocity[Index(Dof::kYaw)]),
-      force_(&inputs.force[Index(setting.partner)]) {}
-
-PartnerSignals::Line PartnerSignals::LineAt(const SampledSignal& signal,
-                                            double t,
-                                            std::size_t* place) {
+SignalLine LineAt(const SampledSignal& signal, double t, std::size_t* place) {
   const std::vector<double>& time = signal.time;
   if (time.empty()) return {};
   *place = PlaceOf(time, t, *place);
@@ -35,6 +28,11 @@ PartnerSignals::Line PartnerSignals::LineAt(const SampledSignal& signal,
   const double slope = (signal.value[i + 1] - signal.value[i]) / (time[i + 1] - time[i]);
   return {signal.value[i] + slope * (t - time[i]), slope};
 }
+
+PartnerSignals::PartnerSignals(const EffectInputs& inputs, const EffectSetting& setting)
+    : velocity_(&inputs.velocity[Index(setting.partner)]),
+      yaw_rate_(&inputs.velocity[Index(Dof::kYaw)]),
+      force_(&inputs.force[Index(setting.partner)]) {}
 
 double PartnerSignals::HeldAt(double t) {
   if (force_->time.empty() || t < force_->time.front()) return 0.0;

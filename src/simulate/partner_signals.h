@@ -13,6 +13,14 @@ namespace fathom {
 struct EffectInputs;
 struct SampledSignal;
 
+// A signal and its slope at `t` [s], in line between its samples and level beyond; 0 without any.
+// `place`: where it was found the last time, to be found sooner.
+struct SignalLine {
+  double value = 0.0;
+  double slope = 0.0;
+};
+SignalLine LineAt(const SampledSignal& signal, double t, std::size_t* place);
+
 // What an effect sees of its partner, looked up at times that mostly increase. Without a partner's
 // streams: nothing, and all zero.
 class PartnerSignals {
@@ -26,19 +34,14 @@ class PartnerSignals {
   // `held_t`, so that one step sees one command.
   template <typename T>
   PartnerReading<T> At(const T& t, double plain_t, double held_t) {
-    const Line velocity = LineAt(*velocity_, plain_t, &velocity_place_);
-    const Line yaw_rate = LineAt(*yaw_rate_, plain_t, &yaw_rate_place_);
+    const SignalLine velocity = LineAt(*velocity_, plain_t, &velocity_place_);
+    const SignalLine yaw_rate = LineAt(*yaw_rate_, plain_t, &yaw_rate_place_);
     return {velocity.value + velocity.slope * (t - plain_t),
             yaw_rate.value + yaw_rate.slope * (t - plain_t),
             T(HeldAt(held_t))};
   }
 
  private:
-  struct Line {
-    double value = 0.0;
-    double slope = 0.0;
-  };
-  static Line LineAt(const SampledSignal& signal, double t, std::size_t* place);
   double HeldAt(double t);
 
   const SampledSignal* velocity_ = nullptr;
