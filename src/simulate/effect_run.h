@@ -66,7 +66,15 @@ class EffectRun {
       follows_reading_ = follows_reading_ || has.follow_reading;
       moves_stamps_ = moves_stamps_ || has.delay || has.pose_delay;
       if (effect.has_partner) partners_[k] = PartnerSignals(inputs, effect.setting);
+      has_memory_ = has_memory_ || has.memory_rate;
     }
+    if (has_memory_) {
+      for (State* state : {&state_, &before_, &trial_, &k1_, &k2_, &k3_, &k4_}) {
+        state->memory.resize(model_.effects.size());
+      }
+    }
+    water_.quadratic_damping = model_.baseline.quadratic_damping;
+    water_.linear_damping = model_.baseline.linear_damping;
     time_zero_ = inputs.command.time.empty() ? 0.0 : inputs.command.time.front();
   }
 
@@ -124,7 +132,7 @@ class EffectRun {
   struct State {
     T velocity{0.0};
     T position{0.0};
-    std::array<T, kMostEffects> memory;
+    std::vector<T> memory;  // of each effect; empty if none has one
   };
 
   static double Value(double x) { return x; }
@@ -134,14 +142,15 @@ class EffectRun {
   }
 
   // `s` on the command's clock.
-  Instant<T> At(size_t k, const T& s) { return AtTime(k, moves_stamps_ ? T(s + delay_) : s); }
+  const Instant<T>& At(size_t k, const T& s) {
+    return moves_stamps_ ? AtTime(k, T(s + delay_)) : AtTime(k, s);
+  }
 
   // `t` in log time.
-  Instant<T> AtTime(size_t k, const T& t) {
-    Instant<T> now;
-    now.time = t - time_zero_;
-    if (!partners_[k].empty()) now.partner = partners_[k].At(t, Value(t), held_time_);
-    return now;
+  const Instant<T>& AtTime(size_t k, const T& t) {
+    now_[k].time = t - time_zero_;
+    if (!partners_[k].empty()) now_[k].partner = partners_[k].At(t, Value(t), held_time_);
+    return now_[k];
   }
 
   using ThrusterStates = std::array<T, kMostEffects>;
@@ -214,6 +223,9 @@ class EffectRun {
         if (!effect.laws->has.relative_speed) continue;
         relative = effect.law->RelativeSpeed(effect.parameters.data(), relative);
       }
+      water_.speed = at.velocity;
+      water_.relative_speed = relative;
+      water_.position = at.position;
     }
     for (size_t k = 0; k < model_.effects.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
@@ -222,40 +234,30 @@ class EffectRun {
         force = effect.law->ThrustAtSpeed(p, force, at.velocity);
       }
       if (!effect.laws->has.resistance) continue;
-      const WaterState<T> water = {at.velocity,
-                                   relative,
-                                   at.position,
-                                   at.memory[k],
-                                   model_.baseline.quadratic_damping,
-                                   model_.baseline.linear_damping};
-      resistance = resistance + effect.law->Resistance(p, effect.setting, water, At(k, s));
+      if (has_memory_) water_.memory = at.memory[k];
+      resistance = resistance + effect.law->Resistance(p, effect.setting, water_, At(k, s));
     }
     return model_.baseline.Acceleration(relative, T(force - resistance));
   }
 
-  State Slope(const State& at, const T& mean_force, const T& s) {
-    State slope;
-    slope.velocity = Acceleration(at, mean_force, s);
-    if (needs_position_) slope.position = at.velocity;
-    for (size_t k = 0; k < model_.effects.size(); ++k) {
+  void Slope(const State& at, const T& mean_force, const T& s, State* slope) {
+    slope->velocity = Acceleration(at, mean_force, s);
+    if (needs_position_) slope->position = at.velocity;
+    for (size_t k = 0; k < at.memory.size(); ++k) {
       const ScalarEffect<T>& effect = model_.effects[k];
       if (!effect.laws->has.memory_rate) continue;
-      slope.memory[k] = effect.law->MemoryRate(effect.parameters.data(), at.memory[k], at.velocity);
+      slope->memory[k] =
+          effect.law->MemoryRate(effect.parameters.data(), at.memory[k], at.velocity);
     }
-    return slope;
   }
 
   template <typename H>
-  State Moved(const State& from, const H& h, const State& slope) const {
-    State to;
-    to.velocity = from.velocity + h * slope.velocity;
-    if (needs_position_) to.position = from.position + h * slope.position;
-    for (size_t k = 0; k < model_.effects.size(); ++k) {
-      if (model_.effects[k].laws->has.memory_rate) {
-        to.memory[k] = from.memory[k] + h * slope.memory[k];
-      }
+  void Move(const State& from, const H& h, const State& slope, State* to) const {
+    to->velocity = from.velocity + h * slope.velocity;
+    if (needs_position_) to->position = from.position + h * slope.position;
+    for (size_t k = 0; k < from.memory.size(); ++k) {
+      to->memory[k] = from.memory[k] + h * slope.memory[k];
     }
-    return to;
   }
 
   // One step of the classical scheme; keeps both ends for the outputs in between.
@@ -267,15 +269,17 @@ class EffectRun {
     force_ = MeanForce(command, begin, T(h), &thrust_);
     before_ = state_;
     const T middle = begin + 0.5 * h;
-    const State k1 = Slope(before_, force_, begin);
-    const State k2 = Slope(Moved(before_, H(0.5 * h), k1), force_, middle);
-    const State k3 = Slope(Moved(before_, H(0.5 * h), k2), force_, middle);
-    const State k4 = Slope(Moved(before_, h, k3), force_, T(begin + h));
-    slope_before_ = k1.velocity;
-    state_ = Moved(before_, H(h / 6.0), k1);
-    state_ = Moved(state_, H(h / 3.0), k2);
-    state_ = Moved(state_, H(h / 3.0), k3);
-    state_ = Moved(state_, H(h / 6.0), k4);
+    Slope(before_, force_, begin, &k1_);
+    Move(before_, H(0.5 * h), k1_, &trial_);
+    Slope(trial_, force_, middle, &k2_);
+    Move(before_, H(0.5 * h), k2_, &trial_);
+    Slope(trial_, force_, middle, &k3_);
+    Move(before_, h, k3_, &trial_);
+    Slope(trial_, force_, T(begin + h), &k4_);
+    Move(before_, H(h / 6.0), k1_, &state_);
+    Move(state_, H(h / 3.0), k2_, &state_);
+    Move(state_, H(h / 3.0), k3_, &state_);
+    Move(state_, H(h / 6.0), k4_, &state_);
     return std::abs(Value(state_.velocity)) < kLargestSpeed;
   }
 
@@ -349,7 +353,7 @@ class EffectRun {
         if (!has_slope) slope_after = Acceleration(state_, force_, T(end));
         has_slope = true;
         const auto at = [&](const auto& x) {
-          return Cubic(before_.velocity, slope_before_, state_.velocity, slope_after, duration, x);
+          return Cubic(before_.velocity, k1_.velocity, state_.velocity, slope_after, duration, x);
         };
         velocity = moves_stamps_ || Value(begin) == Value(stamps_.start - delay_)
                        ? at(T((t - delay_ - begin) / duration))
@@ -436,12 +440,16 @@ class EffectRun {
   T pose_delay_{0.0};       // of the poses' stamps [s]
   bool needs_position_;     // for the outputs or for a force that may depend on it
   bool acts_on_water_ = false;
+  bool has_memory_ = false;
   bool follows_force_ = false;
   bool follows_reading_ = false;
   bool moves_stamps_ = false;
 
-  State state_, before_;                   // at both ends of the present step
-  T slope_before_{0.0};                    // of the velocity
+  // Numbers with derivatives are large: what every step needs is made once and kept.
+  State state_, before_;             // at both ends of the present step
+  State k1_, k2_, k3_, k4_, trial_;  // the scheme's slopes, and where the next one is taken
+  WaterState<T> water_;
+  std::array<Instant<T>, kMostEffects> now_;
   double command_ = 0.0;                   // held over the present step [N] or [N m]
   double held_time_ = 0.0;                 // middle of the present step, in log time [s]
   T force_{0.0};                           // mean over the step
