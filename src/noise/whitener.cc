@@ -47,9 +47,14 @@ struct Whitener::Filter {
     double dt = -1.0, variance_factor = 0.0;
     NoiseChannel channel = NoiseChannel::kVelocity;
     NoiseTransition transition;
-    const Step* last = nullptr;  // the last one of this kind
-    Covariance before, after;    // there
-    double variance = 0.0;       // there
+    int last = -1;             // step of the last one of this kind
+    Covariance before, after;  // there
+    double variance = 0.0;     // there
+    int version = 0;           // of `after`
+    // Whose `after` was last found to be as `before`, and which version of it: looking again would
+    // take as long as all the rest.
+    const Kind* settled_behind = nullptr;
+    int settled_version = 0;
   };
 
   // What is true at one damping rate, with the kinds met last.
@@ -75,7 +80,7 @@ struct Whitener::Filter {
       kind->dt = dt;
       kind->variance_factor = sample.variance_factor;
       kind->channel = sample.channel;
-      kind->last = nullptr;
+      kind->last = -1;
       kind->transition = dynamics.Over(dt);
       return kind;
     }
@@ -115,6 +120,16 @@ struct Whitener::Filter {
         }
       }
     }
+    return true;
+  }
+
+  // True if the state is now, behind `previous`, as it was before the last one of a kind.
+  static bool IsSettled(Kind* kind, const Kind* previous, const Covariance& P) {
+    if (previous == nullptr) return IsSame(kind->before, P);
+    if (kind->settled_behind == previous && kind->settled_version == previous->version) return true;
+    if (!IsSame(kind->before, P)) return false;
+    kind->settled_behind = previous;
+    kind->settled_version = previous->version;
     return true;
   }
 
@@ -204,9 +219,11 @@ struct Whitener::Filter {
   // Returns log det S.
   static double FillSteps(const NoiseModel& model,
                           std::span<const NoiseSample> samples,
+                          std::vector<int>* step_of,
                           std::vector<Step>* steps) {
     Regimes regimes(model);
     Covariance P = Covariance::Zero();
+    const Kind* previous = nullptr;  // P is its `after`, unless a segment has just begun
     // Logarithms of products: of each variance they would take as long as all the rest.
     double log_determinant = 0.0, product = 1.0;
     for (size_t i = 0; i < samples.size(); ++i) {
@@ -215,39 +232,43 @@ struct Whitener::Filter {
                                    ? model.velocity.white_std
                                    : model.displacement.white_std;
       const double white_variance = sample.variance_factor * white_std * white_std;
-      Step& step = (*steps)[i];
       if (i == 0 || sample.segment != samples[i - 1].segment) {
         P = Start(model, regimes.OfFactor(1.0)->dynamics);
-        step = Step{};
+        (*step_of)[i] = static_cast<int>(steps->size());
+        Step& step = steps->emplace_back();
         step.channel = sample.channel;
         product *= Update(white_variance, &P, &step);
+        previous = nullptr;
         continue;
       }
       const double dt = sample.time - samples[i - 1].time;
       CHECK(dt >= 0.0 && std::isfinite(dt)) << "Samples out of order at time " << sample.time;
       Kind* kind = regimes.OfFactor(sample.damping_factor)->KindOf(sample, dt);
-      if (kind->last != nullptr && IsSame(kind->before, P)) {
-        step = *kind->last;
+      if (kind->last >= 0 && IsSettled(kind, previous, P)) {
         P = kind->after;
       } else {
         kind->before = P;
         const NoiseTransition& t = kind->transition;
-        step = {t.w_from_w,
-                t.v_from_w,
-                t.v_from_v,
-                t.x_from_w,
-                t.x_from_v,
-                1.0,
-                t.velocity_c,
-                t.displacement_c,
-                0.0,
-                {},
-                sample.channel};
+        kind->last = static_cast<int>(steps->size());
+        Step& step = steps->emplace_back(Step{t.w_from_w,
+                                              t.v_from_w,
+                                              t.v_from_v,
+                                              t.x_from_w,
+                                              t.x_from_v,
+                                              1.0,
+                                              t.velocity_c,
+                                              t.displacement_c,
+                                              0.0,
+                                              {},
+                                              sample.channel});
         Predict(t, &P);
         kind->variance = Update(white_variance, &P, &step);
         kind->after = P;
-        kind->last = &step;
+        ++kind->version;
+        kind->settled_behind = nullptr;
       }
+      (*step_of)[i] = kind->last;
+      previous = kind;
       product *= kind->variance;
       if (!(product > 1e-100 && product < 1e100)) {
         log_determinant += std::log(product);
@@ -259,14 +280,15 @@ struct Whitener::Filter {
 
   // W times kWidth columns that stand side by side; strides from one sample to the next.
   template <int kWidth>
-  static void Apply(std::span<const Step> steps,
+  static void Apply(const Whitener& whitener,
                     const double* in,
                     std::ptrdiff_t in_stride,
                     double* out,
                     std::ptrdiff_t out_stride) {
     std::array<Row<kWidth>, kNumStates> x;
     for (Row<kWidth>& state : x) state.setZero();
-    for (const Step& step : steps) {
+    for (const int index : whitener.step_of_) {
+      const Step& step = whitener.steps_[index];
       if constexpr (kHasX) {
         x[kX] = step.x_from_x * x[kX] + step.x_from_v * x[kV] + step.x_from_w * x[kW];
       }
@@ -310,19 +332,21 @@ void Whitener::WithFilter(const Function& function) const {
 }
 
 Whitener::Whitener(const NoiseModel& model, std::span<const NoiseSample> samples)
-    : steps_(samples.size()) {
+    : step_of_(samples.size()) {
   const bool has_displacement = Has(samples, NoiseChannel::kDisplacement);
   const bool has_velocity = Has(samples, NoiseChannel::kVelocity);
   if (model.disturbance.IsPresent()) num_disturbance_states_ = has_displacement ? 3 : 2;
   has_velocity_c_ = has_velocity && model.velocity.coloured.IsPresent();
   has_displacement_c_ = has_displacement && model.displacement.coloured.IsPresent();
-  WithFilter([&](auto filter) { log_determinant_ = filter.FillSteps(model, samples, &steps_); });
+  WithFilter([&](auto filter) {
+    log_determinant_ = filter.FillSteps(model, samples, &step_of_, &steps_);
+  });
 }
 
 void Whitener::Apply(std::span<const double> in, std::span<double> out) const {
-  CHECK_EQ(in.size(), steps_.size());
-  CHECK_EQ(out.size(), steps_.size());
-  WithFilter([&](auto filter) { filter.template Apply<1>(steps_, in.data(), 1, out.data(), 1); });
+  CHECK_EQ(in.size(), step_of_.size());
+  CHECK_EQ(out.size(), step_of_.size());
+  WithFilter([&](auto filter) { filter.template Apply<1>(*this, in.data(), 1, out.data(), 1); });
 }
 
 void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
@@ -335,7 +359,7 @@ void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
     const auto apply = [&]<int kWidth>() {
       for (; column + kWidth <= in.cols(); column += kWidth) {
         filter.template Apply<kWidth>(
-            steps_, in.data() + column, in.outerStride(), out.data() + column, out.outerStride());
+            *this, in.data() + column, in.outerStride(), out.data() + column, out.outerStride());
       }
     };
     apply.template operator()<8>();
@@ -345,9 +369,12 @@ void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
 }
 
 std::vector<double> Whitener::LogVariances() const {
+  std::vector<double> of_steps;
+  of_steps.reserve(steps_.size());
+  for (const Step& step : steps_) of_steps.push_back(-2.0 * std::log(step.inverse_std));
   std::vector<double> log_variances;
-  log_variances.reserve(steps_.size());
-  for (const Step& step : steps_) log_variances.push_back(-2.0 * std::log(step.inverse_std));
+  log_variances.reserve(step_of_.size());
+  for (const int step : step_of_) log_variances.push_back(of_steps[step]);
   return log_variances;
 }
 

@@ -31,7 +31,7 @@ class Whitener {
  public:
   Whitener(const NoiseModel& model, std::span<const NoiseSample> samples);
 
-  int num_samples() const { return static_cast<int>(steps_.size()); }
+  int num_samples() const { return static_cast<int>(step_of_.size()); }
 
   // out = W in; both of length num_samples(); they may be the same. Allocates nothing.
   void Apply(std::span<const double> in, std::span<double> out) const;
@@ -67,7 +67,8 @@ class Whitener {
   // How many of (w, v', x') are in the state (0, 2 or 3), and which coloured noises.
   int num_disturbance_states_ = 0;
   bool has_velocity_c_ = false, has_displacement_c_ = false;
-  std::vector<Step> steps_;
+  std::vector<int> step_of_;  // of each sample, into:
+  std::vector<Step> steps_;   // the different ones; a stationary filter has few
   double log_determinant_ = 0.0;
 };
 
