@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -41,27 +40,36 @@ Bins BinsOf(const HeldCommand& command, double duration) {
   return bins;
 }
 
-// Share of the sum of squares that a constant and a sine of `frequency` explain.
-double ShareAt(const Bins& bins, double frequency) {
-  const auto step = std::polar(1.0, frequency * bins.width);
-  std::complex<double> phase = 1.0;
-  double c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, yc = 0.0, ys = 0.0;
+// Frequencies that are looked at side by side.
+constexpr int kWidth = 8;
+using Row = Eigen::Array<double, kWidth, 1>;
+
+// Shares of the sum of squares that a constant and a sine of each of the frequencies explain.
+Row SharesAt(const Bins& bins, const Row& frequencies) {
+  const Row step_c = (frequencies * bins.width).cos(), step_s = (frequencies * bins.width).sin();
+  Row re = Row::Ones(), im = Row::Zero();  // of the phase
+  Row c = im, s = im, cc = im, cs = im, ss = im, yc = im, ys = im;
   for (const double y : bins.value) {
-    c += phase.real();
-    s += phase.imag();
-    cc += phase.real() * phase.real();
-    cs += phase.real() * phase.imag();
-    ss += phase.imag() * phase.imag();
-    yc += y * phase.real();
-    ys += y * phase.imag();
-    phase = {phase.real() * step.real() - phase.imag() * step.imag(),
-             phase.real() * step.imag() + phase.imag() * step.real()};
+    c += re;
+    s += im;
+    cc += re * re;
+    cs += re * im;
+    ss += im * im;
+    yc += y * re;
+    ys += y * im;
+    const Row turned = re * step_c - im * step_s;
+    im = re * step_s + im * step_c;
+    re = turned;
   }
   const auto n = static_cast<double>(bins.value.size());
-  Eigen::Matrix2d gram;
-  gram << cc - c * c / n, cs - c * s / n, cs - c * s / n, ss - s * s / n;
-  const Eigen::Vector2d right(yc, ys);  // the values have mean 0
-  return right.dot(gram.ldlt().solve(right)) / bins.value.squaredNorm();
+  // The values have mean 0.
+  const Row a = cc - c * c / n, b = cs - c * s / n, d = ss - s * s / n;
+  return (d * yc * yc - 2.0 * b * yc * ys + a * ys * ys) / (a * d - b * b) /
+         bins.value.squaredNorm();
+}
+
+double ShareAt(const Bins& bins, double frequency) {
+  return SharesAt(bins, Row::Constant(frequency))[0];
 }
 
 }  // namespace
@@ -106,9 +114,12 @@ Tone DominantTone(const HeldCommand& command, double duration) {
   const double step = 0.5 * kPi / duration;
   const double highest = 0.5 * kPi / bins.width;
   Tone tone = {2.0 * step, 0.0};
-  for (double frequency = 2.0 * step; frequency < highest; frequency += step) {
-    const double share = ShareAt(bins, frequency);
-    if (share > tone.share) tone = {frequency, share};
+  for (double first = 2.0 * step; first < highest; first += kWidth * step) {
+    const Row frequencies = first + step * Row::LinSpaced(kWidth, 0.0, kWidth - 1.0);
+    const Row shares = SharesAt(bins, frequencies);
+    for (int i = 0; i < kWidth && frequencies[i] < highest; ++i) {
+      if (shares[i] > tone.share) tone = {frequencies[i], shares[i]};
+    }
   }
   // Golden section between the neighbours on the grid.
   double from = tone.frequency - step, to = tone.frequency + step;
