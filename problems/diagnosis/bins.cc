@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/bins.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
 #include <array>
 
@@ -31,17 +33,14 @@ Bins::Bins(std::span<const Record> records) {
     add(record.stamps.displacement, NoiseChannel::kDisplacement);
     std::stable_sort(
         rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.time < b.time; });
-    std::array<std::vector<size_t>, 2> counts;
+    std::array<std::vector<double>, 2> counts;
     for (const Row& row : rows) {
-      counts[static_cast<size_t>(row.bin.channel)].push_back(row.bin.end - row.bin.begin);
+      counts[static_cast<size_t>(row.bin.channel)].push_back(
+          static_cast<double>(row.bin.end - row.bin.begin));
     }
     std::array<double, 2> usual = {1.0, 1.0};
     for (size_t channel = 0; channel < 2; ++channel) {
-      auto& of_channel = counts[channel];
-      if (of_channel.empty()) continue;
-      const auto middle = of_channel.begin() + static_cast<std::ptrdiff_t>(of_channel.size() / 2);
-      std::nth_element(of_channel.begin(), middle, of_channel.end());
-      usual[channel] = static_cast<double>(*middle);
+      if (!counts[channel].empty()) usual[channel] = Median(counts[channel]);
     }
     for (const Row& row : rows) {
       const auto count = static_cast<double>(row.bin.end - row.bin.begin);

@@ -3,12 +3,14 @@
 
 #include "fathom/diagnosis/diagnosis_panels.h"
 
+#include "fathom/base/median.h"
 #include "fathom/report/scatter_chart.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,9 +42,7 @@ double LongestStep(const std::vector<double>& time) {
     if (time[i] > time[i - 1]) steps.push_back(time[i] - time[i - 1]);
   }
   if (steps.empty()) return 1.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(5.0, 20.0 * *middle);
+  return std::max(5.0, 20.0 * Median(std::move(steps)));
 }
 
 std::string NmaeNote(const DiagnosedModel& model) {

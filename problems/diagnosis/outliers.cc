@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/outliers.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,8 +21,6 @@ double Quantile(std::vector<double> values, double share) {
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
-
-double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
 
 // Standard deviation of the usual samples. A sensor with coarse steps, or a vehicle that rests for
 // half of the run, leaves a median near zero: what most samples keep to counts as well.

@@ -3,6 +3,7 @@
 
 #include "fathom/joint_refinement/first_guess.h"
 
+#include "fathom/base/median.h"
 #include "fathom/output_error/initial_guess.h"
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/segment_motion.h"
@@ -15,21 +16,13 @@ namespace {
 
 constexpr size_t kHalfWindow = 4;  // frames on either side of a median
 
-double Median(std::span<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::vector<double> RunningMedian(const std::vector<double>& values) {
   std::vector<double> result(values.size());
-  std::vector<double> window;
   for (size_t k = 0; k < values.size(); ++k) {
     // As far to either side as there are frames on both.
     const size_t half = std::min({kHalfWindow, k, values.size() - 1 - k});
-    window.assign(values.begin() + static_cast<std::ptrdiff_t>(k - half),
-                  values.begin() + static_cast<std::ptrdiff_t>(k + half + 1));
-    result[k] = Median(window);
+    result[k] = Median({values.begin() + static_cast<std::ptrdiff_t>(k - half),
+                        values.begin() + static_cast<std::ptrdiff_t>(k + half + 1)});
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include "fathom/joint_refinement/joint_refinement.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
 #include "fathom/joint_refinement/chain_smoother.h"
 #include "fathom/joint_refinement/clipped_loss.h"
 #include "fathom/joint_refinement/first_guess.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -150,9 +152,7 @@ double MedianCornerSigma(const JointData& data, const JointUnknowns& unknowns) {
     }
   }
   if (squares.empty()) return 1.0;
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return std::max(1e-4, std::sqrt(*middle / 7.34));
+  return std::max(1e-4, std::sqrt(Median(std::move(squares)) / 7.34));
 }
 
 std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,

@@ -4,6 +4,7 @@
 #include "fathom/joint_refinement/marker_logs.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/vision/camera_rig.h"
@@ -121,10 +122,7 @@ int CountMissingFrames(const MarkerTrack& track, double* step) {
   for (size_t k = 1; k < track.pnp.views.size(); ++k) {
     steps.push_back(track.pnp.views[k].time - track.pnp.views[k - 1].time);
   }
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  *step = *middle;
+  *step = Median(steps);
   double missing = 0.0;
   for (const double one : steps) missing += std::round(one / *step) - 1.0;
   return static_cast<int>(std::max(0.0, missing));

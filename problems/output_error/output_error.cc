@@ -4,6 +4,7 @@
 #include "fathom/output_error/output_error.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
 #include "fathom/output_error/caveats.h"
 #include "fathom/output_error/initial_guess.h"
 
@@ -181,9 +182,7 @@ double ResidualSpread(const std::vector<ShootingWindow>& windows, const Unknowns
     }
   }
   CHECK(!sizes.empty()) << "The search has converged, so its end can be simulated.";
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return 1.4826 * *middle;
+  return 1.4826 * Median(std::move(sizes));
 }
 
 double RootMeanSquare(std::span<const Segment> segments, FittedOutput output) {

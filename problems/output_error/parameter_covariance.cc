@@ -3,6 +3,8 @@
 
 #include "fathom/output_error/parameter_covariance.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,11 +26,7 @@ using Pieces = std::vector<std::pair<size_t, size_t>>;
 
 // Row ranges without a missing sample inside: the autoregression counts samples, not seconds.
 Pieces UnbrokenPieces(const std::vector<double>& time) {
-  std::vector<double> steps(time.size() - 1);
-  for (size_t i = 0; i + 1 < time.size(); ++i) steps[i] = time[i + 1] - time[i];
-  auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double longest = 1.8 * *middle;
+  const double longest = 1.8 * MedianStep(time);
   Pieces pieces;
   size_t begin = 0;
   for (size_t i = 1; i <= time.size(); ++i) {

@@ -4,9 +4,7 @@
 #include "fathom/log/log_clocks.h"
 
 #include "fathom/base/input_error.h"
-
-#include <algorithm>
-#include <cstddef>
+#include "fathom/base/median.h"
 
 #include <fmt/format.h>
 
@@ -15,14 +13,6 @@ namespace {
 
 constexpr double kShortestStep = 1e-5;  // [s]
 constexpr double kLongestStep = 10.0;   // [s]
-
-double MedianStep(const std::vector<double>& time) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 double Duration(const CsvTable& table) {
   return table.stream.time.back() - table.stream.time.front();

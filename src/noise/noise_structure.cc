@@ -3,9 +3,12 @@
 
 #include "fathom/noise/noise_structure.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <glog/logging.h>
 
@@ -35,10 +38,7 @@ NoiseSampling::NoiseSampling(std::span<const NoiseSample> samples) {
     }
     before = &sample;
   }
-  if (steps.empty()) return;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  median_step = *middle;
+  if (!steps.empty()) median_step = Median(std::move(steps));
 }
 
 NoiseStructure::NoiseStructure(const NoiseSampling& sampling,

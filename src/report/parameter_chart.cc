@@ -3,6 +3,7 @@
 
 #include "fathom/report/parameter_chart.h"
 
+#include "fathom/base/median.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/html_text.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 constexpr double kFarAway = 25.0;
 constexpr double kMargin = 0.06;
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 // Per cent from the left end of the range.
 double Place(double value, const ChartRange& range) {
@@ -95,7 +89,7 @@ ChartRange RangeOf(const ParameterPanel& panel) {
   const double center = Median(values);
   std::vector<double> distances;
   for (const double value : values) distances.push_back(std::abs(value - center));
-  const double usual = std::max(Median(distances), Median(halves));
+  const double usual = std::max(Median(distances), halves.empty() ? 0.0 : Median(halves));
   const double farthest = usual > 0.0 ? kFarAway * usual : std::numeric_limits<double>::infinity();
 
   ChartRange range{center, center};

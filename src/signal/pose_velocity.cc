@@ -3,6 +3,7 @@
 
 #include "fathom/signal/pose_velocity.h"
 
+#include "fathom/base/median.h"
 #include "fathom/signal/unwrap.h"
 
 #include <algorithm>
@@ -143,16 +144,13 @@ int CountRotationFlips(const Poses& poses) {
     steps.push_back(poses.world_from_body[i - 1].angularDistance(poses.world_from_body[i]));
   }
   int count = 0;
-  std::vector<double> around;
   for (size_t i = 0; i < steps.size(); ++i) {
     if (steps[i] <= kSmallestFlip) continue;
     const size_t begin = i > kFlipNeighbours ? i - kFlipNeighbours : 0;
     const size_t end = std::min(i + kFlipNeighbours + 1, steps.size());
-    around.assign(steps.begin() + static_cast<std::ptrdiff_t>(begin),
-                  steps.begin() + static_cast<std::ptrdiff_t>(end));
-    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-    std::nth_element(around.begin(), middle, around.end());
-    if (steps[i] > kFlipRatio * *middle) ++count;
+    const double usual = Median({steps.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 steps.begin() + static_cast<std::ptrdiff_t>(end)});
+    if (steps[i] > kFlipRatio * usual) ++count;
   }
   return count;
 }

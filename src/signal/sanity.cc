@@ -3,6 +3,7 @@
 
 #include "fathom/signal/sanity.h"
 
+#include "fathom/base/median.h"
 #include "fathom/signal/autoregression.h"
 #include "fathom/signal/integral.h"
 
@@ -149,10 +150,7 @@ bool Varies(std::span<const Segment> segments) {
 }
 
 void CheckStamps(const Samples& samples, Findings* findings) {
-  std::vector<double> steps(samples.step.begin(), samples.step.end());
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double median = *middle;
+  const double median = Median({samples.step.begin(), samples.step.end()});
   if (median < kShortestStep || median > kLongestStep) {
     Warn("sampling_rate",
          fmt::format("The median step of the motion's stamps is {:.3g} s, expected {:g} s to {:g} "

@@ -4,6 +4,7 @@
 #include "fathom/signal/signals.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/savitzky_golay.h"
@@ -83,14 +84,6 @@ std::vector<Stretch> Split(const Log& log,
                                    num_samples));
   }
   return stretches;
-}
-
-double MedianStep(std::span<const double> time) {
-  std::vector<double> steps;
-  for (size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
 }
 
 // The command over [from, to]: what holds at `from`, then its stamps up to `to`.

@@ -4,6 +4,7 @@
 #include "fathom/simulate/effect_inputs.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/vehicle/model_file.h"
@@ -16,14 +17,6 @@
 
 namespace fathom {
 namespace {
-
-double MedianStep(const std::vector<double>& time) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 // Of every DOF, where the local polynomials of the poses tell it.
 std::vector<SampledSignal> VelocitiesFromPoses(const Stream& stream) {

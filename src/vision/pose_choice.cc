@@ -3,6 +3,8 @@
 
 #include "fathom/vision/pose_choice.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -20,12 +22,6 @@ struct Speeds {
   double translation = 0.0;  // [m/s]
   double rotation = 0.0;     // [rad/s]
 };
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // From the shortest steps between neighbouring frames. They hold the noise of the poses as well,
 // which makes the speeds too large rather than too small.

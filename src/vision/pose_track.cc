@@ -3,6 +3,7 @@
 
 #include "fathom/vision/pose_track.h"
 
+#include "fathom/base/median.h"
 #include "fathom/vision/pose_choice.h"
 
 #include <algorithm>
@@ -67,9 +68,7 @@ std::optional<double> RobustSigma(std::span<const FrameCandidates> frames) {
                         (dof * std::pow(1.0 - 2.0 / (9.0 * dof), 3)));
   }
   if (variances.empty()) return std::nullopt;
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  return std::sqrt(*middle);
+  return std::sqrt(Median(std::move(variances)));
 }
 
 void SetSigma(PoseTrack* track) {
