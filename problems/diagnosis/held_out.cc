@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/held_out.h"
 
 #include "fathom/simulate/extended_prediction.h"
+#include "fathom/simulate/prediction.h"
 #include "fathom/simulate/random_stream.h"
 
 #include <algorithm>
@@ -104,20 +105,9 @@ std::optional<FreeRun> FreeRunOver(const Record& record,
 }
 
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
-  FitFigures figures;
-  double errors = 0.0, sizes = 0.0;
-  for (const FreeRun& run : runs) {
-    for (size_t i = 0; i < run.time.size(); ++i) {
-      errors += std::abs(run.predicted[i] - run.measured[i]);
-      sizes += std::abs(run.measured[i]);
-    }
-    figures.num_samples += static_cast<int>(run.time.size());
-    figures.duration += run.time.back() - run.time.front();
-  }
-  if (figures.num_samples == 0) return {};
-  figures.mae = errors / figures.num_samples;
-  if (sizes > 0.0) figures.nmae = errors / sizes;
-  return figures;
+  FigureSums sums;
+  for (const FreeRun& run : runs) sums.Add(run.time, run.measured, run.predicted);
+  return sums.Figures();
 }
 
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed) {

@@ -100,25 +100,16 @@ FitFigures FiguresOf(const ExtendedModel& model,
                      std::span<const Segment> segments,
                      std::span<const double> positions) {
   CHECK_EQ(segments.size(), positions.size());
-  FitFigures figures;
-  double sum_of_errors = 0.0, sum_of_speeds = 0.0;
+  FigureSums sums;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const Segment& segment = segments[k];
     const auto start = StartOf(model, inputs, segment, InitialVelocity(segment), positions[k]);
     if (!start) return {};
     const auto shown = PredictReadings(model, inputs, segment.time, *start);
     if (!shown) return {};
-    for (std::size_t i = 0; i < segment.time.size(); ++i) {
-      sum_of_errors += std::abs((*shown)[i] - segment.velocity[i]);
-      sum_of_speeds += std::abs(segment.velocity[i]);
-    }
-    figures.num_samples += static_cast<int>(segment.time.size());
-    figures.duration += segment.time.back() - segment.time.front();
+    sums.Add(segment.time, segment.velocity, *shown);
   }
-  if (figures.num_samples == 0) return {};
-  figures.mae = sum_of_errors / figures.num_samples;                      // docs/models.md (7)
-  if (sum_of_speeds > 0.0) figures.nmae = sum_of_errors / sum_of_speeds;  // docs/models.md (8)
-  return figures;
+  return sums.Figures();
 }
 
 }  // namespace fathom

@@ -39,23 +39,36 @@ double InitialVelocity(const Segment& segment) {
                                                  : segment.velocity.front();
 }
 
-FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments) {
+void FigureSums::Add(std::span<const double> time,
+                     std::span<const double> measured,
+                     std::span<const double> predicted) {
+  if (time.empty()) return;
+  for (size_t i = 0; i < time.size(); ++i) {
+    sum_of_errors_ += std::abs(predicted[i] - measured[i]);
+    sum_of_speeds_ += std::abs(measured[i]);
+  }
+  num_samples_ += static_cast<int>(time.size());
+  duration_ += time.back() - time.front();
+}
+
+FitFigures FigureSums::Figures() const {
   FitFigures figures;
-  double sum_of_errors = 0.0, sum_of_speeds = 0.0;
+  if (num_samples_ == 0) return figures;
+  figures.num_samples = num_samples_;
+  figures.duration = duration_;
+  figures.mae = sum_of_errors_ / num_samples_;                               // docs/models.md (7)
+  if (sum_of_speeds_ > 0.0) figures.nmae = sum_of_errors_ / sum_of_speeds_;  // docs/models.md (8)
+  return figures;
+}
+
+FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments) {
+  FigureSums sums;
   for (const Segment& segment : segments) {
     const auto predicted = PredictVelocity(model, segment, InitialVelocity(segment));
     if (!predicted) return {};
-    for (size_t i = 0; i < segment.time.size(); ++i) {
-      sum_of_errors += std::abs((*predicted)[i] - segment.velocity[i]);
-      sum_of_speeds += std::abs(segment.velocity[i]);
-    }
-    figures.num_samples += static_cast<int>(segment.time.size());
-    figures.duration += segment.time.back() - segment.time.front();
+    sums.Add(segment.time, segment.velocity, *predicted);
   }
-  if (figures.num_samples == 0) return {};
-  figures.mae = sum_of_errors / figures.num_samples;                      // docs/models.md (7)
-  if (sum_of_speeds > 0.0) figures.nmae = sum_of_errors / sum_of_speeds;  // docs/models.md (8)
-  return figures;
+  return sums.Figures();
 }
 
 }  // namespace fathom

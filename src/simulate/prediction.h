@@ -31,9 +31,24 @@ std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>&
 // first measured velocity.
 double InitialVelocity(const Segment& segment);
 
-// MAE and NMAE of the free runs over all `segments` together, each started from its
-// InitialVelocity() (paper Eqs. 10 and 11). The figures are NaN if there are no segments or a run
-// diverges; NMAE also if nothing ever moved.
+// MAE and NMAE over several runs together (paper Eqs. 10 and 11).
+class FigureSums {
+ public:
+  // One run at the stamps `time`; the same length for all.
+  void Add(std::span<const double> time,
+           std::span<const double> measured,
+           std::span<const double> predicted);
+
+  // The figures are NaN if nothing was added; NMAE also if nothing ever moved.
+  FitFigures Figures() const;
+
+ private:
+  double sum_of_errors_ = 0.0, sum_of_speeds_ = 0.0, duration_ = 0.0;
+  int num_samples_ = 0;
+};
+
+// Of the free runs over all `segments`, each started from its InitialVelocity(). All NaN if a run
+// diverges.
 FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments);
 
 }  // namespace fathom
