@@ -3,6 +3,8 @@
 
 #include "fathom/joint_refinement/corner_rows.h"
 
+#include "fathom/base/flattened.h"
+
 #include <ceres/jet.h>
 
 namespace fathom {
@@ -20,12 +22,12 @@ Eigen::Matrix<T, 3, 3> Skew(const Eigen::Matrix<T, 3, 1>& w) {
 // x_camera of the point of a tag, for all orders of derivatives that Newton's method needs: the
 // mount's rotation to second order about none.
 template <typename T>
-bool ProjectCorners(const CameraSetup& setup,
-                    const Marker& marker,
-                    const T* eta,
-                    const T& size_scale,
-                    const T* mount,
-                    Eigen::Matrix<T, 8, 1>* pixels) {
+FATHOM_FLATTENED bool ProjectCorners(const CameraSetup& setup,
+                                     const Marker& marker,
+                                     const T* eta,
+                                     const T& size_scale,
+                                     const T* mount,
+                                     Eigen::Matrix<T, 8, 1>* pixels) {
   using Vector = Eigen::Matrix<T, 3, 1>;
   const Eigen::Matrix<T, 3, 3> body_from_world =
       RotationFromAngles(eta[3], eta[4], eta[5]).transpose();

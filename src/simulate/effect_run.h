@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/base/flattened.h"
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/simulate/partner_signals.h"
 
@@ -15,14 +16,6 @@
 #include <vector>
 
 // The integration behind EffectSimulation, for one scalar. Not for other includers.
-
-// GCC leaves operations of numbers with derivatives as calls otherwise, and a run takes three times
-// as long. With a sanitizer's checks in each of them it would compile for ten minutes.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define FATHOM_FLATTENED [[gnu::flatten]]
-#else
-#define FATHOM_FLATTENED
-#endif
 
 namespace fathom {
 
