@@ -16,7 +16,6 @@ constexpr double kStartStd = 1e-6;  // [m] or [rad], and per second
 
 struct CoordinateStep {
   Eigen::Matrix2d here;   // Phi' Q^-1 Phi, on the state before
-  Eigen::Matrix2d cross;  // -Phi' Q^-1
   Eigen::Matrix2d there;  // Q^-1
   double log_det_Q;
 };
@@ -35,21 +34,20 @@ ChainSmoother::ChainSmoother(const LinearRun& run,
     is_present_[i] = process[i].IsPresent();
   }
   std::vector<std::array<CoordinateStep, 6>> steps(run.durations.size());
+  couplings_.resize(steps.size());
   for (size_t s = 0; s < steps.size(); ++s) {
     for (int i = 0; i < 6; ++i) {
       if (!is_present_[i]) continue;
       const Transition t = process[i].Over(run.durations[s]);
       const Eigen::Matrix2d WPhi = t.whitener * t.Phi;
-      steps[s][i] = {WPhi.transpose() * WPhi,
-                     -WPhi.transpose() * t.whitener,
-                     t.whitener.transpose() * t.whitener,
-                     t.log_det_Q};
+      steps[s][i] = {WPhi.transpose() * WPhi, t.whitener.transpose() * t.whitener, t.log_det_Q};
+      couplings_[s][i] = -WPhi.transpose() * t.whitener;  // -Phi' Q^-1
     }
   }
 
   const size_t n = run.frames.size();
   eliminated_.resize(n);
-  V_.resize(n * 12 * columns.size());
+  V_.resize(12, static_cast<Eigen::Index>(n) * num_columns_);
   H_ = weight * run.JgJg(columns, columns);
   b_ = weight * run.Jgr(columns);
   constant_ = 0.5 * weight * run.rr;
@@ -67,10 +65,12 @@ ChainSmoother::ChainSmoother(const LinearRun& run,
     num_eliminated_ += 2 * static_cast<int>(n);
   }
   Border W(12, num_columns_);
+  Square U;  // S^-1 C
   for (size_t k = 0; k < n; ++k) {
     const LinearFrame& frame = run.frames[k];
     const bool is_last = k + 1 == n;
     const auto* const step = is_last ? nullptr : &steps[run.duration_after[k]];
+    const Coupling* const C = is_last ? nullptr : &couplings_[run.duration_after[k]];
     Square A = left_A;
     Border B = left_B;
     State b = left_b;
@@ -98,26 +98,25 @@ ChainSmoother::ChainSmoother(const LinearRun& run,
     e.S_inverse.setIdentity();
     llt.solveInPlace(e.S_inverse);
     W.noalias() = e.S_inverse * B;
-    Eigen::Map<Eigen::Matrix<double, 12, Eigen::Dynamic>>(
-        &V_[k * 12 * columns.size()], 12, num_columns_) = W;
+    V_.middleCols(static_cast<Eigen::Index>(k) * num_columns_, num_columns_) = W;
     e.y.noalias() = e.S_inverse * b;
     H_.noalias() -= B.transpose() * W;
     b_.noalias() -= B.transpose() * e.y;
     constant_ -= 0.5 * b.dot(e.y);
-    e.U.setZero();
+    U.setZero();
     left_A.setZero();
     left_B.setZero();
     left_b.setZero();
     if (is_last) continue;
     for (int i = 0; i < 6; ++i) {
       if (!is_present_[i]) continue;
-      e.U.middleCols<2>(2 * i).noalias() = e.S_inverse.middleCols<2>(2 * i) * (*step)[i].cross;
+      U.middleCols<2>(2 * i).noalias() = e.S_inverse.middleCols<2>(2 * i) * (*C)[i];
       log_determinant_ += (*step)[i].log_det_Q;
     }
     for (int i = 0; i < 6; ++i) {
       if (!is_present_[i]) continue;
-      const Eigen::Matrix2d cross = (*step)[i].cross.transpose();
-      left_A.middleRows<2>(2 * i).noalias() -= cross * e.U.middleRows<2>(2 * i);
+      const Eigen::Matrix2d cross = (*C)[i].transpose();
+      left_A.middleRows<2>(2 * i).noalias() -= cross * U.middleRows<2>(2 * i);
       left_A.block<2, 2>(2 * i, 2 * i) += (*step)[i].there;
       left_B.middleRows<2>(2 * i).noalias() -= cross * W.middleRows<2>(2 * i);
       left_b.segment<2>(2 * i) -= cross * e.y.segment<2>(2 * i);
@@ -125,12 +124,23 @@ ChainSmoother::ChainSmoother(const LinearRun& run,
   }
 }
 
+template <typename Matrix>
+Matrix ChainSmoother::Coupled(size_t k, const Matrix& X) const {
+  const Coupling& C = couplings_[run_.duration_after[k]];
+  Matrix product = Matrix::Zero(12, X.cols());
+  for (int i = 0; i < 6; ++i) {
+    if (!is_present_[i]) continue;
+    product.template middleRows<2>(2 * i).noalias() = C[i] * X.template middleRows<2>(2 * i);
+  }
+  return product;
+}
+
 std::vector<ChainSmoother::State> ChainSmoother::Deviations(const Eigen::VectorXd& g) const {
   std::vector<State> states(eliminated_.size());
   for (size_t k = eliminated_.size(); k-- > 0;) {
     const Eliminated& e = eliminated_[k];
     states[k] = -e.y - V(k) * g;
-    if (k + 1 < eliminated_.size()) states[k] -= e.U * states[k + 1];
+    if (k + 1 < eliminated_.size()) states[k] -= e.S_inverse * Coupled(k, states[k + 1]);
   }
   return states;
 }
@@ -141,11 +151,18 @@ void ChainSmoother::ForEachFrame(
   Border G = Border::Zero(12, num_columns_);
   for (size_t k = eliminated_.size(); k-- > 0;) {
     const Eliminated& e = eliminated_[k];
-    const Square from_next = e.U * P * e.U.transpose();
-    const Border G_next = G;
-    P = e.S_inverse + from_next;
-    G = -V(k);
-    G.noalias() -= e.U * G_next;
+    const bool is_last = k + 1 == eliminated_.size();
+    if (is_last) {
+      P = e.S_inverse;
+      G = -V(k);
+    } else {
+      const Square half = e.S_inverse * Coupled(k, P);  // U P, with U = S^-1 C
+      const Square from_next = e.S_inverse * Coupled(k, Square(half.transpose()));
+      const Border G_next = Coupled(k, G);
+      P = e.S_inverse + from_next;
+      G = -V(k);
+      G.noalias() -= e.S_inverse * G_next;
+    }
     for (int i = 0; i < 6; ++i) {
       if (is_present_[i]) continue;  // it stays on its mean
       P.middleRows<2>(2 * i).setZero();
@@ -172,10 +189,11 @@ RunMoments ChainSmoother::Moments(const Eigen::VectorXd& g,
     P = e.S_inverse;
     P_across.setZero();  // covariance of the next state and this one
     if (!is_last) {
-      s -= e.U * next;
-      P_across.noalias() = -P_next * e.U.transpose();
-      P.noalias() -= e.U * P_across;
-      Z.noalias() -= e.U * Z_next;
+      // With U = S^-1 C.
+      s -= e.S_inverse * Coupled(k, next);
+      P_across.noalias() = -Coupled(k, P_next).transpose() * e.S_inverse;  // -P U'
+      P.noalias() -= e.S_inverse * Coupled(k, P_across);
+      Z.noalias() -= e.S_inverse * Coupled(k, Z_next);
     }
     for (int i = 0; i < 6; ++i) {
       if (!is_present_[i]) continue;

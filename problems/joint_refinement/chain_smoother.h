@@ -74,20 +74,30 @@ class ChainSmoother {
 
  private:
   struct Eliminated {
+    // Long runs have hundreds of megabytes of these: they are not cleared before they are filled.
+    Eliminated() {}
+
     Square S_inverse;
-    Square U;  // S^-1 C
-    State y;   // S^-1 b
+    State y;  // S^-1 b
   };
 
-  Eigen::Map<const Eigen::Matrix<double, 12, Eigen::Dynamic>> V(size_t k) const {  // S^-1 B
-    return {&V_[k * 12 * num_columns_], 12, num_columns_};
+  // Step k's C: a block of each coordinate by its next state.
+  using Coupling = std::array<Eigen::Matrix2d, 6>;
+
+  // C X for frame k, which is not the last; only rows of coordinates with a process.
+  template <typename Matrix>
+  Matrix Coupled(size_t k, const Matrix& X) const;
+
+  auto V(size_t k) const {  // S^-1 B
+    return V_.middleCols(static_cast<Eigen::Index>(k) * num_columns_, num_columns_);
   }
 
   const LinearRun& run_;
   Eigen::Index num_columns_;
   std::array<bool, 6> is_present_;
+  std::vector<Coupling> couplings_;  // by duration
   std::vector<Eliminated> eliminated_;
-  std::vector<double> V_;
+  Eigen::Matrix<double, 12, Eigen::Dynamic> V_;
   Eigen::MatrixXd H_;
   Eigen::VectorXd b_;
   double constant_ = 0.0;
