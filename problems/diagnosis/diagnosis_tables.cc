@@ -70,7 +70,7 @@ Table CauseTable(const Diagnosis& diagnosis) {
             value,
             Probability(cause.p_value),
             Figure(cause.delta_bic, "{:.0f}"),
-            Figure(100.0 * cause.held_out_gain, "{:.0f} %"),
+            Figure(std::round(100.0 * cause.held_out_gain) + 0.0, "{:.0f} %"),  // no -0
             cause.alternatives.empty() ? "-"
                                        : fmt::format("{}", fmt::join(cause.alternatives, ", "))}});
     }

@@ -20,6 +20,11 @@ constexpr std::size_t kMostAdvised = 4;
 
 std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   std::vector<std::string> steps;
+  if (!diagnosis.causes.empty() && diagnosis.held_out_gain_low <= 0.0) {
+    steps.push_back(
+        "The data held out do not confirm what is named here: see whether another log names it "
+        "too before you act on it.");
+  }
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     const EffectInfo& info = active.effect->info();

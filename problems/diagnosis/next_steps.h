@@ -10,8 +10,9 @@
 
 namespace fathom {
 
-// What to do about each cause, and what would decide between those that cannot be told apart; or,
-// where no cause is named, what that means. A sentence or two each.
+// What to do about each cause, after a caution where the data held out may gain nothing by them,
+// and what would decide between those that cannot be told apart; or, where no cause is named, what
+// that means. A sentence or two each.
 std::vector<std::string> NextSteps(const Diagnosis& diagnosis);
 
 }  // namespace fathom

@@ -121,11 +121,9 @@ std::string GainText(double gain, double low, double high) {
     low = -low;
     high = -high;
   }
-  return fmt::format("a {} of {:.0f} %; 95 % interval {:.0f} to {:.0f} %",
-                     word,
-                     100.0 * gain,
-                     100.0 * low,
-                     100.0 * high);
+  const auto percent = [](double share) { return static_cast<int>(std::lround(100.0 * share)); };
+  return fmt::format(
+      "a {} of {} %; 95 % interval {} to {} %", word, percent(gain), percent(low), percent(high));
 }
 
 // How the error on unseen data changes; empty where none was held out.

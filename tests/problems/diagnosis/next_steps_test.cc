@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/next_steps.h"
 
+#include <limits>
+
 #include "handmade_diagnosis.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,6 +30,17 @@ TEST(NextSteps, AskForTheDecidingExperimentFirst) {
                           "smoothing down.",
                           "If it is thruster_lag: Log the propellers' speed and use it in place "
                           "of the command."));
+}
+
+TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.held_out_gain_low = -0.01;
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre("The data held out do not confirm what is named here: see whether "
+                          "another log names it too before you act on it.",
+                          HasSubstr("thrust_dead_zone: Look for")));
+  diagnosis.held_out_gain_low = std::numeric_limits<double>::quiet_NaN();  // none were held out
+  EXPECT_THAT(NextSteps(diagnosis), ElementsAre(HasSubstr("thrust_dead_zone: Look for")));
 }
 
 // A group must not hide what can never be decided behind "To decide:".
