@@ -30,8 +30,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kSmallestPValue = 0.001;  // of remaining structure, at which it is said to remain
-constexpr double kMaterialShare = 0.05;    // of all structure, below which the rest is no matter
+constexpr double kMaterialShare = 0.05;  // of all structure, below which the rest is no matter
 constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is named
 constexpr double kLossWorthAWord = 0.02;        // of held-out NMAE
 // The least inertia that a fit may try, of the smaller of the baseline's and output error's. Far
@@ -157,7 +156,7 @@ SearchResult SearchThinned(const TrainingData& data,
 // True if what the best hypothesis leaves is more than noise, and a matter.
 bool Remains(const RemainingStructure& remaining, const SearchResult& search) {
   const double all_structure = search.tried[search.best].gain + remaining.gain;
-  return remaining.p_value < kSmallestPValue &&
+  return remaining.p_value < RemainingStructure::kClear &&
          remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,18 @@ std::vector<std::vector<double>> FreeForces(const Points& points) {
   return forces;
 }
 
+// Thrust that changes as the run goes on.
+std::vector<std::vector<double>> ThrustOverTime(const Points& points) {
+  std::vector<double> order(points.size());
+  std::iota(order.begin(), order.end(), 0.0);
+  std::vector<std::vector<double>> forces;
+  AppendHats(order, 6, &forces);
+  for (std::vector<double>& force : forces) {
+    for (size_t i = 0; i < force.size(); ++i) force[i] *= points[i].command;
+  }
+  return forces;
+}
+
 // Residual after generalised least squares on `columns` under `whitener`.
 Eigen::VectorXd ResidualAfter(const RowMajorMatrix& columns,
                               const Eigen::VectorXd& residual,
@@ -96,13 +109,12 @@ Eigen::VectorXd ResidualAfter(const RowMajorMatrix& columns,
   return residual - columns * solution;
 }
 
-}  // namespace
-
-RemainingStructure FindRemainingStructure(const TrainingData& data, const StructureFit& fit) {
+// What forces of one kind would gain.
+RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
+                               const ForceResponse& response,
+                               const TrainingData& data,
+                               const StructureFit& fit) {
   RemainingStructure remaining;
-  const ForceResponse response(&data, fit);
-  if (response.is_empty()) return remaining;
-  const auto forces = FreeForces(response.points());
   const Eigen::Index num_fitted = fit.jacobian.cols();
   RowMajorMatrix design(data.bins().size(), num_fitted + static_cast<Eigen::Index>(forces.size()));
   design.leftCols(num_fitted) = fit.jacobian;
@@ -130,6 +142,23 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   remaining.num_columns = static_cast<int>(all.rank() - own.rank());
   remaining.gain = std::max(0.0, 2.0 * (log_likelihood - fit.log_likelihood));
   remaining.p_value = Eigen::numext::igammac(0.5 * remaining.num_columns, 0.5 * remaining.gain);
+  return remaining;
+}
+
+}  // namespace
+
+RemainingStructure FindRemainingStructure(const TrainingData& data, const StructureFit& fit) {
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return {};
+  const Points& points = response.points();
+  RemainingStructure remaining = RemainingOf(FreeForces(points), response, data, fit);
+  if (remaining.num_columns == 0) return remaining;
+  const RemainingStructure over_time = RemainingOf(ThrustOverTime(points), response, data, fit);
+  constexpr double kLooks = 2.0;
+  if (over_time.p_value < std::min(remaining.p_value, RemainingStructure::kClear / kLooks)) {
+    remaining = over_time;
+  }
+  remaining.p_value = std::min(1.0, kLooks * remaining.p_value);
   return remaining;
 }
 
