@@ -6,6 +6,8 @@
 // stdout.
 //
 //   joint_table [first_seed=1] [num_seeds=20] [wander=0] [cells=all, or dof.input.markers]
+//               [outliers=0] [flips=0] [pitch_per_acceleration=0] [duration=300]
+//               [wander_angle=0.002]
 
 #include "fathom/least_squares/least_squares.h"
 #include "fathom/output_error/output_error.h"
@@ -204,6 +206,7 @@ int main(int argc, char** argv) {
   if (argc > 6) base.flips = std::atof(argv[6]);
   if (argc > 7) base.pitch_per_acceleration = std::atof(argv[7]);
   if (argc > 8) base.duration = std::atof(argv[8]);
+  if (argc > 9) base.wander_angle = std::atof(argv[9]);
   fmt::print(
       "| run | LS % | OE % | joint % | joint/LS | OE/joint | error/bound | all parameters | 95 % | "
       "NMAE | NMAE of sensor | better % | path | worst | s |\n"
