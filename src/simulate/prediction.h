@@ -34,7 +34,7 @@ double InitialVelocity(const Segment& segment);
 // MAE and NMAE over several runs together (paper Eqs. 10 and 11).
 class FigureSums {
  public:
-  // One run at the stamps `time`; the same length for all.
+  // One run: velocities [m/s] or [rad/s] at the stamps `time` [s], all of one length.
   void Add(std::span<const double> time,
            std::span<const double> measured,
            std::span<const double> predicted);
