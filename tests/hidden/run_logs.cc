@@ -3,12 +3,11 @@
 
 #include "run_logs.h"
 
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <thread>
 
+#include "side_by_side.h"
 #include <glog/logging.h>
 
 namespace fathom::hidden {
@@ -35,24 +34,17 @@ std::vector<LogScore> RunLogs(const std::vector<LogPlan>& plans,
                               OracleCache& oracle,
                               const std::function<void(const LogScore&)>& report) {
   std::vector<LogScore> scores(plans.size());
-  std::atomic<std::size_t> next{0};
   std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < plans.size(); i = next++) {
-      try {
-        scores[i] = RunLog(plans[i], seed, oracle);
-      } catch (const std::exception& error) {
-        LOG(FATAL) << plans[i].Name() << ": " << error.what();
-      }
-      if (!report) continue;
-      const std::lock_guard<std::mutex> lock(mutex);
-      report(scores[i]);
+  SideBySide(plans.size(), num_threads, [&](std::size_t i) {
+    try {
+      scores[i] = RunLog(plans[i], seed, oracle);
+    } catch (const std::exception& error) {
+      LOG(FATAL) << plans[i].Name() << ": " << error.what();
     }
-  };
-  std::vector<std::thread> threads;
-  for (int k = 1; k < num_threads; ++k) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+    if (!report) return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    report(scores[i]);
+  });
   return scores;
 }
 
