@@ -121,6 +121,8 @@ int Run() {
       OutputFolder(RequireFlag("out", FLAGS_out, "the folder of the log to write"),
                    FLAGS_overwrite,
                    FLAGS_render);
+  RequireOutside(folder, "truth", FLAGS_truth);
+  if (!FLAGS_truth.empty()) RequireWritableFile(FLAGS_truth);
 
   std::vector<ActiveEffect> effects;
   if (!FLAGS_effects.empty()) {
@@ -128,13 +130,13 @@ int Run() {
     effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
   }
   const Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
-  if (!FLAGS_truth.empty()) {
-    WriteFile(FLAGS_truth, FormatTruth(vehicle, experiment, effects, FLAGS_seed));
-  }
   const FolderInTheMaking made(folder);
   WriteLog(made.path(), log);
   if (film) WriteFilm(made.path(), vehicle, experiment, effects, log, *film);
   made.Finish();
+  if (!FLAGS_truth.empty()) {
+    WriteFile(FLAGS_truth, FormatTruth(vehicle, experiment, effects, FLAGS_seed));
+  }
 
   fmt::print("{}: {} s of", folder.string(), experiment.duration);
   for (const Dof dof : log.dofs) fmt::print(" {}", Name(dof));

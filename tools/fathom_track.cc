@@ -6,7 +6,9 @@
 //   fathom_track --log=LOG [--out=LOG --overlay=FILE --summary=FILE.json]
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/input_file.h"
 #include "fathom/base/output_file.h"
+#include "fathom/log/log_clocks.h"
 #include "fathom/log/pose_remarks.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/tools/output_folder.h"
@@ -18,6 +20,7 @@
 #include "fathom/vision/camera_rig.h"
 #include "fathom/vision/detect_tags.h"
 #include "fathom/vision/detections_file.h"
+#include "fathom/vision/frame_list.h"
 #include "fathom/vision/overlay.h"
 #include "fathom/vision/tags_file.h"
 
@@ -37,10 +40,11 @@ DEFINE_string(log, "", "Log folder with images or a video, camera.yaml, tags.yam
 DEFINE_string(out,
               "",
               "Folder of a new log with detections.csv and pose.csv and the files of --log but its "
-              "images. Without it both are written into --log.");
+              "images. Without it they are written into --log.");
 DEFINE_bool(overwrite,
             false,
-            "Replace the log in --out, unless it holds images, or the two files in --log.");
+            "Replace the log in --out, unless it holds images, or the files of an earlier track in "
+            "--log.");
 DEFINE_string(from,
               "",
               "Start from `images` or from `detections` (detections.csv). Not given: from "
@@ -74,7 +78,7 @@ const ToolInfo kInfo = {
     .example =
         "fathom_track --log=dive --out=dive_tracked --overlay=sheet.png --summary=track.json",
     .details =
-        "Exit code 2: no frame has a pose. docs/vision.md describes the detection, "
+        "Exit code 2: fewer than two frames have a pose. docs/vision.md describes the detection, "
         "docs/marker_trajectory.md the trajectory, docs/file_formats.md the files."};
 
 bool Exists(const fs::path& path) {
@@ -96,6 +100,17 @@ bool StartsFromDetections(const fs::path& folder) {
 }
 
 bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+
+// Refuses flags of the detection where there is none.
+void RequireNoDetectionFlags(const fs::path& folder) {
+  for (const char* flag : {"max_hamming", "quad_decimate", "quad_sigma", "threads"}) {
+    if (!IsGiven(flag)) continue;
+    throw InputError(fmt::format(
+        "--{}: is about the detection, but the track starts from {}, expected --from=images too.",
+        flag,
+        (folder / "detections.csv").string()));
+  }
+}
 
 TagDetectorOptions DetectorOptionsFromFlags() {
   TagDetectorOptions options;
@@ -141,6 +156,25 @@ void RequireReference(const MarkerTrajectoryOptions& options,
                                fmt::join(surveyed, ", ")));
 }
 
+// The overlay must not take the place of what it is drawn on.
+void RequireOtherThanFrames(const fs::path& folder, const Log& log) {
+  if (FLAGS_overlay.empty() || !Exists(FLAGS_overlay)) return;
+  std::vector<std::string> files = {log.video};
+  if (const fs::path list = folder / "frames.csv"; log.video.empty() && Exists(list)) {
+    for (const ListedFrame& frame : ParseFrameList(list.string(), ReadFile(list))) {
+      files.push_back(frame.file);
+    }
+  }
+  for (const std::string& file : files) {
+    std::error_code error;
+    if (file.empty() || !fs::equivalent(FLAGS_overlay, folder / file, error)) continue;
+    throw InputError(
+        fmt::format("--overlay={}: is what --log={} was filmed as, expected another file.",
+                    FLAGS_overlay,
+                    FLAGS_log));
+  }
+}
+
 // What both ways in need, and what comes of them.
 struct Run {
   fs::path folder;
@@ -170,7 +204,9 @@ Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
                 [](const std::string& remark) { return remark.starts_with(kPoseRemark); });
   run.rig = ReadCameraRig(folder);
   RequireReference(options, run.rig.map, folder / "tags.yaml");
+  RequireOtherThanFrames(folder, run.log);
   if (StartsFromDetections(folder)) {
+    RequireNoDetectionFlags(folder);
     run.detections = DetectionsOf(*run.log.detections);
     if (!FLAGS_overlay.empty()) run.Frames();  // refuses where there is nothing to draw on
     return run;
@@ -183,6 +219,19 @@ Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
                           [&](int done, int expected) { progress.Show(done, expected); });
   run.detections = run.images->detections;
   return run;
+}
+
+// Frames on another clock than the command's would make a log that no tool reads. That of
+// detections has been compared by whoever read the log.
+void RequireOneClock(const Run& run, const MarkerTrack& track) {
+  if (!run.images || !run.log.command) return;
+  const fs::path frames = run.folder / (run.log.video.empty() ? "frames.csv" : run.log.video);
+  CsvTable command, poses;
+  command.name = (run.folder / "command.csv").string();
+  command.stream = *run.log.command;
+  poses.name = frames.string();
+  for (const StampedPose& pose : track.world_from_body) poses.stream.time.push_back(pose.time);
+  RefuseDisjointClocks(command, poses);
 }
 
 double RateOf(const std::vector<double>& times) {
@@ -199,7 +248,7 @@ fs::path WhereToWrite(const fs::path& folder) {
     }
     return OutputFolder(FLAGS_out, FLAGS_overwrite);
   }
-  for (const char* file : {"pose.csv", "detections.csv"}) {
+  for (const char* file : {"pose.csv", "detections.csv", "tags_estimated.yaml"}) {
     const bool is_input = file == std::string("detections.csv") && StartsFromDetections(folder);
     if (!FLAGS_overwrite && !is_input && Exists(folder / file)) {
       throw InputError(fmt::format(
@@ -220,6 +269,8 @@ void RequireOutputs(const fs::path& out) {
   if (FLAGS_out.empty()) {
     RequireWritableFile(out / "pose.csv");
   } else {
+    RequireOutside(out, "overlay", FLAGS_overlay);
+    RequireOutside(out, "summary", FLAGS_summary);
     RequireWritableFolder(out);
   }
 }
@@ -252,6 +303,9 @@ int RunTrack() {
   }
   const MarkerTrack track =
       TrackMarkers(run.detections, run.rig.camera, run.rig.map, run.rig.body_from_camera, options);
+  constexpr std::size_t kFewestPoses = 2;  // of a pose.csv
+  const bool is_usable = track.world_from_body.size() >= kFewestPoses;
+  if (is_usable) RequireOneClock(run, track);
   const TrackSummary summary =
       Summarize(run.log.name, run.images, run.detections, run.rig.camera, run.rig.map, track);
   for (const std::string& remark : summary.remarks) fmt::print(stderr, "{}\n", remark);
@@ -260,22 +314,30 @@ int RunTrack() {
   std::unique_ptr<OverlayWriter> overlay;
   if (!FLAGS_overlay.empty()) overlay = MakeOverlay(run, track);
   std::optional<FolderInTheMaking> made;
-  if (track.IsUsable() && !FLAGS_out.empty()) {
+  if (is_usable && !FLAGS_out.empty()) {
     made.emplace(out);
     CopyLog(run.log, track, made->path());
-    WriteTrack(made->path(), run.detections, track, summary.remarks);
+    WriteTrack(made->path(), track, summary.remarks);
+    if (run.images) WriteDetections(made->path() / "detections.csv", run.detections);
   }
   if (!FLAGS_summary.empty()) WriteFile(FLAGS_summary, FormatJson(summary, track, run.detections));
   if (overlay) overlay->Finish();
-  if (!track.IsUsable()) {
-    fmt::print(stderr, "fathom_track: no usable trajectory: {}\n", track.message);
+  if (!is_usable) {
+    fmt::print(
+        stderr,
+        "fathom_track: no usable trajectory: {}\n",
+        track.IsUsable() ? "a single frame has a pose, expected two at least." : track.message);
     return 2;
   }
   if (made) {
     made->Finish();
   } else {
-    WriteTrack(out, run.detections, track, summary.remarks);
-    if (!track.estimated_ids.empty()) {
+    if (run.images) WriteDetections(out / "detections.csv", run.detections);
+    WriteTrack(out, track, summary.remarks);
+    if (track.estimated_ids.empty()) {
+      std::error_code error;
+      fs::remove(out / "tags_estimated.yaml", error);  // of an earlier track
+    } else {
       WriteFile(out / "tags_estimated.yaml", FormatTagsFile(track.map));
       fmt::print(stderr,
                  "{}: the places that the poses rest on. What reads corners reads tags.yaml: put "

@@ -4,7 +4,11 @@
 #include "fathom/tools/output_folder.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/input_file.h"
+#include "fathom/log/log_yaml.h"
 
+#include <algorithm>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,15 +17,46 @@
 namespace fathom {
 namespace {
 
-// What of a log is not plain text that a tool has written; empty if there is nothing.
-std::string RawDataIn(const std::filesystem::path& folder, bool makes_images) {
+// The vehicle file that log.yaml names, if it is in its folder; empty if it names none.
+std::string VehicleFileOf(const std::filesystem::path& folder) {
+  try {
+    const std::string file = (folder / "log.yaml").string();
+    return ParseLogYaml(file, ReadFile(file)).vehicle;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+// Whether the renderer has named everything in a folder `frames`.
+bool HoldsRenderedFramesOnly(const std::filesystem::path& frames) {
+  for (const auto& entry : std::filesystem::directory_iterator(frames)) {
+    const std::string stem = entry.path().stem().string();
+    const bool is_number = stem.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number || entry.path().extension() != ".png") return false;
+  }
+  return true;
+}
+
+// What a folder holds that no program of Fathom has written; empty if there is nothing.
+std::string ForeignFileIn(const std::filesystem::path& folder, bool makes_images) {
+  const std::set<std::string> written = {"camera.yaml",
+                                         "command.csv",
+                                         "detections.csv",
+                                         "log.yaml",
+                                         "mount.yaml",
+                                         "pose.csv",
+                                         "pose.yaml",
+                                         "tags.yaml",
+                                         "tags_estimated.yaml",
+                                         "velocity.csv",
+                                         VehicleFileOf(folder)};
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::filesystem::path name = entry.path().filename();
-    if (makes_images && (name == "frames" || name == "frames.csv")) continue;
-    const bool is_text = name.extension() == ".csv" || name.extension() == ".yaml";
-    if (!is_text || entry.is_directory() || name == "frames.csv" || name == "frame_times.csv") {
-      return name.string();
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory()) {
+      if (makes_images && name == "frames" && HoldsRenderedFramesOnly(entry.path())) continue;
+      return name;
     }
+    if (!written.contains(name) && !(makes_images && name == "frames.csv")) return name;
   }
   return "";
 }
@@ -46,15 +81,32 @@ std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool 
                                  is_log ? ", expected --overwrite to replace the log in it"
                                         : " and holds no log, expected a new folder"));
   }
-  if (const std::string raw = RawDataIn(named, makes_images); !raw.empty()) {
+  if (const std::string foreign = ForeignFileIn(named, makes_images); !foreign.empty()) {
     throw InputError(
         fmt::format("--out={}: the log in it holds {}, which this program did not write and cannot "
                     "make again, expected a new folder, or a log without images to replace. Remove "
                     "that log yourself if it is not needed.",
                     out,
-                    raw));
+                    foreign));
   }
   return named;
+}
+
+void RequireOutside(const std::filesystem::path& folder,
+                    std::string_view flag,
+                    const std::string& file) {
+  if (file.empty()) return;
+  const auto inner = std::filesystem::weakly_canonical(file);
+  const auto outer = std::filesystem::weakly_canonical(folder);
+  const auto [outer_end, inner_end] =
+      std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  if (outer_end != outer.end()) return;
+  throw InputError(
+      fmt::format("--{}={}: lies in --out={}, which is replaced as a whole, expected a file "
+                  "elsewhere.",
+                  flag,
+                  file,
+                  folder.string()));
 }
 
 FolderInTheMaking::FolderInTheMaking(const std::filesystem::path& folder)

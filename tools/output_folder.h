@@ -5,16 +5,23 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace fathom {
 
 // The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log and
-// nothing that the program could not have written: a camera's images or a video cannot be made
+// nothing that Fathom could not have written: a camera's images or a video cannot be made
 // again. `makes_images`: the program writes a folder `frames` itself. Throws InputError for any
 // other folder.
 std::filesystem::path OutputFolder(const std::string& out,
                                    bool overwrite,
                                    bool makes_images = false);
+
+// Throws InputError, naming the flag, if the file that it asks for lies in the output folder. No
+// file: an empty name.
+void RequireOutside(const std::filesystem::path& folder,
+                    std::string_view flag,
+                    const std::string& file);
 
 // A folder that takes its final name only once it is complete; what is not finished leaves nothing
 // behind.

@@ -7,7 +7,6 @@
 #include "fathom/base/output_file.h"
 #include "fathom/log/pose_remarks.h"
 #include "fathom/log/write_log.h"
-#include "fathom/vision/detections_file.h"
 #include "fathom/vision/tags_file.h"
 
 #include <system_error>
@@ -38,10 +37,8 @@ void Copy(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 void WriteTrack(const fs::path& folder,
-                std::span<const Detection> detections,
                 const MarkerTrack& track,
                 const std::vector<std::string>& remarks) {
-  WriteDetections(folder / "detections.csv", detections);
   WriteStream(folder / "pose.csv", PoseStreamOf(track.world_from_body));
   if (remarks.empty()) {
     std::error_code error;
@@ -52,7 +49,8 @@ void WriteTrack(const fs::path& folder,
 }
 
 void CopyLog(const Log& log, const MarkerTrack& track, const fs::path& to) {
-  for (const char* file : {"command.csv", "velocity.csv", "camera.yaml", "mount.yaml"}) {
+  for (const char* file :
+       {"command.csv", "velocity.csv", "detections.csv", "camera.yaml", "mount.yaml"}) {
     Copy(log.path / file, to / file);
   }
   // A path from the log's folder, which may lead out of it.

@@ -7,7 +7,6 @@
 #include "fathom/marker_trajectory/marker_trajectory.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,8 @@ namespace fathom {
 
 // The files of fathom_track; docs/file_formats.md, "What fathom_track writes".
 
-// detections.csv, pose.csv with deviations and, if there is something to say of the poses,
-// pose.yaml.
+// pose.csv with deviations and, if there is something to say of the poses, pose.yaml.
 void WriteTrack(const std::filesystem::path& folder,
-                std::span<const Detection> detections,
                 const MarkerTrack& track,
                 const std::vector<std::string>& remarks);
 

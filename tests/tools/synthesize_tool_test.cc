@@ -138,6 +138,37 @@ TEST(SynthesizeTool, ReplacesALogOnlyWhenTold) {
   EXPECT_NE(Bytes(folder / "log/velocity.csv"), first);
 }
 
+TEST(SynthesizeTool, WritesTheTruthOnlyBesideALogThatIsThere) {
+  const fs::path folder = EmptyTestFolder();
+  const std::string experiment =
+      "--experiment=" + WriteTestFile(folder / "e.yaml", kShortExperiment).string();
+  const std::string out = "--out=" + (folder / "log").string();
+  const std::string inside = (folder / "log/truth.json").string();
+  ToolRun run = Synthesize({kVehicle, experiment, out, "--truth=" + inside});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err,
+            "fathom_synthesize: --truth=" + inside +
+                ": lies in --out=" + (folder / "log").string() +
+                ", which is replaced as a whole, expected a file elsewhere.\n");
+  // A film that shows no marker fails after the motion is made.
+  const std::string films = std::string(FATHOM_DATA_DIR) + "/films/";
+  const fs::path film =
+      WriteTestFile(folder / "film.yaml",
+                    "camera: " + films + "wall_camera.yaml\ntags: away.yaml\nmount: " + films +
+                        "wall_mount.yaml\n");
+  WriteTestFile(
+      folder / "away.yaml",
+      "family: tag36h11\ntags: [{id: 1, size: 0.4, world_from_tag: {position: [-4, 0, 0], "
+      "quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n");
+  const std::string truth = "--truth=" + (folder / "truth.json").string();
+  run = Synthesize({kVehicle, experiment, out, truth, "--film=" + film.string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_FALSE(fs::exists(folder / "truth.json"));
+  EXPECT_FALSE(fs::exists(folder / "log"));
+  EXPECT_EQ(Synthesize({kVehicle, experiment, out, truth}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "truth.json"));
+}
+
 TEST(SynthesizeTool, NeverReplacesAFolderThatIsNoLog) {
   const fs::path folder = EmptyTestFolder();
   WriteTestFile(folder / "precious/thesis.txt", "years");

@@ -388,6 +388,118 @@ TEST(TrackTool, DoesNotReplaceALogThatHoldsImages) {
       "fathom_track: --out: is --log itself. Leave it out to write into the log.\n");
 }
 
+// Whose name a program of Fathom would not have given it.
+TEST(TrackTool, DoesNotReplaceALogThatHoldsSomebodysFiles) {
+  const fs::path& log = RenderedLog();
+  const fs::path folder = EmptyTestFolder();
+  const fs::path other = folder / "other";
+  WriteTestFile(other / "log.yaml", "name: other\ndof: surge\nvehicle: rov.yaml\n");
+  WriteTestFile(other / "rov.yaml", "name: rov\nmass: 20\nsize: [1, 1, 1]\n");
+  WriteTestFile(other / "survey.csv", "id,x\n1,2\n");
+  EXPECT_THAT(ExpectRefusal("fathom_track",
+                            {"--log=" + log.string(), "--out=" + other.string(), "--overwrite"},
+                            folder),
+              HasSubstr("the log in it holds survey.csv, which"));
+  fs::remove(other / "survey.csv");
+  const ToolRun run = Track(log, {"--out=" + other.string(), "--overwrite"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST(TrackTool, KeepsOutputsOutOfTheFolderThatIsReplaced) {
+  const fs::path& log = RenderedLog();
+  const fs::path folder = EmptyTestFolder();
+  const fs::path out = folder / "out";
+  for (const std::string flag : {"--overlay", "--summary"}) {
+    const std::string file = (out / "deep/../a.png").string();
+    EXPECT_EQ(ExpectRefusal("fathom_track",
+                            {"--log=" + log.string(), "--out=" + out.string(), flag + "=" + file},
+                            folder),
+              "fathom_track: " + flag + "=" + file + ": lies in --out=" + out.string() +
+                  ", which is replaced as a whole, expected a file elsewhere.\n");
+  }
+}
+
+TEST(TrackTool, DoesNotDrawOverWhatItReads) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path image = log / "frames/000003.png";
+  const std::string before = Bytes(image);
+  EXPECT_EQ(ExpectRefusal("fathom_track",
+                          {"--log=" + log.string(), "--overwrite", "--overlay=" + image.string()},
+                          log.parent_path()),
+            "fathom_track: --overlay=" + image.string() + ": is what --log=" + log.string() +
+                " was filmed as, expected another file.\n");
+  EXPECT_EQ(Bytes(image), before);
+}
+
+// What somebody else detected stays as it is, to the byte and with its further columns.
+TEST(TrackTool, LeavesTheDetectionsAloneThatItStartsFrom) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  ASSERT_EQ(Track(log, {"--out=" + (folder / "first").string()}).exit_code, 0);
+  std::istringstream rows(Bytes(folder / "first/detections.csv"));
+  std::string with_margin;
+  for (std::string row; std::getline(rows, row);) {
+    with_margin += row + (with_margin.empty() ? ",margin\n" : ",0.123456789\n");
+  }
+  WriteTestFile(folder / "first/detections.csv", with_margin);
+  ASSERT_EQ(Track(folder / "first", {"--out=" + (folder / "second").string()}).exit_code, 0);
+  EXPECT_EQ(Bytes(folder / "second/detections.csv"), with_margin);
+  ASSERT_EQ(Track(folder / "first", {"--overwrite"}).exit_code, 0);
+  EXPECT_EQ(Bytes(folder / "first/detections.csv"), with_margin);
+}
+
+TEST(TrackTool, RefusesFlagsOfTheDetectionWhereThereIsNone) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  ASSERT_EQ(Track(log, {"--out=" + (folder / "first").string()}).exit_code, 0);
+  for (const std::string flag : {"max_hamming", "quad_decimate", "quad_sigma", "threads"}) {
+    EXPECT_EQ(ExpectRefusal("fathom_track",
+                            {"--log=" + (folder / "first").string(),
+                             "--out=" + (folder / "second").string(),
+                             "--" + flag + "=2"},
+                            folder),
+              "fathom_track: --" + flag + ": is about the detection, but the track starts from " +
+                  (folder / "first/detections.csv").string() + ", expected --from=images too.\n");
+  }
+}
+
+// Frames that are counted from 0 beside commands of the clock on the wall.
+TEST(TrackTool, RefusesFramesOnAnotherClockThanTheCommands) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path folder = log.parent_path();
+  WriteTestFile(log / "command.csv", "t,tau_surge\n1700000000,1\n1700000001,2\n");
+  fs::remove(log / "pose.csv");
+  EXPECT_EQ(
+      ExpectRefusal(
+          "fathom_track", {"--log=" + log.string(), "--out=" + (folder / "out").string()}, folder),
+      "fathom_track: " + (log / "command.csv").string() +
+          ": column 't' runs from 1700000000 to 1700000001, but that of " +
+          (log / "frames.csv").string() +
+          " from 0 to 1.1, expected some time in common. Put both on one clock.\n");
+}
+
+TEST(TrackTool, SaysThatASinglePoseIsNoTrajectory) {
+  const fs::path log = CopyOfTheLog();
+  WriteTestFile(log / "frames.csv", "t,file\n0,frames/000000.png\n0.1,frames/black.png\n");
+  cv::imwrite((log / "frames/black.png").string(), cv::Mat(600, 800, CV_8UC1, cv::Scalar(90)));
+  const fs::path out = log.parent_path() / "tracked";
+  const ToolRun run = Track(log, {"--out=" + out.string()});
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_THAT(run.err,
+              HasSubstr("fathom_track: no usable trajectory: a single frame has a pose, expected "
+                        "two at least.\n"));
+  EXPECT_FALSE(fs::exists(out));
+}
+
+// The map of a track in place stands beside it, and goes with it.
+TEST(TrackTool, ReplacesTheEstimateOfAnEarlierTrack) {
+  const fs::path log = CopyOfTheLog();
+  ASSERT_EQ(Track(log, {"--overwrite", "--estimate_markers"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(log / "tags_estimated.yaml"));
+  ASSERT_EQ(Track(log, {"--overwrite"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(log / "tags_estimated.yaml"));
+}
+
 TEST(TrackTool, RefusesWhatItCannotUse) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
