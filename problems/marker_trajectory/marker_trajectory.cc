@@ -115,6 +115,22 @@ BundleAdjustmentSummary Adjust(std::span<const Detection> detections,
       camera, map, SeenOf(free_ids, detections, track), detections, frames, options);
 }
 
+// Takes back the places that were found and that the adjustment did not use, since no view agrees
+// with them. Returns whose.
+std::vector<int> TakeBackUnusedPlaces(const MarkerMap& survey,
+                                      const std::vector<int>& estimated_ids,
+                                      MarkerMap* map) {
+  std::vector<int> refuted;
+  for (Marker& marker : map->markers) {
+    const bool was_found = marker.is_surveyed && !survey.Find(marker.id)->is_surveyed;
+    const bool is_used = std::count(estimated_ids.begin(), estimated_ids.end(), marker.id) > 0;
+    if (!was_found || is_used) continue;
+    marker = *survey.Find(marker.id);
+    refuted.push_back(marker.id);
+  }
+  return refuted;
+}
+
 void TakeOver(const BundleAdjustmentSummary& summary,
               const Pose& body_from_camera,
               MarkerTrack* out) {
@@ -173,6 +189,13 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   result.map = placed;
   result.message = summary.message;
   if (summary.is_usable) TakeOver(summary, body_from_camera, &result);
+  result.refuted_ids = TakeBackUnusedPlaces(map, result.estimated_ids, &result.map);
+  if (!result.refuted_ids.empty()) {
+    result.remarks.push_back(fmt::format(
+        "No place agrees with the frames that show them, and not used: tags {}. Did they "
+        "move?",
+        fmt::join(result.refuted_ids, ", ")));
+  }
 
   std::set<int> unplaced;
   for (const RejectedDetection& one : result.pnp.rejected) {

@@ -49,6 +49,7 @@ struct MarkerTrack {
   std::vector<int> estimated_ids;
   std::vector<PoseCovariance> marker_covariance;
   std::vector<int> unplaced_ids;  // seen, but never together with a marker that has a place
+  std::vector<int> refuted_ids;   // seen together with one, but where no view agrees
 
   // The PnP track behind it, with the account of every frame and detection.
   PoseTrack pnp;

@@ -5,6 +5,9 @@
 
 #include "fathom/base/input_error.h"
 
+#include <algorithm>
+#include <random>
+
 #include "synthetic_views.h"
 #include <Eigen/Cholesky>
 #include <gmock/gmock.h>
@@ -101,6 +104,30 @@ TEST(TrackMarkers, SaysWhichMarkersItCouldNotPlace) {
   EXPECT_THAT(track.unplaced_ids, ElementsAre(3));
   EXPECT_THAT(track.remarks, Contains(HasSubstr("Never seen together")));
   EXPECT_THAT(track.remarks, Contains(HasSubstr("Set aside as not surveyed: ")));
+}
+
+// A marker that hangs elsewhere in every frame has no place: what was tried for it is not written
+// as if it were one.
+TEST(TrackMarkers, TakesBackAPlaceThatNoFrameAgreesWith) {
+  MarkerMap map = FourMarkers();
+  SyntheticRecord record = MakeRecord(map, 40, 0.3, kSigma, 23);
+  map.markers[2].is_surveyed = false;
+  map.markers[3].is_surveyed = false;
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> shift(-150.0, 150.0);
+  for (Detection& detection : record.detections) {
+    if (detection.tag_id != 3) continue;
+    const Eigen::Vector2d by(shift(generator), shift(generator));
+    for (Eigen::Vector2d& corner : detection.corners) corner += by;
+  }
+  const MarkerTrack track =
+      TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
+  ASSERT_TRUE(track.IsUsable()) << track.message;
+  EXPECT_THAT(track.estimated_ids, Contains(2));
+  const bool is_estimated =
+      std::count(track.estimated_ids.begin(), track.estimated_ids.end(), 3) > 0;
+  EXPECT_EQ(track.map.Find(3)->is_surveyed, is_estimated);
+  EXPECT_EQ(track.refuted_ids.empty(), is_estimated);
 }
 
 // A survey that is wrong by centimetres and a degree: with one marker as the reference the others
