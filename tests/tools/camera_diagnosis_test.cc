@@ -174,6 +174,43 @@ TEST(CameraDiagnosis, NamesABumpedMarkerWithAVelocitySensorAndWithout) {
   }
 }
 
+// A vehicle that swings ahead of the markers while it surges, with its DVL 0.3 m to the side of its
+// centre: the DVL shows the swings, the camera shows that the vehicle does not follow them.
+TEST(CameraDiagnosis, NamesAVelocitySensorOffTheCentre) {
+  const Path folder = EmptyTestFolder();
+  const Path vehicle = WriteTestFile(
+      folder / "vehicle.yaml",
+      SmallVehicleYaml() + "  yaw: {inertia: 6, quadratic_damping: 8, linear_damping: 3}\n");
+  const Path experiment = WriteTestFile(
+      folder / "experiment.yaml",
+      "name: filmed\nduration: 90\ncommand_rate: 10\n"
+      "surge: {control: open_loop, input: {kind: multisine, rms: 12, offset: 1, "
+      "frequency: [0.3, 2], lines: 9}}\n"
+      "yaw: {control: closed_loop, setpoint: {kind: multisine, rms: 0.04, frequency: [0.5, 2], "
+      "lines: 7}, pid: {kp: 60, ki: 5, kd: 30, limit: 40}}\n"
+      "velocity: {rate: 10, noise: {surge: 0.005, yaw: 0.002}}\nheld_out: [70, 90]\n");
+  const Path film = WriteTestFile(folder / "film.yaml",
+                                  "camera: " + kFilms + "wall_camera.yaml\ntags: " + kFilms +
+                                      "wall_four_tags.yaml\nmount: " + kFilms +
+                                      "wall_mount.yaml\nhold: {position: 0.01, angle: 0.005}\n");
+  const Path log = folder / "log";
+  const ToolRun run = RunToolBinary("fathom_synthesize",
+                                    {"--vehicle=" + vehicle.string(),
+                                     "--experiment=" + experiment.string(),
+                                     "--film=" + film.string(),
+                                     "--effects=surge.lever_arm:arm=0.3",
+                                     "--out=" + log.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Path file = folder / "verdict.json";
+  const ToolRun diagnosed = RunToolBinary(
+      "fathom_diagnose", {"--log=" + log.string(), "--dof=surge", "--verdict=" + file.string()});
+  ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+  const nlohmann::json verdict = JsonOf(file);
+  EXPECT_EQ(verdict["verdict"], "explained");
+  ASSERT_EQ(CausesIn(verdict), Names({"lever_arm"}));
+  ExpectParameter(verdict, "arm", 0.3, 0.03);
+}
+
 // Without velocities a scale is not seen and the model bears it, as the remark says; a clock is a
 // delay of the command.
 TEST(CameraDiagnosis, SaysWhatACameraAloneCannotTell) {
