@@ -12,6 +12,7 @@
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
 #include "fathom/log/write_log.h"
+#include "fathom/signal/log_column.h"
 #include "fathom/tools/identifier_flags.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
@@ -72,9 +73,21 @@ const ToolInfo kInfo = {
 
 Dof DofFromFlagOrLogs(const std::vector<Log>& logs) {
   if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
-  if (logs.front().dofs.size() == 1) return logs.front().dofs.front();
-  throw InputError(fmt::format("--dof: is missing, and the log names {} DOFs; say which.",
-                               logs.front().dofs.size()));
+  for (const Log& log : logs) {
+    if (log.dofs.size() != 1) {
+      throw InputError(fmt::format("--dof: is missing, and {} names {} DOFs; say which.",
+                                   FileOf(log, "log.yaml"),
+                                   log.dofs.size()));
+    }
+    if (log.dofs != logs.front().dofs) {
+      throw InputError(fmt::format("--dof: is missing, and {} names {}, but {} {}; say which.",
+                                   FileOf(logs.front(), "log.yaml"),
+                                   Name(logs.front().dofs.front()),
+                                   FileOf(log, "log.yaml"),
+                                   Name(log.dofs.front())));
+    }
+  }
+  return logs.front().dofs.front();
 }
 
 ImageComparisonOptions OptionsFromFlags() {
@@ -88,6 +101,7 @@ ImageComparisonOptions OptionsFromFlags() {
   joint.size_scale_std = FLAGS_size_scale_std;
   joint.mount_position_std = FLAGS_mount_position_std;
   joint.mount_angle_std = FLAGS_mount_angle_std;
+  if (FLAGS_threads == 0) throw InputError("--threads: is 0, expected 1 or more.");
   joint.num_threads = static_cast<int>(FLAGS_threads);
   if (const auto problems = joint.Problems(); !problems.empty()) {
     throw InputError(fmt::format("--{}.", problems.front()));

@@ -5,10 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
-#include "fathom/joint_refinement/first_guess.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,16 +41,15 @@ bool HasVelocity(const Log& log, Dof dof) {
 
 }  // namespace
 
-std::vector<HeldCoordinateFound> HeldCoordinatesOf(const ImageComparison& comparison) {
-  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "roll", "pitch", "yaw"};
-  std::vector<HeldCoordinateFound> held;
+std::vector<HeldDofFound> HeldDofsOf(const ImageComparison& comparison) {
+  std::vector<HeldDofFound> held;
   if (!comparison.joint.IsUsable()) return held;
   const ProcessSet& processes = comparison.joint.processes;
-  for (int i = 0, j = 0; i < 6; ++i) {
-    if (i == comparison.excited) continue;
-    held.push_back(
-        {kNames[i], i < 3 ? "m" : "rad", processes.wander[j], processes.response_std[j]});
-    ++j;
+  int slot = 0;
+  for (const Dof dof : kAllDofs) {
+    if (dof == comparison.comparison.dofs.front().dof) continue;
+    held.push_back({dof, processes.wander[slot], processes.response_std[slot]});
+    ++slot;
   }
   return held;
 }
@@ -95,7 +92,6 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
     }
     joint.initial_guess = row.fitted.model;
   }
-  result.excited = ExcitedCoordinateOf(logs.dof, logs.input.runs).index;
   result.joint = FitJoint(logs.input, joint);
   dof.rows.push_back(IdentificationOf(result.joint, dof.scored));
   result.comparison.dofs.push_back(std::move(dof));

@@ -25,21 +25,20 @@ struct ImageComparisonOptions {
 struct ImageComparison {
   Comparison comparison;  // of one DOF; the joint row is the last one
   JointSummary joint;
-  int excited = 0;  // coordinate of the pose that the DOF moves: x, y, z, roll, pitch, yaw
 
   const Identification& JointRow() const { return comparison.dofs.front().rows.back(); }
 };
 
-// What the joint refinement found a coordinate to do that is not excited.
-struct HeldCoordinateFound {
-  std::string name;  // x, y, z, roll, pitch or yaw
-  std::string unit;  // "m" or "rad"
+// What the joint refinement found a DOF to do that is not excited, along or about the mean body
+// axis.
+struct HeldDofFound {
+  Dof dof = Dof::kSurge;
   HeldWander wander;
   double response_std = 0.0;  // see ProcessSet
 };
 
 // Empty where the refinement is not usable.
-std::vector<HeldCoordinateFound> HeldCoordinatesOf(const ImageComparison& comparison);
+std::vector<HeldDofFound> HeldDofsOf(const ImageComparison& comparison);
 
 // Scored by free runs against the logs' velocity streams where all of them have one, else against
 // the derivative of the PnP poses: a remark says which. Throws InputError for options that cannot

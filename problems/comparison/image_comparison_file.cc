@@ -34,15 +34,15 @@ Json FormatJoint(const ImageComparison& comparison) {
   json["corner_sigma_px"] = joint.processes.corner_sigma;
   json["model_error"] = joint.processes.model_error;
   Json held = Json::array();
-  for (const HeldCoordinateFound& found : HeldCoordinatesOf(comparison)) {
-    held.push_back({{"coordinate", found.name},
-                    {"unit", found.unit},
+  for (const HeldDofFound& found : HeldDofsOf(comparison)) {
+    held.push_back({{"dof", Name(found.dof)},
+                    {"unit", IsAngular(found.dof) ? "rad" : "m"},
                     {"wander_std", found.wander.std},
                     {"wander_frequency", found.wander.frequency},
                     {"wander_damping_ratio", found.wander.ratio},
                     {"response_std", found.response_std}});
   }
-  json["held_coordinates"] = held;
+  json["held_dofs"] = held;
   json["size_scale"] = ValueWithStd(joint.size_scale, joint.size_scale_std);
   Json mount = Json::array();
   for (size_t i = 0; i < joint.mount.size(); ++i) {

@@ -60,9 +60,9 @@ TimePanel PathPanel(const MarkerLogs& logs, const ImageComparison& comparison) {
     }
     for (const double t : before.time) panel.time.push_back(t - origin + shift);
     panel.time.push_back(panel.time.back());
-    append(DisplacementAlong(logs.dof, PosesIn(before.time, before.world_from_body)).value,
+    append(DisplacementAlong(logs.dof, PosesIn(before.time, before.world_from_body)),
            &*panel.measured);
-    append(DisplacementAlong(logs.dof, PosesIn(before.time, after.world_from_body)).value,
+    append(DisplacementAlong(logs.dof, PosesIn(before.time, after.world_from_body)),
            &panel.responses[0]);
   }
   return panel;
@@ -111,14 +111,14 @@ Table RefinementTable(const ImageComparison& comparison) {
   add("detections", fmt::format("{}", joint.num_detections), "");
   add("outliers among them", fmt::format("{}", num_outliers), "");
   add("corner sigma", fmt::format("{:.3g}", joint.processes.corner_sigma), "px");
-  for (const HeldCoordinateFound& found : HeldCoordinatesOf(comparison)) {
-    add(fmt::format("{} wanders by", found.name),
+  for (const HeldDofFound& found : HeldDofsOf(comparison)) {
+    add(fmt::format("{} wanders by", Name(found.dof)),
         found.wander.IsPresent() ? fmt::format("{:.2g}", found.wander.std) : "0",
-        found.unit);
+        IsAngular(found.dof) ? "rad" : "m");
     if (found.response_std > 0.0) {
-      add(fmt::format("{} follows the motion by", found.name),
+      add(fmt::format("{} follows the motion by", Name(found.dof)),
           fmt::format("{:.2g}", found.response_std),
-          found.unit);
+          IsAngular(found.dof) ? "rad" : "m");
     }
   }
   constexpr double kDrift = 10.0;  // [s]

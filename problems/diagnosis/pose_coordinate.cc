@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/pose_coordinate.h"
 
+#include "fathom/signal/mean_attitude.h"
 #include "fathom/signal/pose_velocity.h"
 
 #include <algorithm>
@@ -17,25 +18,8 @@ namespace fathom {
 namespace {
 
 constexpr size_t kFewestPoses = 20;
-constexpr double kLargestAxisTurn = 0.12;  // RMS [rad] at which a world coordinate still serves
-constexpr double kSteadyAxis = 0.02;       // RMS [rad] below which it is taken to keep still
-constexpr double kLargestLeak = 1.0;       // of the positions' noise: what the turning adds to it
-
-// How far the DOF's axis turns about its mean [rad, RMS]; angles have no such axis.
-double AxisTurn(Dof dof, const Poses& poses) {
-  if (IsAngular(dof)) return 0.0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& rotation : poses.world_from_body) {
-    mean += rotation.toRotationMatrix().col(Index(dof));
-  }
-  mean.normalize();
-  double sum = 0.0;
-  for (const auto& rotation : poses.world_from_body) {
-    const double cosine = rotation.toRotationMatrix().col(Index(dof)).dot(mean);
-    sum += 2.0 * (1.0 - cosine);
-  }
-  return std::sqrt(sum / static_cast<double>(poses.size()));
-}
+constexpr double kSteadyAxis = 0.02;  // RMS [rad] below which it is taken to keep still
+constexpr double kLargestLeak = 1.0;  // of the positions' noise: what the turning adds to it
 
 // Poses averaged over about a second, so that their noise does not add up along the way.
 Poses SlowPoses(const Poses& poses) {
@@ -67,12 +51,14 @@ double NoiseOf(const std::vector<double>& coordinate) {
   return std::sqrt(sum / static_cast<double>(std::max<size_t>(coordinate.size(), 3) - 2));
 }
 
-// By how much the world coordinate differs from the way along the turning axis [RMS]: motion along
-// the other axes leaks into a coordinate when the vehicle turns.
+// By how much the displacement along the mean axis differs from the way along the turning axis
+// [RMS]: motion along the other axes leaks into it when the vehicle turns.
 double LeakOf(Dof dof, const Poses& poses) {
+  if (IsAngular(dof)) return 0.0;
   const Poses slow = SlowPoses(poses);
-  if (AxisTurn(dof, slow) < kSteadyAxis) return 0.0;  // attitude noise alone would add up
-  const std::vector<double> coordinate = DisplacementAlong(dof, slow).value;
+  // Below, attitude noise alone would add up.
+  if (AxisTurn(dof, slow.world_from_body) < kSteadyAxis) return 0.0;
+  const std::vector<double> coordinate = DisplacementAlong(dof, slow);
   std::vector<double> difference = {0.0};
   double way = 0.0;
   for (size_t i = 1; i < slow.size(); ++i) {
@@ -93,18 +79,18 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             std::vector<std::string>* remarks) {
   if (!log.pose || log.pose->time.size() < kFewestPoses) return std::nullopt;
   const Poses poses = PosesOf(*log.pose);
-  const Displacement displacement = DisplacementAlong(dof, poses);
-  const double turn = AxisTurn(dof, poses);
+  const std::vector<double> displacement = DisplacementAlong(dof, poses);
+  const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, poses.world_from_body);
   if (turn > kLargestAxisTurn && log.velocity) {
     remarks->push_back(
         fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so that no "
-                    "world coordinate is its displacement.",
+                    "fixed direction is its displacement's.",
                     name,
                     Name(dof),
                     turn));
     return std::nullopt;
   }
-  const double leak = LeakOf(dof, poses) / std::max(NoiseOf(displacement.value), 1e-12);
+  const double leak = LeakOf(dof, poses) / std::max(NoiseOf(displacement), 1e-12);
   if (leak > kLargestLeak && log.velocity) {
     remarks->push_back(
         fmt::format("{}: the poses are not used: the vehicle turns, and what leaks from its other "
@@ -114,7 +100,7 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
                     leak));
     return std::nullopt;
   }
-  return SampledSignal{poses.time, displacement.value};
+  return SampledSignal{poses.time, displacement};
 }
 
 }  // namespace fathom

@@ -13,9 +13,9 @@
 
 namespace fathom {
 
-// The world coordinate that is the displacement along `dof` of a log with poses. Nothing without
-// poses, or where the vehicle turns so much that no coordinate is the displacement; that is a
-// remark, in which the log is `name`.
+// The displacement along `dof` of a log with poses. Nothing without poses, or where the vehicle
+// turns so much that no fixed direction is its displacement's; that is a remark, in which the log
+// is `name`.
 std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             const std::string& name,
                                             Dof dof,

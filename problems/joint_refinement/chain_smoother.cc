@@ -3,16 +3,14 @@
 
 #include "fathom/joint_refinement/chain_smoother.h"
 
+#include "fathom/joint_refinement/linear_cost.h"
+
 #include <cmath>
 
 #include <Eigen/Dense>
 
 namespace fathom {
 namespace {
-
-// Of the excited coordinate's deviation and its rate at the first frame: the start itself is among
-// the globals.
-constexpr double kStartStd = 1e-6;  // [m] or [rad], and per second
 
 struct CoordinateStep {
   Eigen::Matrix2d here;   // Phi' Q^-1 Phi, on the state before
@@ -29,8 +27,8 @@ ChainSmoother::ChainSmoother(const LinearRun& run,
     : run_(run), num_columns_(static_cast<Eigen::Index>(columns.size())) {
   const double weight = 1.0 / (processes.corner_sigma * processes.corner_sigma);
   std::array<SecondOrderProcess, 6> process;
-  for (int i = 0, j = 0; i < 6; ++i) {
-    process[i] = i == excited ? processes.ModelError() : processes.Wander(j++);
+  for (int i = 0; i < 6; ++i) {
+    process[i] = processes.Of(i, excited);
     is_present_[i] = process[i].IsPresent();
   }
   std::vector<std::array<CoordinateStep, 6>> steps(run.durations.size());

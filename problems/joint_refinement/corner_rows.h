@@ -15,12 +15,11 @@
 
 namespace fathom {
 
-// How a camera hangs on a vehicle and what it looks at; with `size_scale` on the markers' sides and
-// `mount` a small move of the camera (translation [m] in the body frame, rotation vector [rad] in
-// the camera's).
+// How a camera hangs on a vehicle; with `size_scale` on the sides of the markers that it sees and
+// `mount` a small move of it (translation [m] in the body frame, rotation vector [rad], right to
+// its second order, in the camera's).
 struct CameraSetup {
   CameraModel camera;
-  MarkerMap map;
   Pose body_from_camera;
 };
 
@@ -29,7 +28,8 @@ struct SetupUnknowns {
   std::array<double, 6> mount = {};
 };
 
-// One detection's reprojection error at a pose and its derivatives; docs/joint_refinement.md (6).
+// One detection's reprojection error at a pose of the frame that the marker is in, and its
+// derivatives; docs/joint_refinement.md (6).
 //
 //   r = (Project(camera_from_world x_world) - detected) / sigma    8 rows: u, v of the four corners
 struct CornerRows {

@@ -29,23 +29,10 @@ std::vector<double> RunningMedian(const std::vector<double>& values) {
 
 }  // namespace
 
-ExcitedCoordinate ExcitedCoordinateOf(Dof dof, std::span<const CameraRun> runs) {
-  if (IsAngular(dof)) return {Index(dof), 1.0};
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  for (const CameraRun& run : runs) {
-    for (const Pose& pose : run.world_from_body) {
-      axis += pose.rotation * Eigen::Vector3d::Unit(Index(dof));
-    }
-  }
-  Eigen::Index nearest = 0;
-  axis.cwiseAbs().maxCoeff(&nearest);
-  return {static_cast<int>(nearest), axis[nearest] < 0.0 ? -1.0 : 1.0};
-}
-
-std::vector<PoseVector> SteadyPoses(const CameraRun& run) {
-  const size_t n = run.world_from_body.size();
+std::vector<PoseVector> SteadyPoses(std::span<const Pose> frame_from_body) {
+  const size_t n = frame_from_body.size();
   std::vector<PoseVector> eta(n);
-  for (size_t k = 0; k < n; ++k) eta[k] = VectorFromPose(run.world_from_body[k]);
+  for (size_t k = 0; k < n; ++k) eta[k] = VectorFromPose(frame_from_body[k]);
   for (int i = 0; i < 6; ++i) {
     std::vector<double> values(n);
     for (size_t k = 0; k < n; ++k) values[k] = eta[k][i];
@@ -57,7 +44,6 @@ std::vector<PoseVector> SteadyPoses(const CameraRun& run) {
 }
 
 UncoupledModel<double> FirstModel(const JointInput& input,
-                                  const ExcitedCoordinate& excited,
                                   const std::vector<std::vector<PoseVector>>& steady) {
   std::vector<Segment> segments;
   for (size_t r = 0; r < input.runs.size(); ++r) {
@@ -69,7 +55,7 @@ UncoupledModel<double> FirstModel(const JointInput& input,
       poses.time.push_back(run.time[k]);
       poses.position.push_back(pose.translation);
       poses.world_from_body.push_back(pose.rotation);
-      position.push_back(excited.sign * steady[r][k][excited.index]);
+      position.push_back(steady[r][k][Index(input.dof)]);
     }
     SavitzkyGolayOptions filter;
     const double duration = run.time.back() - run.time.front();

@@ -11,16 +11,13 @@
 
 namespace fathom {
 
-// The coordinate of eta that a DOF moves, from the mean attitude of all runs.
-ExcitedCoordinate ExcitedCoordinateOf(Dof dof, std::span<const CameraRun> runs);
-
-// The first guesses of a run in the chart, angles unwrapped, each coordinate the median of the
-// frames around: what flips or flies off for a few frames is gone, and a steady motion stays.
-std::vector<PoseVector> SteadyPoses(const CameraRun& run);
+// First guesses of a run's poses frame_from_body in the chart, angles unwrapped, each coordinate
+// the median of the frames around: what flips or flies off for a few frames is gone, and a steady
+// motion stays.
+std::vector<PoseVector> SteadyPoses(std::span<const Pose> frame_from_body);
 
 // Where the search starts: output error on the displacement of the steady poses.
 UncoupledModel<double> FirstModel(const JointInput& input,
-                                  const ExcitedCoordinate& excited,
                                   const std::vector<std::vector<PoseVector>>& steady);
 
 }  // namespace fathom

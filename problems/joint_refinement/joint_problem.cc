@@ -5,6 +5,7 @@
 
 #include "fathom/joint_refinement/active_set.h"
 #include "fathom/joint_refinement/clipped_loss.h"
+#include "fathom/joint_refinement/linear_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +24,6 @@ namespace fathom {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-constexpr double kStartStd =
-    1e-6;  // of the excited coordinate's first deviation, as in ChainSmoother
 
 class Loss final : public ceres::LossFunction {
  public:
@@ -71,10 +69,8 @@ class Simulate final : public ceres::EvaluationCallback {
 // Which coordinates have deviations of their own.
 std::vector<int> MovingCoordinates(const ProcessSet& processes, int excited) {
   std::vector<int> moving;
-  for (int i = 0, j = 0; i < 6; ++i) {
-    const bool moves =
-        i == excited ? processes.model_error > 0.0 : processes.wander[j++].IsPresent();
-    if (moves) moving.push_back(i);
+  for (int i = 0; i < 6; ++i) {
+    if (processes.Of(i, excited).IsPresent()) moving.push_back(i);
   }
   return moving;
 }
@@ -100,7 +96,7 @@ class CornerCost final : public ceres::CostFunction {
         run_(run),
         frame_(frame),
         detection_(detection),
-        marker_(*data.setup.map.Find(detection.tag_id)) {
+        marker_(*data.runs[run].map.Find(detection.tag_id)) {
     set_num_residuals(8);
     auto* const sizes = mutable_parameter_block_sizes();
     if (!moving.empty()) sizes->push_back(static_cast<int>(moving.size()));
@@ -164,98 +160,6 @@ class CornerCost final : public ceres::CostFunction {
   std::vector<int> first_columns_;
 };
 
-// W (sum over blocks of M_b x_b - offset): everything that is linear.
-class LinearCost final : public ceres::CostFunction {
- public:
-  explicit LinearCost(std::vector<RowMajor> blocks, Eigen::VectorXd offset)
-      : blocks_(std::move(blocks)), offset_(std::move(offset)) {
-    set_num_residuals(static_cast<int>(offset_.size()));
-    for (const RowMajor& block : blocks_) {
-      mutable_parameter_block_sizes()->push_back(static_cast<int>(block.cols()));
-    }
-  }
-
-  bool Evaluate(const double* const* parameters,
-                double* residuals,
-                double** jacobians) const override {
-    Eigen::Map<Eigen::VectorXd> r(residuals, offset_.size());
-    r = -offset_;
-    for (size_t b = 0; b < blocks_.size(); ++b) {
-      r.noalias() +=
-          blocks_[b] * Eigen::Map<const Eigen::VectorXd>(parameters[b], blocks_[b].cols());
-      if (jacobians != nullptr && jacobians[b] != nullptr) {
-        std::copy_n(blocks_[b].data(), blocks_[b].size(), jacobians[b]);
-      }
-    }
-    return true;
-  }
-
- private:
-  const std::vector<RowMajor> blocks_;
-  const Eigen::VectorXd offset_;
-};
-
-// From one frame to the next: W (s' - Phi s), rows two by two by coordinate; blocks n, n', next n,
-// next n'.
-std::unique_ptr<ceres::CostFunction> MakeStepCost(const ProcessSet& processes,
-                                                  int excited,
-                                                  const std::vector<int>& moving,
-                                                  double duration) {
-  const auto n = static_cast<Eigen::Index>(moving.size());
-  std::vector<RowMajor> blocks(4, RowMajor::Zero(2 * n, n));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int c = moving[i];
-    const SecondOrderProcess process =
-        c == excited ? processes.ModelError() : processes.Wander(c < excited ? c : c - 1);
-    const Transition t = process.Over(duration);
-    const Eigen::Matrix2d from = -t.whitener * t.Phi;
-    for (int row = 0; row < 2; ++row) {
-      for (int s = 0; s < 2; ++s) {
-        blocks[s](2 * i + row, i) = from(row, s);
-        blocks[2 + s](2 * i + row, i) = t.whitener(row, s);
-      }
-    }
-  }
-  return std::make_unique<LinearCost>(std::move(blocks), Eigen::VectorXd::Zero(2 * n));
-}
-
-// At a run's first frame.
-std::unique_ptr<ceres::CostFunction> MakeFirstCost(const ProcessSet& processes,
-                                                   int excited,
-                                                   const std::vector<int>& moving) {
-  const auto n = static_cast<Eigen::Index>(moving.size());
-  std::vector<RowMajor> blocks(2, RowMajor::Zero(2 * n, n));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int c = moving[i];
-    Eigen::Vector2d std(kStartStd, kStartStd);
-    if (c != excited) {
-      std = processes.Wander(c < excited ? c : c - 1).StationaryCovariance().diagonal().cwiseSqrt();
-    }
-    for (int s = 0; s < 2; ++s) blocks[s](2 * i + s, i) = 1.0 / std[s];
-  }
-  return std::make_unique<LinearCost>(std::move(blocks), Eigen::VectorXd::Zero(2 * n));
-}
-
-// (x - mean) / std of those entries whose std is above 0 and finite.
-void AddPrior(double* block,
-              const std::vector<double>& std,
-              const std::vector<double>& mean,
-              ceres::Problem* problem) {
-  std::vector<int> rows;
-  for (size_t i = 0; i < std.size(); ++i) {
-    if (std[i] > 0.0 && std::isfinite(std[i])) rows.push_back(static_cast<int>(i));
-  }
-  if (rows.empty()) return;
-  RowMajor M =
-      RowMajor::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(std.size()));
-  Eigen::VectorXd offset(M.rows());
-  for (Eigen::Index i = 0; i < M.rows(); ++i) {
-    M(i, rows[i]) = 1.0 / std[rows[i]];
-    offset[i] = mean[rows[i]] / std[rows[i]];
-  }
-  problem->AddResidualBlock(new LinearCost({M}, offset), nullptr, block);
-}
-
 // Holds the entries whose std is 0, and those in `also`.
 void Hold(double* block,
           const std::vector<double>& std,
@@ -306,16 +210,6 @@ struct Blocks {
     }
   }
 };
-
-std::vector<double> Stds(const GlobalsPrior& prior, int first, int size) {
-  return {prior.std.begin() + first, prior.std.begin() + first + size};
-}
-
-std::vector<double> Means(const GlobalsPrior& prior, int first, int size, const double* now) {
-  std::vector<double> means(now, now + size);
-  for (int i = 0; i < size; ++i) means[i] -= prior.offset[first + i];
-  return means;
-}
 
 // The search of the joint problem with dampings held or free.
 class DampingSearch final : public BoundedSearch {
@@ -451,13 +345,14 @@ JointSolve SolveJoint(JointData* data,
     for (int i = 0; i < kNumResponse; ++i) {
       if (i % kResponseTerms != 0) response_std[i] = processes.response_std[i / kResponseTerms];
     }
-    AddPrior(own.response.data(), response_std, std::vector<double>(kNumResponse), &problem);
+    const auto add_prior = [&](std::unique_ptr<ceres::CostFunction> cost, double* block) {
+      if (cost != nullptr) problem.AddResidualBlock(cost.release(), nullptr, block);
+    };
+    add_prior(MakePriorCost(response_std, std::vector<double>(kNumResponse)), own.response.data());
     Hold(own.response.data(), response_std, {}, &problem);
     if (with_clock) {
-      AddPrior(&own.clock_offset,
-               Stds(priors[r], kClockColumn, 1),
-               Means(priors[r], kClockColumn, 1, &own.clock_offset),
-               &problem);
+      const double mean = own.clock_offset - priors[r].offset[kClockColumn];
+      add_prior(MakePriorCost({priors[r].std[kClockColumn]}, {mean}), &own.clock_offset);
     }
   }
 
@@ -474,8 +369,10 @@ JointSolve SolveJoint(JointData* data,
   // Ceres' own bounds report convergence at a wrong point when one is active, so the active set is
   // found outside.
   JointSolve result;
-  const auto model_std = options.without_model ? std::vector<double>(kModelColumns)
-                                               : Stds(priors[0], 0, kModelColumns);
+  const auto model_std =
+      options.without_model
+          ? std::vector<double>(kModelColumns)
+          : std::vector<double>(priors[0].std.begin(), priors[0].std.begin() + kModelColumns);
   DampingSearch search(solver, model_std, unknowns->model.data(), &problem, &result);
   std::vector<int> bounded;
   for (const int i : {kQuadraticDamping, kLinearDamping}) {

@@ -32,8 +32,8 @@ struct JointSolveOptions {
 // at least 0 by SearchActiveSet(), since Ceres' bounds report convergence at a wrong point when one
 // is active; one that `priors` hold stays where it is.
 //
-// `priors` as in LinearJoint, but for the setup's, which do not count; their offsets are those at
-// the present unknowns.
+// Of `priors`, which are as in LinearJoint with their offsets at the present unknowns, the clock's
+// count, and which dampings they hold.
 JointSolve SolveJoint(JointData* data,
                       const ProcessSet& processes,
                       const std::vector<GlobalsPrior>& priors,

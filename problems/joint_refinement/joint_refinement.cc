@@ -4,17 +4,17 @@
 #include "fathom/joint_refinement/joint_refinement.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/base/median.h"
-#include "fathom/joint_refinement/chain_smoother.h"
-#include "fathom/joint_refinement/clipped_loss.h"
-#include "fathom/joint_refinement/first_guess.h"
 #include "fathom/joint_refinement/joint_problem.h"
+#include "fathom/joint_refinement/joint_start.h"
 #include "fathom/joint_refinement/pose_spread.h"
 #include "fathom/joint_refinement/process_fit.h"
+#include "fathom/joint_refinement/run_frame.h"
 #include "fathom/joint_refinement/setup_fit.h"
+#include "fathom/output_error/caveats.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -52,109 +52,6 @@ void RequireUsable(const JointInput& input, const JointOptions& options) {
   }
 }
 
-double RootMeanSquare(const std::vector<double>& values) {
-  double sum = 0.0, mean = 0.0;
-  for (const double v : values) mean += v / static_cast<double>(values.size());
-  for (const double v : values) sum += (v - mean) * (v - mean);
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-// How far and how fast the model moves along the runs.
-MotionScales ScalesOf(const JointInput& input, const UncoupledModel<double>& model) {
-  std::vector<double> x_all, v_all, a_all;
-  for (const CameraRun& run : input.runs) {
-    const Simulation simulation(run.command, run.time);
-    std::vector<double> v(run.time.size()), x(run.time.size());
-    if (!simulation.Run(model, {}, v, x)) continue;
-    for (size_t k = 0; k < v.size(); ++k) {
-      a_all.push_back(model.Acceleration(v[k], run.command.At(run.time[k])));
-    }
-    x_all.insert(x_all.end(), x.begin(), x.end());
-    v_all.insert(v_all.end(), v.begin(), v.end());
-  }
-  MotionScales scales;
-  if (x_all.empty()) return scales;
-  const auto scale = [](const std::vector<double>& values) {
-    return std::max(RootMeanSquare(values), 1e-9);
-  };
-  return {scale(x_all), scale(v_all), scale(a_all)};
-}
-
-// Start: the mean motion of the first model, each held coordinate at its mean, and the deviations
-// that lead to the steady poses.
-JointUnknowns FirstUnknowns(const UncoupledModel<double>& model,
-                            const std::vector<std::vector<PoseVector>>& steady,
-                            const ExcitedCoordinate& excited,
-                            JointData* data) {
-  JointUnknowns unknowns;
-  unknowns.model = {
-      std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
-  unknowns.runs.resize(data->runs.size());
-  for (size_t r = 0; r < data->runs.size(); ++r) {
-    RunUnknowns& run = unknowns.runs[r];
-    PredictedMotion& motion = data->runs[r].motion;
-    const auto& eta = steady[r];
-    const size_t n = eta.size();
-    for (int j = 0; j < kNumHeld; ++j) {
-      double& mean = run.response[static_cast<size_t>(j) * kResponseTerms];
-      for (const PoseVector& pose : eta) {
-        mean += pose[motion.HeldCoordinate(j)] / static_cast<double>(n);
-      }
-    }
-    // The start by linear regression on its sensitivities: velocity and position at the first
-    // frame.
-    run.start = {0.0, excited.sign * eta[0][excited.index]};
-    for (int iteration = 0; iteration < 3; ++iteration) {
-      if (!motion.Update(unknowns.Motion(r))) break;
-      Eigen::Matrix2d JJ = Eigen::Matrix2d::Zero();
-      Eigen::Vector2d Jr = Eigen::Vector2d::Zero();
-      for (size_t k = 0; k < n; ++k) {
-        const auto D = motion.MeanDerivatives(k);
-        const Eigen::Vector2d J = D.block<1, 2>(excited.index, kStartColumns).transpose();
-        const double miss = eta[k][excited.index] - motion.Mean(k)[excited.index];
-        JJ += J * J.transpose();
-        Jr += miss * J;
-      }
-      const Eigen::Vector2d step = JJ.ldlt().solve(Jr);
-      run.start[0] += step[0];
-      run.start[1] += step[1];
-    }
-    motion.Update(unknowns.Motion(r));
-    run.deviation.resize(n);
-    run.rate.assign(n, {});
-    for (size_t k = 0; k < n; ++k) {
-      PoseVector::Map(run.deviation[k].data()) = eta[k] - motion.Mean(k);
-    }
-  }
-  return unknowns;
-}
-
-// Robust size of a corner's error about the present poses [px]: from the median squared residual of
-// the detections, which for eight normal ones is 7.34 times the variance.
-double MedianCornerSigma(const JointData& data, const JointUnknowns& unknowns) {
-  std::vector<double> squares;
-  for (size_t r = 0; r < data.runs.size(); ++r) {
-    for (size_t k = 0; k < data.runs[r].detections.size(); ++k) {
-      const PoseVector eta = PoseAt(data.runs[r], unknowns.runs[r], k);
-      for (const Detection& detection : data.runs[r].detections[k]) {
-        CornerRows rows;
-        if (EvaluateCorners(data.setup,
-                            unknowns.setup,
-                            *data.setup.map.Find(detection.tag_id),
-                            detection,
-                            eta,
-                            1.0,
-                            false,
-                            &rows)) {
-          squares.push_back(rows.residual.squaredNorm());
-        }
-      }
-    }
-  }
-  if (squares.empty()) return 1.0;
-  return std::max(1e-4, std::sqrt(Median(std::move(squares)) / 7.34));
-}
-
 std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
                                    const JointUnknowns& unknowns,
                                    const std::vector<int>& held_at_zero) {
@@ -174,21 +71,6 @@ std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
   return priors;
 }
 
-ProcessSet FirstProcesses(double corner_sigma,
-                          const UncoupledModel<double>& model,
-                          const MotionScales& scales) {
-  ProcessSet processes;
-  processes.corner_sigma = corner_sigma;
-  for (auto& wander : processes.wander) wander = {0.01, 0.5, 1.0};
-  // A hundredth of the motion in ten seconds.
-  const double drift = 0.01 * scales.displacement;
-  processes.model_error = drift * drift / 333.0;
-  processes.damping_rate = std::max(
-      1e-3,
-      (model.linear_damping + 2.0 * model.quadratic_damping * scales.velocity) / model.inertia);
-  return processes;
-}
-
 int CountOutliers(const JointData& data,
                   const JointUnknowns& unknowns,
                   double corner_sigma,
@@ -200,7 +82,7 @@ int CountOutliers(const JointData& data,
       CornerRows rows;
       const bool is_ahead = EvaluateCorners(data.setup,
                                             unknowns.setup,
-                                            *data.setup.map.Find(detection.tag_id),
+                                            *data.runs[run].map.Find(detection.tag_id),
                                             detection,
                                             eta,
                                             corner_sigma,
@@ -210,6 +92,253 @@ int CountOutliers(const JointData& data,
     }
   }
   return count;
+}
+
+// The search's end, beside the unknowns and the processes themselves.
+struct SearchEnd {
+  std::vector<int> held_at_zero;  // dampings on their bound
+  SetupFit setup;
+  bool processes_settled = false;  // the last search for them
+  bool likelihood_settled = false;
+};
+
+// The mode over all but processes and setup. False, with the reason in the summary, if it was not
+// found.
+bool FindMode(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
+  const JointSolve solve =
+      SolveJoint(&at->data,
+                 at->processes,
+                 PriorsOf(options, at->unknowns, {}),
+                 {.max_iterations = options.max_iterations, .num_threads = options.num_threads},
+                 &at->unknowns);
+  if (!(summary->initial_cost > 0.0)) summary->initial_cost = solve.initial_cost;
+  summary->num_iterations += solve.num_iterations;
+  summary->seconds_per_iteration = solve.seconds_per_iteration;
+  summary->final_cost = solve.cost;
+  summary->message = solve.message;
+  summary->converged = solve.converged;
+  end->held_at_zero = solve.held_at_zero;
+  return solve.converged;
+}
+
+bool IsSetupFree(const JointOptions& options) {
+  return options.size_scale_std > 0.0 || options.mount_position_std > 0.0 ||
+         options.mount_angle_std > 0.0;
+}
+
+// The setup, and the mode under it. False as FindMode().
+bool MoveSetup(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
+  end->setup =
+      FitSetup([&](const JointUnknowns& now) { return PriorsOf(options, now, end->held_at_zero); },
+               end->setup,
+               &at->data,
+               &at->processes,
+               &at->unknowns);
+  if (!end->setup.converged) {
+    summary->converged = false;
+    summary->message = end->setup.message;
+    return false;
+  }
+  // It knows nothing of the dampings' bounds.
+  return !end->setup.moved || FindMode(options, at, end, summary);
+}
+
+// Responses that the processes do not admit are none.
+void DropResponses(const ProcessSet& processes, JointUnknowns* unknowns) {
+  for (RunUnknowns& run : unknowns->runs) {
+    for (int i = 0; i < kNumResponse; ++i) {
+      const bool is_mean = i % kResponseTerms == 0;
+      if (!is_mean && processes.response_std[i / kResponseTerms] == 0.0) run.response[i] = 0.0;
+    }
+  }
+}
+
+// Processes and mode in turns until the likelihood settles, then the setup, and where that moves
+// all of it again. False as FindMode().
+bool Search(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
+  constexpr double kSettled = 0.5;  // of the log-likelihood
+  const int excited = at->data.excited;
+  std::vector<LinearRun> linear;
+  bool is_setup_found = !IsSetupFree(options);
+  while (true) {
+    if (options.on_round) options.on_round(summary->num_rounds + 1, options.max_rounds);
+    if (!Linearise(&at->data, at->unknowns, at->processes.corner_sigma, &linear)) {
+      summary->message = "the simulation diverges, or a marker falls behind the camera.";
+      return false;
+    }
+    const auto priors = WithSetupHeld(PriorsOf(options, at->unknowns, end->held_at_zero));
+    const double before = LinearJoint(linear, priors, at->processes, excited).log_likelihood();
+    const ProcessFit fit = FitProcesses(linear, priors, at->processes, excited);
+    if (!std::isfinite(fit.log_likelihood)) {
+      summary->message = "some unknown leaves no trace in the corners.";
+      return false;
+    }
+    const bool has_settled = summary->num_rounds > 0 && fit.log_likelihood < before + kSettled;
+    const bool is_last = summary->num_rounds == options.max_rounds;
+    if (has_settled || is_last) {
+      end->likelihood_settled = has_settled;
+      if (is_setup_found) return true;
+      if (!MoveSetup(options, at, end, summary)) return false;
+      is_setup_found = true;
+      if (is_last || !end->setup.moved) return true;
+      continue;
+    }
+    end->processes_settled = fit.converged;
+    at->processes = fit.processes;
+    DropResponses(at->processes, &at->unknowns);
+    ++summary->num_rounds;
+    if (!FindMode(options, at, end, summary)) return false;
+    is_setup_found = !IsSetupFree(options);
+  }
+}
+
+// How far the excited motion goes off the mean axis of its DOF [rad], by what the other
+// translations do along with it; 0 for an angle.
+double AngleOffAxis(const JointStart& at, size_t run) {
+  if (at.data.excited >= 3) return 0.0;
+  double squares = 0.0;
+  for (int j = 0; j < 2; ++j) {  // the translations among the held ones
+    const double by_displacement = at.unknowns.runs[run].response[j * kResponseTerms + 1];
+    squares += std::pow(by_displacement / at.scales.displacement, 2);
+  }
+  return std::atan(std::sqrt(squares));
+}
+
+// What must be known beyond the intervals.
+std::vector<std::string> CaveatsOn(Dof dof,
+                                   const JointStart& at,
+                                   const JointSummary& summary,
+                                   const SearchEnd& end) {
+  std::vector<std::string> caveats;
+  double angle = 0.0;
+  for (size_t r = 0; r < summary.runs.size(); ++r) angle = std::max(angle, AngleOffAxis(at, r));
+  const double too_large = 1.0 / std::cos(angle) - 1.0;
+  const double std = std::sqrt(summary.covariance(kInertia, kInertia)) / summary.model.inertia;
+  if (too_large > 0.5 * std) {
+    caveats.push_back(fmt::format(
+        "The vehicle moves {:.1f} degrees off its mean {} axis. If that is the mount or the survey "
+        "and not the vehicle, inertia and linear damping come out {:.2g} % too large, more than "
+        "half "
+        "of what the interval admits.",
+        angle * 180.0 / std::numbers::pi,
+        Name(dof),
+        100.0 * too_large));
+  }
+  for (int i = 0; i < kNumParameters; ++i) {
+    if (summary.on_bound[i]) {
+      caveats.push_back(CaveatOnBound(i, 1.96 * std::sqrt(summary.covariance(i, i))));
+    }
+  }
+  if (!end.processes_settled) {
+    caveats.push_back(
+        "The search for how the held coordinates wander did not settle: the intervals are less "
+        "sure than they look.");
+  }
+  if (!end.likelihood_settled) {
+    caveats.push_back(
+        fmt::format("The likelihood was still rising after {} rounds: the intervals are less sure "
+                    "than they look.",
+                    summary.num_rounds));
+  }
+  return caveats;
+}
+
+RefinedRun RefinedRunOf(const JointOptions& options,
+                        const JointStart& at,
+                        const LinearJoint& linear,
+                        const Pose& world_from_frame,
+                        size_t r) {
+  const RunUnknowns& own = at.unknowns.runs[r];
+  const PredictedMotion& motion = at.data.runs[r].motion;
+  const auto eta_of = [&](size_t k) { return PoseAt(at.data.runs[r], own, k); };
+  RefinedRun run;
+  run.start = {own.start[0], own.start[1]};
+  for (int j = 0; j < kNumHeld; ++j) {
+    std::copy_n(own.response.begin() + j * kResponseTerms, kResponseTerms, run.response[j].begin());
+  }
+  run.clock_offset = own.clock_offset;
+  if (options.clock_offset_std > 0.0) {
+    run.clock_offset_std = std::sqrt(linear.covariance(r)(kClockColumn, kClockColumn));
+  }
+  for (size_t k = 0; k < motion.size(); ++k) {
+    run.world_from_body.push_back(world_from_frame * PoseFromVector(eta_of(k)));
+    run.displacement.push_back(motion.displacement(k));
+    run.velocity.push_back(motion.velocity(k));
+  }
+  run.pose_covariance = PoseSpread(linear, r, motion, world_from_frame.rotation, eta_of);
+  run.num_outliers = CountOutliers(at.data, at.unknowns, at.processes.corner_sigma, r);
+  return run;
+}
+
+// The joint problem with every run in a frame of its own.
+JointSummary FitInFrames(const JointInput& input,
+                         const JointOptions& options,
+                         const std::vector<Pose>& world_from_frame,
+                         const std::vector<std::vector<Pose>>& frame_from_body) {
+  JointSummary summary;
+  summary.num_rounds = summary.num_iterations = 0;
+  JointStart at = StartOf(input, options, world_from_frame, frame_from_body);
+  for (const CameraRun& run : input.runs) {
+    for (const auto& detections : run.detections) {
+      summary.num_detections += static_cast<int>(detections.size());
+    }
+  }
+  SearchEnd end;
+  if (!Search(options, &at, &end, &summary)) return summary;
+
+  std::vector<LinearRun> runs;
+  if (!Linearise(&at.data, at.unknowns, at.processes.corner_sigma, &runs)) {
+    summary.converged = false;
+    summary.message = "the corners cannot be projected at the end of the search.";
+    return summary;
+  }
+  const LinearJoint linear(runs,
+                           PriorsOf(options, at.unknowns, {}),
+                           at.processes,
+                           at.data.excited,
+                           &end.setup.information);
+  summary.model = at.unknowns.Motion(0).Model();
+  for (const int i : end.held_at_zero) summary.on_bound[i] = true;
+  summary.determined = linear.is_usable();
+  if (!summary.determined) {
+    summary.message = "some unknown leaves no trace in the corners.";
+    return summary;
+  }
+  Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
+  by_log[kInertia] = summary.model.inertia;
+  summary.covariance =
+      by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
+  summary.size_scale = at.unknowns.setup.size_scale;
+  summary.mount = at.unknowns.setup.mount;
+  const auto std_of = [&](int column) { return std::sqrt(linear.covariance(0)(column, column)); };
+  if (options.size_scale_std > 0.0) summary.size_scale_std = std_of(kSizeColumn);
+  for (int i = 0; i < 6; ++i) {
+    const bool is_free = (i < 3 ? options.mount_position_std : options.mount_angle_std) > 0.0;
+    if (is_free) summary.mount_std[i] = std_of(kMountColumns + i);
+  }
+  summary.processes = at.processes;
+  for (size_t r = 0; r < input.runs.size(); ++r) {
+    summary.runs.push_back(RefinedRunOf(options, at, linear, world_from_frame[r], r));
+  }
+  summary.caveats = CaveatsOn(input.dof, at, summary, end);
+  return summary;
+}
+
+std::vector<Pose> FramesOf(Dof dof, const std::vector<std::vector<Pose>>& world_from_body) {
+  std::vector<Pose> frames;
+  for (const std::vector<Pose>& poses : world_from_body) frames.push_back(RunFrameOf(dof, poses));
+  return frames;
+}
+
+// The largest angle between the axes of a DOF in two sets of frames [rad].
+double LargestTurn(Dof dof, const std::vector<Pose>& some, const std::vector<Pose>& others) {
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(Index(dof) % 3);
+  double largest = 0.0;
+  for (size_t r = 0; r < some.size(); ++r) {
+    const double sine = (some[r].rotation * axis).cross(others[r].rotation * axis).norm();
+    largest = std::max(largest, std::asin(std::min(1.0, sine)));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -240,143 +369,28 @@ std::vector<std::string> JointOptions::Problems() const {
 
 JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
   RequireUsable(input, options);
-  JointSummary summary;
-
-  // Start.
-  const ExcitedCoordinate excited = ExcitedCoordinateOf(input.dof, input.runs);
-  std::vector<std::vector<PoseVector>> steady;
-  for (const CameraRun& run : input.runs) steady.push_back(SteadyPoses(run));
-  const UncoupledModel<double> first =
-      options.initial_guess ? *options.initial_guess : FirstModel(input, excited, steady);
-  const MotionScales scales = ScalesOf(input, first);
-  JointData data;
-  data.setup = {input.camera, input.map, input.body_from_camera};
-  data.excited = excited.index;
-  data.loss_limit = options.loss_limit;
-  for (const CameraRun& run : input.runs) {
-    data.runs.push_back({run.detections, PredictedMotion(run.command, run.time, excited, scales)});
-    for (const auto& detections : run.detections) {
-      summary.num_detections += static_cast<int>(detections.size());
+  // The frames follow from the poses, which the search makes better.
+  constexpr int kMostSearches = 3;
+  constexpr double kSmallTurn = 0.003;  // [rad]; its cosine is 1 to 5e-6
+  JointOptions own = options;
+  std::vector<std::vector<Pose>> world_from_body;
+  for (const CameraRun& run : input.runs) world_from_body.push_back(run.world_from_body);
+  for (int search = 1;; ++search) {
+    const std::vector<Pose> frames = FramesOf(input.dof, world_from_body);
+    std::vector<std::vector<Pose>> frame_from_body = world_from_body;
+    for (size_t r = 0; r < frames.size(); ++r) {
+      for (Pose& pose : frame_from_body[r]) pose = frames[r].Inverse() * pose;
     }
-  }
-  JointUnknowns unknowns = FirstUnknowns(first, steady, excited, &data);
-  ProcessSet processes = FirstProcesses(MedianCornerSigma(data, unknowns), first, scales);
-
-  summary.num_rounds = summary.num_iterations = 0;
-  std::vector<LinearRun> linear;
-  double likelihood = -std::numeric_limits<double>::infinity();
-  std::vector<int> held_at_zero;
-  bool processes_settled = false;
-  SetupFit setup;
-  constexpr double kSettled = 0.5;  // of the log-likelihood
-  for (int round = 0; round < options.max_rounds; ++round) {
-    if (options.on_round) options.on_round(round + 1, options.max_rounds);
-    if (!Linearise(&data, unknowns, processes.corner_sigma, &linear)) {
-      summary.message = "the simulation diverges, or a marker falls behind the camera.";
+    JointSummary summary = FitInFrames(input, own, frames, frame_from_body);
+    if (!summary.IsUsable() || search == kMostSearches) return summary;
+    for (size_t r = 0; r < frames.size(); ++r) {
+      world_from_body[r] = summary.runs[r].world_from_body;
+    }
+    if (LargestTurn(input.dof, frames, FramesOf(input.dof, world_from_body)) < kSmallTurn) {
       return summary;
     }
-    const auto priors = WithSetupHeld(PriorsOf(options, unknowns, held_at_zero));
-    const double before =
-        round == 0 ? -std::numeric_limits<double>::infinity()
-                   : LinearJoint(linear, priors, processes, excited.index).log_likelihood();
-    const ProcessFit fit = FitProcesses(linear, priors, processes, excited.index);
-    if (!std::isfinite(fit.log_likelihood)) {
-      summary.message = "some unknown leaves no trace in the corners.";
-      return summary;
-    }
-    processes_settled = fit.converged;
-    likelihood = fit.log_likelihood;
-    if (round > 0 && likelihood < before + kSettled) break;
-    processes = fit.processes;
-    for (RunUnknowns& run : unknowns.runs) {
-      for (int i = 0; i < kNumResponse; ++i) {
-        const bool is_mean = i % kResponseTerms == 0;
-        if (!is_mean && processes.response_std[i / kResponseTerms] == 0.0) run.response[i] = 0.0;
-      }
-    }
-    const JointSolve solve =
-        SolveJoint(&data,
-                   processes,
-                   PriorsOf(options, unknowns, {}),
-                   {.max_iterations = options.max_iterations, .num_threads = options.num_threads},
-                   &unknowns);
-    ++summary.num_rounds;
-    if (round == 0) summary.initial_cost = solve.initial_cost;
-    summary.num_iterations += solve.num_iterations;
-    summary.seconds_per_iteration = solve.seconds_per_iteration;
-    summary.final_cost = solve.cost;
-    summary.message = solve.message;
-    summary.converged = solve.converged;
-    held_at_zero = solve.held_at_zero;
-    if (!solve.converged) return summary;
-    setup = FitSetup([&](const JointUnknowns& at) { return PriorsOf(options, at, held_at_zero); },
-                     &data,
-                     &processes,
-                     &unknowns);
-    if (!setup.converged) {
-      summary.converged = false;
-      summary.message = setup.message;
-      return summary;
-    }
+    own.initial_guess = summary.model;
   }
-
-  // The covariance at the end.
-  if (!Linearise(&data, unknowns, processes.corner_sigma, &linear)) {
-    summary.converged = false;
-    summary.message = "the corners cannot be projected at the end of the search.";
-    return summary;
-  }
-  const LinearJoint end(
-      linear, PriorsOf(options, unknowns, {}), processes, excited.index, &setup.information);
-  summary.model = data.runs[0].motion.size() > 0 ? unknowns.Motion(0).Model() : summary.model;
-  for (const int i : held_at_zero) summary.on_bound[i] = true;
-  summary.determined = end.is_usable();
-  if (!end.is_usable()) {
-    summary.message = "some unknown leaves no trace in the corners.";
-    return summary;
-  }
-  Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
-  by_log[kInertia] = summary.model.inertia;
-  summary.covariance =
-      by_log.asDiagonal() * end.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
-  summary.size_scale = unknowns.setup.size_scale;
-  summary.mount = unknowns.setup.mount;
-  const auto std_of = [&](size_t run, int column) {
-    return std::sqrt(end.covariance(run)(column, column));
-  };
-  if (options.size_scale_std > 0.0) summary.size_scale_std = std_of(0, kSizeColumn);
-  for (int i = 0; i < 6; ++i) {
-    const bool is_free = (i < 3 ? options.mount_position_std : options.mount_angle_std) > 0.0;
-    if (is_free) summary.mount_std[i] = std_of(0, kMountColumns + i);
-  }
-  summary.processes = processes;
-  if (!processes_settled) {
-    summary.caveats.push_back(
-        "The search for how the held coordinates wander did not settle: the intervals are less "
-        "sure "
-        "than they look.");
-  }
-  for (size_t r = 0; r < unknowns.runs.size(); ++r) {
-    const RunUnknowns& own = unknowns.runs[r];
-    RefinedRun run;
-    run.start = {own.start[0], own.start[1]};
-    for (int j = 0; j < kNumHeld; ++j) {
-      std::copy_n(
-          own.response.begin() + j * kResponseTerms, kResponseTerms, run.response[j].begin());
-    }
-    run.clock_offset = own.clock_offset;
-    if (options.clock_offset_std > 0.0) run.clock_offset_std = std_of(r, kClockColumn);
-    for (size_t k = 0; k < own.deviation.size(); ++k) {
-      run.world_from_body.push_back(PoseFromVector(PoseAt(data.runs[r], own, k)));
-      run.displacement.push_back(data.runs[r].motion.displacement(k));
-      run.velocity.push_back(data.runs[r].motion.velocity(k));
-    }
-    run.pose_covariance = PoseSpread(
-        end, r, data.runs[r].motion, [&](size_t k) { return PoseAt(data.runs[r], own, k); });
-    run.num_outliers = CountOutliers(data, unknowns, processes.corner_sigma, r);
-    summary.runs.push_back(std::move(run));
-  }
-  return summary;
 }
 
 }  // namespace fathom

@@ -59,8 +59,8 @@ struct JointOptions {
   int max_iterations = 50;
   int num_threads = 1;
 
-  // How often the processes are estimated anew about the refined trajectory, at most. At least 1.
-  int max_rounds = 4;
+  // How often the processes are estimated about the refined trajectory, at most. At least 1.
+  int max_rounds = 6;
 
   // Called before each round with its number from 1 on; may be empty.
   std::function<void(int round, int max_rounds)> on_round = {};

@@ -27,7 +27,7 @@ bool Linearise(JointData* data,
     linear.frames.resize(run.detections.size());
     linear.JgJg.setZero();
     linear.Jgr.setZero();
-    linear.rr = linear.num_rows = 0.0;
+    linear.rr = linear.num_rows = linear.clipped = 0.0;
     linear.response = Eigen::Map<const Eigen::Matrix<double, kNumResponse, 1>>(own.response.data());
     for (size_t k = 0; k < run.detections.size(); ++k) {
       LinearFrame& frame = linear.frames[k];
@@ -38,7 +38,7 @@ bool Linearise(JointData* data,
       const PredictedMotion::Derivatives mean = run.motion.MeanDerivatives(k);
       const auto deviation = PoseVector::Map(own.deviation[k].data());
       for (const Detection& detection : run.detections[k]) {
-        const Marker* const marker = data->setup.map.Find(detection.tag_id);
+        const Marker* const marker = run.map.Find(detection.tag_id);
         CHECK(marker != nullptr);
         CornerRows rows;
         if (!EvaluateCorners(
@@ -46,7 +46,9 @@ bool Linearise(JointData* data,
           return false;
         }
         const double s = rows.residual.squaredNorm() / (corner_sigma * corner_sigma);
-        const double weight = ClippedLoss::Of(s, data->loss_limit).weight;
+        const ClippedLoss loss = ClippedLoss::Of(s, data->loss_limit);
+        const double weight = loss.weight;
+        linear.clipped += loss.value - weight * s;
         Eigen::Matrix<double, 8, kNumColumns> Jg = rows.by_pose * mean;
         Jg.middleCols<7>(kSizeColumn) += rows.by_setup;
         const Eigen::Matrix<double, 8, 1> r = rows.residual - rows.by_pose * deviation;

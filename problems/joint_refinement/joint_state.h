@@ -18,15 +18,16 @@ namespace fathom {
 // One unbroken stretch of detections, as the search sees it.
 struct JointRun {
   std::vector<std::vector<Detection>> detections;  // of each frame
+  MarkerMap map;                                   // in the run's frame
   PredictedMotion motion;
 };
 
 // What is fixed during a search.
 struct JointData {
   CameraSetup setup;
-  int excited = 0;  // coordinate
+  int excited = 0;  // coordinate of eta
   std::vector<JointRun> runs;
-  double loss_limit = 26.0;  // of a detection's eight squared, whitened residuals
+  double loss_limit = 26.1;  // of a detection's eight squared, whitened residuals
 };
 
 // The unknowns of one run. The pose of frame k is Mean(k) + deviation[k]: one to one with the pose

@@ -27,6 +27,10 @@ struct LinearRun {
   Eigen::Matrix<double, kNumColumns, kNumColumns> JgJg;
   Eigen::Matrix<double, kNumColumns, 1> Jgr;
   double rr = 0.0;
+
+  // What the loss of the outliers is beyond their weighted squares [no unit]: a constant of the
+  // linear problem, which only another linearisation changes.
+  double clipped = 0.0;
   double num_rows = 0.0;  // weighted
 
   // Durations between neighbouring frames [s], each once, and which holds after frame k. Rounded to

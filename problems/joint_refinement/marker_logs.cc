@@ -124,8 +124,8 @@ int CountMissingFrames(const MarkerTrack& track, double* step) {
   }
   *step = Median(steps);
   double missing = 0.0;
-  for (const double one : steps) missing += std::round(one / *step) - 1.0;
-  return static_cast<int>(std::max(0.0, missing));
+  for (const double one : steps) missing += std::max(0.0, std::round(one / *step) - 1.0);
+  return static_cast<int>(std::min(missing, 1e9));
 }
 
 void Describe(const FrameCount& count, std::vector<std::string>* remarks) {
@@ -169,7 +169,7 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
   const MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera);
   if (log.pose) remarks.push_back("pose.csv is not read: the poses come from detections.csv.");
   remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
-  if (track.world_from_body.size() < 2) {
+  if (track.world_from_body.size() < kFewestFrames) {
     throw InputError(fmt::format(
         "{}: {} of {} frames gave a pose, expected at least {}.{}{}",
         FileOf(log, "detections.csv"),

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "fathom/base/dof.h"
 #include "fathom/vision/pose.h"
 
 #include <cmath>
@@ -13,9 +12,10 @@
 
 namespace fathom {
 
-// The coordinates eta in which the joint problem carries world_from_body: x, y, z of the body in
-// the world [m], then roll, pitch, yaw [rad] of R = R_z(yaw) R_y(pitch) R_x(roll). Singular at a
-// pitch of 90 degrees, which no held vehicle comes near.
+// The coordinates eta in which the joint problem carries frame_from_body, with the run's own frame
+// in the world's place (run_frame.h): x, y, z of the body [m], then roll, pitch, yaw [rad] of
+// R = R_z(yaw) R_y(pitch) R_x(roll). Singular at a pitch of 90 degrees from the mean attitude,
+// which no held vehicle comes near.
 using PoseVector = Eigen::Matrix<double, 6, 1>;
 
 template <typename T>
@@ -46,12 +46,5 @@ inline PoseVector VectorFromPose(const Pose& pose) {
       std::asin(std::fmin(1.0, std::fmax(-1.0, -R(2, 0)))), std::atan2(R(1, 0), R(0, 0));
   return eta;
 }
-
-// Which coordinate of eta the excited DOF moves, and with which sign: for surge, sway and heave the
-// world axis nearest to the mean body axis, for angles the angle itself (DESIGN.md, "Words").
-struct ExcitedCoordinate {
-  int index = 0;      // of eta
-  double sign = 1.0;  // of its change under a positive velocity
-};
 
 }  // namespace fathom

@@ -25,6 +25,7 @@ std::vector<Eigen::Matrix<double, 6, 6>> PoseSpread(
     const LinearJoint& joint,
     size_t run,
     const PredictedMotion& motion,
+    const Eigen::Quaterniond& world_from_frame,
     const std::function<PoseVector(size_t)>& eta_of) {
   std::vector<Eigen::Matrix<double, 6, 6>> spread(motion.size());
   const std::vector<int>& columns = joint.columns(run);
@@ -39,7 +40,8 @@ std::vector<Eigen::Matrix<double, 6, 6>> PoseSpread(
                          for (int j = 0; j < 6; ++j) S(i, j) = P(2 * i, 2 * j);
                        }
                        S.noalias() += J * covariance * J.transpose();
-                       const Eigen::Matrix<double, 6, 6> M = BodyFromChart(eta_of(k));
+                       Eigen::Matrix<double, 6, 6> M = BodyFromChart(eta_of(k));
+                       M.topLeftCorner<3, 3>() = world_from_frame.toRotationMatrix();
                        spread[k] = M * S * M.transpose();
                      });
   return spread;

@@ -16,7 +16,7 @@ UncoupledModel<double> MotionUnknowns::Model() const {
 
 PredictedMotion::PredictedMotion(HeldCommand command,
                                  std::vector<double> time,
-                                 ExcitedCoordinate excited,
+                                 int excited,
                                  const MotionScales& scales)
     : command_(std::move(command)),
       time_(std::move(time)),
@@ -58,7 +58,7 @@ bool PredictedMotion::Update(const MotionUnknowns& unknowns) {
 
 PoseVector PredictedMotion::Mean(size_t k) const {
   PoseVector eta;
-  eta[excited_.index] = excited_.sign * position_[k];
+  eta[excited_] = position_[k];
   for (int j = 0; j < kNumHeld; ++j) {
     const double* const c = &at_.response[static_cast<size_t>(j) * kResponseTerms];
     eta[HeldCoordinate(j)] = c[0] + c[1] * (position_[k] - at_.start[1]) / scales_.displacement +
@@ -101,8 +101,8 @@ PredictedMotion::Derivatives PredictedMotion::MeanDerivatives(size_t k) const {
     D(row, kStartColumns) = sum[kNumParameters];
     D(row, kClockColumn) = sum[kClock];
   };
-  fill(excited_.index, {excited_.sign, 0.0, 0.0});
-  D(excited_.index, kStartColumns + 1) = excited_.sign;
+  fill(excited_, {1.0, 0.0, 0.0});
+  D(excited_, kStartColumns + 1) = 1.0;
   const Eigen::RowVector4d regressors(1.0,
                                       (position_[k] - at_.start[1]) / scales_.displacement,
                                       v / scales_.velocity,

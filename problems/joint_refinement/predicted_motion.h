@@ -35,16 +35,16 @@ struct MotionUnknowns {
 // Where all six coordinates are expected at each frame of a run: docs/joint_refinement.md (1) to
 // (3).
 //
-//   eta_e = sign x(t)                                             excited
+//   eta_e = x(t)                                                  excited
 //   eta_j = c_j0 + c_j1 (x - x_0)/X + c_j2 v/V + c_j3 a/A         held
 //
 // One simulation, with its sensitivities, gives the means of all frames and their derivatives.
 class PredictedMotion {
  public:
-  // `time`: of the frames, by the camera's clock.
+  // `time`: of the frames, by the camera's clock. `excited`: which coordinate the DOF moves.
   PredictedMotion(HeldCommand command,
                   std::vector<double> time,
-                  ExcitedCoordinate excited,
+                  int excited,
                   const MotionScales& scales);
 
   // Simulates. False if it diverges; the means then mean nothing.
@@ -52,20 +52,18 @@ class PredictedMotion {
 
   size_t size() const { return time_.size(); }
   const std::vector<double>& time() const { return time_; }
-  const ExcitedCoordinate& excited() const { return excited_; }
 
   // Of frame `k`, at the unknowns last given.
   PoseVector Mean(size_t k) const;
   double displacement(size_t k) const { return position_[k]; }
   double velocity(size_t k) const { return velocity_[k]; }
-  double acceleration(size_t k) const { return acceleration_[k]; }
 
   // d Mean / d globals; the columns of the size and the mount are 0.
   using Derivatives = Eigen::Matrix<double, 6, kNumColumns>;
   Derivatives MeanDerivatives(size_t k) const;
 
   // The coordinate of eta that held slot `j` (0 to 4) stands for.
-  int HeldCoordinate(int j) const { return j < excited_.index ? j : j + 1; }
+  int HeldCoordinate(int j) const { return j < excited_ ? j : j + 1; }
 
  private:
   static constexpr int kSensitivities = Simulation::kNumSensitivities;
@@ -74,7 +72,7 @@ class PredictedMotion {
 
   HeldCommand command_;
   std::vector<double> time_;
-  ExcitedCoordinate excited_;
+  int excited_;
   MotionScales scales_;
   MotionUnknowns at_;
   bool is_laid_out_ = false;

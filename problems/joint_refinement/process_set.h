@@ -40,6 +40,12 @@ struct ProcessSet {
     return SecondOrderProcess::Held(wander[j].std, wander[j].frequency, wander[j].ratio);
   }
   SecondOrderProcess ModelError() const { return {0.0, damping_rate, model_error}; }
+
+  // Of a coordinate, where `excited` is the one that is not held.
+  SecondOrderProcess Of(int coordinate, int excited) const {
+    if (coordinate == excited) return ModelError();
+    return Wander(coordinate < excited ? coordinate : coordinate - 1);
+  }
 };
 
 }  // namespace fathom

@@ -87,9 +87,13 @@ class SetupLikelihood {
       if (!joint.is_usable()) return result;
       // The rows count with their weights, which hardly differ from one setup to the next: with
       // those at the centre, so that this difference does not pass for a likelihood.
-      double rows = -num_rows_;
-      for (const LinearRun& run : linear) rows += run.num_rows;
-      result.value = joint.log_likelihood() + rows * std::log(processes_.corner_sigma);
+      double rows = -num_rows_, clipped = 0.0;
+      for (const LinearRun& run : linear) {
+        rows += run.num_rows;
+        clipped += run.clipped;
+      }
+      result.value =
+          joint.log_likelihood() + rows * std::log(processes_.corner_sigma) - 0.5 * clipped;
       if (std::abs(result.value - last) < kSettled) {
         result.is_usable = true;
         break;
@@ -184,15 +188,18 @@ std::vector<GlobalsPrior> WithSetupHeld(std::vector<GlobalsPrior> priors) {
 ProcessSet Scaled(const ProcessSet& processes, int excited, double factor) {
   ProcessSet scaled = processes;
   for (int j = 0; j < kNumHeld; ++j) {
-    if (!IsTranslation(j < excited ? j : j + 1)) continue;
-    scaled.wander[j].std *= factor;
-    scaled.response_std[j] *= factor;
+    const bool is_length = IsTranslation(j < excited ? j : j + 1);
+    if (is_length) scaled.wander[j].std *= factor;
+    // Per unit of the excited motion over a fixed scale of it.
+    if (is_length && !IsTranslation(excited)) scaled.response_std[j] *= factor;
+    if (!is_length && IsTranslation(excited)) scaled.response_std[j] /= factor;
   }
   if (IsTranslation(excited)) scaled.model_error *= factor * factor;
   return scaled;
 }
 
 SetupFit FitSetup(const PriorsAt& priors_at,
+                  const SetupFit& earlier,
                   JointData* data,
                   ProcessSet* processes,
                   JointUnknowns* unknowns) {
@@ -230,6 +237,16 @@ SetupFit FitSetup(const PriorsAt& priors_at,
   constexpr double kLeastInformation = 1e-3;
   constexpr double kNearby = 2.0;  // steps
   Eigen::MatrixXd information;     // in steps, from nearby; else empty
+  if (earlier.converged) {
+    information.resize(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        information(i, j) =
+            earlier.information(columns[i] - kSizeColumn, columns[j] - kSizeColumn) * step[i] *
+            step[j];
+      }
+    }
+  }
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     const SetupLikelihood likelihood(priors_at, *processes, *unknowns, data);
     const Expansion expansion = Expand(likelihood, columns, step, information);
@@ -266,7 +283,7 @@ SetupFit FitSetup(const PriorsAt& priors_at,
       if (!next.is_usable || !(next.value > expansion.value)) continue;
       *unknowns = std::move(next.unknowns);
       *processes = next.processes;
-      is_better = true;
+      is_better = fit.moved = true;
       const bool is_nearby = move.cwiseAbs().maxCoeff() < kNearby;
       information = is_nearby ? expansion.information : Eigen::MatrixXd();
     }

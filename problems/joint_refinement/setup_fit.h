@@ -27,6 +27,7 @@ ProcessSet Scaled(const ProcessSet& processes, int excited, double factor);
 
 struct SetupFit {
   bool converged = false;
+  bool moved = false;   // from where it was
   std::string message;  // if it did not converge
 
   // Of the size scale and the mount, the rows and columns of what is held 0: what all corners and
@@ -39,8 +40,10 @@ struct SetupFit {
 // densities are then higher, for no reason that the corners know of.
 //
 // `unknowns` are at the mode under their present setup, and are so again under the new one;
-// `processes` go with the size. Nothing is done where `priors_at` hold the setup.
+// `processes` go with the size. Nothing is done where `priors_at` hold the setup. `earlier`: what
+// an earlier search of the same problem found, or nothing.
 SetupFit FitSetup(const PriorsAt& priors_at,
+                  const SetupFit& earlier,
                   JointData* data,
                   ProcessSet* processes,
                   JointUnknowns* unknowns);

@@ -55,10 +55,7 @@ void DescribeDamping(int index, OutputErrorSummary* summary) {
   const double half_width = HalfWidth(summary->covariance, index);
   const std::string name = Spaced(kParameterInfo[index].name);
   if (summary->on_bound[index]) {
-    summary->caveats.push_back(
-        fmt::format("{} ended on its bound 0: these data show none of it (below {:.2g} with 95 %).",
-                    name,
-                    half_width));
+    summary->caveats.push_back(CaveatOnBound(index, half_width));
     return;
   }
   if (!(half_width > value)) return;
@@ -122,6 +119,13 @@ void DescribeTimeOffset(std::span<const Segment> segments, OutputErrorSummary* s
 }
 
 }  // namespace
+
+std::string CaveatOnBound(int parameter, double half_width) {
+  return fmt::format(
+      "{} ended on its bound 0: these data show none of it (below {:.2g} with 95 %).",
+      Spaced(kParameterInfo[parameter].name),
+      half_width);
+}
 
 void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary) {
   const double inertia = summary->model.inertia;

@@ -7,6 +7,7 @@
 #include "fathom/signal/signals.h"
 
 #include <span>
+#include <string>
 
 namespace fathom {
 
@@ -14,5 +15,9 @@ namespace fathom {
 // parameter this log cannot tell, why, and which experiment would. Reads summary->evidence, model
 // and on_bound; fills determined, message and caveats.
 void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary);
+
+// What to say of a damping that ended on its bound 0; `half_width` of the 95 % interval that it
+// would have without the bound.
+std::string CaveatOnBound(int parameter, double half_width);
 
 }  // namespace fathom

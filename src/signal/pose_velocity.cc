@@ -4,6 +4,7 @@
 #include "fathom/signal/pose_velocity.h"
 
 #include "fathom/base/median.h"
+#include "fathom/signal/mean_attitude.h"
 #include "fathom/signal/unwrap.h"
 
 #include <algorithm>
@@ -120,22 +121,24 @@ BodyVelocity VelocityOf(const Poses& poses, const SavitzkyGolayOptions& options)
   return result;
 }
 
-Displacement DisplacementAlong(Dof dof, const Poses& poses) {
-  Displacement displacement;
-  if (IsAngular(dof)) {
-    std::vector<double> angles;
-    for (const auto& q : poses.world_from_body) angles.push_back(AngleOf(dof, q));
-    displacement.value = Unwrap(angles);
+std::vector<double> DisplacementAlong(Dof dof, const Poses& poses) {
+  const auto& attitudes = poses.world_from_body;
+  std::vector<double> displacement;
+  if (!IsAngular(dof)) {
+    const Eigen::Vector3d axis = MeanAttitude(dof, attitudes) * Eigen::Vector3d::Unit(Index(dof));
+    for (const auto& p : poses.position) displacement.push_back(axis.dot(p));
     return displacement;
   }
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  for (const auto& q : poses.world_from_body) axis += q * Eigen::Vector3d::Unit(Index(dof));
-  axis.normalize();
-  Eigen::Index nearest = 0;
-  displacement.alignment = axis.cwiseAbs().maxCoeff(&nearest);
-  const double sign = axis[nearest] < 0.0 ? -1.0 : 1.0;
-  for (const auto& p : poses.position) displacement.value.push_back(sign * p[nearest]);
-  return displacement;
+  for (const auto& q : attitudes) displacement.push_back(AngleOf(dof, q));
+  if (dof != Dof::kYaw || AxisTurn(dof, attitudes) > kLargestAxisTurn) return Unwrap(displacement);
+
+  // About the body's own axis, counted from where the first heading is.
+  const Eigen::Quaterniond mean = MeanAttitude(dof, attitudes);
+  const double offset = displacement.front() - AngleOf(dof, mean.conjugate() * attitudes.front());
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    displacement[i] = offset + AngleOf(dof, mean.conjugate() * attitudes[i]);
+  }
+  return Unwrap(displacement);
 }
 
 int CountRotationFlips(const Poses& poses) {

@@ -41,18 +41,11 @@ struct BodyVelocity {
 
 BodyVelocity VelocityOf(const Poses& poses, const SavitzkyGolayOptions& options);
 
-// The displacement along a DOF, growing with a positive velocity in it.
-struct Displacement {
-  std::vector<double> value;  // [m] or [rad]
-
-  // Of surge, sway and heave: cosine of the angle between the mean body axis and the world axis
-  // that was taken for it, 0.58 to 1. Of angles: 1.
-  double alignment = 1.0;
-};
-
-// Surge, sway, heave: the world coordinate that the mean body axis is nearest to, with its sign.
-// Roll, pitch, yaw: the unwrapped angle of yaw-pitch-roll.
-Displacement DisplacementAlong(Dof dof, const Poses& poses);
+// The displacement along a DOF, growing with a positive velocity in it, by MeanAttitude(). Of
+// surge, sway and heave [m]: the position's component along the mean body axis. Of yaw [rad]: the
+// angle about the mean body axis, from the first heading on. Of roll and pitch, and of yaw where
+// its axis turns by more than kLargestAxisTurn [rad]: that of yaw-pitch-roll. Angles are unwrapped.
+std::vector<double> DisplacementAlong(Dof dof, const Poses& poses);
 
 // Number of steps between neighbouring rotations that are over 5 degrees and over 6 times as large
 // as the median step of the 20 around: how often the pose of a single square changed from one of

@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/signal/log_column.h"
+#include "fathom/signal/mean_attitude.h"
 #include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/savitzky_golay.h"
 #include "fathom/signal/segment_motion.h"
@@ -25,9 +26,6 @@ constexpr double kShortestWindow = 1.0;  // [s]
 constexpr double kFewestSteps = 10.5;    // 11 samples
 constexpr double kLongestWindow = 20.0;  // [s]
 constexpr double kLongestShare = 0.1;    // of the data's duration
-
-// A body axis further than this from every world axis (cosine) is worth a remark.
-constexpr double kGoodAlignment = 0.95;
 
 // Samples begin to end - 1 of the motion stream.
 struct Stretch {
@@ -180,16 +178,17 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   }
 
   Poses poses;
-  Displacement displacement;
+  std::vector<double> displacement;
   if (camera) {
     poses = PosesOf(stream);
     displacement = DisplacementAlong(dof, poses);
-    if (displacement.alignment < kGoodAlignment) {
+    const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, poses.world_from_body);
+    if (turn > kLargestAxisTurn) {
       signals.remarks.push_back(fmt::format(
-          "The mean {} axis is {:.0f} degrees off the nearest world axis: the position is taken "
-          "along that axis, not along the body's.",
+          "The {} axis turns by {:.2f} rad RMS: the position is taken along its mean, which is "
+          "short of the way.",
           Name(dof),
-          std::acos(displacement.alignment) * 57.29578));
+          turn));
     }
     if (const int flips = CountRotationFlips(poses); flips > 0) {
       signals.remarks.push_back(fmt::format(
@@ -199,8 +198,7 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
           flips == 1 ? "" : "s"));
     }
   }
-  const std::vector<double>& observed =
-      camera ? displacement.value : *stream.Find(VelocityColumn(dof));
+  const std::vector<double>& observed = camera ? displacement : *stream.Find(VelocityColumn(dof));
   const double window =
       options.window > 0.0 ? options.window : WindowFor(time, observed, stretches, options);
   const SavitzkyGolayOptions filter = {.window = window, .order = options.order};

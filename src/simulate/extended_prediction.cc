@@ -86,7 +86,7 @@ std::optional<InitialState> StartOf(const ExtendedModel& model,
 double PositionAt(const Log& log, Dof dof, double time) {
   if (!log.pose) return 0.0;
   const Poses poses = PosesOf(*log.pose);
-  const std::vector<double> position = DisplacementAlong(dof, poses).value;
+  const std::vector<double> position = DisplacementAlong(dof, poses);
   const auto next = std::lower_bound(poses.time.begin(), poses.time.end(), time);
   if (next == poses.time.begin()) return position.front();
   if (next == poses.time.end()) return position.back();

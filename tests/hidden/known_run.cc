@@ -58,11 +58,11 @@ KnownRun::KnownRun(const Log& log, Dof dof, double from, double to, const KnownN
   stamps.start = stamps.velocity.front();
   if (noise.use_poses) {
     const Poses poses = PosesOf(*log.pose);
-    const Displacement displacement = DisplacementAlong(dof, poses);
+    const std::vector<double> displacement = DisplacementAlong(dof, poses);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (poses.time[i] < stamps.start + kPosesFrom || poses.time[i] >= to) continue;
       stamps.displacement.push_back(poses.time[i]);
-      displacements.push_back(displacement.value[i]);
+      displacements.push_back(displacement[i]);
     }
   }
   std::size_t v = 0, x = 0;

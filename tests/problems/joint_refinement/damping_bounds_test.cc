@@ -29,11 +29,12 @@ struct Problem {
                         .clock_offset = clock_offset,
                         .seed = 3})) {
     const CameraRun& camera = run.input.runs[0];
-    data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+    data.setup = {run.input.camera, run.input.body_from_camera};
     data.excited = Index(Dof::kHeave);
     data.runs.push_back(
         {camera.detections,
-         PredictedMotion(camera.command, camera.time, {data.excited, 1.0}, {1.0, 0.3, 0.1})});
+         run.input.map,
+         PredictedMotion(camera.command, camera.time, data.excited, {1.0, 0.3, 0.1})});
     processes.corner_sigma = 0.3;
     for (int j = 0; j < kNumHeld; ++j) processes.wander[j] = {j < 2 ? 0.01 : 0.002, 0.5, 1.0};
     for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;

@@ -55,7 +55,7 @@ TEST(SecondOrderProcess, IsTheWellKnownRandomWalkOfAVelocity) {
 
 TEST(CornerRows, AgreeWithDifferences) {
   const SyntheticCameraRun run = Synthesize({.num_markers = 4, .duration = 2.0});
-  const CameraSetup setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  const CameraSetup setup = {run.input.camera, run.input.body_from_camera};
   const Detection& detection = run.input.runs[0].detections[3][2];
   PoseVector eta;
   eta << 0.1, -0.2, 0.15, 0.05, -0.07, 0.1;
@@ -63,7 +63,7 @@ TEST(CornerRows, AgreeWithDifferences) {
   const auto at = [&](const PoseVector& pose, const SetupUnknowns& u) {
     CornerRows rows;
     EXPECT_TRUE(EvaluateCorners(
-        setup, u, *setup.map.Find(detection.tag_id), detection, pose, 0.5, true, &rows));
+        setup, u, *run.input.map.Find(detection.tag_id), detection, pose, 0.5, true, &rows));
     return rows;
   };
   const CornerRows rows = at(eta, unknowns);
@@ -94,7 +94,7 @@ TEST(PredictedMotion, AgreesWithDifferences) {
     command.value.push_back(30.0 * std::sin(0.05 * i));
     if (i > 3 && i < 180) time.push_back(0.1 * i + 0.037);
   }
-  PredictedMotion motion(command, time, {2, -1.0}, {0.7, 0.2, 0.1});
+  PredictedMotion motion(command, time, 2, {0.7, 0.2, 0.1});
   MotionUnknowns unknowns;
   unknowns.model = {std::log(120.0), 40.0, 15.0, 3.0};
   unknowns.start = {0.1, 0.4};
@@ -138,11 +138,11 @@ TEST(JointProblem, WithoutTheModelIsABundleAdjustment) {
   const SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw, .num_markers = 4, .duration = 3.0});
   const CameraRun& camera = run.input.runs[0];
   JointData data;
-  data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
+  data.setup = {run.input.camera, run.input.body_from_camera};
   data.excited = Index(Dof::kYaw);
-  data.runs.push_back(
-      {camera.detections,
-       PredictedMotion(camera.command, camera.time, {data.excited, 1.0}, MotionScales())});
+  data.runs.push_back({camera.detections,
+                       run.input.map,
+                       PredictedMotion(camera.command, camera.time, data.excited, MotionScales())});
   JointUnknowns unknowns;
   unknowns.model = {std::log(300.0), 200.0, 30.0, 0.0};
   unknowns.runs.resize(1);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/joint_refinement/setup_fit.h"
+
 #include "fathom/joint_refinement/joint_refinement.h"
 
 #include <cmath>
@@ -29,6 +31,31 @@ CameraExperiment Drawn(unsigned seed, CameraExperiment experiment, double mount_
 
 double InertiaStd(const JointSummary& summary) {
   return std::sqrt(summary.covariance(kInertia, kInertia));
+}
+
+// In a world twice as large, what is a length in the processes is twice as large, and a response
+// per unit of the motion goes with the coordinate over the motion.
+TEST(SetupFit, ScalesTheProcessesWithTheWorld) {
+  ProcessSet processes;
+  for (int j = 0; j < kNumHeld; ++j) {
+    processes.wander[j] = {0.1 * (j + 1), 0.5, 1.0};
+    processes.response_std[j] = 0.2;
+  }
+  processes.model_error = 3.0;
+  const ProcessSet surge = Scaled(processes, Index(Dof::kSurge), 2.0);
+  const ProcessSet yaw = Scaled(processes, Index(Dof::kYaw), 2.0);
+  for (int j = 0; j < 2; ++j) {  // sway, heave
+    EXPECT_DOUBLE_EQ(surge.wander[j].std, 0.2 * (j + 1));
+    EXPECT_DOUBLE_EQ(surge.response_std[j], 0.2);
+  }
+  for (int j = 2; j < 5; ++j) {  // roll, pitch, yaw
+    EXPECT_DOUBLE_EQ(surge.wander[j].std, 0.1 * (j + 1));
+    EXPECT_DOUBLE_EQ(surge.response_std[j], 0.1);
+  }
+  for (int j = 0; j < 3; ++j) EXPECT_DOUBLE_EQ(yaw.response_std[j], 0.4);  // surge, sway, heave
+  for (int j = 3; j < 5; ++j) EXPECT_DOUBLE_EQ(yaw.response_std[j], 0.2);  // roll, pitch
+  EXPECT_DOUBLE_EQ(surge.model_error, 12.0);
+  EXPECT_DOUBLE_EQ(yaw.model_error, 3.0);
 }
 
 // A single marker face on tells nothing of its own size, however the held coordinates wander: what

@@ -3,8 +3,6 @@
 
 #include "truth.h"
 
-#include "fathom/joint_refinement/first_guess.h"
-
 #include <cmath>
 
 #include <glog/logging.h>
@@ -13,16 +11,13 @@ namespace fathom {
 
 Truth TruthOf(const SyntheticCameraRun& run) {
   const CameraRun& camera = run.input.runs[0];
-  // By the true poses: the first guesses are no truth.
-  CameraRun true_run = camera;
-  true_run.world_from_body = run.true_world_from_body;
-  const ExcitedCoordinate excited = ExcitedCoordinateOf(run.input.dof, {&true_run, 1});
-
   Truth truth;
-  truth.data.setup = {run.input.camera, run.input.map, run.input.body_from_camera};
-  truth.data.excited = excited.index;
+  truth.data.setup = {run.input.camera, run.input.body_from_camera};
+  truth.data.excited = Index(run.input.dof);
   truth.data.runs.push_back(
-      {camera.detections, PredictedMotion(camera.command, camera.time, excited, MotionScales())});
+      {camera.detections,
+       run.input.map,
+       PredictedMotion(camera.command, camera.time, truth.data.excited, MotionScales())});
   PredictedMotion& motion = truth.data.runs[0].motion;
   truth.unknowns.model = {std::log(run.truth.inertia),
                           run.truth.quadratic_damping,

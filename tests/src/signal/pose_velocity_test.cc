@@ -101,20 +101,35 @@ TEST(PoseVelocity, FollowsTheKinematicsOfAllThreeAngles) {
 }
 
 TEST(PoseVelocity, GrowsAlongTheDofWithAPositiveVelocity) {
-  // Facing -y in the world, a little askew: surge is -y, sway is +x.
-  const Attitude facing = {-M_PI / 2.0 + 0.2, 0.0, 0.0};
-  const Poses poses =
-      PosesOf(StreamOf([](double t) { return Eigen::Vector3d(0.3 * t, -2.0 * t, 0.7); },
-                       [&](double) { return facing; },
-                       10));
-  const auto surge = DisplacementAlong(Dof::kSurge, poses);
-  const auto sway = DisplacementAlong(Dof::kSway, poses);
-  const auto heave = DisplacementAlong(Dof::kHeave, poses);
-  EXPECT_NEAR(surge.alignment, std::cos(0.2), 1e-12);
-  for (size_t i = 0; i < poses.size(); ++i) {
-    EXPECT_NEAR(surge.value[i], 2.0 * poses.time[i], 1e-12);
-    EXPECT_NEAR(sway.value[i], 0.3 * poses.time[i], 1e-12);
-    EXPECT_NEAR(heave.value[i], 0.7, 1e-12);
+  // Facing -y in the world, a little askew and with the nose up.
+  const Attitude facing = {-M_PI / 2.0 + 0.2, 0.1, 0.0};
+  const Eigen::Vector3d velocity(0.3, -2.0, 0.7);
+  const Poses poses = PosesOf(StreamOf(
+      [&](double t) { return Eigen::Vector3d(t * velocity); }, [&](double) { return facing; }, 10));
+  const Eigen::Vector3d body_velocity = RotationOf(facing).transpose() * velocity;
+  for (const Dof dof : {Dof::kSurge, Dof::kSway, Dof::kHeave}) {
+    const auto displacement = DisplacementAlong(dof, poses);
+    for (size_t i = 0; i < poses.size(); ++i) {
+      EXPECT_NEAR(displacement[i], body_velocity[Index(dof)] * poses.time[i], 1e-12) << Name(dof);
+    }
+  }
+}
+
+// Where the vehicle is trimmed nose up, the yaw of yaw-pitch-roll runs ahead of the turn about the
+// body's own axis, by a tenth at 0.43 rad.
+TEST(PoseVelocity, CountsYawAboutTheBodysOwnAxis) {
+  const Eigen::Matrix3d trim = RotationOf({0.7, 0.43, 0.0});
+  Stream stream = StreamOf(
+      [](double) { return Eigen::Vector3d::Zero(); }, [](double) { return Attitude{}; }, 400);
+  const auto turn = [](double t) { return 0.5 * std::sin(0.8 * t); };
+  for (size_t i = 0; i < stream.time.size(); ++i) {
+    const Eigen::Quaterniond q(Eigen::Quaterniond(trim) *
+                               Eigen::AngleAxisd(turn(stream.time[i]), Eigen::Vector3d::UnitZ()));
+    for (int c = 0; c < 4; ++c) stream.values[static_cast<size_t>(3 + c)][i] = q.coeffs()[c];
+  }
+  const auto yaw = DisplacementAlong(Dof::kYaw, PosesOf(stream));
+  for (size_t i = 0; i < yaw.size(); ++i) {
+    EXPECT_NEAR(yaw[i] - yaw[0], turn(stream.time[i]) - turn(stream.time[0]), 1e-9);
   }
 }
 
@@ -128,9 +143,9 @@ TEST(PoseVelocity, UnwrapsTheAngleOfADof) {
   const auto pitch = DisplacementAlong(Dof::kPitch, poses);
   const auto roll = DisplacementAlong(Dof::kRoll, poses);
   for (size_t i = 0; i < poses.size(); ++i) {
-    EXPECT_NEAR(yaw.value[i], 2.0 + 0.5 * poses.time[i], 1e-9);
-    EXPECT_NEAR(pitch.value[i], 0.3, 1e-9);
-    EXPECT_NEAR(roll.value[i], -0.2, 1e-9);
+    EXPECT_NEAR(yaw[i], 2.0 + 0.5 * poses.time[i], 1e-9);
+    EXPECT_NEAR(pitch[i], 0.3, 1e-9);
+    EXPECT_NEAR(roll[i], -0.2, 1e-9);
   }
 }
 
