@@ -62,7 +62,10 @@ DEFINE_double(gate,
               "Detections further off than this, in corner sigmas, are outliers. More where the "
               "survey or the lens is only roughly known.");
 DEFINE_uint32(max_hamming, 0, "Bits of a tag's code that may be wrong: 0, 1 or 2.");
-DEFINE_double(quad_decimate, 1.0, "Look for tags in images smaller by this factor: faster.");
+DEFINE_double(
+    quad_decimate,
+    1.0,
+    "Look for tags in images smaller by this factor, 1.5 or a whole number to 16: faster.");
 DEFINE_double(quad_sigma, 0.0, "Blur images by this before [px], against strong noise.");
 DEFINE_uint32(threads, 1, "Threads for the detection.");
 

@@ -31,6 +31,25 @@ int SmallestContrast(const GrayImage& image, double noise_margin) {
   return std::clamp(static_cast<int>(std::lround(noise_margin * NoiseOf(image))), kLeast, kMost);
 }
 
+// libapriltag takes the whole part of every other factor, and then finds nothing.
+bool CanDecimateBy(double factor) {
+  return factor == 1.5 || (factor >= 1.0 && factor <= 16.0 && factor == std::floor(factor));
+}
+
+// The shorter side of the image in which quads are looked for [px].
+int DecimatedSide(const GrayImage& image, double factor) {
+  const int side = std::min(image.width, image.height);
+  return factor == 1.5 ? side / 3 * 2 : 1 + (side - 1) / static_cast<int>(factor);
+}
+
+// libapriltag reads and writes beyond an image whose shorter side is less than a tile of its
+// threshold, or than half the kernel of its blur. No tag fits into so little.
+int LeastDecimatedSide(double quad_sigma) {
+  constexpr int kTile = 4;
+  const int kernel = static_cast<int>(4.0 * quad_sigma) | 1;
+  return std::max(kTile, (kernel + 1) / 2);
+}
+
 }  // namespace
 
 std::vector<std::string> TagDetectorOptions::Problems() const {
@@ -38,8 +57,9 @@ std::vector<std::string> TagDetectorOptions::Problems() const {
   const auto require = [&](bool rule, const std::string& problem) {
     if (!rule) problems.push_back(problem);
   };
-  require(quad_decimate >= 1.0 && quad_decimate <= 16.0,
-          fmt::format("quad_decimate is {}, expected 1 to 16", quad_decimate));
+  require(CanDecimateBy(quad_decimate),
+          fmt::format("quad_decimate is {}, expected 1.5 or a whole number from 1 to 16",
+                      quad_decimate));
   require(quad_sigma >= 0.0 && quad_sigma <= 16.0,
           fmt::format("quad_sigma is {}, expected 0 to 16 px", quad_sigma));
   require(noise_margin >= 0.0 && noise_margin <= 100.0,
@@ -76,8 +96,15 @@ TagDetector::TagDetector(const std::vector<std::string>& families,
   apriltag_detector_t* detector = implementation_->detector.get();
   for (const std::string& name : families) {
     implementation_->families.push_back(CreateTagFamily(name));
-    apriltag_detector_add_family_bits(
-        detector, implementation_->families.back().get(), std::max(1, options.max_hamming));
+    const TagFamilyPtr& family = implementation_->families.back();
+    apriltag_detector_add_family_bits(detector, family.get(), std::max(1, options.max_hamming));
+    if (family->impl == nullptr) {  // its table of codes
+      throw InputError(
+          fmt::format("tag detector: not enough memory for the codes of {} with up to {} wrong "
+                      "bits. Allow fewer (max_hamming).",
+                      name,
+                      std::max(1, options.max_hamming)));
+    }
   }
   detector->quad_decimate = static_cast<float>(options.quad_decimate);
   detector->quad_sigma = static_cast<float>(options.quad_sigma);
@@ -93,6 +120,9 @@ TagDetector& TagDetector::operator=(TagDetector&&) noexcept = default;
 std::vector<TagSighting> TagDetector::Detect(const GrayImage& image) {
   CHECK_EQ(image.pixels.size(),
            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  if (DecimatedSide(image, options_.quad_decimate) < LeastDecimatedSide(options_.quad_sigma)) {
+    return {};
+  }
   // libapriltag only reads the image, but asks for a pointer that may write.
   apriltag_detector_t* detector = implementation_->detector.get();
   detector->qtp.min_white_black_diff = SmallestContrast(image, options_.noise_margin);

@@ -17,8 +17,8 @@ namespace fathom {
 // Settings of libapriltag. The defaults are those with the smallest corner errors that lose no
 // small tag, in docs/vision.md ("Detection").
 struct TagDetectorOptions {
-  // Quads are looked for in an image smaller by this factor, at least 1. 2 takes a third of the
-  // time, and tags of less than 50 px with it.
+  // Quads are looked for in an image smaller by this factor: 1.5, or a whole number from 1 to 16. 2
+  // takes a third of the time, and tags of less than 50 px with it.
   double quad_decimate = 1.0;
 
   // Standard deviation of the blur before that [px]; 0: none. 0.8 saves time on noisy images, and
@@ -62,14 +62,15 @@ struct TagSighting {
 // libapriltag puts the corner of the first pixel at (0, 0): half a pixel is taken off its corners.
 class TagDetector {
  public:
-  // Throws InputError if a family is not known, there is none, or the options break a rule.
+  // Throws InputError if a family is not known, there is none, the options break a rule, or memory
+  // does not suffice for the codes of a family with so many wrong bits.
   explicit TagDetector(const std::vector<std::string>& families,
                        const TagDetectorOptions& options = {});
   ~TagDetector();
   TagDetector(TagDetector&&) noexcept;
   TagDetector& operator=(TagDetector&&) noexcept;
 
-  // In no order that means anything.
+  // In no order that means anything. None in an image too small for any tag.
   std::vector<TagSighting> Detect(const GrayImage& image);
 
   const TagDetectorOptions& options() const { return options_; }

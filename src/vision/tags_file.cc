@@ -10,11 +10,10 @@
 #include "fathom/vision/yaml_pose.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,21 +21,12 @@
 namespace fathom {
 namespace {
 
-constexpr std::array<std::string_view, 9> kFamilies = {"tag16h5",
-                                                       "tag25h9",
-                                                       "tag36h10",
-                                                       "tag36h11",
-                                                       "tagCircle21h7",
-                                                       "tagCircle49h12",
-                                                       "tagCustom48h12",
-                                                       "tagStandard41h12",
-                                                       "tagStandard52h13"};
-
 std::string FamilyAt(const YamlMap& map) {
+  const std::vector<std::string>& known = TagFamilies();
   std::string family = map.String("family");
-  if (std::find(kFamilies.begin(), kFamilies.end(), family) == kFamilies.end()) {
+  if (std::find(known.begin(), known.end(), family) == known.end()) {
     map.Fail("family",
-             fmt::format("is {}, expected one of {}.", Quoted(family), fmt::join(kFamilies, ", ")));
+             fmt::format("is {}, expected one of {}.", Quoted(family), fmt::join(known, ", ")));
   }
   return family;
 }

@@ -4,6 +4,7 @@
 #include "fathom/vision/tag_detector.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/vision/detection_filter.h"
 #include "fathom/vision/edge_refinement.h"
 #include "fathom/vision/image_file.h"
 #include "fathom/vision/tag_family.h"
@@ -12,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -22,6 +25,7 @@
 #include "real_data.h"
 #include "rendered_scene.h"
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 namespace fathom {
 namespace {
@@ -210,8 +214,115 @@ TEST(TagDetector, RefusesWhatItCannotDo) {
   options.quad_decimate = 0.5;
   options.max_hamming = 3;
   EXPECT_EQ(message({"tag36h11"}, options),
-            "tag detector: quad_decimate is 0.5, expected 1 to 16; max_hamming is 3, expected 0, "
-            "1 or 2.");
+            "tag detector: quad_decimate is 0.5, expected 1.5 or a whole number from 1 to 16; "
+            "max_hamming is 3, expected 0, 1 or 2.");
+}
+
+// One marker from near, 90 px wide and more.
+CornerErrors ErrorsFromNear(const TagDetectorOptions& options) {
+  WaterView view;
+  view.noise = 2.0;
+  return ErrorsOn(
+      PlainCamera(), OneMarker("tag36h11", 7, 0.4), view, ManyPoses(10, 1.0, 2.5, 5), options);
+}
+
+// libapriltag takes the whole part of other factors but keeps to the factor itself for the corners.
+TEST(TagDetector, FindsTagsAtEveryFactorThatItDoesNotRefuse) {
+  for (const double factor : {1.5, 2.0, 3.0}) {
+    TagDetectorOptions options;
+    options.quad_decimate = factor;
+    const CornerErrors errors = ErrorsFromNear(options);
+    EXPECT_EQ(errors.num_found, errors.num_images) << factor;
+    EXPECT_LT(errors.sigma, 0.1) << factor;
+  }
+  for (const double factor : {1.2, 2.5, 3.7, 17.0}) {
+    TagDetectorOptions options;
+    options.quad_decimate = factor;
+    EXPECT_EQ(options.Problems().size(), 1u) << factor;
+  }
+}
+
+TEST(TagDetector, FindsTheSameInABlurredImageAndByTwoThreads) {
+  TagDetectorOptions blurred;
+  blurred.quad_sigma = 0.8;
+  TagDetectorOptions threads;
+  threads.num_threads = 2;
+  const CornerErrors plain = ErrorsFromNear({});
+  EXPECT_EQ(plain.num_found, plain.num_images);
+  const CornerErrors by_two = ErrorsFromNear(threads);
+  EXPECT_EQ(by_two.num_found, plain.num_found);
+  EXPECT_DOUBLE_EQ(by_two.sigma, plain.sigma);
+  const CornerErrors after_blur = ErrorsFromNear(blurred);
+  EXPECT_EQ(after_blur.num_found, plain.num_found);
+  EXPECT_LT(after_blur.sigma, 0.1);
+}
+
+// Factor by factor, around the limits: libapriltag reads and writes beyond smaller images, which
+// ends the program or does not, as it happens; asan sees it.
+TEST(TagDetector, FindsNothingInImagesTooSmallForATag) {
+  for (const double factor : {1.0, 1.5, 2.0, 16.0}) {
+    for (const double sigma : {0.0, 0.8, 16.0}) {
+      TagDetectorOptions options;
+      options.quad_decimate = factor;
+      options.quad_sigma = sigma;
+      TagDetector detector({"tag36h11"}, options);
+      for (const int side : {1, 2, 3, 4, 5, 6, 16, 33, 49}) {
+        EXPECT_TRUE(detector.Detect(GrayImage(100, side, 120)).empty()) << factor << " " << side;
+        EXPECT_TRUE(detector.Detect(GrayImage(side, 100, 120)).empty()) << factor << " " << side;
+      }
+    }
+  }
+}
+
+// The tag as it is printed, 16 pixels for a cell, with the cell in the middle turned over.
+TEST(TagDetector, CorrectsAWrongBitWhereOneIsAllowed) {
+  constexpr int kCell = 16;
+  constexpr int kMargin = 3;  // [cells]
+  TagPattern pattern = PatternOf("tag36h11", 7);
+  std::uint8_t& bit = pattern.cells[pattern.width * (pattern.width / 2) + pattern.width / 2];
+  bit = 255 - bit;
+  const int width = (pattern.width + 2 * kMargin) * kCell;
+  GrayImage image(width, width, 255);
+  for (int v = 0; v < pattern.width * kCell; ++v) {
+    for (int u = 0; u < pattern.width * kCell; ++u) {
+      image.At(u + kMargin * kCell, v + kMargin * kCell) = pattern.At(u / kCell, v / kCell);
+    }
+  }
+  TagDetectorOptions options;
+  options.max_hamming = 1;
+  const auto sightings = TagDetector({"tag36h11"}, options).Detect(image);
+  ASSERT_EQ(sightings.size(), 1u);
+  EXPECT_EQ(sightings[0].tag_id, 7);
+  EXPECT_EQ(sightings[0].hamming, 1);
+  const MarkerMap map = OneMarker("tag36h11", 7, 0.4);
+  EXPECT_EQ(DetectionsAmong(sightings, map, 1, 0.0).detections.size(), 1u);
+  EXPECT_EQ(DetectionsAmong(sightings, map, 0, 0.0).detections.size(), 0u);
+}
+
+// 48 714 codes of 52 bits, each with two of them wrong: 3 GB. In a process of its own, which then
+// ends, with less than that.
+TEST(TagDetectorDeathTest, SaysThatMemoryDoesNotSuffice) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs more address space than the limit";
+#endif
+  const auto construct = [] {
+    const rlimit limit = {.rlim_cur = 1 << 30, .rlim_max = 1 << 30};
+    setrlimit(RLIMIT_AS, &limit);
+    TagDetectorOptions options;
+    options.max_hamming = 2;
+    try {
+      TagDetector detector({"tagStandard52h13"}, options);
+    } catch (const InputError& error) {
+      std::fprintf(stderr, "%s", error.what());
+      std::_Exit(1);
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(
+      construct(),
+      testing::ExitedWithCode(1),
+      "tag detector: not enough memory for the codes of tagStandard52h13 with up to 2 wrong "
+      "bits. Allow fewer .max_hamming.");
 }
 
 // Photos of libapriltag's own tests with reference corners.
