@@ -3,6 +3,7 @@
 
 #include "fathom/log/log_yaml.h"
 
+#include "fathom/base/leaves_its_folder.h"
 #include "fathom/base/quoted.h"
 #include "fathom/base/yaml_file.h"
 
@@ -45,6 +46,16 @@ std::vector<TimeInterval> HeldOutOf(const YamlMap& file) {
   return intervals;
 }
 
+std::string VideoOf(const YamlMap& file) {
+  std::string video = file.String("video", "");
+  if (LeavesItsFolder(video)) {
+    file.Fail(
+        "video",
+        fmt::format("is {}, expected the path of a video from this folder on.", Quoted(video)));
+  }
+  return video;
+}
+
 }  // namespace
 
 Log ParseLogYaml(const std::string& name, const std::string& text) {
@@ -56,7 +67,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.notes = file.String("notes", "");
   log.held_out = HeldOutOf(file);
   log.command_unit = file.String("command_unit", "");
-  log.video = file.String("video", "");
+  log.video = VideoOf(file);
   file.Finish();
   return log;
 }

@@ -253,6 +253,12 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
       "held_out, command_unit, video. Correct or remove it.");
+  EXPECT_EQ(error("name: a\ndof: yaw\nvideo: ../a.mp4\n"),
+            "log.yaml:3: key 'video' is '../a.mp4', expected the path of a video from this folder "
+            "on.");
+  EXPECT_EQ(error("name: a\ndof: yaw\nvideo: /a.mp4\n"),
+            "log.yaml:3: key 'video' is '/a.mp4', expected the path of a video from this folder "
+            "on.");
   EXPECT_EQ(error("name: a\ndof: yaw\nheld_out: [5, 3.5]\n"),
             "log.yaml:3: key 'held_out' is [5, 3.5], expected [from, to] with from before to.");
   EXPECT_EQ(error("name: a\ndof: yaw\nheld_out: [5]\n"),
