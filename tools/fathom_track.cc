@@ -164,7 +164,7 @@ void RequireOtherThanFrames(const fs::path& folder, const Log& log) {
   if (FLAGS_overlay.empty() || !Exists(FLAGS_overlay)) return;
   std::vector<std::string> files = {log.video};
   if (const fs::path list = folder / "frames.csv"; log.video.empty() && Exists(list)) {
-    for (const ListedFrame& frame : ParseFrameList(list.string(), ReadFile(list))) {
+    for (const ListedFrame& frame : ParseFrameList(list.string(), ReadFile(list)).frames) {
       files.push_back(frame.file);
     }
   }

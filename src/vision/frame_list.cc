@@ -4,6 +4,7 @@
 #include "fathom/vision/frame_list.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/leaves_its_folder.h"
 #include "fathom/base/quoted.h"
 #include "fathom/log/csv_rows.h"
 #include "fathom/log/csv_table.h"
@@ -17,19 +18,11 @@
 #include <fmt/ranges.h>
 
 namespace fathom {
-namespace {
 
-bool LeavesItsFolder(const std::filesystem::path& path) {
-  return path.is_absolute() ||
-         std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
-}
-
-}  // namespace
-
-std::vector<ListedFrame> ParseFrameList(const std::string& name, const std::string& text) {
+FrameList ParseFrameList(const std::string& name, const std::string& text) {
   // The stamps by the rules of every CSV file; the paths are text, which it does not know.
-  const CsvTable stamps = ParseCsvTable(name, text, {});
-  std::vector<ListedFrame> frames;
+  CsvTable stamps = ParseCsvTable(name, text, {});
+  FrameList list;
   std::size_t column = 0;
   std::map<std::string, int> line_of;
   ForEachCsvRow(name, text, [&](int line, const std::vector<std::string>& cells) {
@@ -52,7 +45,8 @@ std::vector<ListedFrame> ParseFrameList(const std::string& name, const std::stri
                       line,
                       file.empty() ? "empty" : Quoted(file)));
     }
-    const auto [first, is_new] = line_of.emplace(file, line);
+    const auto [first, is_new] =
+        line_of.emplace(std::filesystem::path(file).lexically_normal().string(), line);
     if (!is_new) {
       throw InputError(
           fmt::format("{}:{}: column 'file' is {} as on line {}, expected each image once.",
@@ -61,12 +55,15 @@ std::vector<ListedFrame> ParseFrameList(const std::string& name, const std::stri
                       Quoted(file),
                       first->second));
     }
-    frames.push_back({.time = stamps.stream.time[frames.size()], .file = file, .line = line});
+    list.frames.push_back(
+        {.time = stamps.stream.time[list.frames.size()], .file = file, .line = line});
   });
-  return frames;
+  std::erase(stamps.not_read, "file");
+  list.remark = stamps.Remark();
+  return list;
 }
 
-std::vector<double> ParseFrameTimes(const std::string& name, const std::string& text) {
+FrameTimes ParseFrameTimes(const std::string& name, const std::string& text) {
   CsvSpec spec;
   spec.required = {"frame"};
   const CsvTable table = ParseCsvTable(name, text, spec);
@@ -80,7 +77,7 @@ std::vector<double> ParseFrameTimes(const std::string& name, const std::string& 
         numbers[row],
         row));
   }
-  return table.stream.time;
+  return {.times = table.stream.time, .remark = table.Remark()};
 }
 
 }  // namespace fathom

@@ -15,13 +15,22 @@ struct ListedFrame {
   int line = 0;       // counted from 1
 };
 
-// The images of a log, in the order of their stamps; `name` stands for the file in messages. Throws
-// InputError, naming file, line and column, for whatever breaks the format of a CSV file, a path
-// that leaves the log's folder and an image that stands twice.
-std::vector<ListedFrame> ParseFrameList(const std::string& name, const std::string& text);
+struct FrameList {
+  std::vector<ListedFrame> frames;  // in the order of their stamps
+  std::string remark;               // CsvTable::Remark()
+};
 
-// frame_times.csv: when each frame of a video was taken, log time [s], by its number from 0 on.
-// Throws as above, and where a frame is left out.
-std::vector<double> ParseFrameTimes(const std::string& name, const std::string& text);
+// The images of a log; `name` stands for the file in messages. Throws InputError, naming file, line
+// and column, for whatever breaks the format of a CSV file, a path that leaves the log's folder and
+// an image that stands twice.
+FrameList ParseFrameList(const std::string& name, const std::string& text);
+
+struct FrameTimes {
+  std::vector<double> times;  // log time of each frame of a video, by its number from 0 on [s]
+  std::string remark;         // CsvTable::Remark()
+};
+
+// frame_times.csv. Throws as above, and where a frame is left out.
+FrameTimes ParseFrameTimes(const std::string& name, const std::string& text);
 
 }  // namespace fathom

@@ -10,20 +10,37 @@
 
 namespace fathom {
 
-// The frames of a video file, one after the other, in grey.
+// The frames of a video file, one after the other, in grey, by FFmpeg.
+//
+// Each packet of the file is taken for one frame, and frames are numbered by the stamps of their
+// packets: one that cannot be decoded is missing, and those behind it keep their numbers. Damage
+// that the decoder conceals is not seen.
 class VideoReader {
  public:
-  // Throws InputError if the file is not there or cannot be opened as a video.
+  // Reads through the file once for the stamps. Throws InputError if it is not there, cannot be
+  // opened as a video, or holds no frame.
   explicit VideoReader(const std::filesystem::path& path);
   ~VideoReader();
   VideoReader(VideoReader&&) noexcept;
   VideoReader& operator=(VideoReader&&) noexcept;
 
-  // Frames that the container announces; 0 where it does not say.
+  // Frames that are in the file, whether or not they can be decoded.
+  int num_frames() const;
+
+  // Those and the ones that are not, where the header counts them all. No less than num_frames().
   int num_announced() const;
 
-  // Decodes the next frame; false at the end, which for a file that is cut off comes early.
+  // As the header has it [s]; 0 where it does not say, or counts the frames instead.
+  double duration() const;
+
+  // Mean over the file, by its stamps [Hz]; NaN where these do not say.
+  double mean_rate() const;
+
+  // Decodes the next frame that can be; false at the end.
   bool Next(GrayImage* image);
+
+  // Of the frame read last, counted from 0.
+  int index() const;
 
   // When the frame read last is shown, since the start of the video [s].
   double time() const;

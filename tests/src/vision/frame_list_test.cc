@@ -31,8 +31,9 @@ std::string RefusalOfTimes(const std::string& text) {
 }
 
 TEST(ParseFrameList, ReadsStampsAndFiles) {
-  const auto frames =
+  const auto [frames, remark] =
       ParseFrameList("frames.csv", "camera,file,t\n0,a 1.png,1.5\n0,\"sub/b.png\",2.25\n");
+  EXPECT_EQ(remark, "frames.csv: 1 further column is not read: camera.");
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_EQ(frames[0].time, 1.5);
   EXPECT_EQ(frames[0].file, "a 1.png");
@@ -54,6 +55,9 @@ TEST(ParseFrameList, RefusesWhatBreaksTheFormat) {
             "folder on.");
   EXPECT_EQ(RefusalOfList("t,file\n0,a.png\n1,a.png\n"),
             "log/frames.csv:3: column 'file' is 'a.png' as on line 2, expected each image once.");
+  EXPECT_EQ(RefusalOfList("t,file\n0,sub/a.png\n1,./sub//a.png\n"),
+            "log/frames.csv:3: column 'file' is './sub//a.png' as on line 2, expected each image "
+            "once.");
   EXPECT_EQ(RefusalOfList("t,file\n1,a.png\n0,b.png\n"),
             "log/frames.csv:3: column 't' goes back from 1 to 0, expected rising stamps. Sort the "
             "rows, or split the log where its clock was reset.");
@@ -63,8 +67,14 @@ TEST(ParseFrameList, RefusesWhatBreaksTheFormat) {
 }
 
 TEST(ParseFrameTimes, ReadsOneStampForEachFrame) {
-  const auto times = ParseFrameTimes("frame_times.csv", "frame,t\n0,0.5\n1,0.6\n2,0.7\n");
+  const auto [times, remark] = ParseFrameTimes("frame_times.csv", "frame,t\n0,0.5\n1,0.6\n2,0.7\n");
+  EXPECT_EQ(remark, "");
   EXPECT_EQ(times, (std::vector<double>{0.5, 0.6, 0.7}));
+}
+
+TEST(ParseFrameTimes, NamesTheColumnsThatItDoesNotRead) {
+  EXPECT_EQ(ParseFrameTimes("frame_times.csv", "frame,t,gain\n0,0.5,1\n1,0.6,1\n").remark,
+            "frame_times.csv: 1 further column is not read: gain.");
 }
 
 TEST(ParseFrameTimes, RefusesAGap) {

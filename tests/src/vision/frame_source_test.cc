@@ -8,6 +8,9 @@
 #include "fathom/base/output_file.h"
 #include "fathom/vision/image_file.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -45,6 +48,17 @@ cv::Mat Picture(int frame) {
   return picture;
 }
 
+// Of the grey values, on average; the pictures of neighbouring frames have one of 7 and more.
+double DifferenceOf(const GrayImage& image, const cv::Mat& picture) {
+  double sum = 0.0;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      sum += std::abs(int{image.At(u, v)} - int{picture.at<uchar>(v, u)});
+    }
+  }
+  return sum / (kWidth * kHeight);
+}
+
 std::string Encoded(const cv::Mat& picture, const char* extension) {
   std::vector<uchar> bytes;
   cv::imencode(extension, picture, bytes);
@@ -71,15 +85,35 @@ class FrameFolder : public testing::Test {
   }
 
   // A video of lossless or nearly lossless frames, 8 per second.
-  void WriteVideo(int num) const {
-    cv::VideoWriter writer((folder_ / "film.avi").string(),
+  void WriteVideo(int num, const char* file = "film.avi", const char* code = "MJPG") const {
+    cv::VideoWriter writer((folder_ / file).string(),
                            cv::CAP_FFMPEG,
-                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]),
                            8.0,
                            cv::Size(kWidth, kHeight),
                            false);
     ASSERT_TRUE(writer.isOpened());
     for (int i = 0; i < num; ++i) writer.write(Picture(i));
+  }
+
+  // Makes zeros of the packets of film.avi that hold these frames: nothing that can be decoded.
+  void DamageFrames(const std::vector<int>& frames) const {
+    std::string bytes = ReadFile(folder_ / "film.avi");
+    std::size_t at = bytes.find("movi");
+    int frame = 0;
+    for (const int damaged : frames) {
+      for (; frame <= damaged; ++frame) at = bytes.find("00dc", at + 4);
+      const auto* size = reinterpret_cast<const unsigned char*>(&bytes[at + 4]);
+      std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at) + 8, size[0] + 256 * size[1], 0);
+    }
+    WriteFile(folder_ / "film.avi", bytes);
+  }
+
+  // frame_times.csv, not evenly spaced: t = 100 + i^2 / 10.
+  void WriteTimes(int num) const {
+    std::string times = "frame,t\n";
+    for (int i = 0; i < num; ++i) times += fmt::format("{},{}\n", i, 100.0 + 0.1 * i * i);
+    WriteFile(folder_ / "frame_times.csv", times);
   }
 
   std::unique_ptr<FrameSource> Open(const std::string& video = "",
@@ -115,6 +149,7 @@ TEST_F(FrameFolder, ReadsImagesWithTheirStamps) {
     WriteImages(3, extension);
     const auto source = Open();
     EXPECT_EQ(source->num_expected(), 3);
+    EXPECT_DOUBLE_EQ(source->mean_rate(), 2.0);
     ImageFrame frame;
     for (int i = 0; i < 3; ++i) {
       ASSERT_TRUE(source->Next(&frame)) << extension;
@@ -219,6 +254,7 @@ TEST_F(FrameFolder, ReadsAVideoWithTheContainersStamps) {
   WriteVideo(9);
   const auto source = Open("film.avi");
   EXPECT_EQ(source->num_expected(), 9);
+  EXPECT_NEAR(source->mean_rate(), 8.0, 1e-9);
   ImageFrame frame;
   for (int i = 0; i < 9; ++i) {
     ASSERT_TRUE(source->Next(&frame));
@@ -236,6 +272,7 @@ TEST_F(FrameFolder, PrefersTheStampsOfFrameTimes) {
   WriteFile(folder_ / "frame_times.csv", "frame,t\n0,100.5\n1,100.7\n2,100.8\n");
   const auto source = Open("film.avi");
   EXPECT_EQ(TimesOf(*source), (std::vector<double>{100.5, 100.7, 100.8}));
+  EXPECT_NEAR(source->mean_rate(), 2.0 / 0.3, 1e-9);
 }
 
 TEST_F(FrameFolder, CountsWhatATruncatedVideoLacks) {
@@ -274,7 +311,129 @@ TEST_F(FrameFolder, RefusesMoreFramesThanStamps) {
   WriteFile(folder_ / "frame_times.csv", "frame,t\n0,1\n1,2\n2,3\n");
   EXPECT_EQ(RefusalOf("film.avi"),
             Path("film.avi") + ": frame 3 has no stamp: " + Path("frame_times.csv") +
-                " ends at frame 2. Expected a row for each frame.");
+                " ends at frame 2. Expected a row for each of the 4 frames.");
+}
+
+// The picture says which frame it really is.
+TEST_F(FrameFolder, GivesFramesTheirOwnStampsBehindOnesThatCannotBeDecoded) {
+  WriteVideo(10);
+  DamageFrames({0, 3, 5, 6, 9});
+  for (const bool has_times : {false, true}) {
+    if (has_times) WriteTimes(10);
+    const auto source = Open("film.avi");
+    EXPECT_EQ(source->num_expected(), 10);
+    ImageFrame frame;
+    for (const int i : {1, 2, 4, 7, 8}) {
+      ASSERT_TRUE(source->Next(&frame));
+      EXPECT_NEAR(frame.time, has_times ? 100.0 + 0.1 * i * i : i / 8.0, 1e-6);
+      EXPECT_EQ(frame.name, Path("film.avi") + fmt::format(", frame {}", i));
+      EXPECT_LT(DifferenceOf(frame.image, Picture(i)), 3.5) << i;
+    }
+    EXPECT_FALSE(source->Next(&frame));
+    EXPECT_EQ(source->num_unreadable(), 5);
+    const auto problem = [&](const char* frames) {
+      return fmt::format(
+          "{}: {} cannot be decoded. The video is damaged there.", Path("film.avi"), frames);
+    };
+    EXPECT_THAT(
+        source->unreadable(),
+        testing::ElementsAre(
+            problem("frame 0"), problem("frame 3"), problem("frames 5 to 6"), problem("frame 9")));
+  }
+}
+
+// H.264 stores frames behind those that they rest on.
+TEST_F(FrameFolder, GivesFramesThatAreStoredOutOfOrderTheirOwnStamps) {
+  WriteVideo(10, "film.mp4", "avc1");
+  WriteTimes(10);
+  const auto source = Open("film.mp4");
+  ImageFrame frame;
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_TRUE(source->Next(&frame));
+    EXPECT_NEAR(frame.time, 100.0 + 0.1 * i * i, 1e-6);
+    EXPECT_LT(DifferenceOf(frame.image, Picture(i)), 3.5) << i;
+  }
+  EXPECT_FALSE(source->Next(&frame));
+  EXPECT_TRUE(source->unreadable().empty());
+}
+
+// The length of the stream stands 32 bytes into its header.
+TEST_F(FrameFolder, ReadsTheFramesThatAHeaderDoesNotCount) {
+  WriteVideo(10);
+  std::string bytes = ReadFile(folder_ / "film.avi");
+  char& length = bytes[bytes.find("strh") + 8 + 32];
+  ASSERT_EQ(length, 10);
+  length = 3;
+  WriteFile(folder_ / "film.avi", bytes);
+  const auto source = Open("film.avi");
+  EXPECT_EQ(source->num_expected(), 10);
+  EXPECT_EQ(TimesOf(*source).size(), 10u);
+  EXPECT_EQ(source->num_unreadable(), 0);
+  EXPECT_TRUE(source->unreadable().empty());
+}
+
+// A count guessed from duration and rate is wrong for most (90 000 for the TS).
+TEST_F(FrameFolder, CountsTheFramesOfContainersThatDoNot) {
+  for (const char* file : {"film.mkv", "film.ts"}) {
+    WriteVideo(9, file, "mp4v");
+    const auto source = Open(file);
+    EXPECT_EQ(source->num_expected(), 9) << file;
+    const auto times = TimesOf(*source);
+    ASSERT_EQ(times.size(), 9u) << file;
+    for (int i = 0; i < 9; ++i) EXPECT_NEAR(times[i], i / 8.0, 1e-3) << file;
+    EXPECT_TRUE(source->unreadable().empty()) << file;
+  }
+}
+
+TEST_F(FrameFolder, SaysWhereAContainerThatCountsNoFramesIsCutOff) {
+  WriteVideo(40, "film.mkv");
+  const std::string whole = ReadFile(folder_ / "film.mkv");
+  WriteFile(folder_ / "film.mkv", whole.substr(0, whole.size() / 2));
+  const auto source = Open("film.mkv");
+  const auto times = TimesOf(*source);
+  EXPECT_GT(times.size(), 10u);
+  EXPECT_LT(times.size(), 30u);
+  EXPECT_EQ(source->num_expected(), static_cast<int>(times.size()));
+  EXPECT_EQ(source->num_unreadable(), 0);
+  EXPECT_THAT(source->unreadable(),
+              testing::ElementsAre(fmt::format(
+                  "{}: ends at {:.1f} s, expected about 5.0 s as its header says. The video may be "
+                  "cut off; how many frames are missing is not known.",
+                  Path("film.mkv"),
+                  times.back())));
+}
+
+// The stamp of a block stands behind its track's number, in ms.
+TEST_F(FrameFolder, RefusesStampsOfAContainerThatDoNotRise) {
+  WriteVideo(4, "film.mkv");
+  std::string bytes = ReadFile(folder_ / "film.mkv");
+  const std::string second = {'\x81', '\x00', '\x7d', '\x80'};
+  const std::string third = {'\x81', '\x00', '\xfa', '\x80'};
+  const std::size_t at = bytes.find(third);
+  ASSERT_NE(at, std::string::npos);
+  WriteFile(folder_ / "film.mkv", bytes.replace(at, third.size(), second));
+  EXPECT_EQ(RefusalOf("film.mkv"),
+            Path("film.mkv") +
+                ", frame 2: the container stamps it 0.125 s, the frame before 0.125 s; expected "
+                "rising stamps. Write them to " +
+                Path("frame_times.csv") + ".");
+}
+
+TEST_F(FrameFolder, SaysWhatItDoesNotRead) {
+  WriteImages(2, ".png");
+  EXPECT_TRUE(Open()->remarks().empty());
+  WriteFile(folder_ / "frames.csv", "t,file,gain\n0,0.png,1\n1,1.png,1\n");
+  WriteTimes(2);
+  EXPECT_THAT(Open()->remarks(),
+              testing::ElementsAre("frames.csv: 1 further column is not read: gain.",
+                                   Path("frame_times.csv") +
+                                       ": is not read: it stamps a video, and log.yaml names "
+                                       "none."));
+  std::filesystem::remove(folder_ / "frames.csv");
+  WriteVideo(2);
+  WriteFile(folder_ / "frame_times.csv", "frame,t,gain\n0,0,1\n1,1,1\n");
+  EXPECT_THAT(Open("film.avi")->remarks(),
+              testing::ElementsAre("frame_times.csv: 1 further column is not read: gain."));
 }
 
 TEST_F(FrameFolder, RefusesAFolderWithoutImagesOrWithBoth) {
