@@ -156,6 +156,9 @@ std::string FormatJson(const TrackSummary& summary,
 
   Json& found = json["detections"];
   found["found"] = summary.num_detections;
+  // Not known of corners that were read.
+  found["sides_not_followed"] =
+      summary.images ? Json(summary.images->num_not_followed) : Json(nullptr);
   found["rejected"] = track.pnp.rejected.size();
   Json rejected = Json::array();
   for (const RejectedDetection& it : track.pnp.rejected) {

@@ -71,17 +71,23 @@ TagDetections DetectTags(FrameSource& frames,
   }
   result.num_unreadable = frames.num_unreadable();
   result.unreadable = frames.unreadable();
+  result.remarks = frames.remarks();
   if (result.frame_times.empty()) {
-    throw InputError(fmt::format(
-        "none of {} frames can be read: {}",
-        result.num_expected,
-        result.unreadable.empty() ? "the video holds none." : result.unreadable.front()));
+    throw InputError(
+        fmt::format("{}: none of {} frames can be read: {}",
+                    frames.name(),
+                    result.num_expected,
+                    result.unreadable.empty() ? "there are none." : result.unreadable.front()));
   }
   return result;
 }
 
 std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& map) {
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = found.remarks;
+  if (found.num_unreadable > 0) {
+    remarks.push_back(
+        fmt::format("{} of {} frames cannot be read.", found.num_unreadable, found.num_expected));
+  }
   if (found.num_frames_without_tags > 0) {
     remarks.push_back(fmt::format("{} of {} frames show no tag of {}.",
                                   found.num_frames_without_tags,
@@ -107,6 +113,13 @@ std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& 
                                   num == 1 ? "" : "s",
                                   Describe(fault),
                                   ListOf(count_of_tag)));
+  }
+  if (found.num_not_followed > 0) {
+    remarks.push_back(fmt::format(
+        "{} of {} detections have the corners of libapriltag, which are less accurate: their sides "
+        "could not be followed.",
+        found.num_not_followed,
+        found.detections.size()));
   }
   return remarks;
 }

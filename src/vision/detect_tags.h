@@ -22,9 +22,12 @@ struct TagDetections {
   std::vector<Detection> detections;  // in the order of the frames, then by id
   std::vector<UnusedSighting> unused;
 
-  int num_expected = 0;    // frames that the log lists or its video announces; 0: nothing says
+  int num_expected = 0;    // frames that the log lists, or its video holds or announces
   int num_unreadable = 0;  // of these
   std::vector<std::string> unreadable;
+
+  // What was beside the frames and not read, a sentence each.
+  std::vector<std::string> remarks;
 
   // Of `detections`: with corners as libapriltag has them, since their sides could not be followed.
   int num_not_followed = 0;
@@ -43,8 +46,9 @@ TagDetections DetectTags(FrameSource& frames,
                          const TagDetectorOptions& options,
                          const std::function<void(int done, int expected)>& progress = {});
 
-// What was seen and is not used, by reason and tag, and how many frames show nothing else or
-// nothing at all; a sentence each, empty if nothing was lost. `map`: that of DetectTags().
+// What was not read of the log, how many frames could not be and how many show no tag that is used,
+// what was seen and is not used, by reason and tag, and how many corners are less accurate than the
+// others; a sentence each, empty if nothing was lost. `map`: that of DetectTags().
 std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& map);
 
 }  // namespace fathom

@@ -127,6 +127,7 @@ TEST(TrackTool, FindsTheTrajectoryOfRenderedImages) {
   EXPECT_EQ(summary["frames"]["expected"], 12);
   EXPECT_EQ(summary["frames"]["with_pose"], 12);
   EXPECT_EQ(summary["detections"]["found"], 48);
+  EXPECT_EQ(summary["detections"]["sides_not_followed"], 0);
   EXPECT_LT(summary["fit"]["corner_sigma_px"], 0.15);
   EXPECT_GT(summary["fit"]["corner_sigma_px"], 0.01);
   EXPECT_THAT(Bytes(folder / "sheet.png"), StartsWith("\x89PNG"));
