@@ -183,6 +183,7 @@ struct Run {
   fs::path folder;
   Log log;
   CameraRig rig;
+  std::string name;  // of the file that the detections come from
   std::optional<TagDetections> images;
   std::vector<Detection> detections;
 
@@ -210,12 +211,15 @@ Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
   RequireOtherThanFrames(folder, run.log);
   if (StartsFromDetections(folder)) {
     RequireNoDetectionFlags(folder);
+    run.name = (folder / "detections.csv").string();
     run.detections = DetectionsOf(*run.log.detections);
     if (!FLAGS_overlay.empty()) run.Frames();  // refuses where there is nothing to draw on
     return run;
   }
   Progress progress("frame");
-  run.images = DetectTags(*run.Frames(),
+  const auto frames = run.Frames();
+  run.name = frames->name();
+  run.images = DetectTags(*frames,
                           run.rig.camera,
                           run.rig.map,
                           DetectorOptionsFromFlags(),
@@ -304,6 +308,7 @@ int RunTrack() {
     for (const std::string& problem : run.images->unreadable) fmt::print(stderr, "{}\n", problem);
     options.pose_track.frame_times = run.images->frame_times;
   }
+  options.pose_track.name = run.name;
   const MarkerTrack track =
       TrackMarkers(run.detections, run.rig.camera, run.rig.map, run.rig.body_from_camera, options);
   constexpr std::size_t kFewestPoses = 2;  // of a pose.csv

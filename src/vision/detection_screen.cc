@@ -50,19 +50,21 @@ bool IsOnTheImage(const CameraModel& camera, double largest_angle, const Corners
   });
 }
 
-void RefuseWhatIsNoRecord(std::span<const Detection> detections) {
+void RefuseWhatIsNoRecord(std::span<const Detection> detections, std::string_view name) {
   for (std::size_t i = 0; i < detections.size(); ++i) {
     const Detection& detection = detections[i];
     const bool is_finite = std::all_of(detection.corners.begin(),
                                        detection.corners.end(),
                                        [](const auto& corner) { return corner.allFinite(); });
     if (!is_finite) {
-      throw InputError(fmt::format("detections: tag {} at t = {} has a corner that is not finite.",
+      throw InputError(fmt::format("{}: tag {} at t = {} has a corner that is not finite.",
+                                   name,
                                    detection.tag_id,
                                    detection.time));
     }
     if (i > 0 && !(detection.time >= detections[i - 1].time)) {
-      throw InputError(fmt::format("detections: t goes back from {} to {}, expected rising stamps.",
+      throw InputError(fmt::format("{}: t goes back from {} to {}, expected rising stamps.",
+                                   name,
                                    detections[i - 1].time,
                                    detection.time));
     }
@@ -70,12 +72,16 @@ void RefuseWhatIsNoRecord(std::span<const Detection> detections) {
 }
 
 std::vector<ScreenedFrame> FramesOf(std::span<const Detection> detections,
-                                    std::span<const double> frame_times) {
+                                    std::span<const double> frame_times,
+                                    std::string_view name) {
   std::vector<ScreenedFrame> frames;
   for (const double time : frame_times) {
     if (!frames.empty() && !(time > frames.back().time)) {
-      throw InputError(fmt::format(
-          "frames: t goes from {} to {}, expected rising stamps.", frames.back().time, time));
+      throw InputError(
+          fmt::format("{}: t of the frames goes from {} to {}, expected rising stamps.",
+                      name,
+                      frames.back().time,
+                      time));
     }
     frames.push_back({.time = time, .detections = {}});
   }
@@ -89,7 +95,7 @@ std::vector<ScreenedFrame> FramesOf(std::span<const Detection> detections,
     while (at < frames.size() && frames[at].time < time) ++at;
     if (at == frames.size() || frames[at].time != time) {
       throw InputError(fmt::format(
-          "detections: t = {} is the stamp of no frame, expected those of the frames.", time));
+          "{}: t = {} is the stamp of no frame, expected those of the frames.", name, time));
     }
     frames[at].detections.push_back(static_cast<int>(i));
   }
@@ -112,23 +118,26 @@ std::optional<Rejection> RejectionOf(const Detection& detection,
 
 void RefuseIfMost(const std::array<std::size_t, kNumRejections>& counts,
                   std::size_t num_detections,
-                  const CameraModel& camera) {
+                  const CameraModel& camera,
+                  std::string_view name) {
   const auto is_most = [&](Rejection reason) {
     return 2 * counts[static_cast<std::size_t>(reason)] > num_detections;
   };
   const auto count = [&](Rejection reason) { return counts[static_cast<std::size_t>(reason)]; };
   if (is_most(Rejection::kMirrored)) {
     throw InputError(fmt::format(
-        "detections: the corners of {} of {} run clockwise in the image, expected bottom-left, "
+        "{}: the corners of {} of {} run clockwise in the image, expected bottom-left, "
         "bottom-right, top-right, top-left of the upright tag. Are the images mirrored, or the "
         "corners in another order (OpenCV's aruco starts at the top-left)?",
+        name,
         count(Rejection::kMirrored),
         num_detections));
   }
   if (is_most(Rejection::kOffImage)) {
     throw InputError(fmt::format(
-        "detections: {} of {} lie outside the camera's image of {} x {} pixels or its lens' field. "
+        "{}: {} of {} lie outside the camera's image of {} x {} pixels or its lens' field. "
         "Is this the calibration of another camera or resolution?",
+        name,
         count(Rejection::kOffImage),
         num_detections,
         camera.width,
@@ -145,17 +154,19 @@ std::string_view Name(Rejection rejection) {
                                                                    "mirrored",
                                                                    "off the image",
                                                                    "no square",
-                                                                   "outlier"};
+                                                                   "outlier",
+                                                                   "beyond 90 degrees"};
   return kNames[static_cast<std::size_t>(rejection)];
 }
 
 ScreenedDetections ScreenDetections(std::span<const Detection> detections,
                                     const CameraModel& camera,
                                     const MarkerMap& map,
-                                    std::span<const double> frame_times) {
-  RefuseWhatIsNoRecord(detections);
+                                    std::span<const double> frame_times,
+                                    std::string_view name) {
+  RefuseWhatIsNoRecord(detections, name);
   ScreenedDetections screened;
-  screened.frames = FramesOf(detections, frame_times);
+  screened.frames = FramesOf(detections, frame_times, name);
   const double largest_angle = LargestAngle(camera);
   std::array<std::size_t, kNumRejections> counts = {};
   for (ScreenedFrame& frame : screened.frames) {
@@ -174,7 +185,7 @@ ScreenedDetections ScreenDetections(std::span<const Detection> detections,
       screened.rejected.push_back({.index = i, .reason = *rejection});
     }
   }
-  RefuseIfMost(counts, detections.size(), camera);
+  RefuseIfMost(counts, detections.size(), camera, name);
   return screened;
 }
 

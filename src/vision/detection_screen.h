@@ -22,8 +22,9 @@ enum class Rejection {
   kOffImage,     // a corner lies outside the image, or outside the lens' field
   kNoSquare,     // its corners are not convex or have no area
   kOutlier,      // it contradicts the frame's other detections, or the frames before and after
+  kBeyondRight,  // a corner 90 degrees or more off the axis, in a frame without a pose
 };
-inline constexpr int kNumRejections = 7;
+inline constexpr int kNumRejections = 8;
 
 // "unknown id", "not surveyed", ...
 std::string_view Name(Rejection rejection);
@@ -48,7 +49,7 @@ struct ScreenedDetections {
 // Groups detections by frame and sets aside those that cannot count whatever the pose, each with
 // its reason. `frame_times`: the stamps of all frames, in order, so that those without tags are
 // there; empty if only frames with tags are known. Detections must stand in the order of their
-// stamps.
+// stamps. `name`: of their file, as in messages.
 //
 // Throws InputError if most detections are mirrored (their corners are in another order, or the
 // images are mirrored) or off the image (the calibration is of another size), if stamps go back, if
@@ -56,6 +57,7 @@ struct ScreenedDetections {
 ScreenedDetections ScreenDetections(std::span<const Detection> detections,
                                     const CameraModel& camera,
                                     const MarkerMap& map,
-                                    std::span<const double> frame_times = {});
+                                    std::span<const double> frame_times = {},
+                                    std::string_view name = "detections");
 
 }  // namespace fathom

@@ -83,20 +83,37 @@ void SetSigma(PoseTrack* track) {
   track->corner_sigma_std = track->corner_sigma / std::sqrt(2.0 * dof);
 }
 
+// Of a detection in a frame without a pose. One seen from beyond 90 degrees, as by a fisheye,
+// proposes none (SolveSquare), whatever is right or wrong with it.
+Rejection WhyWithoutPose(const Detection& detection,
+                         const CameraModel& camera,
+                         double largest_angle) {
+  const bool is_ahead = std::all_of(
+      detection.corners.begin(), detection.corners.end(), [&](const Eigen::Vector2d& corner) {
+        const auto ray = RayOf(camera, corner, largest_angle);
+        return ray && ray->z() > 0.0;
+      });
+  return is_ahead ? Rejection::kOutlier : Rejection::kBeyondRight;
+}
+
 // Takes over the chosen poses, and accounts for every frame and detection.
-void TakeOver(const std::vector<ScreenedFrame>& frames,
+void TakeOver(std::span<const Detection> detections,
+              const CameraModel& camera,
+              const std::vector<ScreenedFrame>& frames,
               const std::vector<FrameCandidates>& candidates,
               const std::vector<std::optional<int>>& chosen,
               double corner_sigma,
               PoseTrack* track) {
   constexpr double kAlmostAsWell = 9.0;
+  const double largest_angle = LargestAngle(camera);
   track->views.clear();
   track->times_without_pose.clear();
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!chosen[i]) {
       if (!frames[i].detections.empty()) track->times_without_pose.push_back(frames[i].time);
       for (const int index : frames[i].detections) {
-        track->rejected.push_back({.index = index, .reason = Rejection::kOutlier});
+        track->rejected.push_back(
+            {.index = index, .reason = WhyWithoutPose(detections[index], camera, largest_angle)});
       }
       continue;
     }
@@ -148,7 +165,8 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
                      const CameraModel& camera,
                      const MarkerMap& map,
                      const PoseTrackOptions& options) {
-  ScreenedDetections screened = ScreenDetections(detections, camera, map, options.frame_times);
+  ScreenedDetections screened =
+      ScreenDetections(detections, camera, map, options.frame_times, options.name);
   PoseTrack track;
   track.num_frames = static_cast<int>(screened.frames.size());
   track.num_detections = static_cast<int>(detections.size());
@@ -185,7 +203,7 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
     candidates = CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
     const auto chosen = ChoosePoses(candidates, {.corner_sigma = sigma});
     track.rejected = screened.rejected;
-    TakeOver(screened.frames, candidates, chosen, sigma, &track);
+    TakeOver(detections, camera, screened.frames, candidates, chosen, sigma, &track);
     SetSigma(&track);
     if (!(std::abs(track.corner_sigma / sigma - 1.0) > 0.1)) break;
     sigma = track.corner_sigma;

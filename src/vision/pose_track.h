@@ -48,6 +48,9 @@ struct PoseTrack {
 };
 
 struct PoseTrackOptions {
+  // The file of the detections or frames, as in messages.
+  std::string name = "detections";
+
   // The stamps of all frames [s], so that those without tags count; empty: not known.
   std::vector<double> frame_times;
 

@@ -117,13 +117,13 @@ TEST(CameraDamage, RefusesCornersInTheOrderOfAMirror) {
     std::swap((*row)[7], (*row)[9]);
   });
   const std::string said =
-      "detections: the corners of 80 of 80 run clockwise in the image, expected bottom-left, "
+      ": the corners of 80 of 80 run clockwise in the image, expected bottom-left, "
       "bottom-right, top-right, top-left of the upright tag. Are the images mirrored, or the "
       "corners in another order (OpenCV's aruco starts at the top-left)?\n";
   EXPECT_THAT(ExpectRefusal("fathom_track",
                             {"--log=" + log.string(), "--out=" + (folder / "tracked").string()},
                             folder),
-              HasSubstr(said));
+              HasSubstr((log / "detections.csv").string() + said));
   EXPECT_THAT(
       ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
       HasSubstr(said));

@@ -17,6 +17,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 int NumRejected(const PoseTrack& track, Rejection reason) {
   return static_cast<int>(std::count_if(
@@ -265,6 +266,43 @@ TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
   EXPECT_THAT(remarks, Contains(HasSubstr("Set aside as mirrored: 1 of 116")));
 }
 
+// A fisheye looks past 90 degrees, where a square of its own proposes no pose: that, and no
+// contradiction, is why frames with nothing else have none.
+TEST(TrackPoses, TellsDetectionsBeyond90DegreesFromOutliers) {
+  const CameraModel fisheye = {.width = 1280,
+                               .height = 960,
+                               .fx = 300.0,
+                               .fy = 300.0,
+                               .cx = 640.0,
+                               .cy = 480.0,
+                               .lens = LensModel::kEquidistant,
+                               .coefficients = {}};
+  const MarkerMap map = SingleMarker();
+  std::vector<Detection> detections;
+  for (int i = 0; i < 20; ++i) {
+    // Two metres away, facing the camera, first 1.2 rad off its axis, then 1.7.
+    const double angle = i < 10 ? 1.2 : 1.7;
+    Eigen::Matrix3d camera_from_tag;
+    camera_from_tag << std::cos(angle), 0.0, std::sin(angle), 0.0, 1.0, 0.0, -std::sin(angle), 0.0,
+        std::cos(angle);
+    Detection detection;
+    detection.time = 0.1 * i;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3d x_camera =
+          camera_from_tag *
+          (CornersInTag(map.markers[0].size)[corner] + Eigen::Vector3d(0.0, 0.0, 2.0));
+      detection.corners[corner] = Project(fisheye, x_camera);
+    }
+    detections.push_back(detection);
+  }
+  const PoseTrack track = TrackPoses(detections, fisheye, map);
+  ExpectNothingIsLost(track);
+  EXPECT_EQ(track.views.size(), 10u);
+  EXPECT_EQ(NumRejected(track, Rejection::kBeyondRight), 10);
+  EXPECT_THAT(RemarksOn(track, detections),
+              Contains("Set aside as beyond 90 degrees: 10 of 20 detections: tags 0 (10 times)."));
+}
+
 TEST(TrackPoses, RefusesCornersInAnotherOrder) {
   const MarkerMap map = SingleMarker();
   SyntheticRecord record = MakeRecord(map, 20, 0.2, 0.3, 12);
@@ -272,10 +310,14 @@ TEST(TrackPoses, RefusesCornersInAnotherOrder) {
     std::reverse(detection.corners.begin(), detection.corners.end());
   }
   try {
-    TrackPoses(record.detections, SyntheticCamera(), map);
+    PoseTrackOptions options;
+    options.name = "log/detections.csv";
+    TrackPoses(record.detections, SyntheticCamera(), map, options);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("the corners of 20 of 20 run clockwise in the image"));
+    EXPECT_THAT(
+        error.what(),
+        StartsWith("log/detections.csv: the corners of 20 of 20 run clockwise in the image"));
   }
 }
 
