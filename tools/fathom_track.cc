@@ -232,18 +232,12 @@ Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
 // detections has been compared by whoever read the log.
 void RequireOneClock(const Run& run, const MarkerTrack& track) {
   if (!run.images || !run.log.command) return;
-  const fs::path frames = run.folder / (run.log.video.empty() ? "frames.csv" : run.log.video);
   CsvTable command, poses;
   command.name = (run.folder / "command.csv").string();
   command.stream = *run.log.command;
-  poses.name = frames.string();
+  poses.name = run.name;
   for (const StampedPose& pose : track.world_from_body) poses.stream.time.push_back(pose.time);
   RefuseDisjointClocks(command, poses);
-}
-
-double RateOf(const std::vector<double>& times) {
-  if (times.size() < 2 || !(times.back() > times.front())) return 10.0;
-  return (static_cast<double>(times.size()) - 1.0) / (times.back() - times.front());
 }
 
 // Throws before any work is done if the result may not be written.
@@ -283,17 +277,23 @@ void RequireOutputs(const fs::path& out) {
 }
 
 std::unique_ptr<OverlayWriter> MakeOverlay(const Run& run, const MarkerTrack& track) {
-  const auto times = run.images ? run.images->frame_times : std::vector<double>{};
-  auto overlay =
-      OpenOverlay(FLAGS_overlay, run.rig.camera.width, run.rig.camera.height, RateOf(times));
-  Progress progress("overlay frame");
-  DrawOverlay(*run.Frames(),
-              run.rig.camera,
-              run.images,
-              run.detections,
-              track,
-              overlay.get(),
-              [&](int done, int expected) { progress.Show(done, expected); });
+  constexpr double kUsualRate = 10.0;  // [Hz]
+  const auto frames = run.Frames();
+  const double rate = frames->mean_rate();
+  auto overlay = OpenOverlay(
+      FLAGS_overlay, run.rig.camera.width, run.rig.camera.height, rate > 0.0 ? rate : kUsualRate);
+  std::vector<std::string> remarks;
+  {
+    Progress progress("overlay frame");
+    remarks = DrawOverlay(*frames,
+                          run.rig.camera,
+                          run.images,
+                          run.detections,
+                          track,
+                          overlay.get(),
+                          [&](int done, int expected) { progress.Show(done, expected); });
+  }
+  for (const std::string& remark : remarks) fmt::print(stderr, "{}\n", remark);
   return overlay;
 }
 

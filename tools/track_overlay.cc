@@ -35,13 +35,13 @@ void AddPredicted(const Detection& detection,
 
 }  // namespace
 
-void DrawOverlay(FrameSource& frames,
-                 const CameraModel& camera,
-                 const std::optional<TagDetections>& images,
-                 std::span<const Detection> detections,
-                 const MarkerTrack& track,
-                 OverlayWriter* overlay,
-                 const std::function<void(int done, int expected)>& progress) {
+std::vector<std::string> DrawOverlay(FrameSource& frames,
+                                     const CameraModel& camera,
+                                     const std::optional<TagDetections>& images,
+                                     std::span<const Detection> detections,
+                                     const MarkerTrack& track,
+                                     OverlayWriter* overlay,
+                                     const std::function<void(int done, int expected)>& progress) {
   const int num_frames =
       images ? static_cast<int>(images->frame_times.size()) : frames.num_expected();
   std::map<int, Rejection> rejection_of;
@@ -49,6 +49,7 @@ void DrawOverlay(FrameSource& frames,
   std::size_t next_detection = 0, next_unused = 0, next_pose = 0;
   const auto& poses = track.world_from_camera;
   int index = 0;
+  std::vector<double> times_without_frame;  // of detections
   for (ImageFrame image; frames.Next(&image); ++index) {
     while (next_pose < poses.size() && poses[next_pose].time < image.time) ++next_pose;
     const bool has_pose = next_pose < poses.size() && poses[next_pose].time == image.time;
@@ -57,7 +58,10 @@ void DrawOverlay(FrameSource& frames,
     for (; next_detection < detections.size() && detections[next_detection].time <= image.time;
          ++next_detection) {
       const Detection& detection = detections[next_detection];
-      if (detection.time != image.time) continue;
+      if (detection.time != image.time) {
+        times_without_frame.push_back(detection.time);
+        continue;
+      }
       const auto rejection = rejection_of.find(static_cast<int>(next_detection));
       if (rejection == rejection_of.end()) {
         frame.detections.push_back(detection);
@@ -84,6 +88,22 @@ void DrawOverlay(FrameSource& frames,
     if (overlay->Wants(index, num_frames)) overlay->Add(frame);
     progress(index + 1, num_frames);
   }
+  for (; next_detection < detections.size(); ++next_detection) {
+    times_without_frame.push_back(detections[next_detection].time);
+  }
+
+  std::vector<std::string> remarks;
+  if (!images) remarks = frames.unreadable();
+  if (!times_without_frame.empty()) {
+    remarks.push_back(fmt::format(
+        "{}: {} of {} detections are not drawn, the first at t = {}: their stamps are of no frame "
+        "that can be read.",
+        frames.name(),
+        times_without_frame.size(),
+        detections.size(),
+        times_without_frame.front()));
+  }
+  return remarks;
 }
 
 }  // namespace fathom

@@ -5,9 +5,13 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
+#include "fathom/vision/video_reader.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -106,6 +110,19 @@ cv::Mat Draw(const OverlayFrame& frame, double scale) {
   return picture;
 }
 
+[[noreturn]] void RefuseNothing(const std::filesystem::path& path) {
+  throw InputError(path.string() +
+                   ": cannot be made of no frame, expected one at least that can be read.");
+}
+
+int NumFramesIn(const std::filesystem::path& video) {
+  try {
+    return VideoReader(video).num_frames();
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
 class ContactSheet : public OverlayWriter {
  public:
   ContactSheet(std::filesystem::path path, int width)
@@ -114,6 +131,7 @@ class ContactSheet : public OverlayWriter {
   void Add(const OverlayFrame& frame) override { pictures_.push_back(Draw(frame, scale_)); }
 
   void Finish() override {
+    if (pictures_.empty()) RefuseNothing(path_);
     constexpr int kColumns = 3;
     std::vector<cv::Mat> rows;
     for (std::size_t i = 0; i < pictures_.size(); i += kColumns) {
@@ -132,8 +150,8 @@ class ContactSheet : public OverlayWriter {
 
   bool Wants(int frame_index, int num_frames) const override {
     constexpr int kMost = 12;
-    if (num_frames <= kMost) return true;
-    const auto nth = [&](int i) { return i * (num_frames - 1) / (kMost - 1); };
+    if (num_frames <= kMost) return frame_index < kMost;
+    const auto nth = [&](std::int64_t i) { return i * (num_frames - 1) / (kMost - 1); };
     for (int i = 0; i < kMost; ++i) {
       if (nth(i) == frame_index) return true;
     }
@@ -152,6 +170,8 @@ class OverlayVideo : public OverlayWriter {
       : path_(std::move(path)), temporary_(path_) {
     // The ending tells the container.
     temporary_.replace_extension(".part" + std::to_string(getpid()) + path_.extension().string());
+    // FFmpeg's own words on stderr, which name no file.
+    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
     std::error_code error;
     if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
     const int code = path_.extension() == ".avi" ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G')
@@ -180,10 +200,21 @@ class OverlayVideo : public OverlayWriter {
                        size_.width - picture.cols,
                        cv::BORDER_REPLICATE);
     writer_.write(picture);
+    ++num_frames_;
   }
 
   void Finish() override {
+    if (num_frames_ == 0) RefuseNothing(path_);
+    // The writer says nothing of what it could not write.
     writer_.release();
+    if (const int num_written = NumFramesIn(temporary_); num_written != num_frames_) {
+      throw InputError(fmt::format(
+          "{}: cannot write this video: {} of its {} frames are in the file. Is the disk "
+          "full?",
+          path_.string(),
+          num_written,
+          num_frames_));
+    }
     std::error_code error;
     std::filesystem::rename(temporary_, path_, error);
     if (error) {
@@ -199,6 +230,7 @@ class OverlayVideo : public OverlayWriter {
   std::filesystem::path temporary_;
   cv::Size size_;
   cv::VideoWriter writer_;
+  int num_frames_ = 0;
 };
 
 }  // namespace

@@ -44,11 +44,11 @@ class OverlayWriter {
 
   virtual void Add(const OverlayFrame& frame) = 0;
 
-  // Throws InputError, naming the file, if it cannot be written.
+  // Throws InputError, naming the file, if it cannot be written in full, or no frame was added.
   virtual void Finish() = 0;
 
-  // True for the frames that are to be added: all of a video, 12 of a contact sheet, evenly over
-  // the record.
+  // True for the frames that are to be added: all of a video; 12 of a contact sheet, evenly over
+  // the record, or the first ones of more than there should be.
   virtual bool Wants(int frame_index, int num_frames) const = 0;
 };
 

@@ -155,6 +155,41 @@ TEST(TrackTool, WritesAnOverlayVideo) {
   EXPECT_EQ(ListOf(folder).size(), ListOf(folder / "tracked").size() + 2);
 }
 
+TEST(TrackTool, SaysWhatIsMissingInAnOverlayOfDetections) {
+  const fs::path log = CopyOfTheLog();
+  const fs::path tracked = log.parent_path() / "tracked";
+  ASSERT_EQ(Track(log, {"--out=" + tracked.string()}).exit_code, 0);
+  // The fourth row, of the first frame's last tag, a little later; and a frame that is not there.
+  std::string csv = Bytes(tracked / "detections.csv");
+  std::size_t row = csv.find('\n') + 1;
+  for (int i = 0; i < 3; ++i) row = csv.find('\n', row) + 1;
+  csv.replace(row, csv.find(',', row) - row, "0.05");
+  WriteTestFile(log / "detections.csv", csv);
+  fs::remove(log / "frames/000005.png");
+  const fs::path again = log.parent_path() / "again";
+  const auto overlay = [&](const char* file) {
+    return Track(log,
+                 {"--from=detections",
+                  "--overwrite",
+                  "--out=" + again.string(),
+                  "--overlay=" + (log.parent_path() / file).string()});
+  };
+  const ToolRun run = overlay("overlay.avi");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("frames/000005.png: there is no such file. Check the path.\n"));
+  EXPECT_THAT(run.err,
+              HasSubstr((log / "frames.csv").string() +
+                        ": 5 of 48 detections are not drawn, the first at t = 0.05: their stamps "
+                        "are of no frame that can be read.\n"));
+
+  fs::remove_all(log / "frames");
+  const ToolRun none = overlay("sheet.png");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.err,
+              HasSubstr((log.parent_path() / "sheet.png").string() +
+                        ": cannot be made of no frame, expected one at least that can be read."));
+}
+
 TEST(TrackTool, CountsDamagedImagesAndGoesOn) {
   const fs::path log = CopyOfTheLog();
   const fs::path image = log / "frames/000004.png";
