@@ -3,6 +3,7 @@
 #   find_package(FFmpeg REQUIRED COMPONENTS avformat avcodec)
 #   target_link_libraries(x PRIVATE FFmpeg::avformat FFmpeg::avcodec)
 
+set(FFmpeg_required)
 foreach(component IN LISTS FFmpeg_FIND_COMPONENTS)
   find_path(FFmpeg_${component}_INCLUDE_DIR lib${component}/${component}.h)
   find_library(FFmpeg_${component}_LIBRARY ${component})
