@@ -166,7 +166,10 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
   std::vector<std::string> remarks;
   const HeldCommand command = CommandOf(log, result->dof);
   const std::vector<Detection> detections = DetectionsIn(log);
-  const MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera);
+  MarkerTrajectoryOptions options;
+  options.pose_track.name = FileOf(log, "detections.csv");
+  const MarkerTrack track =
+      TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
   if (log.pose) remarks.push_back("pose.csv is not read: the poses come from detections.csv.");
   remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
   if (track.world_from_body.size() < kFewestFrames) {

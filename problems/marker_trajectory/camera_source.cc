@@ -20,7 +20,10 @@ void TrackDetections(Log* log) {
   if (!NeedsTracking(*log)) return;
   const CameraRig rig = ReadCameraRig(log->path);
   const std::vector<Detection> detections = DetectionsOf(*log->detections);
-  const MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera);
+  MarkerTrajectoryOptions options;
+  options.pose_track.name = (log->path / "detections.csv").string();
+  const MarkerTrack track =
+      TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
   for (const std::string& remark : track.remarks) {
     log->remarks.push_back("detections.csv: " + remark);
   }

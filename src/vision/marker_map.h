@@ -18,7 +18,7 @@ namespace fathom {
 // One marker on the wall. Tag frame: origin at the centre, x right, y down, z into the wall.
 struct Marker {
   int id = 0;
-  double size = 0.0;   // side of the black square [m], above 0
+  double size = 0.0;   // side of the square that is detected [m], above 0
   std::string family;  // of libapriltag, "tag36h11"
   Pose world_from_tag;
 

@@ -36,7 +36,7 @@ double SizeAt(const YamlMap& map) {
   const double size = map.Number("size");
   if (!(size > 0.0 && size <= kLargest)) {
     map.Fail("size",
-             fmt::format("is {}, expected the side of the black square in metres, above 0 and at "
+             fmt::format("is {}, expected the side of the square in metres, above 0 and at "
                          "most {}.",
                          size,
                          kLargest));

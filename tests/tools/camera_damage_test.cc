@@ -126,7 +126,7 @@ TEST(CameraDamage, RefusesCornersInTheOrderOfAMirror) {
               HasSubstr((log / "detections.csv").string() + said));
   EXPECT_THAT(
       ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
-      HasSubstr(said));
+      HasSubstr((log / "detections.csv").string() + said));
 }
 
 TEST(CameraDamage, RefusesDetectionsFromFramesOfAnotherSize) {

@@ -83,7 +83,7 @@ TEST(TagsFile, RefusesWhatItCannotUse) {
   EXPECT_EQ(Error(kTags, "family: tag36h11\n", ""),
             "tags.yaml:2: key 'tags[0].family' is missing, expected a text.");
   EXPECT_EQ(Error(kTags, "0.16", "160"),
-            "tags.yaml:3: key 'tags[0].size' is 160, expected the side of the black square in "
+            "tags.yaml:3: key 'tags[0].size' is 160, expected the side of the square in "
             "metres, above 0 and at most 20.");
   EXPECT_THAT(Error(kTags, "0.16", "0"), StartsWith("tags.yaml:3: key 'tags[0].size' is 0, "));
   EXPECT_EQ(Error(kTags, "0.8]", "0.9]"),
