@@ -15,7 +15,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kShortest = 0.1;  // of a mean axis that tells a direction; 1 if it never turns
+constexpr double kShortest = 0.1;   // of a mean axis that tells a direction; 1 if it never turns
+constexpr double kAligned = 0.005;  // [rad]
 
 // The body's axis `i` in the world.
 Eigen::Vector3d MiddleAxis(int i, std::span<const Eigen::Quaterniond> world_from_body) {
@@ -30,6 +31,12 @@ Eigen::Vector3d MiddleAxis(int i, std::span<const Eigen::Quaterniond> world_from
   return middle;
 }
 
+// The world's axis that one as near as kAligned is taken for.
+Eigen::Vector3d Aligned(const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d nearest = axis.array().round();
+  return (axis - nearest).norm() < kAligned ? nearest : axis;
+}
+
 }  // namespace
 
 Eigen::Quaterniond MeanAttitude(Dof dof, std::span<const Eigen::Quaterniond> world_from_body) {
@@ -38,7 +45,7 @@ Eigen::Quaterniond MeanAttitude(Dof dof, std::span<const Eigen::Quaterniond> wor
   const int i = Index(dof) % 3, j = (i + 1) % 3, k = (i + 2) % 3;
   Eigen::Vector3d along = MiddleAxis(i, world_from_body);
   if (along.norm() < kShortest) along = first.col(i);
-  along.normalize();
+  along = Aligned(along.normalized());
   const auto across = [&](const Eigen::Vector3d& axis) {
     return Eigen::Vector3d(axis - along * along.dot(axis));
   };
@@ -46,7 +53,7 @@ Eigen::Quaterniond MeanAttitude(Dof dof, std::span<const Eigen::Quaterniond> wor
   if (second.norm() < kShortest) second = across(first.col(j));
   // A first body axis that happens to lie along the mean one.
   if (second.norm() < kShortest) second = across(first.col(i));
-  second.normalize();
+  second = across(Aligned(second.normalized())).normalized();
   Eigen::Matrix3d mean;
   mean.col(i) = along;
   mean.col(j) = second;

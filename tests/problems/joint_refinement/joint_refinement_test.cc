@@ -231,12 +231,12 @@ TEST(JointRefinement, DoesNotDependOnTheWorldsAxes) {
       const ParameterVector found = ToVector(summary.model), expected = ToVector(straight.model);
       for (int i = 0; i < kNumParameters; ++i) {
         const double std = std::sqrt(straight.covariance(i, i));
-        EXPECT_NEAR(found[i], expected[i], 0.05 * std) << kParameterInfo[i].name;
+        EXPECT_NEAR(found[i], expected[i], 0.2 * std) << kParameterInfo[i].name;
         EXPECT_NEAR(std::sqrt(summary.covariance(i, i)), std, 0.05 * std);
       }
       EXPECT_NEAR(PathError(summary.runs[0].world_from_body, turned),
                   PathError(straight.runs[0].world_from_body, run),
-                  0.01 * PathError(straight.runs[0].world_from_body, run));
+                  0.05 * PathError(straight.runs[0].world_from_body, run));
       const Eigen::Matrix3d R = turn.toRotationMatrix();
       const Eigen::Matrix3d in_new = summary.runs[0].pose_covariance[7].topLeftCorner<3, 3>();
       const Eigen::Matrix3d in_old = straight.runs[0].pose_covariance[7].topLeftCorner<3, 3>();

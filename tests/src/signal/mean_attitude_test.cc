@@ -42,6 +42,20 @@ TEST(MeanAttitude, IsNotPulledAlongByFlips) {
   EXPECT_LT(MeanAttitude(Dof::kSurge, all).angularDistance(kTruth), 0.002);
 }
 
+TEST(MeanAttitude, IsTheWorldsWhereItIsAsNearAsNoise) {
+  const Eigen::Quaterniond level = Turn(M_PI / 2.0, {0.0, 0.0, 1.0});
+  for (const Dof dof : kAllDofs) {
+    const Attitudes near(5, level * Turn(0.004, {0.5, -1.0, 0.7}));
+    EXPECT_LT(MeanAttitude(dof, near).angularDistance(level), 1e-12) << Name(dof);
+    const Attitudes oblique(5, level * Turn(0.01, {0.5, -1.0, 0.7}));
+    EXPECT_LT(MeanAttitude(dof, oblique).angularDistance(oblique[0]), 0.005) << Name(dof);
+  }
+  // Heading obliquely, but level: heave is along the world's vertical.
+  const Attitudes oblique(5, Turn(0.4, {0.0, 0.0, 1.0}) * Turn(0.003, {1.0, 0.0, 0.0}));
+  const Eigen::Vector3d down = MeanAttitude(Dof::kHeave, oblique) * Eigen::Vector3d::UnitZ();
+  EXPECT_EQ(down, Eigen::Vector3d::UnitZ());
+}
+
 TEST(MeanAttitude, KeepsTheAxisThatAVehicleTurnsAbout) {
   Attitudes all;
   for (int i = 0; i <= 1000; ++i) all.push_back(kTruth * Turn(0.05 * i, {0.0, 0.0, 1.0}));
