@@ -167,13 +167,15 @@ bool Search(const JointOptions& options, JointStart* at, SearchEnd* end, JointSu
       return false;
     }
     const auto priors = WithSetupHeld(PriorsOf(options, at->unknowns, end->held_at_zero));
-    const double before = LinearJoint(linear, priors, at->processes, excited).log_likelihood();
+    const bool is_first = summary->num_rounds == 0;
+    const double before =
+        is_first ? 0.0 : LinearJoint(linear, priors, at->processes, excited).log_likelihood();
     const ProcessFit fit = FitProcesses(linear, priors, at->processes, excited);
     if (!std::isfinite(fit.log_likelihood)) {
       summary->message = "some unknown leaves no trace in the corners.";
       return false;
     }
-    const bool has_settled = summary->num_rounds > 0 && fit.log_likelihood < before + kSettled;
+    const bool has_settled = !is_first && fit.log_likelihood < before + kSettled;
     const bool is_last = summary->num_rounds == options.max_rounds;
     if (has_settled || is_last) {
       end->likelihood_settled = has_settled;
@@ -217,9 +219,8 @@ std::vector<std::string> CaveatsOn(Dof dof,
   if (too_large > 0.5 * std) {
     caveats.push_back(fmt::format(
         "The vehicle moves {:.1f} degrees off its mean {} axis. If that is the mount or the survey "
-        "and not the vehicle, inertia and linear damping come out {:.2g} % too large, more than "
-        "half "
-        "of what the interval admits.",
+        "and not the vehicle, inertia and linear damping are {:.2g} % too large, which matters "
+        "beside the interval.",
         angle * 180.0 / std::numbers::pi,
         Name(dof),
         100.0 * too_large));

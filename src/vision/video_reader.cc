@@ -6,8 +6,6 @@
 #include "fathom/base/input_error.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,7 +20,6 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/avutil.h>
-#include <libavutil/display.h>
 #include <libswscale/swscale.h>
 }
 
@@ -87,18 +84,6 @@ Container Open(const std::filesystem::path& path) {
   return it;
 }
 
-// By how many quarters, clockwise, the container says that a frame is to be turned to be upright: a
-// camera that is mounted upside down may say so there instead of turning the picture.
-int QuarterTurnsOf(const AVStream& stream) {
-  const std::uint8_t* const matrix =
-      av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, nullptr);
-  if (matrix == nullptr) return 0;
-  const double counterclockwise =
-      av_display_rotation_get(reinterpret_cast<const std::int32_t*>(matrix));
-  if (!std::isfinite(counterclockwise)) return 0;
-  return static_cast<int>(((std::lround(-counterclockwise / 90.0) % 4) + 4) % 4);
-}
-
 std::int64_t StampOf(const AVPacket& packet) {
   return packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
 }
@@ -142,7 +127,6 @@ struct VideoReader::Implementation {
   Owned<AVFrame> frame{av_frame_alloc()};
   Owned<AVFrame> colours{av_frame_alloc()};
   Owned<SwsContext> scaler;
-  int quarter_turns = 0;  // clockwise, from the picture to the image
   std::size_t next_index = 0;
   double time = 0.0;  // [s]
   std::size_t num_errors = 0;
@@ -209,17 +193,9 @@ struct VideoReader::Implementation {
       return false;
     }
     const cv::Mat bgr(frame->height, frame->width, CV_8UC3, colours->data[0], colours->linesize[0]);
-    cv::Mat gray;
+    *image = GrayImage(frame->width, frame->height);
+    cv::Mat gray(image->height, image->width, CV_8U, image->pixels.data());
     cv::cvtColor(bgr, gray, cv::COLOR_BGR2GRAY);
-    constexpr std::array<int, 3> kTurns = {
-        cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180, cv::ROTATE_90_COUNTERCLOCKWISE};
-    if (quarter_turns > 0) {
-      cv::Mat upright;
-      cv::rotate(gray, upright, kTurns[quarter_turns - 1]);
-      gray = upright;
-    }
-    *image = GrayImage(gray.cols, gray.rows);
-    std::copy(gray.begin<std::uint8_t>(), gray.end<std::uint8_t>(), image->pixels.begin());
     return true;
   }
 };
@@ -233,7 +209,6 @@ VideoReader::VideoReader(const std::filesystem::path& path)
   it.packets = IndexOf(Open(path));
   it.container = Open(path);
   it.codec = OpenDecoder(it.container);
-  it.quarter_turns = QuarterTurnsOf(*it.container.stream);
   if (it.codec == nullptr || it.packets.stamps.empty()) {
     throw InputError(path.string() +
                      ": holds no frame that can be decoded. It is damaged, cut off, or of a format "

@@ -10,7 +10,9 @@
 
 namespace fathom {
 
-// The frames of a video file, one after the other, in grey, by FFmpeg.
+// The frames of a video file, one after the other, in grey, by FFmpeg, as the sensor sees them: how
+// the container says that they are to be turned is ignored, since a calibration is of the sensor's
+// pixels.
 //
 // Each packet of the file is taken for one frame, and frames are numbered by the stamps of their
 // packets: one that cannot be decoded is missing, and those behind it keep their numbers. Damage
