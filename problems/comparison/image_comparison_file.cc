@@ -36,7 +36,7 @@ Json FormatJoint(const ImageComparison& comparison) {
   Json held = Json::array();
   for (const HeldDofFound& found : HeldDofsOf(comparison)) {
     held.push_back({{"dof", Name(found.dof)},
-                    {"unit", IsAngular(found.dof) ? "rad" : "m"},
+                    {"unit", DisplacementUnit(found.dof)},
                     {"wander_std", found.wander.std},
                     {"wander_frequency", found.wander.frequency},
                     {"wander_damping_ratio", found.wander.ratio},

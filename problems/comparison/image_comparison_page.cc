@@ -38,7 +38,7 @@ Poses PosesIn(const std::vector<double>& time, const std::vector<Pose>& world_fr
 TimePanel PathPanel(const MarkerLogs& logs, const ImageComparison& comparison) {
   TimePanel panel;
   panel.quantity = fmt::format("{} displacement", Name(logs.dof));
-  panel.unit = IsAngular(logs.dof) ? "rad" : "m";
+  panel.unit = DisplacementUnit(logs.dof);
   panel.measured = Series{"PnP", {}, ""};
   panel.responses.push_back({"refined", {}, ""});
   const auto append = [](const std::vector<double>& values, Series* series) {
@@ -103,8 +103,8 @@ Table RefinementTable(const ImageComparison& comparison) {
   Table table;
   table.caption = "What the corners say beside the model";
   table.columns = {{"quantity"}, {"value", true}, {"unit"}};
-  const auto add = [&](std::string name, std::string value, std::string unit) {
-    table.rows.push_back({{std::move(name), std::move(value), std::move(unit)}});
+  const auto add = [&](std::string name, std::string value, std::string_view unit) {
+    table.rows.push_back({{std::move(name), std::move(value), std::string(unit)}});
   };
   int num_outliers = 0;
   for (const RefinedRun& run : joint.runs) num_outliers += run.num_outliers;
@@ -114,11 +114,11 @@ Table RefinementTable(const ImageComparison& comparison) {
   for (const HeldDofFound& found : HeldDofsOf(comparison)) {
     add(fmt::format("{} wanders by", Name(found.dof)),
         found.wander.IsPresent() ? fmt::format("{:.2g}", found.wander.std) : "0",
-        IsAngular(found.dof) ? "rad" : "m");
+        DisplacementUnit(found.dof));
     if (found.response_std > 0.0) {
       add(fmt::format("{} follows the motion by", Name(found.dof)),
           fmt::format("{:.2g}", found.response_std),
-          IsAngular(found.dof) ? "rad" : "m");
+          DisplacementUnit(found.dof));
     }
   }
   constexpr double kDrift = 10.0;  // [s]
@@ -126,7 +126,7 @@ Table RefinementTable(const ImageComparison& comparison) {
   const Dof dof = comparison.comparison.dofs[0].dof;
   add(fmt::format("{} strays from the model, in {:.0f} s, by", Name(dof), kDrift),
       joint.processes.model_error > 0.0 ? fmt::format("{:.2g}", strays()) : "0",
-      IsAngular(dof) ? "rad" : "m");
+      DisplacementUnit(dof));
   for (size_t r = 0; r < joint.runs.size(); ++r) {
     const RefinedRun& run = joint.runs[r];
     if (run.clock_offset_std == 0.0) continue;

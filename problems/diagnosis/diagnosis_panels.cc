@@ -33,8 +33,6 @@ std::string MissingName(const Diagnosis& diagnosis) {
   return IsAngular(diagnosis.dof) ? "missing moment" : "missing force";
 }
 
-std::string DisplacementUnit(Dof dof) { return IsAngular(dof) ? "rad" : "m"; }
-
 // Where a curve over `time` must break: stamps much further apart than is usual.
 double LongestStep(const std::vector<double>& time) {
   std::vector<double> steps;
@@ -87,8 +85,8 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
     panel.title = log;
     panel.quantity = fmt::format(
         "{} {}", Name(diagnosis.dof), diagnosis.has_velocity ? "velocity" : "displacement");
-    panel.unit = diagnosis.has_velocity ? std::string(VelocityUnit(diagnosis.dof))
-                                        : DisplacementUnit(diagnosis.dof);
+    panel.unit =
+        diagnosis.has_velocity ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
     panel.measured = Series{"measured", {}, ""};
     const bool has_causes = !diagnosis.extended.model.effects.empty();
     panel.responses.push_back({has_causes ? kBefore : "model", {}, NmaeNote(diagnosis.baseline)});
@@ -155,7 +153,7 @@ std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
   add("command", force_unit, missing.command);
   add("command rate", force_unit + "/s", missing.command_rate);
   add(fmt::format("{} velocity", Name(diagnosis.dof)), speed_unit, missing.velocity);
-  add("displacement", DisplacementUnit(diagnosis.dof), missing.displacement);
+  add("displacement", std::string(DisplacementUnit(diagnosis.dof)), missing.displacement);
   std::vector<double> time = missing.time;
   std::string time_name = "time";
   if (!time.empty() && std::abs(time.front()) > kEpoch) {

@@ -29,6 +29,8 @@ std::string_view VelocityColumn(Dof dof) { return kNames[Index(dof)].velocity; }
 
 std::string_view ForceColumn(Dof dof) { return kNames[Index(dof)].force; }
 
+std::string_view DisplacementUnit(Dof dof) { return IsAngular(dof) ? "rad" : "m"; }
+
 std::string_view VelocityUnit(Dof dof) { return IsAngular(dof) ? "rad/s" : "m/s"; }
 
 std::string_view ForceUnit(Dof dof) { return IsAngular(dof) ? "N m" : "N"; }

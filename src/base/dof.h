@@ -31,6 +31,9 @@ std::string_view VelocityColumn(Dof dof);
 // Name of the generalised force in command.csv: "tau_surge", ...
 std::string_view ForceColumn(Dof dof);
 
+// "m" or "rad".
+std::string_view DisplacementUnit(Dof dof);
+
 // "m/s" or "rad/s".
 std::string_view VelocityUnit(Dof dof);
 

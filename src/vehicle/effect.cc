@@ -47,7 +47,7 @@ std::string UnitOf(const Quantity& quantity, Dof dof, const std::string& force_u
   if (force_unit == ForceUnit(dof)) return unit;
   // A force of another unit: kilograms are then not kilograms. Built from its powers.
   if (quantity.force == 0.0) return unit;
-  const std::string distance = IsAngular(dof) ? "rad" : "m";
+  const std::string distance = std::string(DisplacementUnit(dof));
   const auto factor = [](const std::string& of, double power) {
     const int whole = static_cast<int>(power);
     return power == 0.0 ? "" : power == 1.0 ? of : of + "^" + std::to_string(whole);

@@ -17,6 +17,8 @@ TEST(Dof, HasTheNamesAndUnitsOfSname) {
   EXPECT_EQ(VelocityColumn(Dof::kHeave), "w");
   EXPECT_EQ(ForceColumn(Dof::kYaw), "tau_yaw");
   EXPECT_EQ(VelocityColumn(Dof::kYaw), "r");
+  EXPECT_EQ(DisplacementUnit(Dof::kHeave), "m");
+  EXPECT_EQ(DisplacementUnit(Dof::kPitch), "rad");
   EXPECT_EQ(VelocityUnit(Dof::kSway), "m/s");
   EXPECT_EQ(VelocityUnit(Dof::kRoll), "rad/s");
   EXPECT_EQ(ForceUnit(Dof::kSurge), "N");
