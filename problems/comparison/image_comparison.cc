@@ -3,7 +3,6 @@
 
 #include "fathom/comparison/image_comparison.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
 
 #include <algorithm>
@@ -86,13 +85,15 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
     dof.rows.push_back(Identify(camera, dof.scored, family, options.identification));
     const Identification& row = dof.rows.back();
     if (family != options.initial_guess) continue;
-    if (!row.is_usable) {
-      throw InputError(
-          fmt::format("the first guess by {} is no usable model: {}", Name(family), row.message));
+    if (row.is_usable) {
+      joint.initial_guess = row.fitted.model;
+    } else {
+      result.joint.message =
+          fmt::format("The first guess by {} is no usable model: {}", Name(family), row.message);
     }
-    joint.initial_guess = row.fitted.model;
   }
-  result.joint = FitJoint(logs.input, joint);
+  const bool can_start = !options.initial_guess || joint.initial_guess;
+  if (can_start) result.joint = FitJoint(logs.input, joint);
   dof.rows.push_back(IdentificationOf(result.joint, dof.scored));
   result.comparison.dofs.push_back(std::move(dof));
   return result;

@@ -41,8 +41,8 @@ struct HeldDofFound {
 std::vector<HeldDofFound> HeldDofsOf(const ImageComparison& comparison);
 
 // Scored by free runs against the logs' velocity streams where all of them have one, else against
-// the derivative of the PnP poses: a remark says which. Throws InputError for options that cannot
-// be used, also where the family of `initial_guess` has no usable model.
+// the derivative of the PnP poses: a remark says which. The joint row is not usable where the
+// family of `initial_guess` is not. Throws InputError for options that cannot be used.
 ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOptions& options);
 
 }  // namespace fathom

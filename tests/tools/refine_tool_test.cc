@@ -213,11 +213,22 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
 TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
   const fs::path folder = EmptyTestFolder();
   const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 0.0, 3);
-  const ToolRun run = RunToolBinary(
-      "fathom_refine", {"--log=" + log.string(), "--model=" + (folder / "model.json").string()});
+  std::vector<std::string> arguments = {"--log=" + log.string(),
+                                        "--model=" + (folder / "model.json").string(),
+                                        "--json=" + (folder / "rows.json").string(),
+                                        "--report=" + (folder / "page.html").string()};
+  const ToolRun run = RunToolBinary("fathom_refine", arguments);
   EXPECT_EQ(run.exit_code, 2) << run.out;
   EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));
   EXPECT_FALSE(fs::exists(folder / "model.json"));
+  EXPECT_FALSE(RowOf(JsonOf(folder / "rows.json"), "joint")["usable"].get<bool>());
+
+  arguments.push_back("--initial_guess=least_squares");
+  const ToolRun guessed = RunToolBinary("fathom_refine", arguments);
+  EXPECT_EQ(guessed.exit_code, 2) << guessed.out;
+  EXPECT_THAT(guessed.err, HasSubstr("The first guess by least_squares is no usable model: "));
+  EXPECT_FALSE(fs::exists(folder / "model.json"));
+  EXPECT_FALSE(RowOf(JsonOf(folder / "rows.json"), "joint")["usable"].get<bool>());
 }
 
 }  // namespace
