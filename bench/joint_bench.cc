@@ -5,7 +5,7 @@
 // iteration of the same bundle adjustment without the model, all in one run; peak memory. The
 // figures of docs/joint_refinement.md.
 //
-//   joint_bench [most frames=60000] [threads=1]
+//   joint_bench [most frames=60000]
 
 #include "fathom/joint_refinement/joint_problem.h"
 #include "fathom/joint_refinement/joint_refinement.h"
@@ -37,7 +37,7 @@ double ProcessorSeconds() {
 }
 
 // Of the same corners with a pose of its own for every frame, and no model.
-double PlainSecondsPerIteration(const SyntheticCameraRun& run, int num_threads) {
+double PlainSecondsPerIteration(const SyntheticCameraRun& run) {
   Truth truth = TruthOf(run);
   // From off the solution, so that there is something to iterate for.
   for (auto& deviation : truth.unknowns.runs[0].deviation) {
@@ -48,23 +48,18 @@ double PlainSecondsPerIteration(const SyntheticCameraRun& run, int num_threads) 
   GlobalsPrior prior;  // clock, size and mount are known
   for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
   prior.std[kClockColumn] = 0.0;
-  const JointSolve solve = SolveJoint(&truth.data,
-                                      processes,
-                                      {prior},
-                                      {.num_threads = num_threads, .without_model = true},
-                                      &truth.unknowns);
+  const JointSolve solve =
+      SolveJoint(&truth.data, processes, {prior}, {.without_model = true}, &truth.unknowns);
   return solve.seconds_per_iteration;
 }
 
-void Measure(Dof dof, int num_frames, int num_threads) {
+void Measure(Dof dof, int num_frames) {
   const SyntheticCameraRun run = Synthesize(
       {.dof = dof, .input = InputKind::kMultisine, .duration = 0.1 * num_frames, .seed = 1});
   static const double before = PeakMegabytes();  // of the first fit
-  JointOptions options;
-  options.num_threads = num_threads;
   const auto wall = std::chrono::steady_clock::now();
   const double processor = ProcessorSeconds();
-  const JointSummary summary = FitJoint(run.input, options);
+  const JointSummary summary = FitJoint(run.input);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   const double processor_seconds = ProcessorSeconds() - processor;
@@ -78,7 +73,7 @@ void Measure(Dof dof, int num_frames, int num_threads) {
              summary.num_rounds,
              summary.num_iterations,
              summary.seconds_per_iteration,
-             PlainSecondsPerIteration(run, num_threads),
+             PlainSecondsPerIteration(run),
              megabytes,
              summary.IsUsable() ? "usable" : summary.message);
   std::fflush(stdout);
@@ -90,13 +85,12 @@ void Measure(Dof dof, int num_frames, int num_threads) {
 int main(int argc, char** argv) {
   using namespace fathom;
   const int most = argc > 1 ? std::atoi(argv[1]) : 60000;
-  const int num_threads = argc > 2 ? std::atoi(argv[2]) : 1;
   fmt::print(
       "| run | frames | s | CPU s | CPU ms per frame | rounds | iterations | s per iteration | "
       "without the model | MB | |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const int frames : {600, 2000, 6000, 20000, 60000}) {
     if (frames > most) continue;
-    for (const Dof dof : {Dof::kSurge, Dof::kHeave}) Measure(dof, frames, num_threads);
+    for (const Dof dof : {Dof::kSurge, Dof::kHeave}) Measure(dof, frames);
   }
   return 0;
 }

@@ -54,7 +54,6 @@ DEFINE_string(trajectory,
               "",
               "Write the refined poses with their standard deviations to this CSV file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
-DEFINE_uint32(threads, 1, "Threads for the joint search.");
 
 namespace fathom {
 namespace {
@@ -101,8 +100,6 @@ ImageComparisonOptions OptionsFromFlags() {
   joint.size_scale_std = FLAGS_size_scale_std;
   joint.mount_position_std = FLAGS_mount_position_std;
   joint.mount_angle_std = FLAGS_mount_angle_std;
-  if (FLAGS_threads == 0) throw InputError("--threads: is 0, expected 1 or more.");
-  joint.num_threads = static_cast<int>(FLAGS_threads);
   if (const auto problems = joint.Problems(); !problems.empty()) {
     throw InputError(fmt::format("--{}.", problems.front()));
   }

@@ -23,7 +23,6 @@ struct JointSolve {
 
 struct JointSolveOptions {
   int max_iterations = 50;
-  int num_threads = 1;
   bool without_model = false;  // plain bundle adjustment of the same poses, to compare with
 };
 

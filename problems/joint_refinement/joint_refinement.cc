@@ -105,12 +105,11 @@ struct SearchEnd {
 // The mode over all but processes and setup. False, with the reason in the summary, if it was not
 // found.
 bool FindMode(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
-  const JointSolve solve =
-      SolveJoint(&at->data,
-                 at->processes,
-                 PriorsOf(options, at->unknowns, {}),
-                 {.max_iterations = options.max_iterations, .num_threads = options.num_threads},
-                 &at->unknowns);
+  const JointSolve solve = SolveJoint(&at->data,
+                                      at->processes,
+                                      PriorsOf(options, at->unknowns, {}),
+                                      {.max_iterations = options.max_iterations},
+                                      &at->unknowns);
   if (!(summary->initial_cost > 0.0)) summary->initial_cost = solve.initial_cost;
   summary->num_iterations += solve.num_iterations;
   summary->seconds_per_iteration = solve.seconds_per_iteration;
@@ -358,7 +357,6 @@ std::vector<std::string> JointOptions::Problems() const {
   };
   require_positive("loss_limit", loss_limit);
   require_positive("max_iterations", max_iterations);
-  require_positive("num_threads", num_threads);
   require_positive("max_rounds", max_rounds);
   require_not_negative("clock_offset_std", clock_offset_std);
   require_not_negative("size_scale_std", size_scale_std);

@@ -57,7 +57,6 @@ struct JointOptions {
 
   // Above 0.
   int max_iterations = 50;
-  int num_threads = 1;
 
   // How often the processes are estimated about the refined trajectory, at most. At least 1.
   int max_rounds = 6;
