@@ -109,10 +109,12 @@ std::vector<Row> RowsByFlags() {
 
 void Report(const Row& row, const CameraExperiment& experiment, const JointTrial& trial) {
   fmt::print(stderr,
-             "{} {}: LS {:.6f} OE {:.6f} joint {:.6f} over std {:.2f} over bound {:.2f} NMAE "
+             "{} {}: published LS {:.6f} LS {:.6f} OE {:.6f} joint {:.6f} over std {:.2f} over "
+             "bound {:.2f} NMAE "
              "{:.5f} of {:.5f} position {:.3f} attitude {:.3f} {:.1f} s{}\n",
              row.name,
              experiment.seed,
+             trial.published_least_squares,
              trial.least_squares,
              trial.output_error,
              trial.joint,
@@ -191,22 +193,24 @@ double PercentCovered(const Trials& trials) {
   return 100.0 * num_covered / (4.0 * static_cast<double>(trials.size()));
 }
 
+double Published(const JointTrial& trial) { return std::abs(trial.published_least_squares); }
 double LeastSquares(const JointTrial& trial) { return std::abs(trial.least_squares); }
 double OutputError(const JointTrial& trial) { return std::abs(trial.output_error); }
 double Joint(const JointTrial& trial) { return std::abs(trial.joint); }
 
 void PrintRows(const std::vector<Row>& rows) {
   fmt::print(
-      "| run | least squares | output error | joint | bound | all four | 95 % | NMAE | NMAE, "
-      "sensor "
-      "| better than the sensor | path |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| run | published | least squares | output error | joint | bound | all four | 95 % | NMAE "
+      "| NMAE, sensor | better than the sensor | path "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows) {
     const Trials& trials = row.trials;
     if (trials.empty()) continue;
     fmt::print(
-        "| {} | {:.2g} | {:.2g} | {:.2g} | {:.2f} | {:.2f} | {:.0f} | {:.5f} | {:.4f} | {} of {} "
-        "| {:.2f} |\n",
+        "| {} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2f} | {:.2f} | {:.0f} | {:.5f} | {:.4f} "
+        "| {} of {} | {:.3f} |\n",
         row.name,
+        100.0 * MedianOf(trials, Published),
         100.0 * MedianOf(trials, LeastSquares),
         100.0 * MedianOf(trials, OutputError),
         100.0 * MedianOf(trials, Joint),
@@ -221,20 +225,22 @@ void PrintRows(const std::vector<Row>& rows) {
   }
 }
 
-// The trials of some DOFs with so many markers.
-Trials TrialsOf(const std::vector<Row>& rows, const std::vector<Dof>& dofs, int num_markers) {
-  Trials trials;
+// The trials of some DOFs with one marker, with four, and with either.
+using ByMarkers = std::array<Trials, 3>;
+
+ByMarkers TrialsOf(const std::vector<Row>& rows, const std::vector<Dof>& dofs) {
+  ByMarkers trials;
   for (const Row& row : rows) {
-    const bool is_among = std::find(dofs.begin(), dofs.end(), row.dof) != dofs.end();
-    if (!is_among || row.num_markers != num_markers) continue;
-    trials.insert(trials.end(), row.trials.begin(), row.trials.end());
+    if (std::find(dofs.begin(), dofs.end(), row.dof) == dofs.end()) continue;
+    for (Trials* some : {&trials[row.num_markers == 1 ? 0 : 1], &trials[2]}) {
+      some->insert(some->end(), row.trials.begin(), row.trials.end());
+    }
   }
   return trials;
 }
 
-// Over a row's name and its rows with one and with four markers.
 void PrintLine(const std::string& name,
-               const std::array<Trials, 2>& by_markers,
+               const ByMarkers& by_markers,
                const std::function<std::string(const Trials&)>& text) {
   fmt::print("| {} |", name);
   for (const Trials& trials : by_markers) fmt::print(" {} |", trials.empty() ? "" : text(trials));
@@ -255,10 +261,13 @@ void PrintSummary(const std::vector<Row>& rows) {
       {"heave", {Dof::kHeave}},
       {"yaw", {Dof::kYaw}},
       {"all three", {Dof::kSurge, Dof::kHeave, Dof::kYaw}}};
-  fmt::print("\n| runs | one marker | four markers |\n|---|---|---|\n");
+  fmt::print("\n| runs | one marker | four markers | either |\n|---|---|---|---|\n");
   for (const auto& [name, dofs] : groups) {
-    const std::array<Trials, 2> trials = {TrialsOf(rows, dofs, 1), TrialsOf(rows, dofs, 4)};
-    if (trials[0].empty() && trials[1].empty()) continue;
+    const ByMarkers trials = TrialsOf(rows, dofs);
+    if (trials[2].empty()) continue;
+    PrintLine(name + ": joint over published least squares", trials, [](const Trials& all) {
+      return RatioText(all, Joint, Published);
+    });
     PrintLine(name + ": joint over least squares", trials, [](const Trials& all) {
       return RatioText(all, Joint, LeastSquares);
     });
@@ -275,7 +284,7 @@ void PrintSummary(const std::vector<Row>& rows) {
       return fmt::format("{:.1f} % of {}", PercentCovered(all), 4 * all.size());
     });
     PrintLine(name + ": path, median and worst", trials, [](const Trials& all) {
-      return fmt::format("{:.2f}, {:.2f}",
+      return fmt::format("{:.3f}, {:.3f}",
                          MedianOf(all, &JointTrial::position),
                          WorstOf(all, &JointTrial::position));
     });

@@ -18,6 +18,18 @@
 namespace fathom {
 namespace {
 
+double PublishedLeastSquares(std::vector<Segment> segments, double truth) {
+  for (Segment& segment : segments) {
+    segment.smoothed_velocity = segment.velocity;
+    segment.smoothed_square.clear();
+    for (size_t i = 0; i < segment.time.size(); ++i) {
+      segment.smoothed_force[i] = segment.command.At(segment.time[i]);
+    }
+  }
+  const auto fit = FitLeastSquares(segments);
+  return fit.IsUsable() ? fit.model.inertia / truth - 1.0 : JointTrial::kNone;
+}
+
 // NMAE of the free run from the first velocity v0 against the true velocity.
 double TrueNmae(const UncoupledModel<double>& model, const SyntheticCameraRun& run, double v0) {
   Segment segment;
@@ -69,6 +81,7 @@ JointTrial RunJointTrial(const CameraExperiment& experiment) {
   const SyntheticCameraRun run = Synthesize(experiment);
   const double truth = run.truth.inertia;
   const Signals signals = SignalsOf(PoseLog(run), experiment.dof, {.source = Source::kCamera});
+  trial.published_least_squares = PublishedLeastSquares(signals.train, truth);
   const auto least_squares = FitLeastSquares(signals.train);
   if (least_squares.IsUsable()) trial.least_squares = least_squares.model.inertia / truth - 1.0;
   const auto output_error =
@@ -86,7 +99,9 @@ JointTrial RunJointTrial(const CameraExperiment& experiment) {
   for (int i = 0; i < kNumParameters; ++i) {
     trial.over_std[i] = error[i] / std::sqrt(joint.covariance(i, i));
   }
-  if (experiment.wander == WanderKind::kFiltered && experiment.pitch_per_acceleration == 0.0) {
+  const bool has_bound =
+      experiment.wander == WanderKind::kFiltered || experiment.wander == WanderKind::kNone;
+  if (has_bound && experiment.pitch_per_acceleration == 0.0) {
     const ParameterVector bound = CramerRaoStd(experiment, run);
     for (int i = 0; i < kNumParameters; ++i) trial.over_bound[i] = error[i] / bound[i];
   }
