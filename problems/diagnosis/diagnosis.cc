@@ -270,13 +270,23 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   } else {
     Score(held_out, users.model, search.tried[search.best].fit.model, &scored);
   }
-  if (search.best == 0) scored.after = scored.before;
-  Gain gain = GainOf(scored.before, scored.after, options.seed);
+  const auto keep_none = [&] {
+    scored.after = scored.before;
+    scored.poses_after = scored.poses_before;
+  };
+  if (search.best == 0) keep_none();
+  const auto gain_of_best = [&] {
+    const bool on_poses = ActOnPosesAlone(search.tried[search.best].suspects, suspects);
+    return GainOf(scored, on_poses, options.seed);
+  };
+  Gain gain = gain_of_best();
   diagnosis.baseline = Describe(data, users);
   diagnosis.extended =
       search.best == 0 ? diagnosis.baseline : Describe(data, search.tried[search.best].fit);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
-  const bool loses = diagnosis.by_left_out_blocks ? gain.high < 0.0 : IsRefuted(gain);
+  const bool loses = diagnosis.by_left_out_blocks && !gain.is_in_poses
+                         ? gain.high < 0.0
+                         : IsRefuted(scored, gain.is_in_poses, options.seed);
   const bool runs_worse = diagnosis.extended.train.nmae >
                           (1.0 + kLossTooMuchInTraining) * diagnosis.baseline.train.nmae;
   const bool is_refuted = search.best != 0 && (loses || runs_worse);
@@ -296,8 +306,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     search.best = 0;
     search.rivals.clear();
     diagnosis.extended = diagnosis.baseline;
-    scored.after = scored.before;
-    gain = GainOf(scored.before, scored.after, options.seed);
+    keep_none();
+    gain = gain_of_best();
   }
   const Hypothesis& best = search.tried[search.best];
   const RemainingStructure remaining = find_remaining();
@@ -335,6 +345,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
 
   diagnosis.baseline.held_out = FiguresOfRuns(scored.before);
   diagnosis.extended.held_out = FiguresOfRuns(scored.after);
+  diagnosis.gain_is_in_poses = gain.is_in_poses;
   diagnosis.held_out_gain = gain.value;
   diagnosis.held_out_gain_low = gain.low;
   diagnosis.held_out_gain_high = gain.high;
@@ -349,7 +360,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     Scored own;
     if (!held_out.empty()) {
       Score(held_out, without, extended.model, &own);
-      cause.held_out_gain = GainOf(own.before, own.after, options.seed).value;
+      const ActiveEffect& active = extended.model.effects[cause.effect_index];
+      cause.held_out_gain = GainOf(own, active.effect->info().needs_pose, options.seed).value;
     } else {
       cause.held_out_gain = gain.value;
     }

@@ -150,6 +150,7 @@ struct Diagnosis {
   double held_out_gain = 0.0;
   double held_out_gain_low = 0.0;
   double held_out_gain_high = 0.0;
+  bool gain_is_in_poses = false;    // of causes that act on the poses alone: see Scored
   bool by_left_out_blocks = false;  // the logs hold nothing out: blocks were left out in turn
 
   MissingForce missing_force;

@@ -39,16 +39,16 @@ std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
   return blocks;
 }
 
-// Measured less predicted over the first seconds: the mean; and the straight line, at the first
-// stamp and per second. 0 if there is nothing.
+// Measured less predicted: the mean; and the straight line, at the first stamp and per second. 0 if
+// there is nothing.
 struct Miss {
   double mean = 0.0, first = 0.0, slope = 0.0;
 };
-Miss FirstMiss(const std::vector<double>& time,
-               const std::vector<double>& measured,
-               const std::vector<double>& predicted) {
+Miss MissOf(std::span<const double> time,
+            std::span<const double> measured,
+            std::span<const double> predicted) {
   double n = 0.0, st = 0.0, stt = 0.0, sy = 0.0, sty = 0.0;
-  for (size_t i = 0; i < time.size() && time[i] < time.front() + kStart; ++i) {
+  for (size_t i = 0; i < time.size(); ++i) {
     const double t = time[i] - time.front(), y = measured[i] - predicted[i];
     n += 1.0;
     st += t;
@@ -62,9 +62,19 @@ Miss FirstMiss(const std::vector<double>& time,
   return {.mean = sy / n, .first = (sy - slope * st) / n, .slope = slope};
 }
 
-}  // namespace
+// Over the first seconds.
+Miss FirstMiss(const std::vector<double>& time,
+               const std::vector<double>& measured,
+               const std::vector<double>& predicted) {
+  if (time.empty()) return {};
+  const auto end = std::lower_bound(time.begin(), time.end(), time.front() + kStart);
+  const auto n = static_cast<size_t>(end - time.begin());
+  return MissOf(
+      std::span(time).first(n), std::span(measured).first(n), std::span(predicted).first(n));
+}
 
-std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model) {
+// The state from which a run over the record begins as measured; see FreeRunOver().
+std::optional<InitialState> StartOver(const Record& record, const ExtendedModel& model) {
   const EffectSimulation simulation(record.inputs.get(), record.stamps);
   InitialState start = record.initial;
   EffectOutputs outputs;
@@ -89,19 +99,57 @@ std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& mo
     if (!has_memory) start.velocity += by_poses ? in_place.slope : in_velocity.mean;
     start.position += by_poses ? in_place.first : in_place.mean;
   }
-  return FreeRunOver(record, model, start);
+  return start;
+}
+
+std::optional<EffectOutputs> OutputsOver(const Record& record,
+                                         const ExtendedModel& model,
+                                         const InitialState& initial) {
+  EffectOutputs outputs;
+  const EffectSimulation simulation(record.inputs.get(), record.stamps);
+  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
+  return outputs;
+}
+
+FreeRun RunOf(const Record& record, EffectOutputs outputs) {
+  if (!record.velocity.empty()) {
+    return {record.stamps.velocity, record.velocity, std::move(outputs.velocity)};
+  }
+  return {record.stamps.displacement, record.displacement, std::move(outputs.displacement)};
+}
+
+// The displacements, each block put onto the straight line that was measured.
+FreeRun PosesByBlock(const Record& record, const EffectOutputs& outputs) {
+  FreeRun run{record.stamps.displacement, record.displacement, outputs.displacement};
+  for (size_t begin = 0; begin < run.time.size();) {
+    size_t end = begin;
+    while (end < run.time.size() && run.time[end] < run.time[begin] + kBlock) ++end;
+    const auto block = [&](const std::vector<double>& values) {
+      return std::span(values).subspan(begin, end - begin);
+    };
+    const Miss miss = MissOf(block(run.time), block(run.measured), block(run.predicted));
+    for (size_t i = begin; i < end; ++i) {
+      run.predicted[i] += miss.first + miss.slope * (run.time[i] - run.time[begin]);
+    }
+    begin = end;
+  }
+  return run;
+}
+
+}  // namespace
+
+std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model) {
+  const auto start = StartOver(record, model);
+  if (!start) return std::nullopt;
+  return FreeRunOver(record, model, *start);
 }
 
 std::optional<FreeRun> FreeRunOver(const Record& record,
                                    const ExtendedModel& model,
                                    const InitialState& initial) {
-  EffectOutputs outputs;
-  const EffectSimulation simulation(record.inputs.get(), record.stamps);
-  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
-  if (!record.velocity.empty()) {
-    return FreeRun{record.stamps.velocity, record.velocity, std::move(outputs.velocity)};
-  }
-  return FreeRun{record.stamps.displacement, record.displacement, std::move(outputs.displacement)};
+  auto outputs = OutputsOver(record, model, initial);
+  if (!outputs) return std::nullopt;
+  return RunOf(record, std::move(*outputs));
 }
 
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
@@ -112,7 +160,9 @@ FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
 
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed) {
   const std::vector<BlockSums> blocks = SumsByBlock(before, after);
-  if (blocks.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  if (blocks.empty()) {
+    return {.value = std::nan(""), .low = std::nan(""), .high = std::nan("")};
+  }
   const auto gain = [](const BlockSums& sums) { return 1.0 - sums.after / sums.before; };
   BlockSums all;
   for (const BlockSums& block : blocks) {
@@ -133,7 +183,9 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std
     gains.push_back(gain(sums));
   }
   std::sort(gains.begin(), gains.end());
-  return {gain(all), gains[kNumResamples / 40], gains[kNumResamples - 1 - kNumResamples / 40]};
+  return {.value = gain(all),
+          .low = gains[kNumResamples / 40],
+          .high = gains[kNumResamples - 1 - kNumResamples / 40]};
 }
 
 void Score(const std::vector<Record>& records,
@@ -141,12 +193,29 @@ void Score(const std::vector<Record>& records,
            const ExtendedModel& after,
            Scored* scored) {
   for (const Record& record : records) {
-    auto run_before = FreeRunOver(record, before);
-    auto run_after = FreeRunOver(record, after);
-    if (!run_before || !run_after) continue;
-    scored->before.push_back(std::move(*run_before));
-    scored->after.push_back(std::move(*run_after));
+    const auto outputs_of = [&](const ExtendedModel& model) -> std::optional<EffectOutputs> {
+      const auto start = StartOver(record, model);
+      if (!start) return std::nullopt;
+      return OutputsOver(record, model, *start);
+    };
+    auto outputs_before = outputs_of(before), outputs_after = outputs_of(after);
+    if (!outputs_before || !outputs_after) continue;
+    if (!record.velocity.empty() && !record.displacement.empty()) {
+      scored->poses_before.push_back(PosesByBlock(record, *outputs_before));
+      scored->poses_after.push_back(PosesByBlock(record, *outputs_after));
+    }
+    scored->before.push_back(RunOf(record, std::move(*outputs_before)));
+    scored->after.push_back(RunOf(record, std::move(*outputs_after)));
   }
+}
+
+Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed) {
+  if (!acts_on_poses_alone || scored.poses_before.empty()) {
+    return GainOf(scored.before, scored.after, seed);
+  }
+  Gain gain = GainOf(scored.poses_before, scored.poses_after, seed);
+  gain.is_in_poses = true;
+  return gain;
 }
 
 }  // namespace fathom

@@ -39,13 +39,23 @@ FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
 // 1 - sum |miss after| / sum |miss before|, with a 95 % interval from resampling blocks of 10 s.
 struct Gain {
   double value = 0.0, low = 0.0, high = 0.0;
+  bool is_in_poses = false;  // Scored::poses_before and poses_after
 };
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
 
 // Free runs of two models over the same records, which neither was fitted to.
 struct Scored {
   std::vector<FreeRun> before, after;
+
+  // Where velocities and poses are measured: the displacements, each block of 10 s put onto the
+  // straight line that was measured. A free run strays from its place by far more than what is
+  // wrong with poses moves them; how they move within a block shows it.
+  std::vector<FreeRun> poses_before, poses_after;
 };
+
+// The gain; of an effect that acts on the poses alone, which velocities know nothing of, in the
+// poses, where there are both.
+Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
 
 // Adds the runs over the records that both models can run over.
 void Score(const std::vector<Record>& records,

@@ -13,7 +13,12 @@
 namespace fathom {
 namespace {
 
-constexpr double kLossTooMuch = 0.05;  // of held-out NMAE, at which nothing is named
+constexpr double kLossTooMuch = 0.05;   // of held-out NMAE, at which nothing is named
+constexpr double kTraceInPoses = 0.01;  // losses that say nothing
+constexpr double kTraceInVelocities = 0.005;
+constexpr double kMaterialGain = 0.05;  // in poses, that outweighs them in velocities
+
+double TraceOf(const Gain& gain) { return gain.is_in_poses ? kTraceInPoses : 0.0; }
 
 // The best hypothesis of at most so many causes without any of some suspects.
 int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchResult& search) {
@@ -32,7 +37,16 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchR
 
 }  // namespace
 
-bool IsRefuted(const Gain& gain) { return gain.high < 0.0 || gain.value < -kLossTooMuch; }
+bool IsRefuted(const Gain& gain, double trace) {
+  return gain.high < -trace || gain.value < -kLossTooMuch;
+}
+
+bool IsRefuted(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed) {
+  const Gain gain = GainOf(scored, acts_on_poses_alone, seed);
+  if (!gain.is_in_poses) return IsRefuted(gain);
+  const Gain in_velocities = GainOf(scored, false, seed);
+  return IsRefuted(gain, TraceOf(gain)) || IsRefuted(in_velocities, kTraceInVelocities);
+}
 
 void LeaveOutTheRefuted(const TrainingData& data,
                         const std::vector<Record>& held_out,
@@ -48,8 +62,13 @@ void LeaveOutTheRefuted(const TrainingData& data,
       if (without == nullptr) continue;
       Scored scored;
       Score(held_out, without->fit.model, best.fit.model, &scored);
-      const Gain gain = GainOf(scored.before, scored.after, options.seed);
-      if (IsRefuted(gain) || (burden == Burden::kToGain && !(gain.low > 0.0))) return suspect;
+      const Gain in_velocities = GainOf(scored, false, options.seed);
+      const Gain gain = GainOf(scored, ActOnPosesAlone({suspect}, suspects), options.seed);
+      const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
+      if (!is_borne_out && (IsRefuted(in_velocities) || IsRefuted(gain, TraceOf(gain)))) {
+        return suspect;
+      }
+      if (burden == Burden::kToGain && !(gain.low > 0.0)) return suspect;
     }
     return -1;
   };

@@ -128,4 +128,10 @@ std::string LabelsOf(const std::vector<int>& indices, const std::vector<Suspect>
   return labels;
 }
 
+bool ActOnPosesAlone(const std::vector<int>& indices, const std::vector<Suspect>& suspects) {
+  return !indices.empty() && std::all_of(indices.begin(), indices.end(), [&](int index) {
+    return suspects[index].effect->info().needs_pose;
+  });
+}
+
 }  // namespace fathom

@@ -21,6 +21,9 @@ std::vector<Suspect> SuspectsFor(const Records& records,
 // "thruster_lag", "velocity_coupling(sway)", "buoyancy_step(dive_2)".
 std::string LabelOf(const Suspect& suspect);
 
+// Whether all of some, by their indices in `suspects`, act on the poses alone; false of none.
+bool ActOnPosesAlone(const std::vector<int>& indices, const std::vector<Suspect>& suspects);
+
 // Place of a suspect's effect in a model; -1 if it is not there.
 int PlaceIn(const ExtendedModel& model, const Suspect& suspect);
 

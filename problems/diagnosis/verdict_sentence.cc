@@ -128,6 +128,16 @@ std::string GainText(double gain, double low, double high) {
 
 // How the error on unseen data changes; empty where none was held out.
 std::string WhatItGains(const Diagnosis& diagnosis) {
+  if (diagnosis.gain_is_in_poses) {
+    if (!std::isfinite(diagnosis.held_out_gain)) return "";
+    return fmt::format(
+        "{} on the poses alone; with {} in, how they move within 10 s {} is told with {}",
+        diagnosis.causes.size() > 1 ? "These act" : "This acts",
+        WhatIsIn(diagnosis),
+        OnUnseenData(diagnosis),
+        GainText(
+            diagnosis.held_out_gain, diagnosis.held_out_gain_low, diagnosis.held_out_gain_high));
+  }
   const double before = diagnosis.baseline.held_out.nmae, after = diagnosis.extended.held_out.nmae;
   if (!std::isfinite(before) || !std::isfinite(after)) return "";
   const auto [from, to] = ToldApart(before, after);

@@ -4,10 +4,12 @@
 #include "fathom/diagnosis/held_out.h"
 
 #include "fathom/diagnosis/records.h"
+#include "fathom/diagnosis/refutation.h"
 #include "fathom/simulate/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -69,6 +71,60 @@ TEST(GainOf, HasAnIntervalThatHoldsTheTrueGain) {
   // %. A share of 1000 has a standard deviation of 0.8 %.
   EXPECT_NEAR(below + above, 0.064 * num_runs, 3.5 * 0.008 * num_runs);
   EXPECT_LT(std::max(below, above), 0.06 * num_runs);  // neither side has it all
+}
+
+// Poses that show 5 % too much, beside velocities that are right: these gain nothing. The true
+// model with the scale misses white noise of 1 mm, of which a straight line through the 100 poses
+// of a block takes 2 %; without it, 5 % of how the vehicle moves about that line as well.
+TEST(GainOf, IsInThePosesWhereThePosesAloneAreWrong) {
+  SurgeRun run;
+  run.input = Multisine(40.0);
+  run.has_poses = true;
+  run.position_noise = 0.001;
+  run.effects = "pose_scale:error=0.05";
+  Log log = LogOf(run, 8);
+  log.held_out = {{60.0, 120.0}};
+  const Records records = RecordsOf(std::span<const Log>(&log, 1), Dof::kSurge);
+  ASSERT_EQ(records.all.size(), 2u);
+  const ExtendedModel without = {kSurgeTruth, {}};
+  const ExtendedModel with = {kSurgeTruth, {{FindEffect("pose_scale"), {}, {0.05}}}};
+  Scored scored;
+  Score({records.all[1]}, without, with, &scored);
+
+  const Gain in_velocities = GainOf(scored, false, 1);
+  EXPECT_FALSE(in_velocities.is_in_poses);
+  EXPECT_EQ(in_velocities.value, 0.0);
+
+  ASSERT_EQ(scored.poses_after.size(), 1u);
+  const double noise = 0.001 * std::sqrt(2.0 / std::numbers::pi * 0.98);
+  const double after = FiguresOfRuns(scored.poses_after).mae;
+  EXPECT_NEAR(after, noise, 0.1 * noise);
+  const Gain in_poses = GainOf(scored, true, 1);
+  EXPECT_TRUE(in_poses.is_in_poses);
+  EXPECT_DOUBLE_EQ(in_poses.value, 1.0 - after / FiguresOfRuns(scored.poses_before).mae);
+  EXPECT_GT(in_poses.low, 0.5);
+
+  // Without poses there is nothing but the velocities.
+  scored.poses_before.clear();
+  scored.poses_after.clear();
+  EXPECT_FALSE(GainOf(scored, true, 1).is_in_poses);
+}
+
+// One block, `share` of whose misses remain.
+std::vector<FreeRun> WithMiss(double share) { return {{{0.0}, {0.0}, {share}}}; }
+
+// What acts on the poses alone may lose a trace of them, as a jump before the held-out data does,
+// and less of one in the velocities. Anything else may not.
+TEST(IsRefuted, TakesMoreThanATraceOfWhatActsOnThePosesAlone) {
+  const auto refuted = [](double velocities, double poses, bool on_poses_alone) {
+    return IsRefuted(
+        {WithMiss(1.0), WithMiss(velocities), WithMiss(1.0), WithMiss(poses)}, on_poses_alone, 1);
+  };
+  EXPECT_FALSE(refuted(1.001, 1.009, true));
+  EXPECT_TRUE(refuted(1.001, 1.011, true));
+  EXPECT_TRUE(refuted(1.006, 0.5, true));
+  EXPECT_TRUE(refuted(1.001, 0.5, false));
+  EXPECT_FALSE(refuted(0.999, 1.5, false));
 }
 
 // The true model over the second minute of poses with white noise of 1 mm. Twenty of them tell the

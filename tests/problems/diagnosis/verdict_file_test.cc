@@ -41,9 +41,12 @@ TEST(VerdictFile, HoldsTheDocumentedFields) {
   EXPECT_EQ(file["extended"]["heldout_nmae"], 0.0800);
   EXPECT_EQ(file["structure_share"], 0.71);
   EXPECT_EQ(file["explained_share"], 0.99);
-  EXPECT_EQ(
-      file["heldout_gain"],
-      json({{"value", 0.3157}, {"low", 0.23}, {"high", 0.371}, {"by_left_out_blocks", false}}));
+  EXPECT_EQ(file["heldout_gain"],
+            json({{"value", 0.3157},
+                  {"low", 0.23},
+                  {"high", 0.371},
+                  {"is_in_poses", false},
+                  {"by_left_out_blocks", false}}));
 }
 
 TEST(VerdictFile, HoldsEachCause) {
