@@ -10,12 +10,16 @@
 #include "fathom/diagnosis/next_steps.h"
 #include "fathom/diagnosis/verdict_file.h"
 #include "fathom/diagnosis/verdict_sentence.h"
+#include "fathom/joint_refinement/one_marker_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/pose_remarks.h"
+#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/signals.h"
 #include "fathom/tools/log_flags.h"
 #include "fathom/tools/tool.h"
+#include "fathom/vehicle/effect.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -107,7 +111,20 @@ Logs LogsFromFlags() {
     logs.fingerprints.push_back(FingerprintOf(logs.all.back()));
     ChooseSource(&logs.all.back());
   }
+  for (Log& log : logs.all) HoldOtherDofs(DofFromFlagOrLog(logs.all.front()), &log);
   return logs;
+}
+
+// Poses that are short of motion themselves would pass for another scale.
+bool LeaveOutScale(const std::vector<Log>& logs, DiagnosisOptions* options) {
+  const bool lose_motion = std::any_of(logs.begin(), logs.end(), [](const Log& log) {
+    return log.pose && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion);
+  });
+  if (!lose_motion) return false;
+  for (const Effect* effect : EffectCatalogue()) {
+    if (effect->info().name != "pose_scale") options->effects.push_back(effect);
+  }
+  return true;
 }
 
 void Print(const Diagnosis& diagnosis) {
@@ -126,11 +143,12 @@ void Print(const Diagnosis& diagnosis) {
 
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  const DiagnosisOptions options = OptionsFromFlags();
+  DiagnosisOptions options = OptionsFromFlags();
   for (const std::string& file : {FLAGS_verdict, FLAGS_report}) {
     if (!file.empty()) RequireWritableFile(file);
   }
   const Logs logs = LogsFromFlags();
+  const bool is_scale_left_out = LeaveOutScale(logs.all, &options);
   Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
@@ -142,6 +160,12 @@ int Run() {
         diagnosis.remarks.push_back(remark);
       }
     }
+  }
+  if (is_scale_left_out && diagnosis.has_velocity) {
+    diagnosis.remarks.push_back(
+        "Not tried: pose_scale. The poses themselves are short of motion, as their remark says: "
+        "with "
+        "several markers, or one seen at an angle, a wrong size can be told.");
   }
   if (!FLAGS_verdict.empty()) {
     WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, logs.fingerprints));

@@ -59,6 +59,7 @@ std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
   for (size_t r = 0; r < priors.size(); ++r) {
     GlobalsPrior& prior = priors[r];
     for (const int i : held_at_zero) prior.std[i] = 0.0;
+    if (options.moves_freely) std::fill_n(prior.std.begin(), kModelColumns, 0.0);
     prior.std[kClockColumn] = options.clock_offset_std;
     prior.offset[kClockColumn] = unknowns.runs[r].clock_offset;
     prior.std[kSizeColumn] = options.size_scale_std;
@@ -243,14 +244,30 @@ std::vector<std::string> CaveatsOn(Dof dof,
   return caveats;
 }
 
+// By how much the excited coordinate of a frame is off what its own corners say, the other five
+// being as they are. As the search leaves it, smoothed over time, it would blur jumps.
+double OwnStep(const LinearFrame& frame, const std::array<double, 6>& deviation, int excited) {
+  const double information = frame.JdJd(excited, excited);
+  if (!(information > 0.0)) return 0.0;
+  const double slope =
+      frame.Jdr[excited] + frame.JdJd.row(excited).dot(PoseVector::Map(deviation.data()));
+  return -slope / information;
+}
+
 RefinedRun RefinedRunOf(const JointOptions& options,
                         const JointStart& at,
                         const LinearJoint& linear,
+                        const LinearRun& corners,
                         const Pose& world_from_frame,
                         size_t r) {
   const RunUnknowns& own = at.unknowns.runs[r];
   const PredictedMotion& motion = at.data.runs[r].motion;
-  const auto eta_of = [&](size_t k) { return PoseAt(at.data.runs[r], own, k); };
+  const int excited = at.data.excited;
+  const auto eta_of = [&](size_t k) {
+    PoseVector eta = PoseAt(at.data.runs[r], own, k);
+    if (options.moves_freely) eta[excited] += OwnStep(corners.frames[k], own.deviation[k], excited);
+    return eta;
+  };
   RefinedRun run;
   run.start = {own.start[0], own.start[1]};
   for (int j = 0; j < kNumHeld; ++j) {
@@ -297,17 +314,19 @@ JointSummary FitInFrames(const JointInput& input,
                            at.processes,
                            at.data.excited,
                            &end.setup.information);
-  summary.model = at.unknowns.Motion(0).Model();
   for (const int i : end.held_at_zero) summary.on_bound[i] = true;
   summary.determined = linear.is_usable();
   if (!summary.determined) {
     summary.message = "some unknown leaves no trace in the corners.";
     return summary;
   }
-  Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
-  by_log[kInertia] = summary.model.inertia;
-  summary.covariance =
-      by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
+  if (!options.moves_freely) {
+    summary.model = at.unknowns.Motion(0).Model();
+    Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
+    by_log[kInertia] = summary.model.inertia;
+    summary.covariance =
+        by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
+  }
   summary.size_scale = at.unknowns.setup.size_scale;
   summary.mount = at.unknowns.setup.mount;
   const auto std_of = [&](int column) { return std::sqrt(linear.covariance(0)(column, column)); };
@@ -318,7 +337,7 @@ JointSummary FitInFrames(const JointInput& input,
   }
   summary.processes = at.processes;
   for (size_t r = 0; r < input.runs.size(); ++r) {
-    summary.runs.push_back(RefinedRunOf(options, at, linear, world_from_frame[r], r));
+    summary.runs.push_back(RefinedRunOf(options, at, linear, runs[r], world_from_frame[r], r));
   }
   summary.caveats = CaveatsOn(input.dof, at, summary, end);
   return summary;
@@ -363,6 +382,9 @@ std::vector<std::string> JointOptions::Problems() const {
   require_not_negative("mount_position_std", mount_position_std);
   require_not_negative("mount_angle_std", mount_angle_std);
   if (initial_guess) require_positive("initial_guess.inertia", initial_guess->inertia);
+  if (moves_freely && clock_offset_std > 0.0) {
+    problems.push_back("clock_offset_std is above 0, expected 0 where the DOF moves freely");
+  }
   return problems;
 }
 

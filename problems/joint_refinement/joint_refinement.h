@@ -45,6 +45,11 @@ struct JointOptions {
   // Where the search starts. Absent: output error on the displacement of the first guesses.
   std::optional<UncoupledModel<double>> initial_guess = {};
 
+  // True: no model. The excited DOF moves as the corners say, and nobody reads the command; of the
+  // summary only the poses and the processes then mean something. docs/joint_refinement.md,
+  // "Without a model"
+  bool moves_freely = false;
+
   // Standard deviations of what is known beforehand; 0: not estimated. Infinite: nothing is known.
   double clock_offset_std = 0.0;    // of each run [s]
   double size_scale_std = 0.0;      // of the markers' sides, no unit

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fathom {
@@ -116,19 +117,24 @@ double MedianCornerSigma(const JointData& data, const JointUnknowns& unknowns) {
   return std::max(1e-4, std::sqrt(Median(std::move(squares)) / 7.34));
 }
 
-ProcessSet FirstProcesses(double corner_sigma,
-                          const UncoupledModel<double>& model,
-                          const MotionScales& scales) {
-  ProcessSet processes;
-  processes.corner_sigma = corner_sigma;
-  for (auto& wander : processes.wander) wander = {0.01, 0.5, 1.0};
-  // A hundredth of the motion in ten seconds.
-  const double drift = 0.01 * scales.displacement;
-  processes.model_error = drift * drift / 333.0;
-  processes.damping_rate = std::max(
-      1e-3,
-      (model.linear_damping + 2.0 * model.quadratic_damping * scales.velocity) / model.inertia);
-  return processes;
+// That the excited DOF strays from the model by `drift` within `duration` [s].
+void SetModelError(double drift, double duration, double damping_rate, ProcessSet* processes) {
+  processes->model_error = 3.0 * drift * drift / std::pow(duration, 3);
+  processes->damping_rate = std::max(1e-3, damping_rate);
+}
+
+// For a DOF that no model moves: it stands still, and nothing follows it.
+constexpr UncoupledModel<double> kNoModel = {1.0, 0.0, 0.0, 0.0};
+constexpr MotionScales kNoScales = {std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity()};
+
+double DisplacementStd(const std::vector<std::vector<PoseVector>>& steady, int excited) {
+  std::vector<double> x;
+  for (const auto& run : steady) {
+    for (const PoseVector& eta : run) x.push_back(eta[excited]);
+  }
+  return std::max(StandardDeviation(x), 1e-6);
 }
 
 }  // namespace
@@ -139,9 +145,10 @@ JointStart StartOf(const JointInput& input,
                    std::span<const std::vector<Pose>> frame_from_body) {
   std::vector<std::vector<PoseVector>> steady;
   for (const std::vector<Pose>& poses : frame_from_body) steady.push_back(SteadyPoses(poses));
-  const UncoupledModel<double> model =
-      options.initial_guess ? *options.initial_guess : FirstModel(input, steady);
-  const MotionScales scales = ScalesOf(input, model);
+  const UncoupledModel<double> model = options.moves_freely    ? kNoModel
+                                       : options.initial_guess ? *options.initial_guess
+                                                               : FirstModel(input, steady);
+  const MotionScales scales = options.moves_freely ? kNoScales : ScalesOf(input, model);
   JointStart start;
   start.scales = scales;
   start.data.setup = {input.camera, input.body_from_camera};
@@ -149,12 +156,21 @@ JointStart StartOf(const JointInput& input,
   start.data.loss_limit = options.loss_limit;
   for (size_t r = 0; r < input.runs.size(); ++r) {
     const CameraRun& run = input.runs[r];
+    const HeldCommand command =
+        options.moves_freely ? HeldCommand{{run.time.front()}, {0.0}} : run.command;
     start.data.runs.push_back({run.detections,
                                MapIn(world_from_frame[r].Inverse(), input.map),
-                               PredictedMotion(run.command, run.time, start.data.excited, scales)});
+                               PredictedMotion(command, run.time, start.data.excited, scales)});
   }
   start.unknowns = FirstUnknowns(model, steady, &start.data);
-  start.processes = FirstProcesses(MedianCornerSigma(start.data, start.unknowns), model, scales);
+  start.processes.corner_sigma = MedianCornerSigma(start.data, start.unknowns);
+  for (auto& wander : start.processes.wander) wander = {0.01, 0.5, 1.0};
+  if (options.moves_freely) {  // a tenth of the motion in a second
+    SetModelError(0.1 * DisplacementStd(steady, start.data.excited), 1.0, 0.0, &start.processes);
+  } else {  // a hundredth in ten
+    const double damping = model.linear_damping + 2.0 * model.quadratic_damping * scales.velocity;
+    SetModelError(0.01 * scales.displacement, 10.0, damping / model.inertia, &start.processes);
+  }
   return start;
 }
 

@@ -11,6 +11,7 @@
 namespace fathom {
 namespace {
 
+constexpr const char* kLostMotion = " poses rest on a single marker whose tilt they know to ";
 constexpr double kShareWorthAWord = 0.005;
 constexpr double kFramesWorthAWord = 0.1;  // share of frames that rest on one marker
 
@@ -49,14 +50,19 @@ std::string RemarkOnLostMotion(std::span<const Detection> detections, const Mark
   const auto num_poses = static_cast<double>(track.world_from_camera.size());
   if (!(share > kShareWorthAWord) || tilts.num_frames < kFramesWorthAWord * num_poses) return "";
   return fmt::format(
-      "{} poses rest on a single marker whose tilt they know to {:.2g} rad: the noise of the tilt "
+      "{}{}{:.2g} rad: the noise of the tilt "
       "shortens the distance, and motion towards the marker comes out too small by {:.1f} % or "
       "more, inertia and damping along it too large; corner sigma and standard deviations come out "
       "too small. Several markers, one seen at an angle, or the "
       "joint refinement from the corners do not have this.",
       tilts.num_frames,
+      kLostMotion,
       std::sqrt(tilts.variance / 2.0),
       100.0 * share);
+}
+
+bool IsOnLostMotion(const std::string& remark) {
+  return remark.find(kLostMotion) != std::string::npos;
 }
 
 }  // namespace fathom

@@ -23,4 +23,7 @@ double LostMotionShare(std::span<const Detection> detections, const MarkerTrack&
 // frames rest on a single marker; otherwise empty.
 std::string RemarkOnLostMotion(std::span<const Detection> detections, const MarkerTrack& track);
 
+// Whether a remark is such a sentence, whoever passes it on.
+bool IsOnLostMotion(const std::string& remark);
+
 }  // namespace fathom

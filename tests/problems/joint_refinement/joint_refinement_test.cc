@@ -81,6 +81,44 @@ TEST(JointRefinement, IsNotMisledByFlipsAndOutliers) {
   }
 }
 
+// Frame by frame the noise of the tilt shortens the distance to a marker seen face on, more so from
+// afar: displacements come out too small, by 0.4 to 1.2 % in twelve seeds. All frames together do
+// not, to what the corners can tell of a scale, which is how well they tell the inertia; and need
+// no model for it: the command here is nonsense.
+TEST(JointRefinement, FollowsAMotionTowardsTheMarkerWithoutAModel) {
+  const auto share_of = [](const std::vector<double>& shown, const std::vector<double>& truth) {
+    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    const auto n = static_cast<double>(truth.size());
+    for (size_t k = 0; k < truth.size(); ++k) {
+      sx += truth[k];
+      sy += shown[k];
+      sxx += truth[k] * truth[k];
+      sxy += truth[k] * shown[k];
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  };
+  const auto ahead = [](const std::vector<Pose>& path) {
+    std::vector<double> x;
+    for (const Pose& pose : path) x.push_back(pose.translation.x());
+    return x;
+  };
+  const CameraExperiment experiment = {
+      .dof = Dof::kSurge, .input = InputKind::kMultisine, .duration = 120.0};
+  SyntheticCameraRun run = Synthesize(experiment);
+  const double std = CramerRaoStd(experiment, run)[kInertia] / run.truth.inertia;
+  EXPECT_LT(std, 0.001);
+  EXPECT_LT(share_of(ahead(run.input.runs[0].world_from_body), run.true_displacement), 0.997);
+  run.input.runs[0].command = {{0.0, 1.0}, {1e6, -1e6}};
+  const JointSummary summary = FitJoint(run.input, {.moves_freely = true});
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  EXPECT_NEAR(
+      share_of(ahead(summary.runs[0].world_from_body), run.true_displacement), 1.0, 4.0 * std);
+  EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
+            0.3 * PathError(run.input.runs[0].world_from_body, run));
+  EXPECT_TRUE(std::isnan(summary.model.inertia));
+  EXPECT_THROW(FitJoint(run.input, {.moves_freely = true, .clock_offset_std = 1.0}), InputError);
+}
+
 // Who ignores that pitch follows gets the inertia wrong by a quarter.
 TEST(JointRefinement, IsNotMisledByAPitchThatFollowsTheHeaveAcceleration) {
   for (const unsigned seed : {1u, 2u}) {

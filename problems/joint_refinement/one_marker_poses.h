@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+
+namespace fathom {
+
+// Where the track of a log says that its poses lose motion to the tilt of a single marker
+// (RemarkOnLostMotion), and `dof` is a translation along the line of sight, makes Log::pose anew
+// from the detections, all frames of a run together: the other DOFs are held, each with a wander
+// that the corners tell, and `dof` moves freely (JointOptions::moves_freely). Frames in runs of
+// fewer than ten are left out. A remark on it replaces the track's; where nothing comes of it the
+// log stays as it is, and a remark says why. Does nothing to a log without detections.
+//
+// Across the line of sight a motion and a turn look alike, and what is taken for the wander would
+// take part of the motion: such poses stay as they are. docs/joint_refinement.md, "Without a model"
+//
+// Throws InputError if the calibration is missing or cannot be used.
+void HoldOtherDofs(Dof dof, Log* log);
+
+}  // namespace fathom
