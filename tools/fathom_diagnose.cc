@@ -111,7 +111,15 @@ Logs LogsFromFlags() {
     logs.fingerprints.push_back(FingerprintOf(logs.all.back()));
     ChooseSource(&logs.all.back());
   }
-  for (Log& log : logs.all) HoldOtherDofs(DofFromFlagOrLog(logs.all.front()), &log);
+  const Dof diagnosed = DofFromFlagOrLog(logs.all.front());
+  for (Log& log : logs.all) {
+    try {
+      HoldOtherDofs(diagnosed, &log);
+    } catch (const InputError& error) {  // its calibration; the poses there are will do
+      log.remarks.push_back(
+          fmt::format("detections.csv: The frames are not refined together: {}", error.what()));
+    }
+  }
   return logs;
 }
 

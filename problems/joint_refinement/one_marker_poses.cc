@@ -81,8 +81,8 @@ void HoldOtherDofs(Dof dof, Log* log) {
   if (input.runs.empty()) return;
   const JointSummary refined = FitJoint(input, {.moves_freely = true});
   if (!refined.IsUsable()) {
-    log->remarks.push_back(fmt::format(
-        "detections.csv: The frames could not be refined together: {}", refined.message));
+    log->remarks.push_back(
+        fmt::format("detections.csv: The frames are not refined together: {}", refined.message));
     return;
   }
   std::vector<StampedPose> poses;

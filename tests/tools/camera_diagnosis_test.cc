@@ -123,6 +123,14 @@ TEST(CameraDiagnosis, RepeatsWhatTheTrackSaidOfItsPoses) {
   const std::vector<std::string> remarks = JsonOf(verdict)["remarks"];
   EXPECT_THAT(remarks, Contains(HasSubstr("900 of 900 poses are refined together")));
   EXPECT_THAT(remarks, Not(Contains(HasSubstr(said))));
+  // Without a calibration there are the poses as they are.
+  const Path uncalibrated = folder / "uncalibrated";
+  std::filesystem::copy(tracked, uncalibrated, std::filesystem::copy_options::recursive);
+  std::filesystem::remove(uncalibrated / "camera.yaml");
+  const ToolRun without = RunToolBinary("fathom_diagnose", {"--log=" + uncalibrated.string()});
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.out, HasSubstr("The frames are not refined together: "));
+  EXPECT_THAT(without.out, HasSubstr("Not tried: pose_scale."));
 
   // Other poses in their place: what is said is not said of them.
   std::ofstream(tracked / "pose.csv", std::ios::app) << "91,0,0,0,0,0,0,1,1,1,1,1,1,1\n";
