@@ -130,10 +130,14 @@ std::string GainText(double gain, double low, double high) {
 std::string WhatItGains(const Diagnosis& diagnosis) {
   if (diagnosis.gain_is_in_poses) {
     if (!std::isfinite(diagnosis.held_out_gain)) return "";
+    const long percent = std::lround(100.0 * diagnosis.held_out_gain);
     return fmt::format(
-        "{} on the poses alone; with {} in, how they move within 10 s {} is told with {}",
+        "{} on the poses alone: with {} in, how they move within 10 s is told {} {} ({})",
         diagnosis.causes.size() > 1 ? "These act" : "This acts",
         WhatIsIn(diagnosis),
+        percent == 0  ? "as before"
+        : percent > 0 ? "better"
+                      : "worse",
         OnUnseenData(diagnosis),
         GainText(
             diagnosis.held_out_gain, diagnosis.held_out_gain_low, diagnosis.held_out_gain_high));

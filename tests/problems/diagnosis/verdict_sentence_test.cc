@@ -130,6 +130,21 @@ TEST(VerdictSentence, SaysOnWhichDataItGains) {
               HasSubstr("(7.7 to 8.3 N). The inertia moves from 1086 to 852 kg."));
 }
 
+TEST(VerdictSentence, SaysOfWhatActsOnThePosesAloneHowThePosesAreTold) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.gain_is_in_poses = true;
+  diagnosis.held_out_gain = 0.24;
+  diagnosis.held_out_gain_low = 0.15;
+  diagnosis.held_out_gain_high = 0.32;
+  EXPECT_THAT(
+      VerdictSentence(diagnosis),
+      HasSubstr("This acts on the poses alone: with it in, how they move within 10 s is told "
+                "better on held-out data (a gain of 24 %; 95 % interval 15 to 32 %), and "));
+  diagnosis.held_out_gain = -0.004;
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("is told as before on held-out data (a loss of 0 %"));
+}
+
 // What stays within its interval does not move: it is not worth a word.
 TEST(VerdictSentence, NamesNoParameterThatDoesNotMove) {
   Diagnosis diagnosis = ExplainedDiagnosis();
