@@ -284,25 +284,24 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   diagnosis.extended =
       search.best == 0 ? diagnosis.baseline : Describe(data, search.tried[search.best].fit);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
-  const bool loses = diagnosis.by_left_out_blocks && !gain.is_in_poses
-                         ? gain.high < 0.0
-                         : IsRefuted(scored, gain.is_in_poses, options.seed);
+  std::optional<Gain> loss = RefutingGain(scored, gain.is_in_poses, options.seed);
+  if (diagnosis.by_left_out_blocks && !gain.is_in_poses && !(gain.high < 0.0)) loss.reset();
   const bool runs_worse = diagnosis.extended.train.nmae >
                           (1.0 + kLossTooMuchInTraining) * diagnosis.baseline.train.nmae;
-  const bool is_refuted = search.best != 0 && (loses || runs_worse);
+  const bool is_refuted = search.best != 0 && (loss || runs_worse);
   if (is_refuted) {
     diagnosis.remarks.push_back(fmt::format(
         "Not named: {}. It is the likeliest, but {}.",
         LabelsOf(search.tried[search.best].suspects, suspects),
-        loses ? fmt::format("on data that no fit has seen the error grows by {:.0f} % ({:.0f} to "
-                            "{:.0f} %)",
-                            -100.0 * gain.value,
-                            -100.0 * gain.high,
-                            -100.0 * gain.low)
-              : fmt::format("with it NMAE on the training data themselves grows from {:.2g} to "
-                            "{:.2g}",
-                            diagnosis.baseline.train.nmae,
-                            diagnosis.extended.train.nmae)));
+        loss ? fmt::format("on data that no fit has seen the error grows by {:.0f} % ({:.0f} to "
+                           "{:.0f} %)",
+                           -100.0 * loss->value,
+                           -100.0 * loss->high,
+                           -100.0 * loss->low)
+             : fmt::format("with it NMAE on the training data themselves grows from {:.2g} to "
+                           "{:.2g}",
+                           diagnosis.baseline.train.nmae,
+                           diagnosis.extended.train.nmae)));
     search.best = 0;
     search.rivals.clear();
     diagnosis.extended = diagnosis.baseline;

@@ -20,6 +20,11 @@ constexpr double kMaterialGain = 0.05;  // in poses, that outweighs them in velo
 
 double TraceOf(const Gain& gain) { return gain.is_in_poses ? kTraceInPoses : 0.0; }
 
+// For certain, by more than a trace, or by too much as far as the data go.
+bool IsLoss(const Gain& gain, double trace) {
+  return gain.high < -trace || gain.value < -kLossTooMuch;
+}
+
 // The best hypothesis of at most so many causes without any of some suspects.
 int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchResult& search) {
   int best = 0;
@@ -37,15 +42,15 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchR
 
 }  // namespace
 
-bool IsRefuted(const Gain& gain, double trace) {
-  return gain.high < -trace || gain.value < -kLossTooMuch;
-}
-
-bool IsRefuted(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed) {
+std::optional<Gain> RefutingGain(const Scored& scored,
+                                 bool acts_on_poses_alone,
+                                 std::uint64_t seed) {
   const Gain gain = GainOf(scored, acts_on_poses_alone, seed);
-  if (!gain.is_in_poses) return IsRefuted(gain);
+  if (IsLoss(gain, TraceOf(gain))) return gain;
+  if (!gain.is_in_poses) return std::nullopt;
   const Gain in_velocities = GainOf(scored, false, seed);
-  return IsRefuted(gain, TraceOf(gain)) || IsRefuted(in_velocities, kTraceInVelocities);
+  if (IsLoss(in_velocities, kTraceInVelocities)) return in_velocities;
+  return std::nullopt;
 }
 
 void LeaveOutTheRefuted(const TrainingData& data,
@@ -65,7 +70,7 @@ void LeaveOutTheRefuted(const TrainingData& data,
       const Gain in_velocities = GainOf(scored, false, options.seed);
       const Gain gain = GainOf(scored, ActOnPosesAlone({suspect}, suspects), options.seed);
       const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
-      if (!is_borne_out && (IsRefuted(in_velocities) || IsRefuted(gain, TraceOf(gain)))) {
+      if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) {
         return suspect;
       }
       if (burden == Burden::kToGain && !(gain.low > 0.0)) return suspect;

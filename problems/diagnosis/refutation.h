@@ -9,6 +9,7 @@
 #include "fathom/diagnosis/suspects.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,14 @@ enum class Burden {
   kToGain,     // that they gain by it for certain (95 %)
 };
 
-// True if data that no fit has seen speak against what is named: for certain, by more than a trace,
-// or as far as they go by so much (5 %) that it should not be built on.
-bool IsRefuted(const Gain& gain, double trace = 0.0);
-
-// The same of these runs, of causes that are all there is. What acts on the poses alone is judged
-// by them, where a loss of 1 % is a trace, as of a jump before the held-out data; the velocities,
-// which it moves no more than the fit moves, speak against it from half a percent on.
-bool IsRefuted(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
+// The gain by which data that no fit has seen speak against what is named, where that is all there
+// is: for certain, or as far as they go by so much (5 %) that it should not be built on. Nothing if
+// they do not. What acts on the poses alone is judged by them, where a loss of 1 % is a trace, as
+// of a jump before the held-out data; the velocities, which it moves no more than the fit moves,
+// speak against it from half a percent on.
+std::optional<Gain> RefutingGain(const Scored& scored,
+                                 bool acts_on_poses_alone,
+                                 std::uint64_t seed);
 
 // Leaves out of the best hypothesis every cause that does not bear its burden on the held-out
 // records, one at a time (what acts on the poses alone and does not gain 5 % in them for certain

@@ -115,16 +115,16 @@ std::vector<FreeRun> WithMiss(double share) { return {{{0.0}, {0.0}, {share}}}; 
 
 // What acts on the poses alone may lose a trace of them, as a jump before the held-out data does,
 // and less of one in the velocities. Anything else may not.
-TEST(IsRefuted, TakesMoreThanATraceOfWhatActsOnThePosesAlone) {
-  const auto refuted = [](double velocities, double poses, bool on_poses_alone) {
-    return IsRefuted(
+TEST(RefutingGain, IsMoreThanATraceOfWhatActsOnThePosesAlone) {
+  const auto refuting = [](double velocities, double poses, bool on_poses_alone) {
+    return RefutingGain(
         {WithMiss(1.0), WithMiss(velocities), WithMiss(1.0), WithMiss(poses)}, on_poses_alone, 1);
   };
-  EXPECT_FALSE(refuted(1.001, 1.009, true));
-  EXPECT_TRUE(refuted(1.001, 1.011, true));
-  EXPECT_TRUE(refuted(1.006, 0.5, true));
-  EXPECT_TRUE(refuted(1.001, 0.5, false));
-  EXPECT_FALSE(refuted(0.999, 1.5, false));
+  EXPECT_FALSE(refuting(1.001, 1.009, true));
+  EXPECT_TRUE(refuting(1.001, 1.011, true)->is_in_poses);
+  EXPECT_FALSE(refuting(1.006, 0.5, true)->is_in_poses);
+  EXPECT_TRUE(refuting(1.001, 0.5, false));
+  EXPECT_FALSE(refuting(0.999, 1.5, false));
 }
 
 // The true model over the second minute of poses with white noise of 1 mm. Twenty of them tell the
