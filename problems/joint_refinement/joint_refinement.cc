@@ -153,6 +153,16 @@ void DropResponses(const ProcessSet& processes, JointUnknowns* unknowns) {
   }
 }
 
+// Whether two sets of processes have the same wanders and responses, and both a model error or
+// none.
+bool HaveSameParts(const ProcessSet& a, const ProcessSet& b) {
+  for (int j = 0; j < kNumHeld; ++j) {
+    if (a.wander[j].IsPresent() != b.wander[j].IsPresent()) return false;
+    if ((a.response_std[j] > 0.0) != (b.response_std[j] > 0.0)) return false;
+  }
+  return (a.model_error > 0.0) == (b.model_error > 0.0);
+}
+
 // Processes and mode in turns until the likelihood settles, then the setup, and where that moves
 // all of it again. False as FindMode().
 bool Search(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
@@ -175,7 +185,8 @@ bool Search(const JointOptions& options, JointStart* at, SearchEnd* end, JointSu
       summary->message = "some unknown leaves no trace in the corners.";
       return false;
     }
-    const bool has_settled = !is_first && fit.log_likelihood < before + kSettled;
+    const bool has_settled = !is_first && HaveSameParts(fit.processes, at->processes) &&
+                             fit.log_likelihood < before + kSettled;
     const bool is_last = summary->num_rounds == options.max_rounds;
     if (has_settled || is_last) {
       end->likelihood_settled = has_settled;

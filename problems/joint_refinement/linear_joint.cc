@@ -24,7 +24,7 @@ double StdOf(const GlobalsPrior& prior,
              int column) {
   if (!IsResponse(column)) return prior.std[column];
   const double std = processes.response_std[HeldSlot(column)];
-  return std == 0.0 && run.response[column - kResponseColumns] != 0.0 ? kNoResponseStd : std;
+  return std > 0.0 ? std : NoResponseStd(run.response[column - kResponseColumns]);
 }
 
 // Changes the block of the setup in H so that it has this information once all other columns are

@@ -8,6 +8,7 @@
 #include "fathom/joint_refinement/process_set.h"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -17,9 +18,10 @@
 
 namespace fathom {
 
-// Of a response that is taken away where the point of linearisation still has it: it returns to 0
-// [m] or [rad].
-inline constexpr double kNoResponseStd = 1e-5;
+// Of a response that is taken away where the point of linearisation still has it, as `coefficient`
+// [m] or [rad]: it returns to 0, wherever the corners would have it. (A fixed one would be more
+// than some responses are: those of a coordinate held still are seen to a millionth.)
+inline double NoResponseStd(double coefficient) { return 1e-4 * std::abs(coefficient); }
 
 // Knowledge of the globals beyond what the processes say, column by column: an infinite std is no
 // knowledge, 0 holds the column where it is.

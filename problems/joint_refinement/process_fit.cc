@@ -125,8 +125,8 @@ bool AddResponses(std::span<const LinearRun> runs,
       const Spread spread = SpreadOf(c, joint.covariance(r).block<3, 3>(first, first));
       if (spread.gain > best.gain) best = spread;
     }
-    constexpr double kPrice = 1.0;
-    if (best.gain < kPrice) continue;
+    constexpr double kWorthATrial = 1.0;  // whether it stays, all runs together say
+    if (best.gain < kWorthATrial) continue;
     processes->response_std[j] = best.std;
     is_changed = true;
   }
@@ -153,29 +153,30 @@ ProcessFit FitProcesses(std::span<const LinearRun> runs,
   if (AddResponses(runs, priors, excited, &fit.processes) && !maximise(fit.processes)) return fit;
 
   bool is_changed = false;
-  const auto try_without = [&](double price, const std::function<void(ProcessSet*)>& remove) {
+  const auto try_without = [&](const std::function<void(ProcessSet*)>& remove) {
+    // A response or a model error that is not there widens the intervals several times over, and
+    // there are five coordinates to respond: of a hundred vehicles without any, one to three keep
+    // it. A wander has three parameters to pay for.
+    constexpr double kPrice = 3.0;
     ProcessSet without = fit.processes;
     remove(&without);
     const double value = LinearJoint(runs, priors, without, excited).log_likelihood();
     ++num_evaluations;
-    if (!(value > fit.log_likelihood - price)) return;
+    if (!(value > fit.log_likelihood - kPrice)) return;
     fit.processes = without;
     fit.log_likelihood = value;
     is_changed = true;
   };
-  // Kept for nothing it widens the intervals several times over, so it has to earn more than its
-  // one parameter: of one vehicle in a hundred without any it is still kept.
-  constexpr double kPriceOfModelError = 3.0;
   if (fit.processes.model_error > 0.0) {
-    try_without(kPriceOfModelError, [](ProcessSet* set) { set->model_error = 0.0; });
+    try_without([](ProcessSet* set) { set->model_error = 0.0; });
   }
   for (int j = 0; j < kNumHeld; ++j) {
     if (fit.processes.response_std[j] == 0.0) continue;
-    try_without(1.0, [&](ProcessSet* set) { set->response_std[j] = 0.0; });
+    try_without([&](ProcessSet* set) { set->response_std[j] = 0.0; });
   }
   for (int j = 0; j < kNumHeld; ++j) {
     if (!fit.processes.wander[j].IsPresent()) continue;
-    try_without(3.0, [&](ProcessSet* set) { set->wander[j].std = 0.0; });
+    try_without([&](ProcessSet* set) { set->wander[j].std = 0.0; });
   }
   if (is_changed) maximise(fit.processes);
   return fit;

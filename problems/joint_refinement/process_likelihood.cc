@@ -175,9 +175,11 @@ ProcessLikelihood::Value ProcessLikelihood::At(const Eigen::VectorXd& x,
     if (IsResponse(column)) {
       if (set.response_std[HeldSlot(column)] > 0.0) continue;  // counted above
       for (size_t r = 0; r < runs_.size(); ++r) {
-        const double c = runs_[r].response[column - kResponseColumns] + joint.change(r)[column];
-        const double variance = joint.covariance(r)(column, column);
-        if (variance > 0.0) prior_squares += (c * c + variance) / (kNoResponseStd * kNoResponseStd);
+        const double before = runs_[r].response[column - kResponseColumns];
+        if (before == 0.0) continue;
+        const double c = before + joint.change(r)[column];
+        prior_squares +=
+            (c * c + joint.covariance(r)(column, column)) / std::pow(NoResponseStd(before), 2);
       }
       continue;
     }

@@ -136,6 +136,39 @@ TEST(JointRefinement, IsNotMisledByAPitchThatFollowsTheHeaveAcceleration) {
   }
 }
 
+// A vehicle that holds its DOFs wholly shows responses of a millionth of a radian. Chance alone
+// looks like one in these runs, by one to two in log-likelihood; it would make the interval of the
+// inertia up to eight times too wide. One of 2e-4 rad s^2/m, a two-thousandth of what the test
+// above has, is no chance.
+TEST(JointRefinement, TellsASmallResponseFromChance) {
+  struct Motion {
+    Dof dof;
+    unsigned seed;
+  };
+  for (const auto& [dof, seed] :
+       {Motion{Dof::kYaw, 5}, Motion{Dof::kYaw, 15}, Motion{Dof::kHeave, 32}}) {
+    const CameraExperiment experiment = {.dof = dof,
+                                         .input = InputKind::kSine,
+                                         .duration = 300.0,
+                                         .wander = WanderKind::kNone,
+                                         .seed = seed};
+    const SyntheticCameraRun run = Synthesize(experiment);
+    const JointSummary summary = FitJoint(run.input);
+    ASSERT_TRUE(summary.IsUsable()) << summary.message;
+    for (const double std : summary.processes.response_std) EXPECT_EQ(std, 0.0) << Name(dof);
+    EXPECT_LT(std::sqrt(summary.covariance(kInertia, kInertia)),
+              1.1 * CramerRaoStd(experiment, run)[kInertia]);
+  }
+  const JointSummary summary = FitJoint(Synthesize({.dof = Dof::kHeave,
+                                                    .input = InputKind::kMultisine,
+                                                    .duration = 300.0,
+                                                    .wander = WanderKind::kNone,
+                                                    .pitch_per_acceleration = 2e-4})
+                                            .input);
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  EXPECT_GT(summary.processes.response_std[3], 0.0);
+}
+
 // Errors hang together over the wander's few seconds: of two minutes some forty are independent,
 // and a root mean square of 1 is known to a tenth.
 TEST(JointRefinement, ReportsHowFarThePosesAreOff) {

@@ -260,7 +260,7 @@ TEST(LinearJoint, AgreesWithDenseAlgebra) {
   }
   for (int column = 0; column < kNumColumns; ++column) {
     if (!IsResponse(column)) continue;
-    const double std = std::max(kNoResponseStd, set.response_std[HeldSlot(column)]);
+    const double std = std::max(NoResponseStd(0.02), set.response_std[HeldSlot(column)]);
     H(g + column, g + column) += 1.0 / (std * std);
     b[g + column] += 0.02 / (std * std);
   }
@@ -279,6 +279,41 @@ TEST(LinearJoint, AgreesWithDenseAlgebra) {
   const Eigen::Vector2d s0 = x.segment<2>(8);
   const Eigen::Matrix2d expected = s0 * s0.transpose() + inverse.block<2, 2>(8, 8);
   EXPECT_TRUE(moments.first[4].isApprox(expected, 1e-5));
+}
+
+// The same run, linearised where the response's coefficient of this index is another.
+LinearRun WithResponse(LinearRun run, int index, double coefficient) {
+  const int column = kResponseColumns + index;
+  const double change = coefficient - run.response[index];
+  for (LinearFrame& frame : run.frames) frame.Jdr += change * frame.JdJg.col(column);
+  run.rr += 2.0 * change * run.Jgr[column] + change * change * run.JgJg(column, column);
+  run.Jgr += change * run.JgJg.col(column);
+  run.response[index] = coefficient;
+  return run;
+}
+
+// However small, and however far from where the corners would have it: what is left without it is
+// what a linearisation without it says.
+TEST(LinearJoint, TakesAResponseAwayWhole) {
+  const std::vector<GlobalsPrior> priors(1);
+  ProcessSet set = SomeProcesses();
+  set.response_std.fill(0.0);
+  for (const double size : {1e-7, 1e-5, 1e-3, 0.1}) {
+    std::vector<LinearRun> with = {RandomRun(9)}, without = {RandomRun(9)};
+    for (int index = 0; index < kNumResponse; ++index) {
+      if (index % kResponseTerms == 0) continue;  // the mean
+      with[0] = WithResponse(with[0], index, index % 2 == 0 ? size : -0.3 * size);
+      without[0] = WithResponse(without[0], index, 0.0);
+    }
+    const LinearJoint taken_away(with, priors, set, 1), none(without, priors, set, 1);
+    ASSERT_TRUE(taken_away.is_usable() && none.is_usable());
+    EXPECT_NEAR(taken_away.log_likelihood(), none.log_likelihood(), 1e-3) << size;
+    for (int index = 0; index < kNumResponse; ++index) {
+      if (index % kResponseTerms == 0) continue;
+      const double left = with[0].response[index] + taken_away.change(0)[kResponseColumns + index];
+      EXPECT_LT(std::abs(left), 1e-3 * size) << size;
+    }
+  }
 }
 
 TEST(ProcessLikelihood, HasTheSlopeOfItsValue) {
