@@ -13,13 +13,11 @@
 #include "fathom/joint_refinement/one_marker_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/pose_remarks.h"
-#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/signals.h"
 #include "fathom/tools/log_flags.h"
+#include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
-#include "fathom/vehicle/effect.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -112,27 +110,11 @@ Logs LogsFromFlags() {
     ChooseSource(&logs.all.back());
   }
   const Dof diagnosed = DofFromFlagOrLog(logs.all.front());
+  Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
-    try {
-      HoldOtherDofs(diagnosed, &log);
-    } catch (const InputError& error) {  // its calibration; the poses there are will do
-      log.remarks.push_back(
-          fmt::format("detections.csv: The frames are not refined together: {}", error.what()));
-    }
+    HoldOtherDofs(diagnosed, &log, [&](int round, int most) { progress.Show(round, most); });
   }
   return logs;
-}
-
-// Poses that are short of motion themselves would pass for another scale.
-bool LeaveOutScale(const std::vector<Log>& logs, DiagnosisOptions* options) {
-  const bool lose_motion = std::any_of(logs.begin(), logs.end(), [](const Log& log) {
-    return log.pose && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion);
-  });
-  if (!lose_motion) return false;
-  for (const Effect* effect : EffectCatalogue()) {
-    if (effect->info().name != "pose_scale") options->effects.push_back(effect);
-  }
-  return true;
 }
 
 void Print(const Diagnosis& diagnosis) {
@@ -151,12 +133,11 @@ void Print(const Diagnosis& diagnosis) {
 
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  DiagnosisOptions options = OptionsFromFlags();
+  const DiagnosisOptions options = OptionsFromFlags();
   for (const std::string& file : {FLAGS_verdict, FLAGS_report}) {
     if (!file.empty()) RequireWritableFile(file);
   }
   const Logs logs = LogsFromFlags();
-  const bool is_scale_left_out = LeaveOutScale(logs.all, &options);
   Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
@@ -168,12 +149,6 @@ int Run() {
         diagnosis.remarks.push_back(remark);
       }
     }
-  }
-  if (is_scale_left_out && diagnosis.has_velocity) {
-    diagnosis.remarks.push_back(
-        "Not tried: pose_scale. The poses themselves are short of motion, as their remark says: "
-        "with "
-        "several markers, or one seen at an angle, a wrong size can be told.");
   }
   if (!FLAGS_verdict.empty()) {
     WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, logs.fingerprints));

@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/log_names.h"
 #include "fathom/diagnosis/pose_coordinate.h"
+#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
 
@@ -160,6 +161,9 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
       }
     }
     own.displacement = PoseCoordinate(log, own.name, dof, &records.remarks);
+    records.poses_lose_motion =
+        records.poses_lose_motion ||
+        (own.displacement && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion));
     if (!own.velocity && !own.displacement) MotionStream(log, dof, Source::kPoseEstimator);
     every_velocity = every_velocity && own.velocity.has_value();
     every_displacement = every_displacement && own.displacement.has_value();
@@ -172,6 +176,11 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
   }
   records.has_velocity = every_velocity;
   records.has_displacement = every_displacement;
+  if (every_velocity && every_displacement && records.poses_lose_motion) {
+    records.remarks.push_back(
+        "Not tried: pose_scale. The poses themselves are short of motion, as their remark says: "
+        "with several markers, or one seen at an angle, a wrong size can be told.");
+  }
   for (const LogChannels& own : channels) {
     AppendRecords(own, dof, every_velocity, every_displacement, &records);
   }

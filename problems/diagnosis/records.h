@@ -34,7 +34,8 @@ struct Records {
   std::string force_unit;
   bool has_velocity = true;
   bool has_displacement = false;
-  std::vector<Dof> partners;  // other DOFs whose velocity is measured in every log
+  bool poses_lose_motion = false;  // of some log, as its remark says (IsOnLostMotion())
+  std::vector<Dof> partners;       // other DOFs whose velocity is measured in every log
   std::vector<std::string> remarks;
 };
 

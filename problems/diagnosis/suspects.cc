@@ -40,9 +40,10 @@ bool IsHorizontal(Dof dof) { return dof == Dof::kSurge || dof == Dof::kSway; }
 
 // Whether an effect on poses leaves a trace. What is wrong with all of them alike, a scale or a
 // clock, shows beside velocities only; what changes at a time shows by itself, since no vehicle
-// jumps.
+// jumps. Poses that are short of motion themselves would pass for another scale.
 bool CanShowInPoses(const Records& records, const EffectInfo& info) {
   if (!records.has_displacement) return false;
+  if (info.name == "pose_scale" && records.poses_lose_motion) return false;
   return records.has_velocity ||
          std::any_of(
              info.parameters.begin(), info.parameters.end(), [](const EffectParameter& parameter) {

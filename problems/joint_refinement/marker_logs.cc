@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/joint_refinement/camera_runs.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/vision/camera_rig.h"
@@ -21,8 +22,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestGap = 30.0;  // [s], as SignalsOptions::longest_gap
-constexpr size_t kFewestFrames = 10;  // of a run
+constexpr size_t kFewestFrames = CameraRuns::kFewestFrames;
 
 bool IsSame(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
@@ -65,57 +65,6 @@ bool AllSurveyed(const MarkerMap& map) {
   });
 }
 
-bool IsHeldOut(const Log& log, double t) {
-  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
-    return interval.Contains(t);
-  });
-}
-
-// What became of the frames of a log that have a pose.
-struct FrameCount {
-  int before_command = 0, held_out = 0, in_short_runs = 0, short_runs = 0, silences = 0;
-};
-
-// Cuts the track of one log into runs.
-std::vector<CameraRun> RunsOf(const Log& log,
-                              const HeldCommand& command,
-                              const std::vector<Detection>& detections,
-                              const MarkerTrack& track,
-                              FrameCount* count) {
-  std::vector<CameraRun> runs;
-  bool was_held_out = false;
-  double last = 0.0;
-  for (size_t k = 0; k < track.world_from_body.size(); ++k) {
-    const TrackedView& view = track.pnp.views[k];
-    if (view.time < command.time.front()) {
-      ++count->before_command;
-      continue;
-    }
-    const bool is_silent = !runs.empty() && view.time - last > kLongestGap;
-    if (is_silent) ++count->silences;
-    last = view.time;
-    if (IsHeldOut(log, view.time)) {
-      ++count->held_out;
-      was_held_out = true;
-      continue;
-    }
-    if (runs.empty() || is_silent || was_held_out) runs.emplace_back().command = command;
-    was_held_out = false;
-    CameraRun& run = runs.back();
-    run.time.push_back(view.time);
-    auto& seen = run.detections.emplace_back();
-    for (const int i : view.detections) seen.push_back(detections[i]);
-    run.world_from_body.push_back(track.world_from_body[k].pose);
-  }
-  std::erase_if(runs, [&](const CameraRun& run) {
-    if (run.time.size() >= kFewestFrames) return false;
-    ++count->short_runs;
-    count->in_short_runs += static_cast<int>(run.time.size());
-    return true;
-  });
-  return runs;
-}
-
 // Frames without a marker are not in detections.csv: by the usual step between those that are.
 int CountMissingFrames(const MarkerTrack& track, double* step) {
   std::vector<double> steps;
@@ -128,26 +77,26 @@ int CountMissingFrames(const MarkerTrack& track, double* step) {
   return static_cast<int>(std::min(missing, 1e9));
 }
 
-void Describe(const FrameCount& count, std::vector<std::string>* remarks) {
-  if (count.before_command > 0) {
-    remarks->push_back(
-        fmt::format("Left out: {} frames before the first command.", count.before_command));
+// What became of the frames that have a pose.
+void Describe(const CameraRuns& cut, std::vector<std::string>* remarks) {
+  if (cut.num_early > 0) {
+    remarks->push_back(fmt::format("Left out: {} frames before the first command.", cut.num_early));
   }
-  if (count.held_out > 0) {
+  if (cut.num_held_out > 0) {
     remarks->push_back(
-        fmt::format("Held out and not refined: {} frames with a pose.", count.held_out));
+        fmt::format("Held out and not refined: {} frames with a pose.", cut.num_held_out));
   }
-  if (count.silences > 0) {
+  if (cut.num_silences > 0) {
     remarks->push_back(
         fmt::format("No frame has a pose for over {:g} s {} times: each starts a new run.",
-                    kLongestGap,
-                    count.silences));
+                    CameraRuns::kLongestGap,
+                    cut.num_silences));
   }
-  if (count.short_runs > 0) {
+  if (cut.num_short_runs > 0) {
     remarks->push_back(fmt::format("Left out: {} runs of fewer than {} frames ({} frames).",
-                                   count.short_runs,
+                                   cut.num_short_runs,
                                    kFewestFrames,
-                                   count.in_short_runs));
+                                   cut.num_in_short_runs));
   }
 }
 
@@ -193,12 +142,13 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
         missing,
         step));
   }
-  FrameCount count;
-  for (CameraRun& run : RunsOf(log, command, detections, track, &count)) {
+  CameraRuns cut = CutIntoRuns(detections, track, command.time.front(), log.held_out);
+  for (CameraRun& run : cut.runs) {
+    run.command = command;
     result->input.runs.push_back(std::move(run));
     result->log_of_run.push_back(result->logs.size());
   }
-  Describe(count, &remarks);
+  Describe(cut, &remarks);
   for (const std::string& remark : remarks) {
     result->remarks.push_back(fmt::format("{}: {}", log.name, remark));
   }

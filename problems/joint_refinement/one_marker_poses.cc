@@ -3,8 +3,9 @@
 
 #include "fathom/joint_refinement/one_marker_poses.h"
 
+#include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
-#include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/joint_refinement/camera_runs.h"
 #include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
@@ -21,24 +22,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kLongestGap = 30.0;       // [s], as SignalsOptions::longest_gap
-constexpr std::size_t kFewestFrames = 10;  // of a run
-
-std::vector<CameraRun> RunsOf(const std::vector<Detection>& detections, const MarkerTrack& track) {
-  std::vector<CameraRun> runs;
-  for (std::size_t k = 0; k < track.world_from_body.size(); ++k) {
-    const TrackedView& view = track.pnp.views[k];
-    if (runs.empty() || view.time - runs.back().time.back() > kLongestGap) runs.emplace_back();
-    CameraRun& run = runs.back();
-    run.time.push_back(view.time);
-    run.world_from_body.push_back(track.world_from_body[k].pose);
-    auto& seen = run.detections.emplace_back();
-    for (const int i : view.detections) seen.push_back(detections[i]);
-  }
-  std::erase_if(runs, [](const CameraRun& run) { return run.time.size() < kFewestFrames; });
-  return runs;
-}
 
 // Whether the DOF moves the camera towards the markers and away from them, by what its axis and the
 // line of sight to a marker have in common, in the median of the detections used.
@@ -61,43 +44,63 @@ bool MovesAlongTheSight(Dof dof,
   return !cosines.empty() && Median(std::move(cosines)) > kCosine;
 }
 
-}  // namespace
+// The poses made of all frames together. None where they are better as they are, nor where nothing
+// came of it: then `why`.
+struct Refined {
+  std::vector<StampedPose> poses = {};
+  std::size_t num_tracked = 0;  // frames with a pose before
+  std::string why = {};
+};
 
-void HoldOtherDofs(Dof dof, Log* log) {
-  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), IsOnLostMotion);
-  if (!log->detections || !log->pose || remark == log->remarks.end()) return;
-  const CameraRig rig = ReadCameraRig(log->path);
-  const std::vector<Detection> detections = DetectionsOf(*log->detections);
+// Throws InputError if the calibration is missing or cannot be used.
+Refined RefineTogether(Dof dof, const Log& log, const std::function<void(int, int)>& on_round) {
+  const CameraRig rig = ReadCameraRig(log.path);
+  const std::vector<Detection> detections = DetectionsOf(*log.detections);
   MarkerTrajectoryOptions options;
-  options.pose_track.name = FileOf(*log, "detections.csv");
+  options.pose_track.name = FileOf(log, "detections.csv");
   MarkerTrack track = TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
-  if (!MovesAlongTheSight(dof, detections, track)) return;
-  const std::size_t num_tracked = track.world_from_body.size();
+  if (!MovesAlongTheSight(dof, detections, track)) return {};
   JointInput input = {.dof = dof,
                       .camera = rig.camera,
-                      .map = std::move(track.map),
+                      .map = track.map,
                       .body_from_camera = rig.body_from_camera,
-                      .runs = RunsOf(detections, track)};
-  if (input.runs.empty()) return;
-  const JointSummary refined = FitJoint(input, {.moves_freely = true});
-  if (!refined.IsUsable()) {
-    log->remarks.push_back(
-        fmt::format("detections.csv: The frames are not refined together: {}", refined.message));
-    return;
-  }
-  std::vector<StampedPose> poses;
+                      .runs = CutIntoRuns(detections, track).runs};
+  if (input.runs.empty()) return {};
+  const JointSummary summary = FitJoint(input, {.moves_freely = true, .on_round = on_round});
+  if (!summary.IsUsable()) return {.why = summary.message};
+  Refined refined = {.num_tracked = track.world_from_body.size()};
   for (std::size_t r = 0; r < input.runs.size(); ++r) {
     for (std::size_t k = 0; k < input.runs[r].time.size(); ++k) {
-      poses.push_back({.time = input.runs[r].time[k], .pose = refined.runs[r].world_from_body[k]});
+      refined.poses.push_back(
+          {.time = input.runs[r].time[k], .pose = summary.runs[r].world_from_body[k]});
     }
   }
-  log->pose = PoseStreamOf(poses);
+  return refined;
+}
+
+}  // namespace
+
+void HoldOtherDofs(Dof dof, Log* log, const std::function<void(int, int)>& on_round) {
+  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), IsOnLostMotion);
+  if (!log->detections || !log->pose || remark == log->remarks.end()) return;
+  Refined refined;
+  try {
+    refined = RefineTogether(dof, *log, on_round);
+  } catch (const InputError& error) {  // its calibration; the poses there are will do
+    refined.why = error.what();
+  }
+  if (!refined.why.empty()) {
+    log->remarks.push_back(
+        fmt::format("detections.csv: The frames are not refined together: {}", refined.why));
+  }
+  if (refined.poses.empty()) return;
+  log->pose = PoseStreamOf(refined.poses);
   *remark = fmt::format(
       "detections.csv: {} of {} poses are refined together, with the DOFs other than {} taken to "
       "be held: frame by frame the noise of the single marker's tilt would take away some of the "
       "motion.",
-      poses.size(),
-      num_tracked,
+      refined.poses.size(),
+      refined.num_tracked,
       Name(dof));
 }
 
