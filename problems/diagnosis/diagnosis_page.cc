@@ -29,19 +29,46 @@ PageSection NextStepsSection(const Diagnosis& diagnosis) {
   return section;
 }
 
-std::vector<PageSection> FreeRunSections(const Diagnosis& diagnosis) {
-  std::vector<PageSection> sections;
-  for (TimePanel& panel : FreeRunPanels(diagnosis)) {
+// A section for each panel, which is a log's.
+void AddSections(std::vector<TimePanel> panels,
+                 const std::string& heading,
+                 const std::vector<std::string>& text,
+                 bool are_several,
+                 Page* page) {
+  for (TimePanel& panel : panels) {
     PageSection section;
-    section.heading =
-        diagnosis.causes.empty() ? "The model and the measurement" : "Before and after";
-    if (diagnosis.logs.size() > 1) section.heading += ": " + panel.title;
+    section.heading = are_several ? heading + ": " + panel.title : heading;
+    section.text = text;
     panel.title.clear();
-    panel.is_low = sections.empty();  // the first screen holds more than that
+    panel.is_low = page->sections.empty();  // the first screen holds more than that
     section.time_panels = {std::move(panel)};
-    sections.push_back(std::move(section));
+    page->sections.push_back(std::move(section));
   }
-  return sections;
+}
+
+void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
+  AddSections(FreeRunPanels(diagnosis),
+              diagnosis.causes.empty() ? "The model and the measurement" : "Before and after",
+              {},
+              diagnosis.logs.size() > 1,
+              page);
+}
+
+void AddPoses(const Diagnosis& diagnosis, Page* page) {
+  AddSections(PosePanels(diagnosis),
+              "The poses before and after",
+              {"Every 10 s the models' displacement is put back onto the straight line that was "
+               "measured: by then a free run has strayed further than what is wrong with poses "
+               "moves them."},
+              diagnosis.logs.size() > 1,
+              page);
+}
+
+// What was measured against both models, where the causes show first.
+void AddBeforeAndAfter(const Diagnosis& diagnosis, Page* page) {
+  if (diagnosis.gain_is_in_poses) AddPoses(diagnosis, page);
+  AddFreeRuns(diagnosis, page);
+  if (!diagnosis.gain_is_in_poses) AddPoses(diagnosis, page);
 }
 
 PageSection MissingForceSection(const Diagnosis& diagnosis) {
@@ -108,6 +135,12 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   if (!names.empty() && diagnosis.structure_share >= 0.005) {
     add_percent("of that, explained", diagnosis.explained_share);
   }
+  if (diagnosis.gain_is_in_poses) {
+    const double gain = diagnosis.held_out_gain;
+    facts.push_back(
+        {"error of unseen poses",
+         fmt::format("{:.0f} % {}", 100.0 * std::abs(gain), gain < 0.0 ? "more" : "less")});
+  }
   if (std::isfinite(diagnosis.baseline.held_out.nmae)) {
     const std::string before = fmt::format("{:.3f}", diagnosis.baseline.held_out.nmae);
     facts.push_back({"NMAE on unseen data",
@@ -126,9 +159,7 @@ Page DiagnosisPage(const Diagnosis& diagnosis) {
       "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
   page.lead = VerdictParagraphs(diagnosis);
   page.facts = FactsOf(diagnosis);
-  for (PageSection& section : FreeRunSections(diagnosis)) {
-    page.sections.push_back(std::move(section));
-  }
+  AddBeforeAndAfter(diagnosis, &page);
   page.sections.push_back(NextStepsSection(diagnosis));
   if (!diagnosis.missing_force.time.empty()) {
     page.sections.push_back(MissingForceSection(diagnosis));

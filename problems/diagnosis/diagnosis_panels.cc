@@ -68,13 +68,16 @@ void AddTrace(const ResidualTrace& trace, TimePanel* panel) {
   if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
 }
 
-}  // namespace
-
-std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
+// A panel for each log, with all its traces by time. The notes are for before and after.
+std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
+                                const std::vector<ResidualTrace>& of,
+                                bool are_velocities,
+                                const std::string& before_note,
+                                const std::string& after_note) {
   std::vector<TimePanel> panels;
   for (const std::string& log : diagnosis.logs) {
     std::vector<const ResidualTrace*> traces;
-    for (const ResidualTrace& trace : diagnosis.traces) {
+    for (const ResidualTrace& trace : of) {
       if (trace.log == log && !trace.time.empty()) traces.push_back(&trace);
     }
     if (traces.empty()) continue;
@@ -83,18 +86,31 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
     });
     TimePanel panel;
     panel.title = log;
-    panel.quantity = fmt::format(
-        "{} {}", Name(diagnosis.dof), diagnosis.has_velocity ? "velocity" : "displacement");
-    panel.unit =
-        diagnosis.has_velocity ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
+    panel.quantity =
+        fmt::format("{} {}", Name(diagnosis.dof), are_velocities ? "velocity" : "displacement");
+    panel.unit = are_velocities ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
     panel.measured = Series{"measured", {}, ""};
     const bool has_causes = !diagnosis.extended.model.effects.empty();
-    panel.responses.push_back({has_causes ? kBefore : "model", {}, NmaeNote(diagnosis.baseline)});
-    if (has_causes) panel.responses.push_back({kAfter, {}, NmaeNote(diagnosis.extended)});
+    panel.responses.push_back({has_causes ? kBefore : "model", {}, before_note});
+    if (has_causes) panel.responses.push_back({kAfter, {}, after_note});
     for (const ResidualTrace* trace : traces) AddTrace(*trace, &panel);
     panels.push_back(std::move(panel));
   }
   return panels;
+}
+
+}  // namespace
+
+std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
+  return PanelsOf(diagnosis,
+                  diagnosis.traces,
+                  diagnosis.has_velocity,
+                  NmaeNote(diagnosis.baseline),
+                  NmaeNote(diagnosis.extended));
+}
+
+std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis) {
+  return PanelsOf(diagnosis, diagnosis.pose_traces, false, "", "");
 }
 
 std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {

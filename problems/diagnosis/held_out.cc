@@ -144,6 +144,14 @@ std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& mo
   return FreeRunOver(record, model, *start);
 }
 
+std::optional<FreeRun> PosesByBlock(const Record& record, const ExtendedModel& model) {
+  if (record.velocity.empty() || record.displacement.empty()) return std::nullopt;
+  const auto start = StartOver(record, model);
+  const auto outputs = start ? OutputsOver(record, model, *start) : std::nullopt;
+  if (!outputs) return std::nullopt;
+  return PosesByBlock(record, *outputs);
+}
+
 std::optional<FreeRun> FreeRunOver(const Record& record,
                                    const ExtendedModel& model,
                                    const InitialState& initial) {

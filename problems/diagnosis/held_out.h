@@ -32,6 +32,11 @@ std::optional<FreeRun> FreeRunOver(const Record& record,
                                    const ExtendedModel& model,
                                    const InitialState& initial);
 
+// The displacements of a run from such a state, where velocities and poses are measured: each block
+// of 10 s put onto the straight line that was measured. A free run strays from its place by far
+// more than what is wrong with poses moves them; how they move within a block shows it.
+std::optional<FreeRun> PosesByBlock(const Record& record, const ExtendedModel& model);
+
 // MAE and NMAE over several runs together (docs/models.md (7), (8)); NaN if there are none.
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
 
@@ -47,10 +52,7 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std
 struct Scored {
   std::vector<FreeRun> before, after;
 
-  // Where velocities and poses are measured: the displacements, each block of 10 s put onto the
-  // straight line that was measured. A free run strays from its place by far more than what is
-  // wrong with poses moves them; how they move within a block shows it.
-  std::vector<FreeRun> poses_before, poses_after;
+  std::vector<FreeRun> poses_before, poses_after;  // by PosesByBlock()
 };
 
 // The gain; of an effect that acts on the poses alone, which velocities know nothing of, in the

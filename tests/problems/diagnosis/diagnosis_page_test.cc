@@ -74,6 +74,30 @@ TEST(DiagnosisPage, GoesFromTheErrorToItsCauseToTheEvidence) {
                           "Remarks"));
 }
 
+// What acts on the poses alone leaves no trace in the velocities: the page shows it where it is.
+TEST(DiagnosisPage, ShowsThePosesWhereTheCauseActsOnThem) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.verdict = Verdict::kExplained;
+  AddCause("pose_scale", {0.03}, {0.001}, &diagnosis);
+  diagnosis.fits_displacement = true;
+  diagnosis.gain_is_in_poses = true;
+  diagnosis.held_out_gain = 0.31;
+  diagnosis.pose_traces = {HandmadeTrace(10.0, false)};
+  const Page page = DiagnosisPage(diagnosis);
+  const std::vector<std::string> headings = HeadingsOf(page);
+  ASSERT_GE(headings.size(), 2u);
+  EXPECT_EQ(headings[0], "The poses before and after");
+  EXPECT_EQ(headings[1], "Before and after");
+  const TimePanel& poses = page.sections[0].time_panels.at(0);
+  EXPECT_EQ(poses.quantity, "surge displacement");
+  EXPECT_EQ(poses.unit, "m");
+  EXPECT_EQ(poses.time, diagnosis.pose_traces[0].time);
+  EXPECT_EQ(poses.responses.at(0).values, diagnosis.pose_traces[0].before);
+  EXPECT_TRUE(poses.is_low);
+  EXPECT_FALSE(page.sections[1].time_panels.at(0).is_low);
+  EXPECT_EQ(FactsOf(page)["error of unseen poses"], "31 % less");
+}
+
 TEST(DiagnosisPage, StatesTheFigures) {
   auto facts = FactsOf(DiagnosisPage(AmbiguousDiagnosis()));
   EXPECT_EQ(facts["cause"], "sensor_lag or thruster_lag");
