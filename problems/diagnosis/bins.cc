@@ -7,8 +7,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fathom {
+namespace {
+
+// The mean of some variances as a power of two, so that there are few.
+double Rounded(std::span<const double> variances) {
+  double sum = 0.0;
+  for (const double variance : variances) sum += variance;
+  return std::exp2(std::round(std::log2(sum / static_cast<double>(variances.size()))));
+}
+
+}  // namespace
 
 Bins::Bins(std::span<const Record> records) {
   for (size_t index = 0; index < records.size(); ++index) {
@@ -42,13 +53,15 @@ Bins::Bins(std::span<const Record> records) {
     for (size_t channel = 0; channel < 2; ++channel) {
       if (!counts[channel].empty()) usual[channel] = Median(counts[channel]);
     }
+    const std::span<const double> variances = record.displacement_variance;
     for (const Row& row : rows) {
-      const auto count = static_cast<double>(row.bin.end - row.bin.begin);
+      const std::size_t count = row.bin.end - row.bin.begin;
+      const bool is_uneven = row.bin.channel == NoiseChannel::kDisplacement && !variances.empty();
+      const double uneven = is_uneven ? Rounded(variances.subspan(row.bin.begin, count)) : 1.0;
+      const double of_mean =
+          usual[static_cast<size_t>(row.bin.channel)] / static_cast<double>(count);
       bins_.push_back(row.bin);
-      samples_.push_back({row.time,
-                          row.bin.channel,
-                          usual[static_cast<size_t>(row.bin.channel)] / count,
-                          static_cast<int>(index)});
+      samples_.push_back({row.time, row.bin.channel, uneven * of_mean, static_cast<int>(index)});
     }
   }
   first_rows_.push_back(size());

@@ -26,6 +26,10 @@ Record Between(const Record& record, double from, double to) {
     *value = {value->begin() + begin, value->begin() + end};
   };
   cut(&part.stamps.velocity, &part.velocity);
+  if (!part.displacement_variance.empty()) {
+    std::vector<double> time = part.stamps.displacement;
+    cut(&time, &part.displacement_variance);
+  }
   cut(&part.stamps.displacement, &part.displacement);
   return part;
 }

@@ -35,10 +35,12 @@ double UsualSpread(const std::vector<double>& sizes) {
   return spread;
 }
 
-// Removes the wild samples of one channel.
+// Removes the wild samples of one channel, whose noise has this variance over the usual (empty: all
+// alike).
 int RemoveFrom(const std::vector<double>& simulated,
                std::vector<double>* time,
-               std::vector<double>* measured) {
+               std::vector<double>* measured,
+               std::vector<double>* variance) {
   const int n = static_cast<int>(time->size());
   if (n < 2 * kReach + 1) return 0;
   std::vector<double> residual, deviation;
@@ -47,19 +49,22 @@ int RemoveFrom(const std::vector<double>& simulated,
     const int first = std::clamp(i - kReach, 0, n - 2 * kReach - 1);
     const auto begin = residual.begin() + first;
     deviation.push_back(residual[i] - Median({begin, begin + 2 * kReach + 1}));
+    if (!variance->empty()) deviation.back() /= std::sqrt((*variance)[i]);
   }
   std::vector<double> sizes;
   for (const double d : deviation) sizes.push_back(std::abs(d));
   const double spread = UsualSpread(sizes);
   if (!(spread > 0.0)) return 0;
-  std::vector<double> kept_time, kept;
+  std::vector<double> kept_time, kept, kept_variance;
   for (int i = 0; i < n; ++i) {
     if (std::abs(deviation[i]) > kLimit * spread) continue;
     kept_time.push_back((*time)[i]);
     kept.push_back((*measured)[i]);
+    if (!variance->empty()) kept_variance.push_back((*variance)[i]);
   }
   *time = std::move(kept_time);
   *measured = std::move(kept);
+  *variance = std::move(kept_variance);
   return n - static_cast<int>(time->size());
 }
 
@@ -74,9 +79,13 @@ int RemoveOutliers(const ExtendedModel& model,
     EffectOutputs outputs;
     const EffectSimulation simulation(record.inputs.get(), record.stamps);
     if (!simulation.Run(model, initial[r], &outputs)) continue;
-    num_removed += RemoveFrom(outputs.velocity, &record.stamps.velocity, &record.velocity);
+    std::vector<double> all_alike;
     num_removed +=
-        RemoveFrom(outputs.displacement, &record.stamps.displacement, &record.displacement);
+        RemoveFrom(outputs.velocity, &record.stamps.velocity, &record.velocity, &all_alike);
+    num_removed += RemoveFrom(outputs.displacement,
+                              &record.stamps.displacement,
+                              &record.displacement,
+                              &record.displacement_variance);
   }
   return num_removed;
 }

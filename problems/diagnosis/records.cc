@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/log_names.h"
 #include "fathom/diagnosis/pose_coordinate.h"
+#include "fathom/diagnosis/uneven_noise.h"
 #include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
@@ -111,6 +112,8 @@ void AppendRecords(const LogChannels& channels,
         Append(*channels.displacement, time[begin], time[end - 1], &part);
         record.stamps.displacement = std::move(part.time);
         record.displacement = std::move(part.value);
+        record.displacement_variance =
+            VarianceOverUsual(record.stamps.displacement, record.displacement);
       }
       RestartAt(time[begin], &record);
       records->all.push_back(std::move(record));

@@ -21,9 +21,10 @@ struct Record {
   bool is_held_out = false;
   std::shared_ptr<const EffectInputs> inputs;  // of the whole log
   OutputStamps stamps;
-  std::vector<double> velocity;      // at stamps.velocity [m/s] or [rad/s]
-  std::vector<double> displacement;  // at stamps.displacement [m] or [rad]
-  InitialState initial;              // guessed from the first samples
+  std::vector<double> velocity;               // at stamps.velocity [m/s] or [rad/s]
+  std::vector<double> displacement;           // at stamps.displacement [m] or [rad]
+  std::vector<double> displacement_variance;  // VarianceOverUsual() of its noise; empty: all alike
+  InitialState initial;                       // guessed from the first samples
 
   double duration() const;
 };

@@ -95,6 +95,10 @@ std::vector<Record> Thinned(const std::vector<Record>& records) {
       record.inputs = inputs;
     }
     Average(&record.stamps.velocity, &record.velocity);
+    if (!record.displacement_variance.empty()) {
+      std::vector<double> time = record.stamps.displacement;
+      Average(&time, &record.displacement_variance);
+    }
     Average(&record.stamps.displacement, &record.displacement);
   }
   return thinned;
