@@ -56,15 +56,20 @@ void AddGap(TimePanel* panel) {
   }
 }
 
+// Curves break where nothing was measured for long, as where no marker is in view.
 void AddTrace(const ResidualTrace& trace, TimePanel* panel) {
   if (!panel->time.empty()) AddGap(panel);
-  const auto append = [](const std::vector<double>& from, std::vector<double>* to) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
-  append(trace.time, &panel->time);
-  append(trace.measured, &panel->measured->values);
-  append(trace.before, &panel->responses[0].values);
-  if (panel->responses.size() > 1) append(trace.after, &panel->responses[1].values);
+  const double longest_step = LongestStep(trace.time);
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    if (i > 0 && trace.time[i] - trace.time[i - 1] > longest_step) AddGap(panel);
+    panel->time.push_back(trace.time[i]);
+    panel->measured->values.push_back(trace.measured[i]);
+    panel->responses[0].values.push_back(trace.before[i]);
+    // A run that diverged is left out.
+    if (panel->responses.size() > 1) {
+      panel->responses[1].values.push_back(i < trace.after.size() ? trace.after[i] : kNotKnown);
+    }
+  }
   if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
 }
 

@@ -98,6 +98,17 @@ TEST(DiagnosisPage, ShowsThePosesWhereTheCauseActsOnThem) {
   EXPECT_EQ(FactsOf(page)["error of unseen poses"], "31 % less");
 }
 
+TEST(DiagnosisPage, BreaksCurvesWhereNothingWasMeasured) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.traces = {HandmadeTrace(10.0, false)};
+  diagnosis.traces[0].time = {10.0, 11.0, 12.0, 43.0, 44.0, 45.0};
+  const TimePanel panel = FreeRunPanels(diagnosis).at(0);
+  EXPECT_THAT(panel.time, ElementsAre(10.0, 11.0, 12.0, 12.0, 43.0, 44.0, 45.0));
+  EXPECT_TRUE(std::isnan(panel.measured->values[3]));
+  EXPECT_TRUE(std::isnan(panel.responses[0].values[3]));
+  EXPECT_EQ(panel.measured->values[4], diagnosis.traces[0].measured[3]);
+}
+
 TEST(DiagnosisPage, StatesTheFigures) {
   auto facts = FactsOf(DiagnosisPage(AmbiguousDiagnosis()));
   EXPECT_EQ(facts["cause"], "sensor_lag or thruster_lag");
