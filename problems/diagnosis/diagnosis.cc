@@ -166,8 +166,8 @@ double StructureShare(const StructureFit& baseline, const StructureFit& best) {
   return before > 0.0 ? std::clamp(1.0 - best.residual.squaredNorm() / before, 0.0, 1.0) : 0.0;
 }
 
-// Whether some cause acts on the poses alone.
-bool ActsOnPosesAlone(const Diagnosis& diagnosis) {
+// Whether one of the causes, at least, acts on the poses alone.
+bool HasCauseInPoses(const Diagnosis& diagnosis) {
   const auto& effects = diagnosis.extended.model.effects;
   return std::any_of(effects.begin(), effects.end(), [](const ActiveEffect& active) {
     return active.effect->info().needs_pose;
@@ -386,7 +386,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
         TraceOf(record, FreeRunOver(record, users.model), FreeRunOver(record, extended.model)));
   }
   const bool has_velocity_and_poses = records.has_velocity && records.has_displacement;
-  if (has_velocity_and_poses && ActsOnPosesAlone(diagnosis)) {
+  if (has_velocity_and_poses && HasCauseInPoses(diagnosis)) {
     for (const Record& record : records.all) {
       diagnosis.pose_traces.push_back(
           TraceOf(record, PosesByBlock(record, users.model), PosesByBlock(record, extended.model)));

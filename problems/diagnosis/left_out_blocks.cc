@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/robust_start.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,18 +20,17 @@ constexpr int kNumFolds = 4;
 // The samples of a record within [from, to].
 Record Between(const Record& record, double from, double to) {
   Record part = record;
-  const auto cut = [&](std::vector<double>* time, std::vector<double>* value) {
+  const auto cut = [&](std::vector<double>* time,
+                       std::initializer_list<std::vector<double>*> values) {
     const auto begin = std::lower_bound(time->begin(), time->end(), from) - time->begin();
     const auto end = std::upper_bound(time->begin(), time->end(), to) - time->begin();
+    for (std::vector<double>* value : values) {
+      if (!value->empty()) *value = {value->begin() + begin, value->begin() + end};
+    }
     *time = {time->begin() + begin, time->begin() + end};
-    *value = {value->begin() + begin, value->begin() + end};
   };
-  cut(&part.stamps.velocity, &part.velocity);
-  if (!part.displacement_variance.empty()) {
-    std::vector<double> time = part.stamps.displacement;
-    cut(&time, &part.displacement_variance);
-  }
-  cut(&part.stamps.displacement, &part.displacement);
+  cut(&part.stamps.velocity, {&part.velocity});
+  cut(&part.stamps.displacement, {&part.displacement, &part.displacement_variance});
   return part;
 }
 

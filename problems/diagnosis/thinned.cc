@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <utility>
@@ -61,22 +62,27 @@ HeldCommand Averaged(const HeldCommand& command) {
   return averaged;
 }
 
-void Average(std::vector<double>* time, std::vector<double>* value) {
+// All that belongs to the stamps, the stamps among it; what is empty stays so.
+void Average(std::vector<double>* time, std::initializer_list<std::vector<double>*> values) {
   if (!IsFast(*time)) return;
-  std::vector<double> means, mean_times;
-  for (size_t begin = 0; begin < time->size();) {
-    double sum = 0.0, sum_time = 0.0;
-    size_t end = begin;
-    for (; end < time->size() && (*time)[end] - (*time)[begin] < kWidth - kSlack; ++end) {
-      sum += (*value)[end];
-      sum_time += (*time)[end];
-    }
-    means.push_back(sum / static_cast<double>(end - begin));
-    mean_times.push_back(sum_time / static_cast<double>(end - begin));
-    begin = end;
+  std::vector<size_t> begins;
+  for (size_t i = 0; i < time->size(); ++i) {
+    const bool joins = !begins.empty() && (*time)[i] - (*time)[begins.back()] < kWidth - kSlack;
+    if (!joins) begins.push_back(i);
   }
-  *time = std::move(mean_times);
-  *value = std::move(means);
+  begins.push_back(time->size());
+  const auto average = [&](std::vector<double>* value) {
+    if (value->empty()) return;
+    std::vector<double> means;
+    for (size_t k = 0; k + 1 < begins.size(); ++k) {
+      double sum = 0.0;
+      for (size_t i = begins[k]; i < begins[k + 1]; ++i) sum += (*value)[i];
+      means.push_back(sum / static_cast<double>(begins[k + 1] - begins[k]));
+    }
+    *value = std::move(means);
+  };
+  for (std::vector<double>* value : values) average(value);
+  average(time);
 }
 
 }  // namespace
@@ -94,12 +100,8 @@ std::vector<Record> Thinned(const std::vector<Record>& records) {
       }
       record.inputs = inputs;
     }
-    Average(&record.stamps.velocity, &record.velocity);
-    if (!record.displacement_variance.empty()) {
-      std::vector<double> time = record.stamps.displacement;
-      Average(&time, &record.displacement_variance);
-    }
-    Average(&record.stamps.displacement, &record.displacement);
+    Average(&record.stamps.velocity, {&record.velocity});
+    Average(&record.stamps.displacement, {&record.displacement, &record.displacement_variance});
   }
   return thinned;
 }

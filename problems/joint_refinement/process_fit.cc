@@ -154,9 +154,8 @@ ProcessFit FitProcesses(std::span<const LinearRun> runs,
 
   bool is_changed = false;
   const auto try_without = [&](const std::function<void(ProcessSet*)>& remove) {
-    // A response or a model error that is not there widens the intervals several times over, and
-    // there are five coordinates to respond: of a hundred vehicles without any, one to three keep
-    // it. A wander has three parameters to pay for.
+    // A response or a model error that is not there widens the intervals several times over, and at
+    // a price of one chance keeps one in every tenth run or so. A wander has three parameters.
     constexpr double kPrice = 3.0;
     ProcessSet without = fit.processes;
     remove(&without);
