@@ -181,7 +181,7 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
   records.has_displacement = every_displacement;
   if (every_velocity && every_displacement && records.poses_lose_motion) {
     records.remarks.push_back(
-        "Not tried: pose_scale. The poses themselves are short of motion, as their remark says: "
+        "Not tried: pose_scale. The poses themselves may be short of motion, as their remark says: "
         "with several markers, or one seen at an angle, a wrong size can be told.");
   }
   for (const LogChannels& own : channels) {

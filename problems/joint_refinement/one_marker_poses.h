@@ -10,7 +10,7 @@
 
 namespace fathom {
 
-// Where the track of a log says that its poses lose motion to the tilt of a single marker
+// Where the track of a log says that its poses may lose motion to the tilt of a single marker
 // (RemarkOnLostMotion), and `dof` is a translation along the line of sight, makes Log::pose anew
 // from the detections, all frames of a run together: the other DOFs are held, each with a wander
 // that the corners tell, and `dof` moves freely (JointOptions::moves_freely). Frames in runs of

@@ -12,53 +12,52 @@ namespace fathom {
 namespace {
 
 constexpr const char* kLostMotion = " poses rest on a single marker whose tilt they know to ";
-constexpr double kShareWorthAWord = 0.005;
-constexpr double kFramesWorthAWord = 0.1;  // share of frames that rest on one marker
+constexpr double kShareWorthAWord = 0.002;
+constexpr double kFramesWorthAWord = 0.1;  // share of frames that lose so much
 
-struct Tilts {
-  int num_frames = 0;     // that rest on one marker
-  double variance = 0.0;  // mean over these frames, both axes together [rad^2]
-};
-
-Tilts TiltsOf(std::span<const Detection> detections, const MarkerTrack& track) {
-  Tilts tilts;
-  for (std::size_t i = 0; i < track.world_from_camera.size(); ++i) {
-    const std::vector<int>& used = track.pnp.views[i].detections;
-    if (used.size() != 1) continue;
-    const Marker* marker = track.map.Find(detections[used.front()].tag_id);
-    if (marker == nullptr) continue;
-    const StampedPose& camera = track.world_from_camera[i];
-    const Eigen::Vector3d sight =
-        (camera.pose.Inverse() * marker->world_from_tag.translation).normalized();
-    const Eigen::Matrix3d turn = camera.covariance.bottomRightCorner<3, 3>();
-    tilts.variance += turn.trace() - sight.dot(turn * sight);
-    ++tilts.num_frames;
-  }
-  if (tilts.num_frames > 0) tilts.variance /= tilts.num_frames;
-  return tilts;
+// The variance of a pose's tilt against the only marker it rests on, both axes together [rad^2];
+// 0 if it rests on several.
+double TiltVariance(std::span<const Detection> detections,
+                    const MarkerTrack& track,
+                    std::size_t i) {
+  const std::vector<int>& used = track.pnp.views[i].detections;
+  if (used.size() != 1) return 0.0;
+  const Marker* const marker = track.map.Find(detections[used.front()].tag_id);
+  if (marker == nullptr) return 0.0;
+  const StampedPose& camera = track.world_from_camera[i];
+  const Eigen::Vector3d sight =
+      (camera.pose.Inverse() * marker->world_from_tag.translation).normalized();
+  const Eigen::Matrix3d turn = camera.covariance.bottomRightCorner<3, 3>();
+  return turn.trace() - sight.dot(turn * sight);
 }
 
 }  // namespace
 
-double LostMotionShare(std::span<const Detection> detections, const MarkerTrack& track) {
-  return 15.0 / 4.0 * TiltsOf(detections, track).variance;
+LostMotion LostMotionOf(std::span<const Detection> detections, const MarkerTrack& track) {
+  LostMotion lost;
+  for (std::size_t i = 0; i < track.world_from_camera.size(); ++i) {
+    const double variance = TiltVariance(detections, track, i);
+    if (!(1.5 * variance > kShareWorthAWord)) continue;
+    lost.tilt_variance += variance;
+    ++lost.num_poses;
+  }
+  if (lost.num_poses > 0) lost.tilt_variance /= lost.num_poses;
+  return lost;
 }
 
 std::string RemarkOnLostMotion(std::span<const Detection> detections, const MarkerTrack& track) {
-  const Tilts tilts = TiltsOf(detections, track);
-  const double share = LostMotionShare(detections, track);
+  const LostMotion lost = LostMotionOf(detections, track);
   const auto num_poses = static_cast<double>(track.world_from_camera.size());
-  if (!(share > kShareWorthAWord) || tilts.num_frames < kFramesWorthAWord * num_poses) return "";
+  if (lost.num_poses == 0 || lost.num_poses < kFramesWorthAWord * num_poses) return "";
   return fmt::format(
-      "{}{}{:.2g} rad: the noise of the tilt "
-      "shortens the distance, and motion towards the marker comes out too small by {:.1f} % or "
-      "more, inertia and damping along it too large; corner sigma and standard deviations come out "
-      "too small. Several markers, one seen at an angle, or the "
-      "joint refinement from the corners do not have this.",
-      tilts.num_frames,
+      "{}{}{:.2g} rad: noise of the tilt shortens the distance, which is corrected but for up to "
+      "{:.1f} % of the motion towards the marker, and is far from normal; corner sigma and "
+      "standard deviations come out too small. Several markers, one seen at an angle, or the joint "
+      "refinement from the corners do not have this.",
+      lost.num_poses,
       kLostMotion,
-      std::sqrt(tilts.variance / 2.0),
-      100.0 * share);
+      std::sqrt(lost.tilt_variance / 2.0),
+      100.0 * lost.share());
 }
 
 bool IsOnLostMotion(const std::string& remark) {

@@ -10,17 +10,20 @@
 
 namespace fathom {
 
-// By what share frame-by-frame poses from one marker understate motion along the line of sight,
-// since noise tilts what is seen face on; docs/marker_trajectory.md (3) and (4).
-//
-//   share = 15/4 mean of s^2,   s^2 = sum of the variances of the tilt about both axes [rad^2]
-//
-// over the frames that rest on a single marker. From first-order covariances: right to a tenth for
-// tilts known to 0.02 rad, up to half too low at 0.07 rad. 0 if no frame rests on one marker.
-double LostMotionShare(std::span<const Detection> detections, const MarkerTrack& track);
+// The poses from a single marker that do not know its tilt: noise tilts what is seen face on, and
+// of the motion along the line of sight a share is lost, also where the mean error has been taken
+// out (RemoveBias); docs/marker_trajectory.md (5).
+struct LostMotion {
+  int num_poses = 0;           // that rest on a single marker and may lose more than 0.2 %
+  double tilt_variance = 0.0;  // of both axes together, the mean over these poses [rad^2]
 
-// The sentence for a person, if the share is above half a percent and at least a tenth of the
-// frames rest on a single marker; otherwise empty.
+  // The most that Monte Carlo has found to be left.
+  double share() const { return 1.5 * tilt_variance; }
+};
+
+LostMotion LostMotionOf(std::span<const Detection> detections, const MarkerTrack& track);
+
+// The sentence for a person, if at least a tenth of the poses are such; otherwise empty.
 std::string RemarkOnLostMotion(std::span<const Detection> detections, const MarkerTrack& track);
 
 // Whether a remark is such a sentence, whoever passes it on.

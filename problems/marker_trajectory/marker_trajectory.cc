@@ -7,6 +7,7 @@
 #include "fathom/marker_trajectory/bundle_adjustment.h"
 #include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_placement.h"
+#include "fathom/marker_trajectory/pose_bias.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -132,18 +133,26 @@ std::vector<int> TakeBackUnusedPlaces(const MarkerMap& survey,
 }
 
 void TakeOver(const BundleAdjustmentSummary& summary,
+              std::span<const Detection> detections,
+              const CameraModel& camera,
               const Pose& body_from_camera,
               MarkerTrack* out) {
-  const Pose camera_from_body = body_from_camera.Inverse();
+  std::vector<std::vector<int>> tag_ids;
   for (std::size_t i = 0; i < summary.world_from_camera.size(); ++i) {
-    const double time = out->pnp.views[i].time;
-    const Pose& pose = summary.world_from_camera[i];
-    const PoseCovariance& covariance = summary.pose_covariance[i];
-    out->world_from_camera.push_back({.time = time, .pose = pose, .covariance = covariance});
+    const TrackedView& view = out->pnp.views[i];
+    out->world_from_camera.push_back({.time = view.time,
+                                      .pose = summary.world_from_camera[i],
+                                      .covariance = summary.pose_covariance[i]});
+    std::vector<int>& ids = tag_ids.emplace_back();
+    for (const int k : view.detections) ids.push_back(detections[k].tag_id);
+  }
+  RemoveBias(camera, summary.map, tag_ids, summary.corner_sigma, &out->world_from_camera);
+  const Pose camera_from_body = body_from_camera.Inverse();
+  for (const StampedPose& one : out->world_from_camera) {
     out->world_from_body.push_back(
-        {.time = time,
-         .pose = pose * camera_from_body,
-         .covariance = CovarianceOfComposed(pose, covariance, camera_from_body)});
+        {.time = one.time,
+         .pose = one.pose * camera_from_body,
+         .covariance = CovarianceOfComposed(one.pose, one.covariance, camera_from_body)});
   }
   out->frame_rms = summary.frame_rms;
   out->corner_sigma = summary.corner_sigma;
@@ -188,7 +197,7 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   }
   result.map = placed;
   result.message = summary.message;
-  if (summary.is_usable) TakeOver(summary, body_from_camera, &result);
+  if (summary.is_usable) TakeOver(summary, detections, camera, body_from_camera, &result);
   result.refuted_ids = TakeBackUnusedPlaces(map, result.estimated_ids, &result.map);
   if (!result.refuted_ids.empty()) {
     result.remarks.push_back(fmt::format(

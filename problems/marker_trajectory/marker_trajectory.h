@@ -34,7 +34,8 @@ struct MarkerTrajectoryOptions {
 struct MarkerTrack {
   std::string message;  // why it ended as it did, for a person
 
-  // One for each frame with a pose, by time, with covariances.
+  // One for each frame with a pose, by time, with covariances; the noise's mean error is taken out
+  // to second order (RemoveBias).
   std::vector<StampedPose> world_from_camera;
   std::vector<StampedPose> world_from_body;
   std::vector<double> frame_rms;  // of the corners' distances from where they are drawn [px]

@@ -82,9 +82,9 @@ TEST(JointRefinement, IsNotMisledByFlipsAndOutliers) {
 }
 
 // Frame by frame the noise of the tilt shortens the distance to a marker seen face on, more so from
-// afar: displacements come out too small, by 0.4 to 1.2 % in twelve seeds. All frames together do
-// not, to what the corners can tell of a scale, which is how well they tell the inertia; and need
-// no model for it: the command here is nonsense.
+// afar: least squares shows 0.4 to 1.2 % too little of the motion in twelve seeds. All frames
+// together do not, to what the corners can tell of a scale, which is how well they tell the
+// inertia; and need no model for it: the command here is nonsense.
 TEST(JointRefinement, FollowsAMotionTowardsTheMarkerWithoutAModel) {
   const auto share_of = [](const std::vector<double>& shown, const std::vector<double>& truth) {
     double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
@@ -107,7 +107,6 @@ TEST(JointRefinement, FollowsAMotionTowardsTheMarkerWithoutAModel) {
   SyntheticCameraRun run = Synthesize(experiment);
   const double std = CramerRaoStd(experiment, run)[kInertia] / run.truth.inertia;
   EXPECT_LT(std, 0.001);
-  EXPECT_LT(share_of(ahead(run.input.runs[0].world_from_body), run.true_displacement), 0.997);
   run.input.runs[0].command = {{0.0, 1.0}, {1e6, -1e6}};
   const JointSummary summary = FitJoint(run.input, {.moves_freely = true});
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
