@@ -107,6 +107,7 @@ TEST(JointRefinement, FollowsAMotionTowardsTheMarkerWithoutAModel) {
   SyntheticCameraRun run = Synthesize(experiment);
   const double std = CramerRaoStd(experiment, run)[kInertia] / run.truth.inertia;
   EXPECT_LT(std, 0.001);
+  EXPECT_LT(share_of(ahead(run.input.runs[0].world_from_body), run.true_displacement), 0.997);
   run.input.runs[0].command = {{0.0, 1.0}, {1e6, -1e6}};
   const JointSummary summary = FitJoint(run.input, {.moves_freely = true});
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
