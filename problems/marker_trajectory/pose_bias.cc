@@ -93,6 +93,7 @@ PoseIncrement BiasOfPose(const CameraModel& camera,
                          std::span<const int> tag_ids,
                          const Pose& world_from_camera,
                          double corner_sigma) {
+  if (!(corner_sigma > 0.0)) return PoseIncrement::Zero();
   const Corners corners(camera, map, tag_ids, world_from_camera, corner_sigma);
   const auto jacobian = corners.Jacobian();
   const auto drawn = corners(PoseIncrement(PoseIncrement::Zero()));

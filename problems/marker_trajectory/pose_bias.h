@@ -25,7 +25,8 @@ namespace fathom {
 // it comes true: its length sqrt(b' C^-1 b) = m becomes m / cbrt(1 + (m / 4)^3), as Monte Carlo has
 // it; docs/marker_trajectory.md (4).
 //
-// Zero if the corners do not determine the pose, or the noise puts one behind the camera.
+// Zero without noise, if the corners do not determine the pose, and where the noise puts one behind
+// the camera.
 PoseIncrement BiasOfPose(const CameraModel& camera,
                          const MarkerMap& map,
                          std::span<const int> tag_ids,

@@ -129,9 +129,10 @@ TEST(BiasOfPose, DoesNotGrowBeyondWhatTheCornersAllow) {
   }
 }
 
-TEST(BiasOfPose, IsNothingWhereTheCornersTellNothing) {
+TEST(BiasOfPose, IsNothingWithoutNoiseAndWhereTheCornersTellNothing) {
   const Pose truth = LookingAtTheWall(3.0, 0.0);
   const std::vector<int> ids = {0};
+  EXPECT_EQ(BiasOfPose(SyntheticCamera(), SingleMarker(), ids, truth, 0.0).norm(), 0.0);
   // Noise as large as the image puts corners behind the camera.
   EXPECT_EQ(BiasOfPose(SyntheticCamera(), SingleMarker(), ids, truth, 1000.0).norm(), 0.0);
   EXPECT_EQ(BiasOfPose(SyntheticCamera(), SingleMarker(), {}, truth, 0.3).norm(), 0.0);
