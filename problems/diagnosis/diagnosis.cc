@@ -166,8 +166,9 @@ double StructureShare(const StructureFit& baseline, const StructureFit& best) {
   return before > 0.0 ? std::clamp(1.0 - best.residual.squaredNorm() / before, 0.0, 1.0) : 0.0;
 }
 
-// Whether one of the causes, at least, acts on the poses alone.
-bool HasCauseInPoses(const Diagnosis& diagnosis) {
+// Whether a cause acts on the poses alone, or what is unexplained may.
+bool MayLieInPoses(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict == Verdict::kUnexplained) return true;
   const auto& effects = diagnosis.extended.model.effects;
   return std::any_of(effects.begin(), effects.end(), [](const ActiveEffect& active) {
     return active.effect->info().needs_pose;
@@ -386,7 +387,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
         TraceOf(record, FreeRunOver(record, users.model), FreeRunOver(record, extended.model)));
   }
   const bool has_velocity_and_poses = records.has_velocity && records.has_displacement;
-  if (has_velocity_and_poses && HasCauseInPoses(diagnosis)) {
+  if (has_velocity_and_poses && MayLieInPoses(diagnosis)) {
     for (const Record& record : records.all) {
       diagnosis.pose_traces.push_back(
           TraceOf(record, PosesByBlock(record, users.model), PosesByBlock(record, extended.model)));

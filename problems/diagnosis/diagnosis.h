@@ -156,8 +156,8 @@ struct Diagnosis {
   MissingForce missing_force;
   std::vector<ResidualTrace> traces;
 
-  // Where a cause acts on the poses alone and velocities are measured too: the same of the
-  // displacements, as PosesByBlock() has them [m] or [rad].
+  // Where a cause acts on the poses alone, or what is unexplained may, and velocities are measured
+  // too: the same of the displacements, as PosesByBlock() has them [m] or [rad].
   std::vector<ResidualTrace> pose_traces;
   std::vector<std::string> remarks;  // what was dropped, counted; what could not be tried, and why
 };

@@ -56,7 +56,7 @@ void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
 
 void AddPoses(const Diagnosis& diagnosis, Page* page) {
   AddSections(PosePanels(diagnosis),
-              "The poses before and after",
+              diagnosis.causes.empty() ? "The model and the poses" : "The poses before and after",
               {"Every 10 s the models' displacement is put back onto the straight line that was "
                "measured: by then a free run has strayed further than what is wrong with poses "
                "moves them."},

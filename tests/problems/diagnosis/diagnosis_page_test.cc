@@ -98,6 +98,17 @@ TEST(DiagnosisPage, ShowsThePosesWhereTheCauseActsOnThem) {
   EXPECT_EQ(FactsOf(page)["error of unseen poses"], "31 % less");
 }
 
+TEST(DiagnosisPage, ShowsThePosesWhereWhatIsUnexplainedMayLieInThem) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.verdict = Verdict::kUnexplained;
+  diagnosis.fits_displacement = true;
+  diagnosis.pose_traces = {HandmadeTrace(10.0, false)};
+  const std::vector<std::string> headings = HeadingsOf(DiagnosisPage(diagnosis));
+  ASSERT_GE(headings.size(), 2u);
+  EXPECT_EQ(headings[0], "The model and the measurement");
+  EXPECT_EQ(headings[1], "The model and the poses");
+}
+
 TEST(DiagnosisPage, BreaksCurvesWhereNothingWasMeasured) {
   Diagnosis diagnosis = ConsistentDiagnosis();
   diagnosis.traces = {HandmadeTrace(10.0, false)};

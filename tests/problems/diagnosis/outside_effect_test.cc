@@ -6,6 +6,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -49,6 +50,27 @@ TEST(OutsideEffect, IsNotNamedByADiagnosisThatDoesNot) {
     EXPECT_NE(active.effect, &square_root_drag);
   }
   EXPECT_NE(diagnosis.verdict, Verdict::kConsistent);
+}
+
+// A wall that is not still: the marker goes to and fro by 10 cm a minute. No effect of the catalogue
+// does, and the velocities know nothing of it; the page needs the poses to show it.
+TEST(OutsideEffect, IsShownInThePosesTooWhereNothingExplainsIt) {
+  constexpr double kSwing = 0.1, kFrequency = 0.1;  // [m], [rad/s]
+  SurgeRun run;
+  run.input = Multisine(40.0);
+  run.duration = 200.0;
+  run.has_poses = true;
+  Log log = LogOf(run, 1);
+  const auto x = std::find(log.pose->columns.begin(), log.pose->columns.end(), "x");
+  std::vector<double>& position = log.pose->values[x - log.pose->columns.begin()];
+  for (size_t k = 0; k < position.size(); ++k) {
+    position[k] += kSwing * std::sin(kFrequency * log.pose->time[k]);
+  }
+  const Diagnosis diagnosis = Diagnose(std::vector<Log>{log}, Dof::kSurge);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kUnexplained);
+  ASSERT_EQ(diagnosis.pose_traces.size(), 1u);
+  EXPECT_EQ(diagnosis.pose_traces[0].time, log.pose->time);
+  EXPECT_EQ(diagnosis.pose_traces[0].measured, position);
 }
 
 }  // namespace
