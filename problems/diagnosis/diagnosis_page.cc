@@ -57,7 +57,7 @@ void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
 void AddPoses(const Diagnosis& diagnosis, Page* page) {
   AddSections(PosePanels(diagnosis),
               diagnosis.causes.empty() ? "The model and the poses" : "The poses before and after",
-              {"Every 10 s the models' displacement is put back onto the straight line that was "
+              {"Every 10 s the modelled displacement is put back onto the straight line that was "
                "measured: by then a free run has strayed further than what is wrong with poses "
                "moves them."},
               diagnosis.logs.size() > 1,

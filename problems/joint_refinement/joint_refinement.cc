@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/joint_refinement/corner_rows.h"
+#include "fathom/joint_refinement/global_columns.h"
 #include "fathom/joint_refinement/joint_search.h"
 #include "fathom/joint_refinement/joint_start.h"
 #include "fathom/joint_refinement/linear_joint.h"

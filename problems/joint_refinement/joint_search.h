@@ -29,7 +29,7 @@ std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
 
 // Processes and mode in turns until the likelihood settles, then the setup, and where that moves
 // all of it again; docs/joint_refinement.md, "How it is solved". False, with the reason in the
-// summary, if no mode was found.
+// summary, if the search failed.
 bool SearchJoint(const JointOptions& options,
                  JointStart* at,
                  SearchEnd* end,

@@ -16,9 +16,7 @@ namespace fathom {
 struct LostMotion {
   int num_poses = 0;           // that rest on a single marker and may lose more than 0.2 %
   double tilt_variance = 0.0;  // of both axes together, the mean over these poses [rad^2]
-
-  // The most that Monte Carlo has found to be left.
-  double share() const { return 1.5 * tilt_variance; }
+  double share = 0.0;          // of the motion, about what may be lost: 1.5 tilt_variance
 };
 
 LostMotion LostMotionOf(std::span<const Detection> detections, const MarkerTrack& track);

@@ -5,11 +5,13 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/corner_noise.h"
 #include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_placement.h"
 #include "fathom/marker_trajectory/pose_bias.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -146,7 +148,14 @@ void TakeOver(const BundleAdjustmentSummary& summary,
     std::vector<int>& ids = tag_ids.emplace_back();
     for (const int k : view.detections) ids.push_back(detections[k].tag_id);
   }
-  RemoveBias(camera, summary.map, tag_ids, summary.corner_sigma, &out->world_from_camera);
+  // What does not fit for other reasons is not noise, and has another mean.
+  const double noise =
+      CornerNoise(camera, summary.map, detections, out->pnp.views, out->world_from_camera);
+  RemoveBias(camera,
+             summary.map,
+             tag_ids,
+             std::fmin(noise, summary.corner_sigma),
+             &out->world_from_camera);
   const Pose camera_from_body = body_from_camera.Inverse();
   for (const StampedPose& one : out->world_from_camera) {
     out->world_from_body.push_back(

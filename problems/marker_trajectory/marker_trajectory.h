@@ -38,7 +38,8 @@ struct MarkerTrack {
   // to second order (RemoveBias).
   std::vector<StampedPose> world_from_camera;
   std::vector<StampedPose> world_from_body;
-  std::vector<double> frame_rms;  // of the corners' distances from where they are drawn [px]
+  // Of the corners' distances from where they are drawn, before the mean error is taken out [px].
+  std::vector<double> frame_rms;
 
   // Standard deviation of a corner's u and v, from the residuals, and its own error [px].
   double corner_sigma = std::numeric_limits<double>::quiet_NaN();

@@ -29,7 +29,7 @@ class Corners {
           const MarkerMap& map,
           std::span<const int> tag_ids,
           const Pose& world_from_camera,
-          double corner_sigma) {
+          double corner_noise) {
     for (const int id : tag_ids) {
       const Marker* const marker = map.Find(id);
       CHECK(marker != nullptr) << "tag " << id << " is not in the map";
@@ -39,12 +39,12 @@ class Corners {
                               .world_from_tag = &marker->world_from_tag,
                               .corner_in_tag = corner,
                               .pixel = Eigen::Vector2d::Zero(),
-                              .corner_sigma = corner_sigma});
+                              .corner_sigma = corner_noise});
       }
     }
   }
 
-  // Where they are drawn, over corner_sigma. Nothing if one is behind the camera.
+  // Where they are drawn, over the noise. Nothing if one is behind the camera.
   template <typename T>
   std::optional<VectorX<T>> operator()(const Vector6<T>& step) const {
     VectorX<T> drawn(2 * residuals_.size());
@@ -69,21 +69,35 @@ class Corners {
   std::vector<CornerResidual> residuals_;
 };
 
-// The mean of the poses within a second of pose i.
-Pose MeanAround(std::span<const StampedPose> track, std::size_t i) {
-  constexpr double kReach = 1.0;  // [s]
-  const auto is_near = [&](std::size_t k) {
-    return std::abs(track[k].time - track[i].time) <= kReach;
-  };
+// Pose i without most of its own noise, by the poses about it.
+Pose SmoothedPose(std::span<const StampedPose> track, std::size_t i) {
+  constexpr double kReach = 1.0;      // [s]
+  constexpr double kFarthest = 10.0;  // standard deviations of a turn
+  double n = 0.0, t = 0.0, tt = 0.0;
   PoseIncrement sum = PoseIncrement::Zero();
-  int count = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  // False beyond the reach.
   const auto add = [&](std::size_t k) {
-    sum += StepBetween(track[i].pose, track[k].pose);
-    ++count;
+    const double dt = track[k].time - track[i].time;
+    if (std::abs(dt) > kReach) return false;
+    const PoseIncrement step = StepBetween(track[i].pose, track[k].pose);
+    const Eigen::Matrix3d covariance = track[i].covariance.bottomRightCorner<3, 3>() +
+                                       track[k].covariance.bottomRightCorner<3, 3>();
+    const Eigen::Vector3d turn = step.tail<3>();
+    if (turn.dot(covariance.ldlt().solve(turn)) > kFarthest * kFarthest) return true;
+    n += 1.0, t += dt, tt += dt * dt;
+    sum += step;
+    moment += dt * step.head<3>();
+    return true;
   };
-  for (std::size_t k = i; k < track.size() && is_near(k); ++k) add(k);
-  for (std::size_t k = i; k > 0 && is_near(k - 1); --k) add(k - 1);
-  return Moved(track[i].pose, sum / count);
+  for (std::size_t k = i; k < track.size() && add(k); ++k) {
+  }
+  for (std::size_t k = i; k > 0 && add(k - 1); --k) {
+  }
+  PoseIncrement step = sum / n;
+  const double spread = n * tt - t * t;
+  if (n > 2.0) step.head<3>() = (tt * sum.head<3>() - t * moment) / spread;
+  return Moved(track[i].pose, step);
 }
 
 }  // namespace
@@ -92,9 +106,9 @@ PoseIncrement BiasOfPose(const CameraModel& camera,
                          const MarkerMap& map,
                          std::span<const int> tag_ids,
                          const Pose& world_from_camera,
-                         double corner_sigma) {
-  if (!(corner_sigma > 0.0)) return PoseIncrement::Zero();
-  const Corners corners(camera, map, tag_ids, world_from_camera, corner_sigma);
+                         double corner_noise) {
+  if (!(corner_noise > 0.0)) return PoseIncrement::Zero();
+  const Corners corners(camera, map, tag_ids, world_from_camera, corner_noise);
   const auto jacobian = corners.Jacobian();
   const auto drawn = corners(PoseIncrement(PoseIncrement::Zero()));
   if (!jacobian || !drawn) return PoseIncrement::Zero();
@@ -103,14 +117,16 @@ PoseIncrement BiasOfPose(const CameraModel& camera,
   if (llt.info() != Eigen::Success) return PoseIncrement::Zero();
   const PoseCovariance roots = llt.matrixU().solve(PoseCovariance::Identity());
   Eigen::VectorXd bent = Eigen::VectorXd::Zero(drawn->size());
+  constexpr double kStep = 0.05;  // of a standard deviation
   for (int k = 0; k < 6; ++k) {
-    const PoseIncrement root = roots.col(k);
-    const auto ahead = corners(root);
-    const auto back = corners(PoseIncrement(-root));
+    const PoseIncrement step = kStep * roots.col(k);
+    const auto ahead = corners(step);
+    const auto back = corners(PoseIncrement(-step));
     if (!ahead || !back) return PoseIncrement::Zero();
-    bent += *ahead + *back - 2.0 * *drawn;
+    bent += (*ahead + *back - 2.0 * *drawn) / (kStep * kStep);
   }
   const PoseIncrement bias = -0.5 * llt.solve(jacobian->transpose() * bent);
+  if (!bias.allFinite()) return PoseIncrement::Zero();
   constexpr double kLargest = 4.0;
   const double length = (*jacobian * bias).norm();
   return bias / std::cbrt(1.0 + std::pow(length / kLargest, 3));
@@ -119,13 +135,13 @@ PoseIncrement BiasOfPose(const CameraModel& camera,
 void RemoveBias(const CameraModel& camera,
                 const MarkerMap& map,
                 std::span<const std::vector<int>> tag_ids,
-                double corner_sigma,
+                double corner_noise,
                 std::vector<StampedPose>* track) {
   CHECK_EQ(tag_ids.size(), track->size());
   const std::vector<StampedPose> found = *track;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Pose mean = MeanAround(found, i);
-    const PoseIncrement bias = BiasOfPose(camera, map, tag_ids[i], mean, corner_sigma);
+    const Pose smoothed = SmoothedPose(found, i);
+    const PoseIncrement bias = BiasOfPose(camera, map, tag_ids[i], smoothed, corner_noise);
     (*track)[i].pose = Moved(found[i].pose, -bias);
   }
 }

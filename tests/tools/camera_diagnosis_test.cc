@@ -94,7 +94,7 @@ TEST(CameraDiagnosis, NamesNothingWhereNothingIsMissing) {
   EXPECT_EQ(CausesIn(verdict), Names());
 }
 
-// What the track has to say of poses goes with them: a marker seen face on loses motion.
+// What the track has to say of poses goes with them: one marker seen face on may lose motion.
 TEST(CameraDiagnosis, RepeatsWhatTheTrackSaidOfItsPoses) {
   const Path folder = EmptyTestFolder();
   const Path log = FilmedLog(folder, "", kFilms + "wall_one_tag.yaml");
@@ -174,8 +174,8 @@ TEST(CameraDiagnosis, NamesAMarkerSizeThatIsThreePercentWrong) {
   ExpectParameter(verdict, "error", 1.0 / 1.03 - 1.0, 0.005);
 }
 
-// A single marker seen face on: frame by frame its poses lose 1.3 % of the motion and more, which
-// would be named as a scale, and drown a bump.
+// A single marker seen face on: frame by frame its poses bear a noise that is large and skewed, and
+// lose some of the motion, which would be named as causes that are not there, and drown a bump.
 TEST(CameraDiagnosis, IsNotMisledByASingleMarkerSeenFaceOn) {
   const Path folder = EmptyTestFolder();
   const std::string tags = kFilms + "wall_one_tag.yaml";

@@ -49,8 +49,8 @@ Found SwingBefore(const MarkerMap& map, double tilt, double sigma, int num_frame
 // Without RemoveBias 1.7 % would be lost.
 TEST(LostMotion, BoundsWhatIsLeftWhereASingleMarkerIsSeenFaceOn) {
   const Found found = SwingBefore(SingleMarker(), 0.0, 0.3, 3000);
-  EXPECT_LT(std::abs(found.truth), found.lost.share() + 2.0 * found.truth_std);
-  EXPECT_LT(found.lost.share(), 0.005);
+  EXPECT_LT(std::abs(found.truth), found.lost.share + 2.0 * found.truth_std);
+  EXPECT_LT(found.lost.share, 0.005);
   EXPECT_GT(found.lost.num_poses, 2000);
   EXPECT_THAT(found.remarks, Contains(HasSubstr(" poses rest on a single marker whose tilt")));
 }
