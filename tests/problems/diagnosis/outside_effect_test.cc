@@ -52,8 +52,8 @@ TEST(OutsideEffect, IsNotNamedByADiagnosisThatDoesNot) {
   EXPECT_NE(diagnosis.verdict, Verdict::kConsistent);
 }
 
-// A wall that is not still: the marker goes to and fro by 10 cm a minute. No effect of the catalogue
-// does, and the velocities know nothing of it; the page needs the poses to show it.
+// A wall that is not still: the marker goes to and fro by 10 cm a minute. No effect of the
+// catalogue does, and the velocities know nothing of it; the page needs the poses to show it.
 TEST(OutsideEffect, IsShownInThePosesTooWhereNothingExplainsIt) {
   constexpr double kSwing = 0.1, kFrequency = 0.1;  // [m], [rad/s]
   SurgeRun run;
