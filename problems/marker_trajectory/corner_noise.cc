@@ -3,13 +3,12 @@
 
 #include "fathom/marker_trajectory/corner_noise.h"
 
-#include "fathom/marker_trajectory/corner_residual.h"
+#include "fathom/vision/pose_refinement.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -20,29 +19,22 @@ namespace {
 
 using CornersOfTag = std::array<Eigen::Vector2d, 4>;  // where drawn less where seen [px]
 
-// By tag. NaN for a point behind the camera.
+// By tag.
 std::map<int, CornersOfTag> ResidualsOf(const CameraModel& camera,
                                         const MarkerMap& map,
                                         std::span<const Detection> detections,
                                         const TrackedView& view,
                                         const Pose& world_from_camera) {
   std::map<int, CornersOfTag> residuals;
-  const PoseIncrement no_step = PoseIncrement::Zero();
+  const Pose camera_from_world = world_from_camera.Inverse();
   for (const int index : view.detections) {
-    const Detection& detection = detections[index];
-    const Marker* const marker = map.Find(detection.tag_id);
-    CHECK(marker != nullptr) << "tag " << detection.tag_id << " is not in the map";
-    const auto corners_in_tag = CornersInTag(marker->size);
-    CornersOfTag& own = residuals[detection.tag_id];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const CornerResidual residual = {.camera = &camera,
-                                       .world_from_camera = &world_from_camera,
-                                       .world_from_tag = &marker->world_from_tag,
-                                       .corner_in_tag = corners_in_tag[i],
-                                       .pixel = detection.corners[i],
-                                       .corner_sigma = 1.0};
-      own[i].setConstant(std::numeric_limits<double>::quiet_NaN());
-      residual(no_step.data(), own[i].data());
+    const Marker* const marker = map.Find(detections[index].tag_id);
+    CHECK(marker != nullptr) << "tag " << detections[index].tag_id << " is not in the map";
+    const auto seen = SeenCornersOf(*marker, detections[index]);
+    CornersOfTag& own = residuals[marker->id];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Eigen::Vector3d x_camera = camera_from_world * seen[k].x_world;
+      own[k] = Project(camera, x_camera) - seen[k].pixel;
     }
   }
   return residuals;

@@ -55,8 +55,7 @@ std::string RemarkOnLostMotion(std::span<const Detection> detections, const Mark
       "{}{}{:.2g} rad: noise of the tilt shortens the distance, which is corrected but for up to "
       "{:.1f} % of the motion towards the marker. What noise is left there is skewed; corner sigma "
       "and standard deviations come out too small. Several markers, one seen at an angle, or the "
-      "joint "
-      "refinement from the corners do not have this.",
+      "joint refinement from the corners do not have this.",
       lost.num_poses,
       kLostMotion,
       std::sqrt(lost.tilt_variance / 2.0),

@@ -76,23 +76,21 @@ Pose SmoothedPose(std::span<const StampedPose> track, std::size_t i) {
   double n = 0.0, t = 0.0, tt = 0.0;
   PoseIncrement sum = PoseIncrement::Zero();
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  // False beyond the reach.
-  const auto add = [&](std::size_t k) {
-    const double dt = track[k].time - track[i].time;
-    if (std::abs(dt) > kReach) return false;
+  const auto is_near = [&](std::size_t k) {
+    return std::abs(track[k].time - track[i].time) <= kReach;
+  };
+  std::size_t begin = i;
+  while (begin > 0 && is_near(begin - 1)) --begin;
+  for (std::size_t k = begin; k < track.size() && is_near(k); ++k) {
     const PoseIncrement step = StepBetween(track[i].pose, track[k].pose);
+    const Eigen::Vector3d turn = step.tail<3>();
     const Eigen::Matrix3d covariance = track[i].covariance.bottomRightCorner<3, 3>() +
                                        track[k].covariance.bottomRightCorner<3, 3>();
-    const Eigen::Vector3d turn = step.tail<3>();
-    if (turn.dot(covariance.ldlt().solve(turn)) > kFarthest * kFarthest) return true;
+    if (turn.dot(covariance.ldlt().solve(turn)) > kFarthest * kFarthest) continue;
+    const double dt = track[k].time - track[i].time;
     n += 1.0, t += dt, tt += dt * dt;
     sum += step;
     moment += dt * step.head<3>();
-    return true;
-  };
-  for (std::size_t k = i; k < track.size() && add(k); ++k) {
-  }
-  for (std::size_t k = i; k > 0 && add(k - 1); --k) {
   }
   PoseIncrement step = sum / n;
   const double spread = n * tt - t * t;
