@@ -5,7 +5,9 @@
 
 #include "fathom/base/input_error.h"
 
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +19,13 @@ std::string FileOf(const Log& log, const char* file) {
   if (log.path.empty()) return file;
   const bool is_csv = log.path.extension() == ".csv";
   return is_csv ? log.path.string() : (log.path / file).string();
+}
+
+std::string PoseFileOf(const Log& log) {
+  const std::string file = FileOf(log, "pose.csv");
+  std::error_code error;
+  const bool is_tracked = log.detections && !std::filesystem::exists(file, error);
+  return is_tracked ? FileOf(log, "detections.csv") : file;
 }
 
 HeldCommand CommandOf(const Log& log, Dof dof) {

@@ -15,6 +15,9 @@ namespace fathom {
 // The file of a log as messages name it: of a single CSV that file, else `file` in the folder.
 std::string FileOf(const Log& log, const char* file);
 
+// The file that the poses come from: pose.csv, or detections.csv where they were made from it.
+std::string PoseFileOf(const Log& log);
+
 // The command of one DOF. Throws InputError, saying what the log has instead, if there is none.
 HeldCommand CommandOf(const Log& log, Dof dof);
 

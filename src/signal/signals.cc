@@ -42,6 +42,10 @@ bool IsHeldOut(const Log& log, double t) {
   });
 }
 
+size_t FewestSamples(const SignalsOptions& options) {
+  return std::max<size_t>(10, options.order + 2);
+}
+
 std::vector<Stretch> Split(const Log& log,
                            const std::vector<double>& time,
                            size_t first,
@@ -66,7 +70,7 @@ std::vector<Stretch> Split(const Log& log,
                     num_silences,
                     num_silences == 1 ? "" : "s"));
   }
-  const size_t fewest = std::max<size_t>(10, options.order + 2);
+  const size_t fewest = FewestSamples(options);
   size_t num_short = 0, num_samples = 0;
   std::erase_if(stretches, [&](const Stretch& stretch) {
     if (stretch.size() >= fewest) return false;
@@ -82,6 +86,37 @@ std::vector<Stretch> Split(const Log& log,
                                    num_samples));
   }
   return stretches;
+}
+
+// Why no stretch of the motion is long enough: too little of it, another clock, or all in pieces.
+std::string WhyNoStretch(const Log& log,
+                         const Stream& stream,
+                         size_t first,
+                         const SignalsOptions& options) {
+  const bool is_camera = options.source == Source::kCamera;
+  const std::string file = is_camera ? PoseFileOf(log) : FileOf(log, "velocity.csv");
+  const size_t fewest = FewestSamples(options), num = stream.time.size();
+  const std::string_view what = is_camera ? "frames with a pose" : "samples";
+  if (num < fewest) {
+    return fmt::format("{}: holds {} {}, expected at least {} in a row.", file, num, what, fewest);
+  }
+  if (num - first < fewest) {
+    return fmt::format(
+        "{}: {} of {} {} come after the first command, expected at least {} in a row. Check the "
+        "clocks of command and motion.",
+        file,
+        num - first,
+        num,
+        what,
+        fewest);
+  }
+  return fmt::format(
+      "{}: no segment between silences of over {:g} s and the ends of held-out intervals has {} "
+      "{}, expected at least one.",
+      file,
+      options.longest_gap,
+      fewest,
+      what);
 }
 
 // The command over [from, to]: what holds at `from`, then its stamps up to `to`.
@@ -169,13 +204,7 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
                     time.back() - command.time.back()));
   }
   const std::vector<Stretch> stretches = Split(log, time, first, options, &signals.remarks);
-  if (stretches.empty()) {
-    throw InputError(fmt::format(
-        "{}: no segment is long enough after the first command, expected at least {} samples in a "
-        "row. Check the clocks of command and motion.",
-        FileOf(log, camera ? "pose.csv" : "velocity.csv"),
-        std::max(10, options.order + 2)));
-  }
+  if (stretches.empty()) throw InputError(WhyNoStretch(log, stream, first, options));
 
   Poses poses;
   std::vector<double> displacement;
