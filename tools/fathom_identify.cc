@@ -8,6 +8,7 @@
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/signal/log_column.h"
 #include "fathom/tools/identifier_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
@@ -114,6 +115,9 @@ int Run() {
   }
   std::vector<Log> logs = LogsFromFlags(family);
   const Signals signals = SignalsOfAll(logs, family);
+  if (IsAllHeldOut(signals)) {
+    throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
+  }
   std::vector<std::string> remarks;
   Identification result = family == Family::kJoint
                               ? IdentifyJointly(std::move(logs), signals, options.joint, &remarks)

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/signal/log_column.h"
 
 #include <algorithm>
 
@@ -76,16 +77,21 @@ Comparison Compare(const Log& log, const ComparisonOptions& options) {
     result.scored = SignalsOf(log, dof, {.source = available.front()});
     result.findings = CheckSanity(result.scored);
     result.remarks = result.scored.remarks;
+    bool is_all_held_out = true;
     for (const Source source : options.sources.empty() ? available : options.sources) {
       Signals signals = result.scored;
       if (source != available.front()) {
         signals = SignalsOf(log, dof, {.source = source});
         result.remarks.insert(result.remarks.end(), signals.remarks.begin(), signals.remarks.end());
       }
+      is_all_held_out = is_all_held_out && IsAllHeldOut(signals);
       for (const Family family : kSignalFamilies) {
         if (!IsAmong(options.families, family)) continue;
         result.rows.push_back(Identify(signals, result.scored, family, options.identification));
       }
+    }
+    if (is_all_held_out) {
+      throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
     }
     AddJointRow(log, options, &result);
     comparison.dofs.push_back(std::move(result));

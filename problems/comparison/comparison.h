@@ -44,8 +44,8 @@ struct Comparison {
   std::vector<DofComparison> dofs;
 };
 
-// Throws InputError if the log lacks what is asked for. Where no family is asked for and the
-// corners do not serve the joint refinement, a remark says why.
+// Throws InputError if the log lacks what is asked for or holds out all of it. Where no family is
+// asked for and the corners do not serve the joint refinement, a remark says why.
 Comparison Compare(const Log& log, const ComparisonOptions& options = {});
 
 // The sources this log has for `dof`.

@@ -55,7 +55,9 @@ Identification Identify(const Signals& signals,
   result.fitted.dof = signals.dof;
   result.fitted.force_unit = signals.force_unit;
   if (signals.train.empty()) {
-    result.message = "nothing is left to train on: the held-out intervals take all of the data.";
+    result.message = IsAllHeldOut(signals)
+                         ? kAllIsHeldOut
+                         : "nothing is left to train on: the notes say what was left out.";
     result.fitted.model = ModelFromVector(ParameterVector::Constant(std::nan("")));
     return result;
   }

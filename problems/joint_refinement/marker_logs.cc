@@ -110,8 +110,14 @@ std::vector<Detection> DetectionsIn(const Log& log) {
   return DetectionsOf(*log.detections);
 }
 
+// What the cutting of all logs left out.
+struct LeftOut {
+  bool is_all_held_out = true;
+  std::vector<std::string> remarks;  // a sentence each, as in MarkerLogs
+};
+
 // Tracks one log and adds its runs.
-void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
+void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
   std::vector<std::string> remarks;
   const HeldCommand command = CommandOf(log, result->dof);
   const std::vector<Detection> detections = DetectionsIn(log);
@@ -143,19 +149,37 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result) {
         step));
   }
   CameraRuns cut = CutIntoRuns(detections, track, command.time.front(), log.held_out);
+  const bool is_held_out = cut.num_held_out > 0 && cut.runs.empty() && cut.num_short_runs == 0;
+  left_out->is_all_held_out = left_out->is_all_held_out && is_held_out;
   for (CameraRun& run : cut.runs) {
     run.command = command;
     result->input.runs.push_back(std::move(run));
     result->log_of_run.push_back(result->logs.size());
   }
+  const size_t num_before = remarks.size();
   Describe(cut, &remarks);
-  for (const std::string& remark : remarks) {
-    result->remarks.push_back(fmt::format("{}: {}", log.name, remark));
+  for (size_t i = 0; i < remarks.size(); ++i) {
+    result->remarks.push_back(fmt::format("{}: {}", log.name, remarks[i]));
+    if (i >= num_before) left_out->remarks.push_back(result->remarks.back());
   }
   // Markers without a survey were given a place on the way.
   result->input.map = track.map;
   log.pose = PoseStreamOf(track.world_from_body);
   result->logs.push_back(std::move(log));
+}
+
+// The reason first: what else was said of the logs does not matter then.
+[[noreturn]] void ThrowNothingIsLeft(const MarkerLogs& result, const LeftOut& left_out) {
+  if (result.logs.empty()) throw InputError("no log: nothing is left to refine.");
+  const Log& log = result.logs.front();
+  if (left_out.is_all_held_out) {
+    throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
+  }
+  throw InputError(fmt::format(
+      "{}: nothing is left to refine, expected at least {} frames with a pose in a row. {}",
+      FileOf(log, "detections.csv"),
+      kFewestFrames,
+      fmt::join(left_out.remarks, " ")));
 }
 
 }  // namespace
@@ -164,6 +188,7 @@ MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
   MarkerLogs result;
   result.dof = result.input.dof = dof;
   std::optional<CameraRig> first;
+  LeftOut left_out;
   const std::string unit = logs.empty() ? "" : logs.front().command_unit;
   for (Log& log : logs) {
     DetectionsIn(log);
@@ -191,15 +216,9 @@ MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
             "known: their error is in no interval.");
       }
     }
-    Add(std::move(log), rig, &result);
+    Add(std::move(log), rig, &result, &left_out);
   }
-  if (result.input.runs.empty()) {
-    throw InputError(fmt::format(
-        "{}: nothing is left to refine, expected at least {} frames with a pose in a row. {}",
-        result.logs.empty() ? std::string("no log") : FileOf(result.logs[0], "detections.csv"),
-        kFewestFrames,
-        fmt::join(result.remarks, " ")));
-  }
+  if (result.input.runs.empty()) ThrowNothingIsLeft(result, left_out);
   return result;
 }
 

@@ -261,6 +261,10 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   return signals;
 }
 
+bool IsAllHeldOut(const Signals& signals) {
+  return signals.train.empty() && !signals.held_out.empty();
+}
+
 void Append(const Signals& more, Signals* signals) {
   const auto append = [](auto* to, const auto& from) {
     to->insert(to->end(), from.begin(), from.end());

@@ -51,7 +51,7 @@ struct Signals {
   Dof dof = Dof::kSurge;
   Source source = Source::kPoseEstimator;
   std::string force_unit;            // "N", "N m", or the log's command_unit
-  std::vector<Segment> train;        // outside the held-out intervals
+  std::vector<Segment> train;        // outside the held-out intervals; may be empty
   std::vector<Segment> held_out;     // inside them
   std::vector<std::string> remarks;  // what was left out, counted, a sentence each
 };
@@ -72,6 +72,11 @@ struct SignalsOptions {
 
 // Throws InputError if the log lacks a stream or column that this DOF and source need.
 Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options = {});
+
+// What is wrong with a log of which IsAllHeldOut(), the same words in every family.
+inline constexpr std::string_view kAllIsHeldOut =
+    "nothing is left to train on: the held-out intervals take all of the data.";
+bool IsAllHeldOut(const Signals& signals);
 
 // Adds the segments and remarks of another log, of the same DOF, source and unit.
 void Append(const Signals& more, Signals* signals);

@@ -19,6 +19,7 @@ namespace fathom {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Path = std::filesystem::path;
@@ -128,6 +129,25 @@ TEST(JointRow, SaysWhyThereIsNoModel) {
   EXPECT_EQ(row["usable"], false);
   EXPECT_NE(row["message"], "");
   EXPECT_THAT(run.out, HasSubstr("! Joint camera: " + row["message"].get<std::string>()));
+}
+
+// The same words and exit code as in every other family, the reason first.
+TEST(JointRow, SaysThatAllIsHeldOut) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
+  WriteTestFile(log / "log.yaml", "name: minute\ndof: surge\nheld_out: [[0, 100]]\n");
+  const std::string here = "--log=" + log.string();
+  const std::string message =
+      (log / "log.yaml").string() +
+      ": nothing is left to train on: the held-out intervals take all of the data.\n";
+  for (const char* family : {"least_squares", "adaptive", "output_error", "joint"}) {
+    EXPECT_THAT(ExpectRefusal("fathom_identify", {here, std::string("--family=") + family}, folder),
+                EndsWith("fathom_identify: " + message))
+        << family;
+  }
+  EXPECT_THAT(ExpectRefusal("fathom_compare", {here}, folder),
+              EndsWith("fathom_compare: " + message));
+  EXPECT_EQ(ExpectRefusal("fathom_refine", {here}, folder), "fathom_refine: " + message);
 }
 
 TEST(JointRow, WantsCornersAndACalibration) {
