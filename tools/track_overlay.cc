@@ -3,6 +3,8 @@
 
 #include "fathom/tools/track_overlay.h"
 
+#include "fathom/base/plural.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -74,7 +76,8 @@ std::vector<std::string> DrawOverlay(FrameSource& frames,
            images->unused[next_unused].time <= image.time) {
       frame.unused.push_back(images->unused[next_unused++]);
     }
-    frame.caption = fmt::format("t {:.2f} s, {} tags", image.time, frame.detections.size());
+    frame.caption =
+        fmt::format("t {:.2f} s, {}", image.time, Plural(frame.detections.size(), "tag"));
     if (has_pose) {
       const Eigen::Vector3d& p = track.world_from_body[next_pose].pose.translation;
       frame.caption += fmt::format(", x {:.2f} y {:.2f} z {:.2f} m, rms {:.2f} px",

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/plural.h"
 #include "fathom/joint_refinement/camera_runs.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
@@ -80,23 +81,23 @@ int CountMissingFrames(const MarkerTrack& track, double* step) {
 // What became of the frames that have a pose.
 void Describe(const CameraRuns& cut, std::vector<std::string>* remarks) {
   if (cut.num_early > 0) {
-    remarks->push_back(fmt::format("Left out: {} frames before the first command.", cut.num_early));
+    remarks->push_back(
+        fmt::format("Left out: {} before the first command.", Plural(cut.num_early, "frame")));
   }
   if (cut.num_held_out > 0) {
-    remarks->push_back(
-        fmt::format("Held out and not refined: {} frames with a pose.", cut.num_held_out));
+    remarks->push_back(fmt::format("Held out and not refined: {} with a pose.",
+                                   Plural(cut.num_held_out, "frame")));
   }
   if (cut.num_silences > 0) {
-    remarks->push_back(
-        fmt::format("No frame has a pose for over {:g} s {} times: each starts a new run.",
-                    CameraRuns::kLongestGap,
-                    cut.num_silences));
+    remarks->push_back(fmt::format("No frame has a pose for over {:g} s {}: each starts a new run.",
+                                   CameraRuns::kLongestGap,
+                                   Plural(cut.num_silences, "time")));
   }
   if (cut.num_short_runs > 0) {
-    remarks->push_back(fmt::format("Left out: {} runs of fewer than {} frames ({} frames).",
-                                   cut.num_short_runs,
+    remarks->push_back(fmt::format("Left out: {} of fewer than {} frames ({}).",
+                                   Plural(cut.num_short_runs, "run"),
                                    kFewestFrames,
-                                   cut.num_in_short_runs));
+                                   Plural(cut.num_in_short_runs, "frame")));
   }
 }
 
@@ -143,10 +144,11 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
                                 track.corner_sigma));
   double step = 0.0;
   if (const int missing = CountMissingFrames(track, &step); missing > 0) {
-    remarks.push_back(fmt::format(
-        "About {} frames in between are without a pose, judged by the usual step of {:.3g} s.",
-        missing,
-        step));
+    remarks.push_back(
+        fmt::format("About {} in between {} without a pose, judged by the usual step of {:.3g} s.",
+                    Plural(missing, "frame"),
+                    missing == 1 ? "is" : "are",
+                    step));
   }
   CameraRuns cut = CutIntoRuns(detections, track, command.time.front(), log.held_out);
   const bool is_held_out = cut.num_held_out > 0 && cut.runs.empty() && cut.num_short_runs == 0;

@@ -4,6 +4,7 @@
 #include "fathom/vision/pose_track.h"
 
 #include "fathom/base/median.h"
+#include "fathom/base/plural.h"
 #include "fathom/vision/pose_choice.h"
 
 #include <algorithm>
@@ -142,10 +143,6 @@ void TakeOver(std::span<const Detection> detections,
   }
 }
 
-std::string Plural(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 // "4, 7, 13": at most ten.
 std::string ListOf(const std::map<int, int>& count_of_id) {
   std::vector<std::string> shown;
@@ -154,7 +151,7 @@ std::string ListOf(const std::map<int, int>& count_of_id) {
       shown.push_back(fmt::format("... ({} ids in all)", count_of_id.size()));
       break;
     }
-    shown.push_back(fmt::format("{} ({} times)", id, count));
+    shown.push_back(fmt::format("{} ({})", id, Plural(count, "time")));
   }
   return fmt::format("{}", fmt::join(shown, ", "));
 }

@@ -348,7 +348,7 @@ TEST(TrackTool, DrawsARejectedDetectionInRed) {
       log,
       {"--out=" + (folder / "tracked").string(), "--overlay=" + (folder / "sheet.png").string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("Set aside as mirrored: 1 of 48 detections: tags 5 (1 times)."));
+  EXPECT_THAT(run.err, HasSubstr("Set aside as mirrored: 1 of 48 detections: tags 5 (1 time)."));
   const cv::Mat sheet = cv::imread((folder / "sheet.png").string());
   ASSERT_EQ(sheet.cols, 3 * 420);
   const cv::Vec3b green(80, 220, 60), red(60, 60, 255);

@@ -262,7 +262,7 @@ TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
   EXPECT_EQ(NumRejected(track, Rejection::kNotSurveyed), 29);
   const auto remarks = RemarksOn(track, detections);
   EXPECT_THAT(remarks, Contains("1 of 30 frames have no detection."));
-  EXPECT_THAT(remarks, Contains("Set aside as unknown id: 1 of 116 detections: tags 9 (1 times)."));
+  EXPECT_THAT(remarks, Contains("Set aside as unknown id: 1 of 116 detections: tags 9 (1 time)."));
   EXPECT_THAT(remarks, Contains(HasSubstr("Set aside as mirrored: 1 of 116")));
 }
 
