@@ -207,6 +207,7 @@ Run ReadRun(const fs::path& folder, const MarkerTrajectoryOptions& options) {
   std::erase_if(run.log.remarks,
                 [](const std::string& remark) { return remark.starts_with(kPoseRemark); });
   run.rig = ReadCameraRig(folder);
+  run.log.remarks.insert(run.log.remarks.end(), run.rig.remarks.begin(), run.rig.remarks.end());
   RequireReference(options, run.rig.map, folder / "tags.yaml");
   RequireOtherThanFrames(folder, run.log);
   if (StartsFromDetections(folder)) {

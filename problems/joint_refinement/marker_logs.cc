@@ -119,7 +119,7 @@ struct LeftOut {
 
 // Tracks one log and adds its runs.
 void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = rig.remarks;
   const HeldCommand command = CommandOf(log, result->dof);
   const std::vector<Detection> detections = DetectionsIn(log);
   MarkerTrajectoryOptions options;

@@ -144,15 +144,20 @@ CameraModel ReadCameraInfo(const YamlMap& file) {
   return camera;
 }
 
-CameraModel ReadCamchain(const YamlMap& file, const std::vector<std::string>& cameras) {
+CameraModel ReadCamchain(const YamlMap& file,
+                         const std::vector<std::string>& cameras,
+                         std::vector<std::string>* remarks) {
   if (cameras.size() > 1) {
     file.Fail(fmt::format("holds {} cameras, expected the one that took the frames. Keep only it.",
                           cameras.size()));
   }
   const YamlMap map = file.Map(cameras.front());
-  for (const char* key :
-       {"cam_overlaps", "rostopic", "T_cam_imu", "T_cn_cnm1", "timeshift_cam_imu"}) {
-    map.Ignore(key);
+  for (const char* key : {"cam_overlaps", "rostopic", "T_cam_imu", "T_cn_cnm1"}) map.Ignore(key);
+  if (const double shift = map.Number("timeshift_cam_imu", 0.0); shift != 0.0 && remarks) {
+    remarks->push_back(
+        fmt::format("camera.yaml: timeshift_cam_imu is {} s and not used: where the camera's clock "
+                    "is off, shift the stamps of the frames.",
+                    shift));
   }
   if (const std::string model = map.String("camera_model"); model != "pinhole") {
     map.Fail("camera_model", fmt::format("is {}, expected pinhole.", Quoted(model)));
@@ -205,14 +210,17 @@ std::vector<std::string> CamerasOf(const YamlMap& file) {
 
 }  // namespace
 
-CameraModel ReadCameraFile(const std::filesystem::path& path) {
-  return ParseCameraFile(path.string(), ReadFile(path));
+CameraModel ReadCameraFile(const std::filesystem::path& path, std::vector<std::string>* remarks) {
+  return ParseCameraFile(path.string(), ReadFile(path), remarks);
 }
 
-CameraModel ParseCameraFile(const std::string& name, const std::string& text) {
+CameraModel ParseCameraFile(const std::string& name,
+                            const std::string& text,
+                            std::vector<std::string>* remarks) {
   const YamlMap file = ParseYaml(name, text);
   const std::vector<std::string> cameras = CamerasOf(file);
-  const CameraModel camera = cameras.empty() ? ReadCameraInfo(file) : ReadCamchain(file, cameras);
+  const CameraModel camera =
+      cameras.empty() ? ReadCameraInfo(file) : ReadCamchain(file, cameras, remarks);
   file.Finish();
   return camera;
 }

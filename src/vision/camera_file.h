@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -19,10 +20,15 @@ namespace fathom {
 //
 // Throws InputError, naming file, line and key, for whatever breaks the format, for a skewed camera
 // matrix and for an optical centre that is not on the image.
-CameraModel ReadCameraFile(const std::filesystem::path& path);
+//
+// `remarks`, if given, gets a sentence for a clock offset in the file: none is applied.
+CameraModel ReadCameraFile(const std::filesystem::path& path,
+                           std::vector<std::string>* remarks = nullptr);
 
 // The same from memory; `name` stands for the file in messages.
-CameraModel ParseCameraFile(const std::string& name, const std::string& text);
+CameraModel ParseCameraFile(const std::string& name,
+                            const std::string& text,
+                            std::vector<std::string>* remarks = nullptr);
 
 // Throws InputError if images of width x height are not those that the camera was calibrated with.
 // `frames` names them in the message, `camera_file` the calibration.

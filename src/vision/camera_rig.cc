@@ -25,7 +25,7 @@ CameraRig ReadCameraRig(const std::filesystem::path& folder) {
                     meaning));
   };
   CameraRig rig;
-  rig.camera = ReadCameraFile(require("camera.yaml", "the camera's calibration"));
+  rig.camera = ReadCameraFile(require("camera.yaml", "the camera's calibration"), &rig.remarks);
   rig.map = ReadTagsFile(require("tags.yaml", "size and place of the markers"));
   rig.body_from_camera = ReadMountFile(require("mount.yaml", "the camera's place on the vehicle"));
   return rig;

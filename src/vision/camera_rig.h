@@ -8,6 +8,8 @@
 #include "fathom/vision/pose.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -17,6 +19,9 @@ struct CameraRig {
   CameraModel camera;
   MarkerMap map;
   Pose body_from_camera;
+
+  // What the files hold that nobody reads, a sentence each with the file's name.
+  std::vector<std::string> remarks = {};
 };
 
 // Reads camera.yaml, tags.yaml and mount.yaml of a log folder. Throws InputError if one of them is

@@ -117,6 +117,18 @@ TEST(JointRow, IsIdentifiedByItselfToo) {
   EXPECT_LT(inertia["std"], JsonOf(model)["parameters"]["inertia"]["std"]);
 }
 
+TEST(JointRow, NamesAClockOffsetOfTheCameraThatIsNotApplied) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
+  WriteTestFile(log / "camera.yaml",
+                "cam0: {camera_model: pinhole, distortion_model: radtan, resolution: [800, 600], "
+                "intrinsics: [640, 641, 401.3, 297.6], timeshift_cam_imu: 0.1, "
+                "distortion_coeffs: [-0.12, 0.03, 0.0006, -0.0004]}\n");
+  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string(), "--family=joint"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("note: minute: camera.yaml: timeshift_cam_imu is 0.1 s and not"));
+}
+
 TEST(JointRow, SaysWhyThereIsNoModel) {
   const Path folder = EmptyTestFolder();
   const Path still = SynthesizeMinute(folder / "still", "wall_four.yaml", 0.0, 3);

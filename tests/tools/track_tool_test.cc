@@ -571,6 +571,17 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
                 "contact sheet.\n");
 }
 
+TEST(TrackTool, NamesAClockOffsetOfTheCameraThatIsNotApplied) {
+  const fs::path log = CopyOfTheLog();
+  WriteTestFile(log / "camera.yaml",
+                "cam0: {camera_model: pinhole, distortion_model: radtan, resolution: [800, 600], "
+                "intrinsics: [640, 641, 401.3, 297.6], timeshift_cam_imu: 0.1, "
+                "distortion_coeffs: [-0.12, 0.03, 0.0006, -0.0004]}\n");
+  const ToolRun run = Track(log, {"--overwrite"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("camera.yaml: timeshift_cam_imu is 0.1 s and not used: "));
+}
+
 TEST(TrackTool, RefusesALogWithoutCalibrationOrWithAnothers) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();

@@ -97,6 +97,17 @@ TEST(CameraFile, ReadsACamchain) {
             LensModel::kEquidistant);
 }
 
+TEST(CameraFile, NamesAClockOffsetThatIsNotApplied) {
+  std::vector<std::string> remarks;
+  ParseCameraFile("dive/camera.yaml", std::string(kKalibr) + "  timeshift_cam_imu: 0\n", &remarks);
+  EXPECT_THAT(remarks, ElementsAre());
+  ParseCameraFile(
+      "dive/camera.yaml", std::string(kKalibr) + "  timeshift_cam_imu: 0.1\n", &remarks);
+  EXPECT_THAT(remarks,
+              ElementsAre("camera.yaml: timeshift_cam_imu is 0.1 s and not used: where the "
+                          "camera's clock is off, shift the stamps of the frames."));
+}
+
 TEST(CameraFile, RefusesWhatIsNoCalibration) {
   EXPECT_EQ(Error("distortion_model: none\n"),
             "camera.yaml:1: key 'image_width' is missing, expected a whole number.");
