@@ -100,7 +100,7 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
         fmt::format("{} read, {} unreadable, {} without tags, {} with none that is used",
                     summary.images->frame_times.size(),
                     summary.images->num_unreadable,
-                    summary.images->num_frames_without_tags,
+                    summary.images->times_without_tags.size(),
                     summary.images->times_with_unused_only.size()));
     add("sightings not used", std::to_string(summary.images->unused.size()));
     add("sides not followed", std::to_string(summary.images->num_not_followed));
@@ -144,8 +144,11 @@ std::string FormatJson(const TrackSummary& summary,
   frames["expected"] = NumExpected(summary);
   frames["read"] = summary.num_frames;
   frames["unreadable"] = summary.images ? summary.images->num_unreadable : 0;
-  frames["without_tags"] =
-      summary.images ? summary.images->num_frames_without_tags : track.pnp.num_frames_without_tags;
+  // Detections alone do not list the frames that have none.
+  const std::vector<double> times_without_tags =
+      summary.images ? summary.images->times_without_tags : std::vector<double>{};
+  frames["without_tags"] = times_without_tags.size();
+  frames["times_without_tags"] = times_without_tags;
   frames["times_with_unused_tags_only"] =
       summary.images ? Json(summary.images->times_with_unused_only) : Json::array();
   frames["with_pose"] = track.world_from_body.size();

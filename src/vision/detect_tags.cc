@@ -61,8 +61,9 @@ TagDetections DetectTags(FrameSource& frames,
     }
     result.frame_times.push_back(frame.time);
     if (found.detections.empty()) {
-      if (found.unused.empty()) ++result.num_frames_without_tags;
-      if (!found.unused.empty()) result.times_with_unused_only.push_back(frame.time);
+      auto& times =
+          found.unused.empty() ? result.times_without_tags : result.times_with_unused_only;
+      times.push_back(frame.time);
     }
     result.detections.insert(
         result.detections.end(), found.detections.begin(), found.detections.end());
@@ -88,9 +89,9 @@ std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& 
     remarks.push_back(
         fmt::format("{} of {} frames cannot be read.", found.num_unreadable, found.num_expected));
   }
-  if (found.num_frames_without_tags > 0) {
+  if (!found.times_without_tags.empty()) {
     remarks.push_back(fmt::format("{} of {} frames show no tag of {}.",
-                                  found.num_frames_without_tags,
+                                  found.times_without_tags.size(),
                                   found.frame_times.size(),
                                   fmt::join(map.Families(), ", ")));
   }

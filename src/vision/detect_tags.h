@@ -32,7 +32,7 @@ struct TagDetections {
   // Of `detections`: with corners as libapriltag has them, since their sides could not be followed.
   int num_not_followed = 0;
 
-  int num_frames_without_tags = 0;             // nothing was seen
+  std::vector<double> times_without_tags;      // nothing was seen [s]
   std::vector<double> times_with_unused_only;  // something was, but nothing that is used [s]
 };
 

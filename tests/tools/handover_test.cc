@@ -115,6 +115,7 @@ TEST(Handover, TrackGoesOnWithTheNextMarkerAndCountsTheGap) {
   const int num_unused = static_cast<int>(frames["times_with_unused_tags_only"].size());
   EXPECT_LE(num_unused, 2);
   EXPECT_EQ(frames["without_tags"], num_empty - num_unused);
+  EXPECT_EQ(frames["times_without_tags"].size(), frames["without_tags"].get<std::size_t>());
   EXPECT_THAT(run.err, HasSubstr(std::to_string(num_empty) + " of 40 frames have no detection."));
   // A marker that just touches the image's edge may be set aside, on either side of the gap.
   const auto num_refused = frames["times_without_pose"].size();

@@ -45,7 +45,7 @@ TEST(RemarksOnTagDetections, TellOfEverythingThatWasLost) {
   EXPECT_THAT(RemarksOn(found, map), testing::IsEmpty());
   found.num_unreadable = 3;
   found.num_not_followed = 2;
-  found.num_frames_without_tags = 4;
+  found.times_without_tags = {0.1, 0.2, 0.3, 0.4};
   found.remarks = {"log/frame_times.csv: is not read."};
   EXPECT_THAT(RemarksOn(found, map),
               testing::ElementsAre("log/frame_times.csv: is not read.",
