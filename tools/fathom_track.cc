@@ -120,7 +120,16 @@ TagDetectorOptions DetectorOptionsFromFlags() {
   options.max_hamming = static_cast<int>(FLAGS_max_hamming);
   options.quad_decimate = FLAGS_quad_decimate;
   options.quad_sigma = FLAGS_quad_sigma;
+  constexpr std::uint32_t kMostThreads = 256;
+  if (FLAGS_threads < 1 || FLAGS_threads > kMostThreads) {
+    throw InputError(
+        fmt::format("--threads: is {}, expected 1 to {}.", FLAGS_threads, kMostThreads));
+  }
   options.num_threads = static_cast<int>(FLAGS_threads);
+  // The other options have the names of their flags.
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("--{}.", problems.front()));
+  }
   return options;
 }
 

@@ -37,7 +37,10 @@ double ParseNumber(const std::string& flag, const std::string& text) {
 }
 
 // Zero stands for "never" on the command line, infinity in the options.
-double NeverIfZero(double value) {
+double NeverIfZero(const char* flag, double value) {
+  if (!(value >= 0.0)) {
+    throw InputError(fmt::format("{}: is {}, expected 0 (never) or a number above.", flag, value));
+  }
   return value == 0.0 ? std::numeric_limits<double>::infinity() : value;
 }
 
@@ -62,8 +65,8 @@ IdentificationOptions IdentificationOptionsFromFlags() {
     for (int i = 0; i < 4; ++i) gains.lambda[i] = ParseNumber("--gains", parts[i + 1]);
     options.adaptive.gains = gains;
   }
-  options.output_error.huber_k = NeverIfZero(FLAGS_huber);
-  options.output_error.shooting_window = NeverIfZero(FLAGS_shooting_window);
+  options.output_error.huber_k = NeverIfZero("--huber", FLAGS_huber);
+  options.output_error.shooting_window = NeverIfZero("--shooting_window", FLAGS_shooting_window);
   return options;
 }
 

@@ -136,6 +136,16 @@ TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {
   EXPECT_NEAR(InertiaOf(from_csv), 40.0, 0.04);
 }
 
+TEST(IdentifyTool, RefusesAFlagByItsOwnNameAndRange) {
+  for (const std::string flag : {"huber", "shooting_window"}) {
+    const ToolRun run = RunToolBinary("fathom_identify",
+                                      {"--log=" + kFlatfish, "--dof=surge", "--" + flag + "=-1"});
+    EXPECT_EQ(run.exit_code, 1) << run.out;
+    EXPECT_EQ(run.err,
+              "fathom_identify: --" + flag + ": is -1, expected 0 (never) or a number above.\n");
+  }
+}
+
 // Nothing moves: no model, and no file that looks like one.
 TEST(IdentifyTool, AVehicleAtRestEndsWithExitCodeTwoAndNoModel) {
   const Path folder = EmptyTestFolder();

@@ -556,7 +556,11 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
   EXPECT_EQ(refusal(log, {out, "--from=detections"}),
             "fathom_track: " + log.string() + ": holds no detections.csv. Leave out --from.\n");
   EXPECT_EQ(refusal(log, {out, "--max_hamming=3"}),
-            "fathom_track: tag detector: max_hamming is 3, expected 0, 1 or 2.\n");
+            "fathom_track: --max_hamming is 3, expected 0, 1 or 2.\n");
+  for (const std::string threads : {"0", "257", "4294967295"}) {
+    EXPECT_EQ(refusal(log, {out, "--threads=" + threads}),
+              "fathom_track: --threads: is " + threads + ", expected 1 to 256.\n");
+  }
   EXPECT_EQ(refusal(log, {out, "--reference=5"}),
             "fathom_track: --reference=5: stands without --estimate_markers, expected both: it is "
             "the marker that keeps its place while the others are estimated.\n");
