@@ -252,6 +252,9 @@ void RequireOneClock(const Run& run, const MarkerTrack& track) {
 
 // Throws before any work is done if the result may not be written.
 fs::path WhereToWrite(const fs::path& folder) {
+  if (FLAGS_out.empty() && IsGiven("out")) {
+    throw InputError("--out: is empty, expected a folder. Leave it out to write into the log.");
+  }
   if (!FLAGS_out.empty()) {
     std::error_code error;
     if (fs::equivalent(FLAGS_out, folder, error)) {

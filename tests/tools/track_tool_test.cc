@@ -561,6 +561,10 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal(log, {out, "--threads=" + threads}),
               "fathom_track: --threads: is " + threads + ", expected 1 to 256.\n");
   }
+  // As from an unset variable of a shell.
+  EXPECT_EQ(refusal(log, {"--out=", "--overwrite"}),
+            "fathom_track: --out: is empty, expected a folder. Leave it out to write into the "
+            "log.\n");
   EXPECT_EQ(refusal(log, {out, "--reference=5"}),
             "fathom_track: --reference=5: stands without --estimate_markers, expected both: it is "
             "the marker that keeps its place while the others are estimated.\n");
