@@ -49,7 +49,12 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
                     meaning));
   };
   require("log.yaml", "name and dof of the log");
-  if (!options.may_lack_command) require("command.csv", "the commanded forces");
+  if (!options.may_lack_command && !Exists(folder / "command.csv")) {
+    throw InputError(
+        fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track "
+                    "does without them. See docs/file_formats.md.",
+                    folder.string()));
+  }
   const bool has_own_velocity = Exists(folder / "velocity.csv");
   const bool has_motion = has_own_velocity || !options.velocity.empty() ||
                           Exists(folder / "pose.csv") || Exists(folder / "detections.csv");

@@ -173,8 +173,8 @@ TEST(ReadLog, RefusesAFolderThatLacksAFile) {
             ": holds no log.yaml (name and dof of the log), expected a log folder. See "
             "docs/file_formats.md.");
   EXPECT_EQ(Error({{"command.csv", "-"}}),
-            ": holds no command.csv (the commanded forces), expected a log folder. See "
-            "docs/file_formats.md.");
+            ": holds no command.csv, expected the commanded forces: only fathom_track does without "
+            "them. See docs/file_formats.md.");
   EXPECT_EQ(
       Error({{"velocity.csv", "-"}}),
       ": holds neither velocity.csv nor pose.csv nor detections.csv, expected the vehicle's motion "
