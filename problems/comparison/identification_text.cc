@@ -6,7 +6,6 @@
 #include "fathom/report/format_value.h"
 #include "fathom/report/table.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,16 +14,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
-
-std::string IntervalText(double value, double std, double lower_bound) {
-  if (!std::isfinite(std)) return "-";
-  return fmt::format("{:.4g} ... {:.4g}",
-                     value < lower_bound ? value - kNormal95 * std
-                                         : std::max(lower_bound, value - kNormal95 * std),
-                     value + kNormal95 * std);
-}
 
 std::string FiguresText(const char* where, const FitFigures& figures, std::string_view unit) {
   if (!std::isfinite(figures.nmae)) return "";
@@ -72,7 +62,7 @@ std::string FormatIdentification(const Identification& identification) {
     table.rows.push_back({{name,
                            FormatValue(value, std),
                            unit,
-                           IntervalText(value, std, lower_bound),
+                           FormatInterval(value, std, lower_bound),
                            std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"}});
   };
   for (int i = 0; i < kNumParameters; ++i) {

@@ -16,7 +16,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Poses PosesIn(const std::vector<double>& time, const std::vector<Pose>& world_from_body) {
@@ -82,17 +81,11 @@ Table IntervalTable(const ImageComparison& comparison) {
     const ParameterVector values = ToVector(row.fitted.model);
     for (int i = 0; i < kNumParameters; ++i) {
       const double std = std::sqrt(row.fitted.covariance(i, i));
-      double from = values[i] - kNormal95 * std;
-      if (values[i] >= kParameterInfo[i].lower_bound) {
-        from = std::max(from, kParameterInfo[i].lower_bound);
-      }
-      table.rows.push_back(
-          {{ModelName(row),
-            kParameterInfo[i].name,
-            FormatValue(values[i], std),
-            ParameterUnit(i, row.fitted.dof, row.fitted.force_unit),
-            std::isfinite(std) ? fmt::format("{:.5g} ... {:.5g}", from, values[i] + kNormal95 * std)
-                               : "-"}});
+      table.rows.push_back({{ModelName(row),
+                             kParameterInfo[i].name,
+                             FormatValue(values[i], std),
+                             ParameterUnit(i, row.fitted.dof, row.fitted.force_unit),
+                             FormatInterval(values[i], std, kParameterInfo[i].lower_bound)}});
     }
   }
   return table;

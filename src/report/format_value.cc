@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,33 @@ std::string FormatAlone(double value) {
   return Rounded(value, std::max(3 - FirstDigit(value, 4), 0));
 }
 
+// Where a number and its deviation are rounded, by exponents of their digits.
+struct Digits {
+  int first = 0;
+  int last = 0;
+  bool has_power = false;  // whether a power of ten is taken out
+
+  bool AreTooMany() const { return first - last > kMostDigits; }
+
+  // Both numbers end at the last digit.
+  std::string Write(double a, std::string_view between, double b) const {
+    if (!has_power) return fmt::format("{}{}{}", Rounded(a, -last), between, Rounded(b, -last));
+    const double scale = std::pow(10.0, first);
+    return fmt::format("({}{}{})e{:+03d}",
+                       Rounded(a / scale, first - last),
+                       between,
+                       Rounded(b / scale, first - last),
+                       first);
+  }
+};
+
+Digits DigitsOf(double value, double std) {
+  const double size = std::max(std::abs(value), std);
+  return {.first = FirstDigit(size, 4),
+          .last = FirstDigit(std, 2) - 1,
+          .has_power = size < kSmallest || size >= kLargest};
+}
+
 }  // namespace
 
 std::string FormatValue(double value, double std) {
@@ -52,21 +80,21 @@ std::string FormatValue(double value, double std) {
   if (std::isinf(value) || std::isinf(std)) return FormatAlone(value) + " ± " + FormatAlone(std);
   if (std == 0.0) return FormatAlone(value) + " ± 0";
 
-  const int last_digit = FirstDigit(std, 2) - 1;
-  const double size = std::max(std::abs(value), std);
-  const int first_digit = FirstDigit(size, 4);
-  if (first_digit - last_digit > kMostDigits) {
-    return fmt::format("{:.{}g} ± {:.0e}", value, kMostDigits, std);
-  }
-  if (size < kSmallest || size >= kLargest) {
-    const double scale = std::pow(10.0, first_digit);
-    const int decimals = first_digit - last_digit;
-    return fmt::format("({} ± {})e{:+03d}",
-                       Rounded(value / scale, decimals),
-                       Rounded(std / scale, decimals),
-                       first_digit);
-  }
-  return Rounded(value, -last_digit) + " ± " + Rounded(std, -last_digit);
+  const Digits digits = DigitsOf(value, std);
+  if (digits.AreTooMany()) return fmt::format("{:.{}g} ± {:.0e}", value, kMostDigits, std);
+  return digits.Write(value, " ± ", std);
+}
+
+std::string FormatInterval(double value, double std, double lower_bound) {
+  constexpr double kNormal95 = 1.96;
+  if (!std::isfinite(value) || !std::isfinite(std)) return "-";
+  double from = value - kNormal95 * std;
+  if (value >= lower_bound) from = std::max(from, lower_bound);
+  const double to = value + kNormal95 * std;
+  if (std == 0.0) return FormatAlone(value) + " ... " + FormatAlone(value);
+  const Digits digits = DigitsOf(value, std);
+  if (digits.AreTooMany()) return fmt::format("{0:.{2}g} ... {1:.{2}g}", from, to, kMostDigits);
+  return digits.Write(from, " ... ", to);
 }
 
 }  // namespace fathom

@@ -16,4 +16,11 @@ namespace fathom {
 //   value NaN     "-"
 std::string FormatValue(double value, double std = std::numeric_limits<double>::quiet_NaN());
 
+// The 95 % interval of the same number, both ends rounded at its last digit: "882.1 ... 898.5",
+// "(1.124 ... 1.344)e-05". It does not reach below `lower_bound`, unless the value itself does.
+// "-" where the deviation is not known or infinite.
+std::string FormatInterval(double value,
+                           double std,
+                           double lower_bound = -std::numeric_limits<double>::infinity());
+
 }  // namespace fathom

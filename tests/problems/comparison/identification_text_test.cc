@@ -74,8 +74,8 @@ TEST(FormatIdentification, ShowsParametersIntervalsFiguresAndCaveats) {
   // 40 -+ 1.96 2, 30 -+ 1.96 1.5
   EXPECT_THAT(FormatIdentification(row),
               AllOf(HasSubstr("surge by output_error from pose_estimator"),
-                    HasSubstr("36.08 ... 43.92"),
-                    HasSubstr("27.06 ... 32.94"),
+                    HasSubstr("36.1 ... 43.9"),
+                    HasSubstr("27.1 ... 32.9"),
                     HasSubstr("MAE 0.01000 m/s, NMAE 0.0200   (90 samples, 9 s)"),
                     HasSubstr("MAE 0.00750 m/s, NMAE 0.0300   (40 samples, 4 s)"),
                     HasSubstr("note: The log cannot tell them apart."),
@@ -85,7 +85,7 @@ TEST(FormatIdentification, ShowsParametersIntervalsFiguresAndCaveats) {
 TEST(FormatIdentification, CutsTheIntervalOfADampingAtZero) {
   auto row = HandmadeRow(Family::kOutputError, 0.02, 0.03);
   row.fitted.model.linear_damping = 0.5;  // 0.5 - 1.96 0.5 < 0
-  EXPECT_THAT(FormatIdentification(row), HasSubstr("0 ... 1.48"));
+  EXPECT_THAT(FormatIdentification(row), HasSubstr("0.00 ... 1.48"));
 }
 
 TEST(FormatIdentification, GivesRatiosWhereTheForceHasNoSiUnit) {
@@ -94,9 +94,9 @@ TEST(FormatIdentification, GivesRatiosWhereTheForceHasNoSiUnit) {
   // 0.125 -+ 1.96 sqrt(2.890625e-4), by hand above; 0.75 -+ 1.96 sqrt(0.025^2 2.25 + 0.01875^2 4)
   EXPECT_THAT(FormatIdentification(row),
               AllOf(HasSubstr("linear_damping / inertia"),
-                    HasSubstr("0.09168 ... 0.1583"),
+                    HasSubstr("0.092 ... 0.158"),
                     HasSubstr("quadratic_damping / inertia"),
-                    HasSubstr("0.6461 ... 0.8539"),
+                    HasSubstr("0.646 ... 0.854"),
                     HasSubstr("The command is in A, not in N")));
 }
 

@@ -54,5 +54,27 @@ TEST(FormatValue, ShowsWhatIsMissingOrUnbounded) {
   EXPECT_EQ(FormatValue(5.0, 0.0), "5.000 ± 0");
 }
 
+// 1.96 deviations to each side: 0.027, 0.000092, 8.2, 450.
+TEST(FormatInterval, EndsBothNumbersWhereTheValueEnds) {
+  EXPECT_EQ(FormatInterval(851.042, 0.014), "851.015 ... 851.069");
+  EXPECT_EQ(FormatInterval(-0.80990, 0.000047), "-0.809992 ... -0.809808");
+  EXPECT_EQ(FormatInterval(890.34, 4.2), "882.1 ... 898.6");
+  EXPECT_EQ(FormatInterval(12347.0, 231.0), "11890 ... 12800");
+  EXPECT_EQ(FormatInterval(1.2343e-5, 5.6e-7), "(1.125 ... 1.344)e-05");
+}
+
+TEST(FormatInterval, IsCutAtABoundThatTheValueKeeps) {
+  EXPECT_EQ(FormatInterval(0.5, 0.5, 0.0), "0.00 ... 1.48");
+  EXPECT_EQ(FormatInterval(-5.0, 0.5, 0.0), "-5.98 ... -4.02");
+}
+
+TEST(FormatInterval, ShowsWhatIsMissingOrExact) {
+  EXPECT_EQ(FormatInterval(5.0, kNan), "-");
+  EXPECT_EQ(FormatInterval(5.0, kInfinity), "-");
+  EXPECT_EQ(FormatInterval(kNan, 1.0), "-");
+  EXPECT_EQ(FormatInterval(5.0, 0.0), "5.000 ... 5.000");
+  EXPECT_EQ(FormatInterval(890.3, 1e-9), "890.3 ... 890.3");
+}
+
 }  // namespace
 }  // namespace fathom
