@@ -173,9 +173,11 @@ int Run() {
                 figures.num_samples,
                 figures.duration);
   } else {
-    std::printf("%s: predicted from rest; the log has no column '%s' and no pose to score it by\n",
-                std::string(Name(fitted.dof)).c_str(),
-                std::string(VelocityColumn(fitted.dof)).c_str());
+    std::printf(
+        "%s: predicted from rest; the log has no column '%s' and no pose to score it by%s\n",
+        std::string(Name(fitted.dof)).c_str(),
+        std::string(VelocityColumn(fitted.dof)).c_str(),
+        log.detections ? ". fathom_track makes poses from its detections.csv." : "");
   }
   if (!left_out.empty()) {
     std::printf(

@@ -147,6 +147,23 @@ TEST(SimulateTool, PredictsACommandAlone) {
 }
 
 // The thrust per ampere is unknown: such a model says nothing about a log in newton.
+TEST(SimulateTool, SaysHowDetectionsBecomePosesToScoreBy) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  std::filesystem::remove(log / "velocity.csv");
+  WriteTestFile(log / "detections.csv",
+                "t,tag_id,u0,v0,u1,v1,u2,v2,u3,v3\n"
+                "0.1,4,310,251,350,252,351,211,310,211\n"
+                "0.2,4,310,251,350,252,351,211,310,211\n");
+  const Path model = WriteTestFile(folder / "model.json", SmallModelJson());
+  const ToolRun run =
+      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out,
+            "surge: predicted from rest; the log has no column 'u' and no pose to score it by. "
+            "fathom_track makes poses from its detections.csv.\n");
+}
+
 TEST(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
   const Path folder = EmptyTestFolder();
   const Path model = folder / "model.json";
