@@ -46,16 +46,27 @@ const ToolInfo kInfo = {
     "source camera, of logs with detections.csv, camera.yaml, tags.yaml and "
     "mount.yaml. Exit code 2: a DOF without a usable model."};
 
+// What a flag lists, each once.
+template <typename T>
+std::vector<T> ListFromFlag(const char* flag,
+                            const std::string& value,
+                            T (*parse)(const std::string&)) {
+  std::vector<T> list;
+  for (const std::string& name : SplitAtCommas(value)) {
+    const T one = ParseFlag(flag, name, parse);
+    if (std::find(list.begin(), list.end(), one) != list.end()) {
+      throw InputError(fmt::format("--{}: names {} twice, expected each once.", flag, name));
+    }
+    list.push_back(one);
+  }
+  return list;
+}
+
 ComparisonOptions OptionsFromFlags() {
   ComparisonOptions options;
-  for (const auto& name : SplitAtCommas(FLAGS_dofs))
-    options.dofs.push_back(ParseFlag("dofs", name, ParseDof));
-  for (const auto& name : SplitAtCommas(FLAGS_families)) {
-    options.families.push_back(ParseFlag("families", name, ParseFamily));
-  }
-  for (const auto& name : SplitAtCommas(FLAGS_sources)) {
-    options.sources.push_back(ParseFlag("sources", name, ParseSource));
-  }
+  options.dofs = ListFromFlag("dofs", FLAGS_dofs, ParseDof);
+  options.families = ListFromFlag("families", FLAGS_families, ParseFamily);
+  options.sources = ListFromFlag("sources", FLAGS_sources, ParseSource);
   options.identification = IdentificationOptionsFromFlags();
   return options;
 }

@@ -144,6 +144,17 @@ TEST(CompareTool, TakesTheFamiliesAndDofsItIsAskedFor) {
   EXPECT_THAT(families, ElementsAre("adaptive", "output_error"));
 }
 
+TEST(CompareTool, RefusesWhatIsNamedTwice) {
+  for (const auto& [flag, name] : std::vector<std::pair<std::string, std::string>>{
+           {"dofs", "surge"}, {"families", "adaptive"}, {"sources", "pose_estimator"}}) {
+    const ToolRun run = RunToolBinary(
+        "fathom_compare", {"--log=" + kFlatfish, "--" + flag + "=" + name + "," + name});
+    EXPECT_EQ(run.exit_code, 1) << run.out;
+    EXPECT_EQ(run.err,
+              "fathom_compare: --" + flag + ": names " + name + " twice, expected each once.\n");
+  }
+}
+
 TEST(CompareTool, WritesItsFigures) {
   const Path folder = EmptyTestFolder() / "figures";
   const ToolRun run = RunToolBinary(
