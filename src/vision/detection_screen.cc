@@ -110,8 +110,9 @@ std::optional<Rejection> RejectionOf(const Detection& detection,
                                      const MarkerMap& map) {
   if (map.Find(detection.tag_id) == nullptr) return Rejection::kUnknownId;
   if (num_of_this_id > 1) return Rejection::kRepeatedId;
-  if (TwiceTheArea(detection.corners) > 0.0) return Rejection::kMirrored;
+  // Off the image first: what lies far from it has no order, or an area beyond all numbers.
   if (!IsOnTheImage(camera, largest_angle, detection.corners)) return Rejection::kOffImage;
+  if (TwiceTheArea(detection.corners) > 0.0) return Rejection::kMirrored;
   if (!IsConvexFromTheFront(detection.corners)) return Rejection::kNoSquare;
   return std::nullopt;
 }

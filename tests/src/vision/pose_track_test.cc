@@ -266,6 +266,21 @@ TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
   EXPECT_THAT(remarks, Contains(HasSubstr("Set aside as mirrored: 1 of 116")));
 }
 
+// The products of such numbers have no sign that means an order.
+TEST(TrackPoses, CallsCornersFarOffTheImageThatAndNotMirrored) {
+  SyntheticRecord record = MakeRecord(FourMarkers(), 30, 0.2, 0.3, 12);
+  for (int corner = 0; corner < 4; ++corner) {
+    for (const double far : {-1e300, -1e5, 1e5, 1e300}) {
+      auto detections = record.detections;
+      detections[0].corners[corner].y() = far;
+      const PoseTrack track = TrackPoses(detections, SyntheticCamera(), FourMarkers());
+      ExpectNothingIsLost(track);
+      EXPECT_EQ(NumRejected(track, Rejection::kOffImage), 1) << corner << " at " << far;
+      EXPECT_EQ(NumRejected(track, Rejection::kMirrored), 0) << corner << " at " << far;
+    }
+  }
+}
+
 // A fisheye looks past 90 degrees, where a square of its own proposes no pose: that, and no
 // contradiction, is why frames with nothing else have none.
 TEST(TrackPoses, TellsDetectionsBeyond90DegreesFromOutliers) {
