@@ -9,6 +9,7 @@
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/report/figure.h"
 #include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/tool.h"
 
 #include <algorithm>
@@ -102,6 +103,7 @@ void AddCameraSourceIfWanted(const ComparisonOptions& options, Log* log) {
 int Run() {
   const ComparisonOptions options = OptionsFromFlags();
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, {FLAGS_log, FLAGS_velocity});
   std::optional<Dof> dof;
   if (options.dofs.size() == 1) dof = options.dofs.front();
   if (!dof && std::filesystem::is_regular_file(FLAGS_log)) {

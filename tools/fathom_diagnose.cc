@@ -15,6 +15,7 @@
 #include "fathom/log/pose_remarks.h"
 #include "fathom/signal/signals.h"
 #include "fathom/tools/log_flags.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
 
@@ -134,9 +135,7 @@ void Print(const Diagnosis& diagnosis) {
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const DiagnosisOptions options = OptionsFromFlags();
-  for (const std::string& file : {FLAGS_verdict, FLAGS_report}) {
-    if (!file.empty()) RequireWritableFile(file);
-  }
+  RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
   Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {

@@ -10,6 +10,7 @@
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
 
@@ -113,6 +114,7 @@ int Run() {
         "--source: is 'pose_estimator', expected camera: the family joint takes the corners that "
         "a camera saw.");
   }
+  RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(family);
   const Signals signals = SignalsOfAll(logs, family);
   if (IsAllHeldOut(signals)) {

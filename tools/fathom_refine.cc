@@ -14,6 +14,7 @@
 #include "fathom/log/write_log.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/tools/identifier_flags.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
@@ -145,6 +146,11 @@ std::map<std::string, std::string> Provenance() {
 int RunRefine() {
   RequireFlag("log", FLAGS_log, "a log folder with detections.csv");
   ImageComparisonOptions options = OptionsFromFlags();
+  RequireOutputs({{"json", FLAGS_json},
+                  {"model", FLAGS_model},
+                  {"trajectory", FLAGS_trajectory},
+                  {"report", FLAGS_report}},
+                 InputsFromFlags());
   std::optional<Dof> given;
   if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
   std::vector<Log> logs;

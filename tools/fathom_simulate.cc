@@ -11,6 +11,7 @@
 #include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
 #include "fathom/tools/log_flags.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/tool.h"
 #include "fathom/vehicle/model_file.h"
 
@@ -133,6 +134,7 @@ class FreeRuns {
 int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  RequireOutputs({{"out", FLAGS_out}}, {FLAGS_model, FLAGS_log, FLAGS_velocity});
   FittedModel fitted = ReadModel(FLAGS_model);
   const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof, /*may_lack_motion=*/true);
   const std::string log_unit =

@@ -7,6 +7,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
+#include "fathom/base/temporary.h"
 #include "fathom/film/film_file.h"
 #include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
@@ -14,6 +15,7 @@
 #include "fathom/simulate/experiment_file.h"
 #include "fathom/simulate/synthesize.h"
 #include "fathom/simulate/truth_file.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/output_folder.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
@@ -121,8 +123,9 @@ int Run() {
       OutputFolder(RequireFlag("out", FLAGS_out, "the folder of the log to write"),
                    FLAGS_overwrite,
                    FLAGS_render);
+  RequireWritableFolder(folder);
   RequireOutside(folder, "truth", FLAGS_truth);
-  if (!FLAGS_truth.empty()) RequireWritableFile(FLAGS_truth);
+  RequireOutputs({{"truth", FLAGS_truth}}, {FLAGS_vehicle, FLAGS_experiment, FLAGS_film});
 
   std::vector<ActiveEffect> effects;
   if (!FLAGS_effects.empty()) {
@@ -130,10 +133,10 @@ int Run() {
     effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
   }
   const Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
-  const FolderInTheMaking made(folder);
+  const Temporary made(folder);
   WriteLog(made.path(), log);
   if (film) WriteFilm(made.path(), vehicle, experiment, effects, log, *film);
-  made.Finish();
+  made.TakePlace();
   if (!FLAGS_truth.empty()) {
     WriteFile(FLAGS_truth, FormatTruth(vehicle, experiment, effects, FLAGS_seed));
   }

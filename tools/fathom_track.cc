@@ -8,9 +8,11 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/input_file.h"
 #include "fathom/base/output_file.h"
+#include "fathom/base/temporary.h"
 #include "fathom/log/log_clocks.h"
 #include "fathom/log/pose_remarks.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
+#include "fathom/tools/output_flags.h"
 #include "fathom/tools/output_folder.h"
 #include "fathom/tools/progress.h"
 #include "fathom/tools/tool.h"
@@ -274,12 +276,9 @@ fs::path WhereToWrite(const fs::path& folder) {
 }
 
 // Throws before any work is done if a file that was asked for cannot be written.
-void RequireOutputs(const fs::path& out) {
-  if (!FLAGS_overlay.empty()) {
-    RequireOverlayEnding(FLAGS_overlay);
-    RequireWritableFile(FLAGS_overlay);
-  }
-  if (!FLAGS_summary.empty()) RequireWritableFile(FLAGS_summary);
+void RequireWritable(const fs::path& out) {
+  if (!FLAGS_overlay.empty()) RequireOverlayEnding(FLAGS_overlay);
+  RequireOutputs({{"overlay", FLAGS_overlay}, {"summary", FLAGS_summary}}, {FLAGS_log});
   if (FLAGS_out.empty()) {
     RequireWritableFile(out / "pose.csv");
   } else {
@@ -314,7 +313,7 @@ int RunTrack() {
   const fs::path folder = RequireFlag("log", FLAGS_log, "a log folder with images");
   MarkerTrajectoryOptions options = TrajectoryOptionsFromFlags();
   const fs::path out = WhereToWrite(folder);
-  RequireOutputs(out);
+  RequireWritable(out);
   const Run run = ReadRun(folder, options);
   for (const std::string& remark : run.log.remarks) fmt::print(stderr, "{}\n", remark);
   if (run.images) {
@@ -334,7 +333,7 @@ int RunTrack() {
   // All are made before the first takes its name: whatever fails leaves nothing behind.
   std::unique_ptr<OverlayWriter> overlay;
   if (!FLAGS_overlay.empty()) overlay = MakeOverlay(run, track);
-  std::optional<FolderInTheMaking> made;
+  std::optional<Temporary> made;
   if (is_usable && !FLAGS_out.empty()) {
     made.emplace(out);
     CopyLog(run.log, track, made->path());
@@ -351,7 +350,7 @@ int RunTrack() {
     return 2;
   }
   if (made) {
-    made->Finish();
+    made->TakePlace();
   } else {
     if (run.images) WriteDetections(out / "detections.csv", run.detections);
     WriteTrack(out, track, summary.remarks);

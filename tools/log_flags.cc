@@ -52,6 +52,12 @@ std::vector<std::string> LogPathsFromFlags() {
   return paths;
 }
 
+std::vector<std::string> InputsFromFlags() {
+  std::vector<std::string> inputs = LogPathsFromFlags();
+  if (!FLAGS_velocity.empty()) inputs.push_back(FLAGS_velocity);
+  return inputs;
+}
+
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {
   ReadLogOptions options;
   options.dof = dof;

@@ -36,6 +36,9 @@ auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
 // data twice would count as twice as much.
 std::vector<std::string> LogPathsFromFlags();
 
+// What the tool reads: these paths, and the file of --velocity where it is given.
+std::vector<std::string> InputsFromFlags();
+
 // Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
 // says how, and prints the reader's remarks to stderr. Of a log whose only motion is detections the
 // poses are made (AddCameraSource).

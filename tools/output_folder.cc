@@ -8,24 +8,12 @@
 #include "fathom/log/log_yaml.h"
 
 #include <algorithm>
-#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace fathom {
 namespace {
-
-// The vehicle file that log.yaml names, if it is in its folder; empty if it names none.
-std::string VehicleFileOf(const std::filesystem::path& folder) {
-  try {
-    const std::string file = (folder / "log.yaml").string();
-    return ParseLogYaml(file, ReadFile(file)).vehicle;
-  } catch (const InputError&) {
-    return "";
-  }
-}
 
 // Whether the renderer has named everything in a folder `frames`.
 bool HoldsRenderedFramesOnly(const std::filesystem::path& frames) {
@@ -39,29 +27,42 @@ bool HoldsRenderedFramesOnly(const std::filesystem::path& frames) {
 
 // What a folder holds that no program of Fathom has written; empty if there is nothing.
 std::string ForeignFileIn(const std::filesystem::path& folder, bool makes_images) {
-  const std::set<std::string> written = {"camera.yaml",
-                                         "command.csv",
-                                         "detections.csv",
-                                         "log.yaml",
-                                         "mount.yaml",
-                                         "pose.csv",
-                                         "pose.yaml",
-                                         "tags.yaml",
-                                         "tags_estimated.yaml",
-                                         "velocity.csv",
-                                         VehicleFileOf(folder)};
+  std::set<std::string> written = FilesOfLog(folder);
+  if (!makes_images) written.erase("frames.csv");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory()) {
       if (makes_images && name == "frames" && HoldsRenderedFramesOnly(entry.path())) continue;
       return name;
     }
-    if (!written.contains(name) && !(makes_images && name == "frames.csv")) return name;
+    if (!written.contains(name)) return name;
   }
   return "";
 }
 
 }  // namespace
+
+std::set<std::string> FilesOfLog(const std::filesystem::path& folder) {
+  std::set<std::string> files = {"camera.yaml",
+                                 "command.csv",
+                                 "detections.csv",
+                                 "frames.csv",
+                                 "log.yaml",
+                                 "mount.yaml",
+                                 "pose.csv",
+                                 "pose.yaml",
+                                 "tags.yaml",
+                                 "tags_estimated.yaml",
+                                 "velocity.csv"};
+  try {
+    const std::string file = (folder / "log.yaml").string();
+    files.insert(ParseLogYaml(file, ReadFile(file)).vehicle);
+  } catch (const InputError&) {
+    // Without a log.yaml that can be read there is no vehicle file either.
+  }
+  files.erase("");
+  return files;
+}
 
 std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool makes_images) {
   const std::filesystem::path folder = out;
@@ -107,24 +108,6 @@ void RequireOutside(const std::filesystem::path& folder,
                   flag,
                   file,
                   folder.string()));
-}
-
-FolderInTheMaking::FolderInTheMaking(const std::filesystem::path& folder)
-    : folder_(folder), temporary_(folder.string() + ".part" + std::to_string(getpid())) {}
-
-FolderInTheMaking::~FolderInTheMaking() {
-  std::error_code error;
-  std::filesystem::remove_all(temporary_, error);
-}
-
-void FolderInTheMaking::Finish() const {
-  std::error_code error;
-  std::filesystem::remove_all(folder_, error);
-  if (!error) std::filesystem::rename(temporary_, folder_, error);
-  if (error) {
-    throw InputError(
-        fmt::format("{}: cannot write this folder: {}.", folder_.string(), error.message()));
-  }
 }
 
 }  // namespace fathom

@@ -4,10 +4,15 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
 namespace fathom {
+
+// The names of the files that a log in this folder consists of, whether they are there or not; not
+// its images or video.
+std::set<std::string> FilesOfLog(const std::filesystem::path& folder);
 
 // The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log and
 // nothing that Fathom could not have written: a camera's images or a video cannot be made
@@ -22,25 +27,5 @@ std::filesystem::path OutputFolder(const std::string& out,
 void RequireOutside(const std::filesystem::path& folder,
                     std::string_view flag,
                     const std::string& file);
-
-// A folder that takes its final name only once it is complete; what is not finished leaves nothing
-// behind.
-class FolderInTheMaking {
- public:
-  explicit FolderInTheMaking(const std::filesystem::path& folder);
-  ~FolderInTheMaking();
-  FolderInTheMaking(const FolderInTheMaking&) = delete;
-  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
-
-  // Where to write until then.
-  const std::filesystem::path& path() const { return temporary_; }
-
-  // Replaces whatever has the name. Throws InputError if that is not possible.
-  void Finish() const;
-
- private:
-  std::filesystem::path folder_;
-  std::filesystem::path temporary_;
-};
 
 }  // namespace fathom

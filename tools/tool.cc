@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/temporary.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -152,6 +153,7 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_WARNING;
   google::InitGoogleLogging(info.name.c_str());
+  RemoveTemporariesOnInterrupt();
   int exit_code = 1;
   std::string problem;
   try {

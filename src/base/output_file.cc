@@ -4,10 +4,12 @@
 #include "fathom/base/output_file.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/temporary.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -17,59 +19,70 @@
 namespace fathom {
 namespace {
 
+namespace fs = std::filesystem;
+
+[[noreturn]] void RefuseToWrite(const fs::path& path, const std::string& reason) {
+  throw InputError(path.string() + ": cannot write this file: " + reason + ".");
+}
+
+// A device, a pipe or a socket, also under the names that the system has for open files: it is
+// written into. A file in its place would take it from every other process.
+bool IsDevice(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error).lexically_normal();
+  const auto root = absolute.begin() == absolute.end() ? fs::path() : *std::next(absolute.begin());
+  if (root == "dev" || root == "proc") return fs::exists(path, error);
+  return fs::exists(path, error) && fs::is_other(path, error);
+}
+
+void WriteInto(const fs::path& file, std::string_view content, const fs::path& named) {
+  errno = 0;
+  // At the end: /dev/stdout may be a file that has lines already.
+  std::ofstream stream(file, std::ios::binary | std::ios::app);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream) RefuseToWrite(named, std::strerror(errno));
+}
+
 // Makes and removes the temporary that is to be beside `path`.
-void TryTemporaryOf(const std::filesystem::path& path) {
+void TryTemporaryOf(const fs::path& path) {
   std::error_code error;
   // Folders that are missing are made, and removed again from the innermost on.
-  std::vector<std::filesystem::path> made;
-  for (auto folder = path.parent_path(); !folder.empty() && !std::filesystem::exists(folder, error);
+  std::vector<fs::path> made;
+  for (auto folder = path.parent_path(); !folder.empty() && !fs::exists(folder, error);
        folder = folder.parent_path()) {
     made.push_back(folder);
   }
-  if (!made.empty()) std::filesystem::create_directories(made.front(), error);
-  std::filesystem::path temporary = path;
-  temporary += ".part" + std::to_string(getpid());
+  if (!made.empty()) fs::create_directories(made.front(), error);
+  const Temporary temporary(path);
   errno = 0;
-  const bool can_write = std::ofstream(temporary, std::ios::binary).is_open();
+  const bool can_write = std::ofstream(temporary.path(), std::ios::binary).is_open();
   const std::string reason = std::strerror(errno);
-  if (can_write) std::filesystem::remove(temporary, error);
-  for (const auto& folder : made) std::filesystem::remove(folder, error);
-  if (!can_write) throw InputError(path.string() + ": cannot write this file: " + reason + ".");
+  if (can_write) fs::remove(temporary.path(), error);
+  for (const auto& folder : made) fs::remove(folder, error);
+  if (!can_write) RefuseToWrite(path, reason);
 }
 
 }  // namespace
 
-void WriteFile(const std::filesystem::path& path, std::string_view content) {
+void WriteFile(const fs::path& path, std::string_view content) {
+  if (IsDevice(path)) return WriteInto(path, content, path);
   std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  std::filesystem::path temporary = path;
-  temporary += ".part" + std::to_string(getpid());
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    file.close();
-    if (!file) {
-      const std::string reason = std::strerror(errno);
-      std::filesystem::remove(temporary, error);
-      throw InputError(path.string() + ": cannot write this file: " + reason + ".");
-    }
-  }
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(temporary, error);
-    throw InputError(path.string() + ": cannot write this file: " + reason + ".");
-  }
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  const Temporary temporary(path);
+  WriteInto(temporary.path(), content, path);
+  temporary.TakePlace();
 }
 
-void RequireWritableFile(const std::filesystem::path& path) {
+void RequireWritableFile(const fs::path& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
+  if (fs::is_directory(path, error)) {
     throw InputError(path.string() + ": is a folder, expected a file to write.");
   }
-  TryTemporaryOf(path);
+  if (!IsDevice(path)) return TryTemporaryOf(path);
+  if (access(path.c_str(), W_OK) != 0) RefuseToWrite(path, std::strerror(errno));
 }
 
-void RequireWritableFolder(const std::filesystem::path& path) { TryTemporaryOf(path); }
+void RequireWritableFolder(const fs::path& path) { TryTemporaryOf(path); }
 
 }  // namespace fathom

@@ -9,7 +9,8 @@
 namespace fathom {
 
 // Writes a whole file or nothing: into a temporary beside it, then renamed. Creates the folder
-// where it is missing. Throws InputError, naming the file, if it cannot be written.
+// where it is missing. Through a symbolic link; a device or pipe is written into. Throws
+// InputError, naming the file, if it cannot be written.
 void WriteFile(const std::filesystem::path& path, std::string_view content);
 
 // Throws InputError as WriteFile would, before the work is done that is to end in this file, or in

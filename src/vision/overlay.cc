@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/output_file.h"
+#include "fathom/base/temporary.h"
 #include "fathom/vision/video_reader.h"
 
 #include <algorithm>
@@ -20,7 +21,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <unistd.h>
 
 namespace fathom {
 namespace {
@@ -168,8 +168,6 @@ class OverlayVideo : public OverlayWriter {
  public:
   OverlayVideo(std::filesystem::path path, int width, int height, double rate)
       : path_(std::move(path)), temporary_(path_) {
-    // The ending tells the container.
-    temporary_.replace_extension(".part" + std::to_string(getpid()) + path_.extension().string());
     // FFmpeg's own words on stderr, which name no file.
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
     std::error_code error;
@@ -178,16 +176,9 @@ class OverlayVideo : public OverlayWriter {
                                                  : cv::VideoWriter::fourcc('m', 'p', '4', 'v');
     // Codecs want even sides.
     size_ = {width + width % 2, height + height % 2};
-    if (!writer_.open(temporary_.string(), cv::CAP_FFMPEG, code, rate, size_, true)) {
-      std::filesystem::remove(temporary_, error);
+    if (!writer_.open(temporary_.path().string(), cv::CAP_FFMPEG, code, rate, size_, true)) {
       throw InputError(path_.string() + ": cannot write this video.");
     }
-  }
-
-  ~OverlayVideo() override {
-    writer_.release();
-    std::error_code error;
-    std::filesystem::remove(temporary_, error);
   }
 
   void Add(const OverlayFrame& frame) override {
@@ -207,7 +198,7 @@ class OverlayVideo : public OverlayWriter {
     if (num_frames_ == 0) RefuseNothing(path_);
     // The writer says nothing of what it could not write.
     writer_.release();
-    if (const int num_written = NumFramesIn(temporary_); num_written != num_frames_) {
+    if (const int num_written = NumFramesIn(temporary_.path()); num_written != num_frames_) {
       throw InputError(fmt::format(
           "{}: cannot write this video: {} of its {} frames are in the file. Is the disk "
           "full?",
@@ -215,19 +206,14 @@ class OverlayVideo : public OverlayWriter {
           num_written,
           num_frames_));
     }
-    std::error_code error;
-    std::filesystem::rename(temporary_, path_, error);
-    if (error) {
-      throw InputError(
-          fmt::format("{}: cannot write this file: {}.", path_.string(), error.message()));
-    }
+    temporary_.TakePlace();
   }
 
   bool Wants(int, int) const override { return true; }
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  Temporary temporary_;
   cv::Size size_;
   cv::VideoWriter writer_;
   int num_frames_ = 0;

@@ -28,7 +28,10 @@ std::string TakeFile(const std::string& path) {
 
 }  // namespace
 
-ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& arguments) {
+pid_t StartToolBinary(const std::string& name,
+                      const std::vector<std::string>& arguments,
+                      const std::string& out,
+                      const std::string& err) {
   const std::string binary = std::string(FATHOM_TOOLS_DIR) + "/" + name;
   std::vector<std::string> words = {binary};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -36,10 +39,6 @@ ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& a
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
-  const std::string capture =
-      std::string(FATHOM_SCRATCH_DIR) + "/capture" + std::to_string(getpid());
-  const std::string out = capture + ".out";
-  const std::string err = capture + ".err";
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -50,9 +49,17 @@ ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& a
   const int error = posix_spawn(&pid, binary.c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error("cannot run " + binary);
+  return pid;
+}
 
+ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string capture =
+      std::string(FATHOM_SCRATCH_DIR) + "/capture" + std::to_string(getpid());
+  const std::string out = capture + ".out";
+  const std::string err = capture + ".err";
+  const pid_t pid = StartToolBinary(name, arguments, out, err);
   int status = 0;
-  if (waitpid(pid, &status, 0) != pid) throw std::runtime_error("cannot wait for " + binary);
+  if (waitpid(pid, &status, 0) != pid) throw std::runtime_error("cannot wait for " + name);
   ToolRun run;
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   run.out = TakeFile(out);

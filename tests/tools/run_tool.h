@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace fathom {
 
 // What a program did.
@@ -15,6 +17,13 @@ struct ToolRun {
   std::string out;     // all of its stdout
   std::string err;     // all of its stderr
 };
+
+// Starts a program of the build's tools/ folder, without a shell; stdin is empty, stdout and stderr
+// go to these files.
+pid_t StartToolBinary(const std::string& name,
+                      const std::vector<std::string>& arguments,
+                      const std::string& out = "/dev/null",
+                      const std::string& err = "/dev/null");
 
 // Runs a program of the build's tools/ folder to its end, without a shell; stdin is empty.
 //

@@ -7,8 +7,10 @@
 
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace fathom {
 namespace {
@@ -41,6 +43,20 @@ TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
   for (const auto& entry : std::filesystem::directory_iterator(kFolder / "parent")) {
     EXPECT_EQ(entry.path(), folder);
   }
+}
+
+TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
+  std::filesystem::create_directories(kFolder);
+  const auto pipe = kFolder / "pipe";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  RequireWritableFile(pipe);
+  std::string seen;
+  std::thread reader([&] { seen = ReadFile(pipe); });
+  WriteFile(pipe, "through");
+  reader.join();
+  EXPECT_EQ(seen, "through");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 }  // namespace
