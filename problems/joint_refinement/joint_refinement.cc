@@ -6,16 +6,15 @@
 #include "fathom/base/input_error.h"
 #include "fathom/joint_refinement/corner_rows.h"
 #include "fathom/joint_refinement/global_columns.h"
+#include "fathom/joint_refinement/joint_caveats.h"
 #include "fathom/joint_refinement/joint_search.h"
 #include "fathom/joint_refinement/joint_start.h"
 #include "fathom/joint_refinement/linear_joint.h"
 #include "fathom/joint_refinement/pose_spread.h"
 #include "fathom/joint_refinement/run_frame.h"
-#include "fathom/output_error/caveats.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,56 +73,6 @@ int CountOutliers(const JointData& data,
     }
   }
   return count;
-}
-
-// How far the excited motion goes off the mean axis of its DOF [rad], by what the other
-// translations do along with it; 0 for an angle.
-double AngleOffAxis(const JointStart& at, size_t run) {
-  if (at.data.excited >= 3) return 0.0;
-  double squares = 0.0;
-  for (int j = 0; j < 2; ++j) {  // the translations among the held ones
-    const double by_displacement = at.unknowns.runs[run].response[j * kResponseTerms + 1];
-    squares += std::pow(by_displacement / at.scales.displacement, 2);
-  }
-  return std::atan(std::sqrt(squares));
-}
-
-// What must be known beyond the intervals.
-std::vector<std::string> CaveatsOn(Dof dof,
-                                   const JointStart& at,
-                                   const JointSummary& summary,
-                                   const SearchEnd& end) {
-  std::vector<std::string> caveats;
-  double angle = 0.0;
-  for (size_t r = 0; r < summary.runs.size(); ++r) angle = std::max(angle, AngleOffAxis(at, r));
-  const double too_large = 1.0 / std::cos(angle) - 1.0;
-  const double std = std::sqrt(summary.covariance(kInertia, kInertia)) / summary.model.inertia;
-  if (too_large > 0.5 * std) {
-    caveats.push_back(fmt::format(
-        "The vehicle moves {:.1f} degrees off its mean {} axis. If that is the mount or the survey "
-        "and not the vehicle, inertia and linear damping are {:.2g} % too large, which matters "
-        "beside the interval.",
-        angle * 180.0 / std::numbers::pi,
-        Name(dof),
-        100.0 * too_large));
-  }
-  for (int i = 0; i < kNumParameters; ++i) {
-    if (summary.on_bound[i]) {
-      caveats.push_back(CaveatOnBound(i, 1.96 * std::sqrt(summary.covariance(i, i))));
-    }
-  }
-  if (!end.processes_settled) {
-    caveats.push_back(
-        "The search for how the held coordinates wander did not settle: the intervals are less "
-        "sure than they look.");
-  }
-  if (!end.likelihood_settled) {
-    caveats.push_back(
-        fmt::format("The likelihood was still rising after {} rounds: the intervals are less sure "
-                    "than they look.",
-                    summary.num_rounds));
-  }
-  return caveats;
 }
 
 // By how much the excited coordinate of a frame is off what its own corners say, the other five
@@ -221,7 +170,7 @@ JointSummary FitInFrames(const JointInput& input,
   for (size_t r = 0; r < input.runs.size(); ++r) {
     summary.runs.push_back(RefinedRunOf(options, at, linear, runs[r], world_from_frame[r], r));
   }
-  summary.caveats = CaveatsOn(input.dof, at, summary, end);
+  summary.caveats = CaveatsOn(input, options, at, end, runs, summary);
   return summary;
 }
 

@@ -19,10 +19,6 @@ constexpr double kNormal95 = 1.96;
 // A command whose strongest line carries this share of its variance is a single sine to the fit.
 constexpr double kSingleTone = 0.8;
 
-// A parameter that loses this much of its share once a time offset is admitted cannot be told from
-// one. Measured: single sines lose three quarters, steps and several tones less than a third.
-constexpr double kLostToOffset = 0.5;
-
 // Below this share the other parameters imitate a parameter almost wholly.
 constexpr double kSmallShare = 0.3;
 
@@ -51,74 +47,82 @@ const char* ExperimentFor(int index) {
 }
 
 void DescribeDamping(int index, OutputErrorSummary* summary) {
-  const double value = ToVector(summary->model)[index];
   const double half_width = HalfWidth(summary->covariance, index);
-  const std::string name = Spaced(kParameterInfo[index].name);
-  if (summary->on_bound[index]) {
-    summary->caveats.push_back(CaveatOnBound(index, half_width));
-    return;
-  }
-  if (!(half_width > value)) return;
-  const double share = summary->evidence.share[index];
+  const std::string caveat =
+      summary->on_bound[index]
+          ? CaveatOnBound(index, half_width)
+          : CaveatOnDamping(
+                index, ToVector(summary->model)[index], half_width, summary->evidence.share[index]);
+  if (!caveat.empty()) summary->caveats.push_back(caveat);
+}
+
+// Under a single sine a delay of the command turns the response like inertia against damping.
+void DescribeDelay(std::span<const Segment> segments, OutputErrorSummary* summary) {
+  const ParameterEvidence& evidence = summary->evidence;
+  const double share = evidence.share[kInertia];
+  if (!(evidence.share_with_time_offset[kInertia] < kLostToDelay * share)) return;
+  const auto longest =
+      std::max_element(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
+        return a.time.back() - a.time.front() < b.time.back() - b.time.front();
+      });
+  summary->caveats.push_back(CaveatOnDelay(
+      CommandBetween(longest->command, longest->time.front(), longest->time.back()),
+      {.inertia_per_second = evidence.change_per_second_of_offset[kInertia],
+       .linear_damping_per_second = evidence.change_per_second_of_offset[kLinearDamping],
+       .half_width = HalfWidth(summary->covariance, kInertia),
+       .half_width_with_delay = HalfWidth(evidence.covariance_with_time_offset, kInertia)}));
+}
+
+}  // namespace
+
+std::string CaveatOnDamping(int parameter, double value, double half_width, double share) {
+  if (!(half_width > value)) return "";
   const std::string reason =
       share < kSmallShare
           ? fmt::format("only {:.0f} % of its signature is not imitated by the other parameters",
                         100.0 * share)
           : std::string("it hides in the noise");
-  summary->caveats.push_back(
-      fmt::format("This log does not determine {}: {:.3g} +- {:.2g} (95 %), since {}. {}",
-                  name,
-                  value,
-                  half_width,
-                  reason,
-                  ExperimentFor(index)));
+  return fmt::format("This log does not determine {}: {:.3g} +- {:.2g} (95 %), since {}. {}",
+                     Spaced(kParameterInfo[parameter].name),
+                     value,
+                     half_width,
+                     reason,
+                     ExperimentFor(parameter));
 }
 
-// The strongest line of what was commanded during the segment.
-Tone ToneOf(const Segment& segment) {
-  HeldCommand command;
-  for (size_t i = 0; i < segment.command.time.size(); ++i) {
-    const double t = segment.command.time[i];
-    if (t < segment.time.front() || t > segment.time.back()) continue;
-    command.time.push_back(t);
-    command.value.push_back(segment.command.value[i]);
+HeldCommand CommandBetween(const HeldCommand& command, double begin, double end) {
+  HeldCommand part;
+  for (size_t i = 0; i < command.time.size(); ++i) {
+    if (command.time[i] < begin || command.time[i] > end) continue;
+    part.time.push_back(command.time[i]);
+    part.value.push_back(command.value[i]);
   }
-  if (command.time.size() < 2) return {};
-  return DominantTone(command, command.time.back() - command.time.front());
+  return part;
 }
 
-// Under a single sine a delay of the command turns the response like inertia against damping.
-void DescribeTimeOffset(std::span<const Segment> segments, OutputErrorSummary* summary) {
-  const ParameterEvidence& evidence = summary->evidence;
-  const double share = evidence.share[kInertia];
-  const double share_with_offset = evidence.share_with_time_offset[kInertia];
-  if (!(share_with_offset < kLostToOffset * share)) return;
-  const auto longest =
-      std::max_element(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
-        return a.time.back() - a.time.front() < b.time.back() - b.time.front();
-      });
-  const Tone tone = ToneOf(*longest);
+std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
+  Tone tone;
+  if (command.time.size() > 1) {
+    tone = DominantTone(command, command.time.back() - command.time.front());
+  }
   const std::string input = tone.share >= kSingleTone
                                 ? fmt::format("its single sine of {:.2g} rad/s", tone.frequency)
                                 : std::string("its slow command");
-  const double with_offset = HalfWidth(evidence.covariance_with_time_offset, kInertia);
-  const std::string known = std::isfinite(with_offset)
+  const std::string known = std::isfinite(doubt.half_width_with_delay)
                                 ? fmt::format("is known to +- {:.2g}, not +- {:.2g} (95 %)",
-                                              with_offset,
-                                              HalfWidth(summary->covariance, kInertia))
+                                              doubt.half_width_with_delay,
+                                              doubt.half_width)
                                 : std::string("is not known at all");
-  summary->caveats.push_back(fmt::format(
+  return fmt::format(
       "Inertia, damping and a delay of the command cannot be separated in this log under {}: the "
       "values hold if there is no delay. One second of delay would change the inertia by {:.2g}, "
       "the linear damping by {:.2g}; with the delay unknown the inertia {}. A square wave of 10 to "
       "20 s, or several tones up to 1.5 rad/s, would decide.",
       input,
-      evidence.change_per_second_of_offset[kInertia],
-      evidence.change_per_second_of_offset[kLinearDamping],
-      known));
+      doubt.inertia_per_second,
+      doubt.linear_damping_per_second,
+      known);
 }
-
-}  // namespace
 
 std::string CaveatOnBound(int parameter, double half_width) {
   return fmt::format(
@@ -147,7 +151,7 @@ void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* sum
   summary->message = fmt::format("converged after {} iterations.", summary->num_iterations);
   DescribeDamping(kQuadraticDamping, summary);
   DescribeDamping(kLinearDamping, summary);
-  DescribeTimeOffset(segments, summary);
+  DescribeDelay(segments, summary);
 }
 
 }  // namespace fathom
