@@ -108,8 +108,9 @@ Logs LogsFromFlags() {
   for (const std::string& path : paths) {
     logs.all.push_back(ReadLogFromFlags(path, dof));
     logs.fingerprints.push_back(FingerprintOf(logs.all.back()));
-    ChooseSource(&logs.all.back());
   }
+  RequireDifferentData(logs.all);
+  for (Log& log : logs.all) ChooseSource(&log);
   const Dof diagnosed = DofFromFlagOrLog(logs.all.front());
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {

@@ -70,6 +70,7 @@ std::vector<Log> LogsFromFlags(Family family) {
       AddCameraSource(&logs.back());
     }
   }
+  RequireDifferentData(logs);
   return logs;
 }
 

@@ -158,6 +158,7 @@ int RunRefine() {
     // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
     logs.push_back(ReadLogFromFlags(path, given, /*may_lack_motion=*/true));
   }
+  RequireDifferentData(logs);
   if (!FLAGS_trajectory.empty() && logs.size() > 1) {
     throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
   }

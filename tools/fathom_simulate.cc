@@ -181,6 +181,11 @@ int Run() {
         std::string(VelocityColumn(fitted.dof)).c_str(),
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
   }
+  if (const auto remark =
+          RemarkOnEarlyEnd(CommandOf(log, fitted.dof), runs.segments().back().time, kLongestGap);
+      !remark.empty()) {
+    std::printf("note: %s\n", remark.c_str());
+  }
   if (!left_out.empty()) {
     std::printf(
         "note: left out: %s. What belongs to the run that the model was identified from need not "

@@ -4,12 +4,14 @@
 #include "fathom/tools/log_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -50,6 +52,19 @@ std::vector<std::string> LogPathsFromFlags() {
     places.push_back(std::move(place));
   }
   return paths;
+}
+
+void RequireDifferentData(const std::vector<Log>& logs) {
+  std::map<std::string, std::string> path_of;
+  for (const Log& log : logs) {
+    const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());
+    if (is_new) continue;
+    throw InputError(fmt::format(
+        "--log: {} and {} hold the same data, expected each run once: it would count as twice as "
+        "much as it is.",
+        other->second,
+        log.path.string()));
+  }
 }
 
 std::vector<std::string> InputsFromFlags() {

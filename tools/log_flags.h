@@ -36,6 +36,10 @@ auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
 // data twice would count as twice as much.
 std::vector<std::string> LogPathsFromFlags();
 
+// Throws InputError if two of the logs hold the same data, whatever their names: a copy, or a log
+// and what fathom_track made of it.
+void RequireDifferentData(const std::vector<Log>& logs);
+
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
 

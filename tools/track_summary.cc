@@ -115,7 +115,12 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
                   summary.images ? "" : " of these"));
   add("detections",
       fmt::format("{} found, {} rejected", summary.num_detections, track.pnp.rejected.size()));
-  add("corner sigma", fmt::format("{:.3f} px", track.corner_sigma));
+  add("corner sigma",
+      fmt::format("{:.3f} px{}",
+                  track.corner_sigma,
+                  std::isfinite(track.corner_noise)
+                      ? fmt::format(", noise from frame to frame {:.3f} px", track.corner_noise)
+                      : ""));
   add("reprojection error",
       fmt::format("median {:.3f} px, rms {:.3f} px, 95 % below {:.3f} px",
                   Quantile(summary.corner_error, 0.5),
@@ -185,6 +190,7 @@ std::string FormatJson(const TrackSummary& summary,
 
   Json& fit = json["fit"];
   fit["corner_sigma_px"] = NumberOrNull(track.corner_sigma);
+  fit["corner_noise_px"] = NumberOrNull(track.corner_noise);
   fit["corner_sigma_std_px"] = NumberOrNull(track.corner_sigma_std);
   fit["reprojection_median_px"] = NumberOrNull(Quantile(summary.corner_error, 0.5));
   fit["reprojection_rms_px"] = NumberOrNull(Rms(summary.corner_error));

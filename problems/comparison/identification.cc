@@ -36,8 +36,10 @@ void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
     fitted->caveats.push_back("Its free-running simulation diverges: it cannot predict.");
   } else if (nmae > kExplainsLittle) {
     fitted->caveats.push_back(
-        fmt::format("Its free run misses {:.0f} % of the motion it was fitted to: this model "
-                    "explains next to nothing of these data. Look at the warnings first.",
+        fmt::format("Its free run misses {:.0f} % of the motion: this model explains next to "
+                    "nothing of these data. Look at the warnings first, and where it was fitted to "
+                    "poses and is held against velocities, at whether these agree (size of the "
+                    "markers, units).",
                     100.0 * nmae));
   }
   if (!scored.held_out.empty() && !std::isfinite(fitted->held_out.mae)) {

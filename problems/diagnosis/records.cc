@@ -79,6 +79,9 @@ void AppendRecords(const LogChannels& channels,
     records->remarks.push_back(fmt::format(
         "{}: left out: {} motion samples before the first command.", channels.name, first));
   }
+  if (const auto remark = RemarkOnEarlyEnd(inputs->command, time, kLongestGap); !remark.empty()) {
+    records->remarks.push_back(channels.name + ": " + remark);
+  }
   // Without poses the position counts from the first sample, along the measured velocity.
   std::vector<double> way(time.size(), 0.0);
   for (size_t i = first + 1; i < time.size() && !use_displacement; ++i) {

@@ -9,6 +9,7 @@
 #include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_placement.h"
 #include "fathom/marker_trajectory/pose_bias.h"
+#include "fathom/marker_trajectory/survey_misfit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,12 +150,12 @@ void TakeOver(const BundleAdjustmentSummary& summary,
     for (const int k : view.detections) ids.push_back(detections[k].tag_id);
   }
   // What does not fit for other reasons is not noise, and has another mean.
-  const double noise =
+  out->corner_noise =
       CornerNoise(camera, summary.map, detections, out->pnp.views, out->world_from_camera);
   RemoveBias(camera,
              summary.map,
              tag_ids,
-             std::fmin(noise, summary.corner_sigma),
+             std::fmin(out->corner_noise, summary.corner_sigma),
              &out->world_from_camera);
   const Pose camera_from_body = body_from_camera.Inverse();
   for (const StampedPose& one : out->world_from_camera) {
@@ -227,6 +228,9 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   }
   const auto losses = RemarksOn(result.pnp, detections);
   result.remarks.insert(result.remarks.end(), losses.begin(), losses.end());
+  if (std::string remark = RemarkOnSurveyMisfit(camera, detections, result); !remark.empty()) {
+    result.remarks.push_back(std::move(remark));
+  }
   if (std::string remark = RemarkOnLostMotion(detections, result); !remark.empty()) {
     result.remarks.push_back(std::move(remark));
   }

@@ -45,6 +45,10 @@ struct MarkerTrack {
   double corner_sigma = std::numeric_limits<double>::quiet_NaN();
   double corner_sigma_std = std::numeric_limits<double>::quiet_NaN();
 
+  // The part of corner_sigma that changes from frame to frame [px] (CornerNoise()); NaN if no
+  // neighbouring frames tell.
+  double corner_noise = std::numeric_limits<double>::quiet_NaN();
+
   // The markers, with places for those estimated; what is known of these, in the order of their
   // ids: covariances as of StampedPose, about the axes of the tag.
   MarkerMap map;

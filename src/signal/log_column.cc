@@ -53,6 +53,14 @@ HeldCommand CommandOf(const Log& log, Dof dof) {
   return {log.command->time, *values};
 }
 
+std::string RemarkOnEarlyEnd(const HeldCommand& command,
+                             const std::vector<double>& time,
+                             double longest_gap) {
+  const double after = time.back() - command.time.back();
+  if (!(after > longest_gap)) return "";
+  return fmt::format("The command ends {:.1f} s before the motion; its last value is held.", after);
+}
+
 const Stream& MotionStream(const Log& log, Dof dof, Source source) {
   const bool camera = source == Source::kCamera;
   const std::optional<Stream>& stream = camera ? log.pose : log.velocity;

@@ -9,6 +9,7 @@
 #include "fathom/signal/signals.h"
 
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -20,6 +21,12 @@ std::string PoseFileOf(const Log& log);
 
 // The command of one DOF. Throws InputError, saying what the log has instead, if there is none.
 HeldCommand CommandOf(const Log& log, Dof dof);
+
+// What to say of a command that ends more than `longest_gap` [s] before the motion at `time`; empty
+// if it does not.
+std::string RemarkOnEarlyEnd(const HeldCommand& command,
+                             const std::vector<double>& time,
+                             double longest_gap);
 
 // The stream that holds the motion. Throws InputError, saying what the log has instead, if it or
 // the DOF's column is missing.

@@ -198,10 +198,8 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
     signals.remarks.push_back(fmt::format(
         "Left out: {} motion sample{} before the first command.", first, first == 1 ? "" : "s"));
   }
-  if (first < time.size() && time.back() - command.time.back() > options.longest_gap) {
-    signals.remarks.push_back(
-        fmt::format("The command ends {:.1f} s before the motion; its last value is held.",
-                    time.back() - command.time.back()));
+  if (const auto remark = RemarkOnEarlyEnd(command, time, options.longest_gap); !remark.empty()) {
+    signals.remarks.push_back(remark);
   }
   const std::vector<Stretch> stretches = Split(log, time, first, options, &signals.remarks);
   if (stretches.empty()) throw InputError(WhyNoStretch(log, stream, first, options));

@@ -251,6 +251,23 @@ TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
   EXPECT_THAT(with_commas.out, HasSubstr("\nThese 2 logs show"));
 }
 
+TEST(DiagnoseTool, SaysThatTheCommandEndsBeforeTheMotion) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SmallLogWith(folder, "log", "", 1);
+  std::string command = TextOf(log / "command.csv");
+  const std::string last = command.substr(command.rfind('\n', command.size() - 2) + 1);
+  const double end = std::stod(last);
+  std::istringstream lines(command);
+  std::string kept, line;
+  while (std::getline(lines, line)) {
+    const bool is_header = line.starts_with("t,");
+    if (is_header || std::stod(line) < end - 35.0) kept += line + "\n";
+  }
+  WriteTestFile(log / "command.csv", kept);
+  const ToolRun run = RunToolBinary("fathom_diagnose", {"--log=" + log.string()});
+  EXPECT_THAT(run.out, HasSubstr(" s before the motion; its last value is held."));
+}
+
 TEST(DiagnoseTool, TellsLogsOfOneNameApart) {
   const Path folder = EmptyTestFolder();
   const std::string first = SmallLogWith(folder, "first", "", 1).string();
@@ -456,6 +473,7 @@ TEST_F(DiagnoseRefusals, TheSecondOfTwoLogs) {
 
 TEST_F(DiagnoseRefusals, LogsWhoseForcesHaveDifferentUnits) {
   const Path second = WriteSmallLog(folder_ / "second");
+  WriteTestFile(second / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
   WriteTestFile(second / "log.yaml", "name: second\ndof: surge\ncommand_unit: A\n");
   EXPECT_THAT(Refused({"--log=" + second.string()}),
               AllOf(StartsWith("fathom_diagnose: "), HasSubstr("second"), HasSubstr("A")));

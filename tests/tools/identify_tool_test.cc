@@ -103,12 +103,17 @@ TEST(IdentifyTool, TheSameLogGivesTheSameBytes) {
   EXPECT_EQ(outputs[0], outputs[1]);
 }
 
-// A log and its copy: the same optimum, counted as if known twice as well.
+// A log and its copy with another reading in surge, so that it passes for another run: the same
+// optimum in heave, counted as if known twice as well.
 TEST(IdentifyTool, TakesSeveralLogsTogether) {
   const auto once = IdentifiedModel({"--log=" + kFlatfish, "--dof=heave"});
   const Path copy = Path(::testing::TempDir()) / "identify_tool_flatfish_again";
   std::filesystem::remove_all(copy);
   std::filesystem::copy(kFlatfish, copy, std::filesystem::copy_options::recursive);
+  std::string velocity = TextOf(copy / "velocity.csv");
+  ASSERT_EQ(velocity.find("t,u,"), 0u);
+  velocity.insert(velocity.find(',', velocity.find('\n')) + 1, "1");
+  WriteTestFile(copy / "velocity.csv", velocity);
   const auto twice = IdentifiedModel({"--log=" + kFlatfish + "," + copy.string(), "--dof=heave"});
   EXPECT_EQ(twice["fit"]["n"].get<int>(), 2 * once["fit"]["n"].get<int>());
   const double std_once = once["parameters"]["inertia"]["std"];
@@ -117,6 +122,18 @@ TEST(IdentifyTool, TakesSeveralLogsTogether) {
   // 1 / sqrt(2), but for the correction for the number of unknowns, a few out of hundreds of
   // effective samples.
   EXPECT_NEAR(std_twice / std_once, std::sqrt(0.5), 0.03);
+}
+
+TEST(IdentifyTool, RefusesACopyOfALogBesideIt) {
+  const Path folder = EmptyTestFolder();
+  const std::string copy = (folder / "other").string();
+  std::filesystem::copy(kFlatfish, copy, std::filesystem::copy_options::recursive);
+  const ToolRun run =
+      RunToolBinary("fathom_identify", {"--log=" + kFlatfish + "," + copy, "--dof=heave"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err,
+              HasSubstr("--log: " + kFlatfish + " and " + copy +
+                        " hold the same data, expected each run once"));
 }
 
 TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {

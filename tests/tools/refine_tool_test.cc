@@ -152,6 +152,17 @@ TEST(RefineTool, RefusesTheSameLogTwice) {
       HasSubstr("--log: names " + again + " twice"));
 }
 
+TEST(RefineTool, RefusesALogBesideWhatATrackMadeOfIt) {
+  const fs::path folder = EmptyTestFolder();
+  const std::string log = OneMarkerLog().string();
+  const std::string tracked = (folder / "tracked").string();
+  const ToolRun track = RunToolBinary("fathom_track", {"--log=" + log, "--out=" + tracked});
+  ASSERT_EQ(track.exit_code, 0) << track.err;
+  EXPECT_THAT(
+      ExpectRefusal("fathom_refine", {"--log=" + log, "--log=" + tracked, "--dof=surge"}, folder),
+      HasSubstr("hold the same data"));
+}
+
 TEST(RefineTool, SaysWhatItMeasuresAgainstWithoutASensor) {
   const fs::path log = CopyOfTheLog();
   fs::remove(log / "velocity.csv");
@@ -205,6 +216,7 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
   // Logs of two cameras.
   const fs::path other = folder / "other";
   fs::copy(OneMarkerLog(), other, fs::copy_options::recursive);
+  fs::remove(other / "velocity.csv");  // or it would be the same run
   ReplaceIn(other / "camera.yaml", "401.3", "401.4");
   EXPECT_THAT(refusal({"--log=" + OneMarkerLog().string(), "--log=" + other.string()}),
               HasSubstr("camera.yaml: differs from the first log's"));

@@ -127,6 +127,20 @@ TEST(SimulateTool, TheTruthPredictsTheSmallLog) {
 // Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
 // prediction, rather than a wrong one.
 // Without a motion stream the prediction stands at the command's stamps and starts from rest.
+TEST(SimulateTool, SaysThatTheCommandEndsBeforeTheMotion) {
+  const Path folder = EmptyTestFolder();
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const Path log = WriteSmallLog(folder / "log");
+  const std::string command = SmallCommandCsv();
+  WriteTestFile(log / "command.csv", command.substr(0, command.find("\n20.1,") + 1));
+  const ToolRun run =
+      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(
+      run.out,
+      HasSubstr("note: The command ends 40.0 s before the motion; its last value is held."));
+}
+
 TEST(SimulateTool, PredictsACommandAlone) {
   const Path folder = EmptyTestFolder();
   const Path model = WriteTestFile(folder / "model.json", SmallModelJson());

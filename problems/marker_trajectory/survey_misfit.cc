@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/survey_misfit.h"
+
+#include "fathom/marker_trajectory/bundle_adjustment.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kMisfit = 1.5;  // corner sigma over the noise; less is not worth a word
+
+// Enough to tell which tag it is, and soon fitted.
+std::vector<AdjustedFrame> SomeFramesOf(const MarkerTrack& track) {
+  constexpr std::size_t kMost = 100;
+  const std::size_t step = std::max<std::size_t>(1, track.world_from_camera.size() / kMost);
+  std::vector<AdjustedFrame> frames;
+  for (std::size_t i = 0; i < track.world_from_camera.size(); i += step) {
+    frames.push_back({track.world_from_camera[i].pose, track.pnp.views[i].detections});
+  }
+  return frames;
+}
+
+struct Suspect {
+  int id = -1;
+  double corner_sigma = 0.0;  // with its place free [px]
+};
+
+// The tag whose place, if it were free, would leave least.
+Suspect WorstTag(const CameraModel& camera,
+                 std::span<const Detection> detections,
+                 const MarkerTrack& track) {
+  const std::vector<AdjustedFrame> frames = SomeFramesOf(track);
+  std::set<int> seen;
+  for (const AdjustedFrame& frame : frames) {
+    for (const int i : frame.detections) seen.insert(detections[i].tag_id);
+  }
+  Suspect worst;
+  for (const int id : seen) {
+    const auto fit = AdjustBundle(
+        camera, track.map, {id}, detections, frames, {.corner_sigma = track.corner_noise});
+    const bool is_less = worst.id < 0 || fit.corner_sigma < worst.corner_sigma;
+    if (fit.is_usable && is_less) worst = {id, fit.corner_sigma};
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::string RemarkOnSurveyMisfit(const CameraModel& camera,
+                                 std::span<const Detection> detections,
+                                 const MarkerTrack& track) {
+  if (!(track.corner_sigma > kMisfit * track.corner_noise)) return "";
+  const Suspect worst = WorstTag(camera, detections, track);
+  const bool is_one_tag = worst.id >= 0 && worst.corner_sigma < kMisfit * track.corner_noise;
+  return fmt::format(
+      "Corners are off where tags and lens are said to be by {:.2g} px (corner sigma), of which "
+      "{:.2g} px is noise from frame to frame: the poses are off beyond their standard deviations. "
+      "{}",
+      track.corner_sigma,
+      track.corner_noise,
+      is_one_tag
+          ? fmt::format("The place of tag {} alone would account for it, {:.2g} px being left: "
+                        "measure it again, or leave its world_from_tag out of tags.yaml to have it "
+                        "estimated.",
+                        worst.id,
+                        worst.corner_sigma)
+          : std::string("No tag's place alone accounts for it: the lens, the tags' size or the "
+                        "places of several are not as their files say."));
+}
+
+}  // namespace fathom

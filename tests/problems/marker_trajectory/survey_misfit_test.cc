@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/survey_misfit.h"
+
+#include <algorithm>
+#include <string>
+
+#include "synthetic_views.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kSigma = 0.3;  // [px]
+const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
+
+class SurveyMisfit : public ::testing::Test {
+ protected:
+  std::string RemarkUnder(const CameraModel& camera, const MarkerMap& survey) const {
+    const MarkerTrack track = TrackMarkers(record_.detections, camera, survey, kBodyFromCamera);
+    EXPECT_TRUE(track.IsUsable()) << track.message;
+    const std::string remark = RemarkOnSurveyMisfit(camera, record_.detections, track);
+    const bool is_told =
+        std::find(track.remarks.begin(), track.remarks.end(), remark) != track.remarks.end();
+    EXPECT_EQ(is_told, !remark.empty());
+    return remark;
+  }
+
+  const SyntheticRecord record_ = MakeRecord(FourMarkers(), 300, 0.0, kSigma, 6);
+};
+
+TEST_F(SurveyMisfit, IsNotFoundInARightSurvey) {
+  EXPECT_EQ(RemarkUnder(SyntheticCamera(), FourMarkers()), "");
+}
+
+// The poses give way, so that another tag's corners may be further off than the wrong one's.
+TEST_F(SurveyMisfit, NamesTheTagWhosePlaceIsWrong) {
+  for (std::size_t wrong = 0; wrong < 4; ++wrong) {
+    MarkerMap survey = FourMarkers();
+    survey.markers[wrong].world_from_tag.translation += Eigen::Vector3d(0.05, 0.0, 0.0);
+    EXPECT_THAT(RemarkUnder(SyntheticCamera(), survey),
+                HasSubstr("The place of tag " + std::to_string(survey.markers[wrong].id) +
+                          " alone would account for it"));
+  }
+}
+
+TEST_F(SurveyMisfit, BlamesNoSingleTagForALens) {
+  CameraModel camera = SyntheticCamera();
+  camera.fy *= 1.1;
+  EXPECT_THAT(RemarkUnder(camera, FourMarkers()), HasSubstr("No tag's place alone"));
+}
+
+}  // namespace
+}  // namespace fathom
