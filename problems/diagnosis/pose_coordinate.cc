@@ -77,7 +77,14 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             const std::string& name,
                                             Dof dof,
                                             std::vector<std::string>* remarks) {
-  if (!log.pose || log.pose->time.size() < kFewestPoses) return std::nullopt;
+  if (!log.pose) return std::nullopt;
+  if (log.pose->time.size() < kFewestPoses) {
+    remarks->push_back(fmt::format("{}: holds {} poses, expected at least {} to go by them.",
+                                   name,
+                                   log.pose->time.size(),
+                                   kFewestPoses));
+    return std::nullopt;
+  }
   const Poses poses = PosesOf(*log.pose);
   const std::vector<double> displacement = DisplacementAlong(dof, poses);
   const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, poses.world_from_body);

@@ -13,9 +13,9 @@
 
 namespace fathom {
 
-// The displacement along `dof` of a log with poses. Nothing without poses, or where the vehicle
-// turns so much that no fixed direction is its displacement's; that is a remark, in which the log
-// is `name`.
+// The displacement along `dof` of a log with poses. Nothing without poses; nothing, and a remark in
+// which the log is `name`, where they are too few, or where the vehicle turns so much that no fixed
+// direction is its displacement's.
 std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             const std::string& name,
                                             Dof dof,

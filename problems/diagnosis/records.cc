@@ -170,7 +170,10 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
     records.poses_lose_motion =
         records.poses_lose_motion ||
         (own.displacement && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion));
-    if (!own.velocity && !own.displacement) MotionStream(log, dof, Source::kPoseEstimator);
+    if (!own.velocity && !own.displacement) {
+      if (log.pose && !log.velocity) throw InputError(records.remarks.back());
+      MotionStream(log, dof, Source::kPoseEstimator);
+    }
     every_velocity = every_velocity && own.velocity.has_value();
     every_displacement = every_displacement && own.displacement.has_value();
     channels.push_back(std::move(own));

@@ -100,8 +100,7 @@ std::string CaveatOnDelayOf(const JointInput& input,
       input.runs.begin(), input.runs.end(), [](const CameraRun& a, const CameraRun& b) {
         return a.time.back() - a.time.front() < b.time.back() - b.time.front();
       });
-  return CaveatOnDelay(CommandBetween(longest.command, longest.time.front(), longest.time.back()),
-                       doubt);
+  return CaveatOnDelay(longest.command.Between(longest.time.front(), longest.time.back()), doubt);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ bool NeedsTracking(const Log& log) { return log.detections && !log.pose; }
 void TrackDetections(Log* log) {
   if (!NeedsTracking(*log)) return;
   const CameraRig rig = ReadCameraRig(log->path);
+  log->remarks.insert(log->remarks.end(), rig.remarks.begin(), rig.remarks.end());
   const std::vector<Detection> detections = DetectionsOf(*log->detections);
   MarkerTrajectoryOptions options;
   options.pose_track.name = (log->path / "detections.csv").string();

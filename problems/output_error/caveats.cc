@@ -66,7 +66,7 @@ void DescribeDelay(std::span<const Segment> segments, OutputErrorSummary* summar
         return a.time.back() - a.time.front() < b.time.back() - b.time.front();
       });
   summary->caveats.push_back(CaveatOnDelay(
-      CommandBetween(longest->command, longest->time.front(), longest->time.back()),
+      longest->command.Between(longest->time.front(), longest->time.back()),
       {.inertia_per_second = evidence.change_per_second_of_offset[kInertia],
        .linear_damping_per_second = evidence.change_per_second_of_offset[kLinearDamping],
        .half_width = HalfWidth(summary->covariance, kInertia),
@@ -88,16 +88,6 @@ std::string CaveatOnDamping(int parameter, double value, double half_width, doub
                      half_width,
                      reason,
                      ExperimentFor(parameter));
-}
-
-HeldCommand CommandBetween(const HeldCommand& command, double begin, double end) {
-  HeldCommand part;
-  for (size_t i = 0; i < command.time.size(); ++i) {
-    if (command.time[i] < begin || command.time[i] > end) continue;
-    part.time.push_back(command.time[i]);
-    part.value.push_back(command.value[i]);
-  }
-  return part;
 }
 
 std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {

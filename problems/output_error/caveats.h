@@ -27,11 +27,8 @@ struct DelayDoubt {
   double half_width = 0.0;                 // of the inertia's 95 % interval where there is no delay
   double half_width_with_delay = 0.0;      // where it is unknown; infinite: nothing is known
 };
-// `command`: of the longest run, CommandBetween() its first and last sample.
+// `command`: of the longest run, HeldCommand::Between() its first and last sample.
 std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt);
-
-// What was commanded from `begin` to `end`.
-HeldCommand CommandBetween(const HeldCommand& command, double begin, double end);
 
 // A parameter that loses this much of its share once a delay is admitted cannot be told from one.
 // Measured: single sines lose three quarters, steps and several tones less than a third.

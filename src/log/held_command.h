@@ -15,6 +15,9 @@ struct HeldCommand {
 
   // The value that holds at `t`. Before the first stamp nothing was commanded: 0.
   double At(double t) const;
+
+  // What acts from `from` to `to`: the stamp whose value holds at `from`, and those up to `to`.
+  HeldCommand Between(double from, double to) const;
 };
 
 }  // namespace fathom

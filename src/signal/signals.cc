@@ -119,16 +119,6 @@ std::string WhyNoStretch(const Log& log,
       what);
 }
 
-// The command over [from, to]: what holds at `from`, then its stamps up to `to`.
-HeldCommand CommandBetween(const HeldCommand& command, double from, double to) {
-  const auto next = std::upper_bound(command.time.begin(), command.time.end(), from);
-  const auto begin = std::max<std::ptrdiff_t>(next - command.time.begin() - 1, 0);
-  const auto end =
-      std::upper_bound(command.time.begin(), command.time.end(), to) - command.time.begin();
-  return {{command.time.begin() + begin, command.time.begin() + end},
-          {command.value.begin() + begin, command.value.begin() + end}};
-}
-
 // Chosen on the longest stretch to train on (or, without one, the longest there is).
 double WindowFor(std::span<const double> time,
                  std::span<const double> values,
@@ -233,7 +223,7 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
 
   size_t num_dropped = 0;
   for (const Stretch& stretch : stretches) {
-    HeldCommand own = CommandBetween(command, time[stretch.begin], time[stretch.end - 1]);
+    HeldCommand own = command.Between(time[stretch.begin], time[stretch.end - 1]);
     Motion motion;
     if (camera) {
       const std::vector<double> position(

@@ -445,6 +445,15 @@ TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {
             "fathom_diagnose: --dof: is missing, and the log names 2 DOFs; say which.\n");
 }
 
+TEST_F(DiagnoseRefusals, PosesThatAreTooFew) {
+  std::filesystem::remove(log_ / "velocity.csv");
+  WriteTestFile(log_ / "pose.csv",
+                "t,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n0.1,0.01,0,0,0,0,0,1\n"
+                "0.2,0.02,0,0,0,0,0,1\n");
+  EXPECT_EQ(Refused({}),
+            "fathom_diagnose: small: holds 3 poses, expected at least 20 to go by them.\n");
+}
+
 TEST_F(DiagnoseRefusals, ADofThatTheLogDoesNotMeasure) {
   EXPECT_EQ(Refused({"--dof=heave"}),
             "fathom_diagnose: " + (log_ / "velocity.csv").string() +

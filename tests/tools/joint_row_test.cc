@@ -127,6 +127,11 @@ TEST(JointRow, NamesAClockOffsetOfTheCameraThatIsNotApplied) {
   const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string(), "--family=joint"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("note: minute: camera.yaml: timeshift_cam_imu is 0.1 s and not"));
+  std::filesystem::remove(log / "pose.csv");
+  const ToolRun from_poses =
+      RunToolBinary("fathom_identify", {"--log=" + log.string(), "--source=camera"});
+  EXPECT_EQ(from_poses.exit_code, 0) << from_poses.err;
+  EXPECT_THAT(from_poses.err, HasSubstr("camera.yaml: timeshift_cam_imu is 0.1 s and not"));
 }
 
 TEST(JointRow, SaysWhyThereIsNoModel) {
