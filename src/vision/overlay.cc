@@ -41,6 +41,23 @@ cv::Point PlaceOf(const Eigen::Vector2d& pixel, double scale) {
           static_cast<int>(std::lround((place.y() - 0.5) * (1 << kShift)))};
 }
 
+// Writes one line with its lower left corner at `at`, moved left or made smaller where it would
+// leave the picture.
+void Write(cv::Mat* picture,
+           const std::string& text,
+           cv::Point at,
+           double size,
+           const cv::Scalar& colour) {
+  constexpr int kMargin = 5;
+  const auto width = [&] {
+    return cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, size, 1, nullptr).width;
+  };
+  const int room = picture->cols - 2 * kMargin;
+  if (width() > room) size *= static_cast<double>(room) / width();
+  at.x = std::max(kMargin, std::min(at.x, picture->cols - kMargin - width()));
+  cv::putText(*picture, text, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
+}
+
 void Outline(cv::Mat* picture,
              const std::array<Eigen::Vector2d, 4>& corners,
              const std::string& label,
@@ -58,14 +75,7 @@ void Outline(cv::Mat* picture,
   cv::circle(
       *picture, PlaceOf(corners[0], scale), 3 << kShift, colour, cv::FILLED, cv::LINE_AA, kShift);
   const cv::Point at = PlaceOf(corners[2], scale);
-  cv::putText(*picture,
-              label,
-              {(at.x >> kShift) + 4, (at.y >> kShift) - 3},
-              cv::FONT_HERSHEY_SIMPLEX,
-              0.45,
-              colour,
-              1,
-              cv::LINE_AA);
+  Write(picture, label, {(at.x >> kShift) + 4, (at.y >> kShift) - 3}, 0.45, colour);
 }
 
 void Cross(cv::Mat* picture, const Eigen::Vector2d& pixel, double scale) {
@@ -105,8 +115,7 @@ cv::Mat Draw(const OverlayFrame& frame, double scale) {
   }
   const int bar = 18;
   cv::rectangle(picture, {0, 0, picture.cols, bar}, {0, 0, 0}, cv::FILLED);
-  cv::putText(
-      picture, frame.caption, {5, 13}, cv::FONT_HERSHEY_SIMPLEX, 0.42, kWhite, 1, cv::LINE_AA);
+  Write(&picture, frame.caption, {5, 13}, 0.42, kWhite);
   return picture;
 }
 

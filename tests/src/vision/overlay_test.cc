@@ -4,8 +4,10 @@
 #include "fathom/vision/overlay.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/vision/image_file.h"
 #include "fathom/vision/video_reader.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -89,6 +91,26 @@ TEST_F(Overlay, TakesTwelveFramesForASheetHoweverMany) {
 }
 
 // A limit on the size of files in place of a full disk, in a process of its own, which then ends.
+TEST_F(Overlay, MakesACaptionFitThePicture) {
+  const GrayImage image(kWidth, kHeight);
+  OverlayFrame frame;
+  frame.image = &image;
+  frame.caption = "t 1234.50 s, 12 tags, x -12.34 y -12.34 z -12.34 m, rms 12.34 px";
+  const auto overlay = OpenOverlay(folder_ / "sheet.png", kWidth, kHeight, 8.0);
+  overlay->Add(frame);
+  overlay->Finish();
+  const GrayImage sheet = ReadImage(folder_ / "sheet.png");
+  int last = 0;
+  for (int v = 0; v < 18; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      if (sheet.pixels[static_cast<std::size_t>(v * sheet.width + u)] > 60)
+        last = std::max(last, u);
+    }
+  }
+  EXPECT_GT(last, kWidth * 3 / 4);
+  EXPECT_LT(last, kWidth - 4);
+}
+
 TEST_F(OverlayDeathTest, NamesAVideoThatIsNotWrittenInFull) {
   for (const char* file : {"a.mp4", "a.avi"}) {
     const auto draw = [&] {
