@@ -32,6 +32,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -170,22 +171,26 @@ void RequireReference(const MarkerTrajectoryOptions& options,
                                fmt::join(surveyed, ", ")));
 }
 
-// The overlay must not take the place of what it is drawn on.
+// No output may take the place of what the log was filmed as.
 void RequireOtherThanFrames(const fs::path& folder, const Log& log) {
-  if (FLAGS_overlay.empty() || !Exists(FLAGS_overlay)) return;
   std::vector<std::string> files = {log.video};
   if (const fs::path list = folder / "frames.csv"; log.video.empty() && Exists(list)) {
     for (const ListedFrame& frame : ParseFrameList(list.string(), ReadFile(list)).frames) {
       files.push_back(frame.file);
     }
   }
-  for (const std::string& file : files) {
-    std::error_code error;
-    if (file.empty() || !fs::equivalent(FLAGS_overlay, folder / file, error)) continue;
-    throw InputError(
-        fmt::format("--overlay={}: is what --log={} was filmed as, expected another file.",
-                    FLAGS_overlay,
-                    FLAGS_log));
+  for (const auto& [flag, output] :
+       {std::pair("overlay", FLAGS_overlay), std::pair("summary", FLAGS_summary)}) {
+    if (output.empty() || !Exists(output)) continue;
+    for (const std::string& file : files) {
+      std::error_code error;
+      if (file.empty() || !fs::equivalent(output, folder / file, error)) continue;
+      throw InputError(
+          fmt::format("--{}={}: is what --log={} was filmed as, expected another file.",
+                      flag,
+                      output,
+                      FLAGS_log));
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "fathom/marker_trajectory/bundle_adjustment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -15,7 +16,12 @@
 namespace fathom {
 namespace {
 
-constexpr double kMisfit = 1.5;  // corner sigma over the noise; less is not worth a word
+// What corner sigma may be under this noise [px]. Detection itself errs by a tenth of a pixel that
+// stays while the vehicle does.
+double LargestSigma(double corner_noise) {
+  constexpr double kStays = 0.2;  // [px]
+  return std::max(1.5 * corner_noise, std::hypot(corner_noise, kStays));
+}
 
 // Enough to tell which tag it is, and soon fitted.
 std::vector<AdjustedFrame> SomeFramesOf(const MarkerTrack& track) {
@@ -45,7 +51,7 @@ Suspect WorstTag(const CameraModel& camera,
   Suspect worst;
   for (const int id : seen) {
     const auto fit = AdjustBundle(
-        camera, track.map, {id}, detections, frames, {.corner_sigma = track.corner_noise});
+        camera, track.map, {id}, detections, frames, {.corner_sigma = track.corner_sigma});
     const bool is_less = worst.id < 0 || fit.corner_sigma < worst.corner_sigma;
     if (fit.is_usable && is_less) worst = {id, fit.corner_sigma};
   }
@@ -57,9 +63,9 @@ Suspect WorstTag(const CameraModel& camera,
 std::string RemarkOnSurveyMisfit(const CameraModel& camera,
                                  std::span<const Detection> detections,
                                  const MarkerTrack& track) {
-  if (!(track.corner_sigma > kMisfit * track.corner_noise)) return "";
+  if (!(track.corner_sigma > LargestSigma(track.corner_noise))) return "";
   const Suspect worst = WorstTag(camera, detections, track);
-  const bool is_one_tag = worst.id >= 0 && worst.corner_sigma < kMisfit * track.corner_noise;
+  const bool is_one_tag = worst.id >= 0 && worst.corner_sigma < LargestSigma(track.corner_noise);
   return fmt::format(
       "Corners are off where tags and lens are said to be by {:.2g} px (corner sigma), of which "
       "{:.2g} px is noise from frame to frame: the poses are off beyond their standard deviations. "

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -25,14 +24,15 @@ namespace fs = std::filesystem;
   throw InputError(path.string() + ": cannot write this file: " + reason + ".");
 }
 
-// A device, a pipe or a socket, also under the names that the system has for open files: it is
-// written into. A file in its place would take it from every other process.
+// A device, a pipe or a socket, or an open file by one of the names that the system has for it: it
+// is written into. A file in its place would take it from every other process.
 bool IsDevice(const fs::path& path) {
   std::error_code error;
-  const fs::path absolute = fs::absolute(path, error).lexically_normal();
-  const auto root = absolute.begin() == absolute.end() ? fs::path() : *std::next(absolute.begin());
-  if (root == "dev" || root == "proc") return fs::exists(path, error);
-  return fs::exists(path, error) && fs::is_other(path, error);
+  if (!fs::exists(path, error)) return false;
+  const std::string name = fs::absolute(path, error).lexically_normal().string();
+  const bool is_open_file =
+      name.starts_with("/dev/std") || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+  return is_open_file || fs::is_other(path, error);
 }
 
 void WriteInto(const fs::path& file, std::string_view content, const fs::path& named) {

@@ -455,15 +455,17 @@ TEST(TrackTool, KeepsOutputsOutOfTheFolderThatIsReplaced) {
   }
 }
 
-TEST(TrackTool, DoesNotDrawOverWhatItReads) {
+TEST(TrackTool, DoesNotWriteOverWhatItReads) {
   const fs::path log = CopyOfTheLog();
   const fs::path image = log / "frames/000003.png";
   const std::string before = Bytes(image);
-  EXPECT_EQ(ExpectRefusal("fathom_track",
-                          {"--log=" + log.string(), "--overwrite", "--overlay=" + image.string()},
-                          log.parent_path()),
-            "fathom_track: --overlay=" + image.string() + ": is what --log=" + log.string() +
-                " was filmed as, expected another file.\n");
+  for (const std::string flag : {"--overlay", "--summary"}) {
+    EXPECT_EQ(ExpectRefusal("fathom_track",
+                            {"--log=" + log.string(), "--overwrite", flag + "=" + image.string()},
+                            log.parent_path()),
+              "fathom_track: " + flag + "=" + image.string() + ": is what --log=" + log.string() +
+                  " was filmed as, expected another file.\n");
+  }
   EXPECT_EQ(Bytes(image), before);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "synthetic_views.h"
 #include <gmock/gmock.h>
@@ -46,6 +47,24 @@ TEST_F(SurveyMisfit, NamesTheTagWhosePlaceIsWrong) {
                 HasSubstr("The place of tag " + std::to_string(survey.markers[wrong].id) +
                           " alone would account for it"));
   }
+}
+
+// A vehicle at rest may show the same picture again and again: no noise at all.
+TEST_F(SurveyMisfit, IsFoundWithoutNoise) {
+  std::vector<Detection> detections;
+  for (int i = 0; i < 50; ++i) {
+    for (Detection detection : record_.detections) {
+      if (detection.time != record_.detections.front().time) break;
+      detection.time += 0.1 * i;
+      detections.push_back(detection);
+    }
+  }
+  MarkerMap survey = FourMarkers();
+  survey.markers[1].world_from_tag.translation += Eigen::Vector3d(0.0, 0.1, 0.0);
+  const MarkerTrack track = TrackMarkers(detections, SyntheticCamera(), survey, kBodyFromCamera);
+  ASSERT_TRUE(track.IsUsable()) << track.message;
+  EXPECT_LT(track.corner_noise, 1e-6);
+  EXPECT_NE(RemarkOnSurveyMisfit(SyntheticCamera(), detections, track), "");
 }
 
 TEST_F(SurveyMisfit, BlamesNoSingleTagForALens) {

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace fathom {
 namespace {
@@ -43,6 +44,16 @@ TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
   for (const auto& entry : std::filesystem::directory_iterator(kFolder / "parent")) {
     EXPECT_EQ(entry.path(), folder);
   }
+}
+
+TEST(Files, ReplaceAFileInMemoryAsAnyOther) {
+  const std::filesystem::path memory = "/dev/shm";
+  if (!std::filesystem::is_directory(memory)) GTEST_SKIP() << "there is no /dev/shm";
+  const auto file = memory / ("fathom_files_test" + std::to_string(getpid()));
+  WriteFile(file, "first");
+  WriteFile(file, "second");
+  EXPECT_EQ(ReadFile(file), "second");
+  std::filesystem::remove(file);
 }
 
 TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
