@@ -12,11 +12,11 @@
 // what is only noise, and follows the sides. Prints medians of CPU time; exit code 1 if `same` or
 // `followed` takes 10 % more than `bare`.
 
-#include "fathom/vision/camera_model.h"
-#include "fathom/vision/edge_refinement.h"
-#include "fathom/vision/tag_detector.h"
-#include "fathom/vision/tag_family.h"
-#include "fathom/vision/tag_renderer.h"
+#include "fathom/camera/camera_model.h"
+#include "fathom/camera/tag_family.h"
+#include "fathom/detect/edge_refinement.h"
+#include "fathom/detect/tag_detector.h"
+#include "fathom/film/tag_renderer.h"
 
 #include <algorithm>
 #include <array>

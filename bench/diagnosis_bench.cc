@@ -5,8 +5,8 @@
 // nothing hidden, with one cause, with two; seconds per log, and where they go. docs/diagnosis.md.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/simulate/effect_list.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/synthesize.h"
 
 #include <cstdio>
 #include <string>

@@ -7,8 +7,8 @@
 //
 //   joint_bench [most frames=60000]
 
-#include "fathom/joint_refinement/joint_problem.h"
 #include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/joint_refinement/problem/joint_problem.h"
 
 #include <chrono>
 #include <cstdio>

@@ -8,6 +8,7 @@
 // and without it.
 
 #include "fathom/log/log.h"
+#include "fathom/log/read_log.h"
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/signals.h"
 #include "fathom/simulate/prediction.h"

@@ -5,7 +5,7 @@
 // there are none.
 
 #include "fathom/base/input_error.h"
-#include "fathom/vision/camera_file.h"
+#include "fathom/camera/camera_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,8 +5,8 @@
 // numbers.
 
 #include "fathom/base/input_error.h"
-#include "fathom/simulate/experiment_file.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/experiment/experiment_file.h"
+#include "fathom/synthesize/synthesize.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/base/input_error.h"
-#include "fathom/vision/frame_list.h"
+#include "fathom/images/frame_list.h"
 
 #include <cstddef>
 #include <cstdint>

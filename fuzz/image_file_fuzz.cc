@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/base/input_error.h"
-#include "fathom/vision/image_file.h"
+#include "fathom/images/image_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 // Any bytes as a mount; what is read is a pose.
 
 #include "fathom/base/input_error.h"
-#include "fathom/vision/mount_file.h"
+#include "fathom/camera/mount_file.h"
 
 #include <cmath>
 #include <cstddef>

@@ -4,8 +4,8 @@
 // Any bytes as tags and as a mount; tags that are read must write and read back.
 
 #include "fathom/base/input_error.h"
-#include "fathom/vision/mount_file.h"
-#include "fathom/vision/tags_file.h"
+#include "fathom/camera/mount_file.h"
+#include "fathom/camera/tags_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,14 +3,14 @@
 
 // Every identifier family on every source of a log, in one table: the paper's Table II and Fig. 5.
 
-#include "fathom/base/output_file.h"
+#include "fathom/base/files/output_file.h"
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/comparison_file.h"
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/report/figure.h"
-#include "fathom/tools/identifier_flags.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/tool.h"
+#include "fathom/tool/identifier_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/tool.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,21 +3,21 @@
 
 // What a simulation gets wrong, and why: names the cause as far as the logs force it.
 
-#include "fathom/base/output_file.h"
+#include "fathom/base/files/output_file.h"
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/diagnosis_page.h"
-#include "fathom/diagnosis/diagnosis_tables.h"
-#include "fathom/diagnosis/next_steps.h"
-#include "fathom/diagnosis/verdict_file.h"
-#include "fathom/diagnosis/verdict_sentence.h"
-#include "fathom/joint_refinement/one_marker_poses.h"
+#include "fathom/diagnosis/report/diagnosis_page.h"
+#include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/next_steps.h"
+#include "fathom/diagnosis/report/verdict_file.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/joint_refinement/logs/one_marker_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/pose_remarks.h"
 #include "fathom/signal/signals.h"
-#include "fathom/tools/log_flags.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/progress.h"
-#include "fathom/tools/tool.h"
+#include "fathom/tool/log_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/progress.h"
+#include "fathom/tool/tool.h"
 
 #include <cstdio>
 #include <optional>

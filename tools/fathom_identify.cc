@@ -3,15 +3,15 @@
 
 // One DOF's model from one log, or from several together, by one identifier family.
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/log_column.h"
-#include "fathom/tools/identifier_flags.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/tool.h"
+#include "fathom/tool/identifier_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/tool.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <cstdio>

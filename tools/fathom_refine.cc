@@ -5,20 +5,20 @@
 //
 //   fathom_refine --log=LOG --dof=DOF [--json=FILE --model=FILE --trajectory=FILE --report=FILE]
 
-#include "fathom/base/output_file.h"
+#include "fathom/base/files/output_file.h"
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/image_comparison.h"
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
+#include "fathom/geometry/stamped_pose.h"
 #include "fathom/log/write_log.h"
 #include "fathom/signal/log_column.h"
-#include "fathom/tools/identifier_flags.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/progress.h"
-#include "fathom/tools/tool.h"
+#include "fathom/tool/identifier_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/progress.h"
+#include "fathom/tool/tool.h"
 #include "fathom/vehicle/model_file.h"
-#include "fathom/vision/stamped_pose.h"
 
 #include <cstdio>
 #include <map>

@@ -3,16 +3,16 @@
 
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
 #include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
-#include "fathom/tools/log_flags.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/tool.h"
+#include "fathom/tool/log_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/tool.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>

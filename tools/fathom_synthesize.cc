@@ -5,20 +5,20 @@
 //
 //   fathom_synthesize --vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG
 
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
-#include "fathom/base/temporary.h"
 #include "fathom/film/film_file.h"
 #include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
-#include "fathom/simulate/effect_list.h"
-#include "fathom/simulate/experiment_file.h"
-#include "fathom/simulate/synthesize.h"
-#include "fathom/simulate/truth_file.h"
-#include "fathom/tools/output_flags.h"
-#include "fathom/tools/output_folder.h"
-#include "fathom/tools/progress.h"
-#include "fathom/tools/tool.h"
+#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/experiment/experiment_file.h"
+#include "fathom/synthesize/synthesize.h"
+#include "fathom/synthesize/truth_file.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/output_folder.h"
+#include "fathom/tool/progress.h"
+#include "fathom/tool/tool.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 
 #include "confusion_matrix.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <algorithm>
 #include <map>
 

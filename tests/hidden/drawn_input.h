@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/simulate/input_signal.h"
+#include "fathom/synthesize/experiment/input_signal.h"
 
 #include <cstdint>
 #include <string>

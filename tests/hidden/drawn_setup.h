@@ -4,8 +4,8 @@
 #pragma once
 
 #include "fathom/base/dof.h"
-#include "fathom/simulate/experiment.h"
-#include "fathom/simulate/random_stream.h"
+#include "fathom/base/random_stream.h"
+#include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "hidden_log.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/synthesize.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "hidden_log.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <cmath>
 #include <map>
 #include <set>

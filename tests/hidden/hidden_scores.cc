@@ -6,7 +6,7 @@
 //   hidden_scores --jobs=2 --out=docs/diagnosis_scores.md
 //   hidden_scores --only=thruster_lag,time_offset --logs=8 --list --oracle_cache=/tmp/oracle.txt
 
-#include "fathom/base/output_file.h"
+#include "fathom/base/files/output_file.h"
 #include "fathom/log/write_log.h"
 
 #include <cstdio>

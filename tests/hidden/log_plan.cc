@@ -3,7 +3,8 @@
 
 #include "log_plan.h"
 
-#include "fathom/simulate/unlisted_effects.h"
+#include "fathom/synthesize/effects/unlisted_effects.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "oracle.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "oracle.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <cmath>
 
 #include "known_noise_fit.h"

@@ -3,6 +3,8 @@
 
 #include "score.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <cmath>
 #include <string>
 #include <vector>

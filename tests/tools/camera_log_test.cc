@@ -3,10 +3,10 @@
 
 // Logs whose motion is in what a camera saw of a marker.
 
+#include "fathom/camera/detections_file.h"
+#include "fathom/camera/tags_file.h"
 #include "fathom/log/write_log.h"
 #include "fathom/simulate/simulate.h"
-#include "fathom/vision/detections_file.h"
-#include "fathom/vision/tags_file.h"
 
 #include <set>
 

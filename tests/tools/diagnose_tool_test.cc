@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/log/log.h"
+#include "fathom/log/read_log.h"
 
 #include <cmath>
 #include <filesystem>

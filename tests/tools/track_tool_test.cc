@@ -3,10 +3,11 @@
 
 // fathom_track from rendered images, whose trajectory is known, to poses; and what it refuses.
 
+#include "fathom/camera/detections_file.h"
+#include "fathom/camera/tags_file.h"
 #include "fathom/log/csv_table.h"
 #include "fathom/log/log.h"
-#include "fathom/vision/detections_file.h"
-#include "fathom/vision/tags_file.h"
+#include "fathom/log/read_log.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "fathom/adaptive/adaptive.h"
 
+#include "fathom/adaptive/choose_gains.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/csv_table.h"
 

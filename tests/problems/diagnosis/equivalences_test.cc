@@ -6,7 +6,7 @@
 // "What cannot be told apart"; METHODS.md, single sine of 0.3 rad/s.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/structure_fit.h"
+#include "fathom/diagnosis/fit/structure_fit.h"
 
 #include <cmath>
 #include <ostream>

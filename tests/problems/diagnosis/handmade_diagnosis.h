@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/diagnosis.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <initializer_list>

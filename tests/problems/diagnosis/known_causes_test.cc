@@ -5,8 +5,9 @@
 // baseline is wrong, the extended model is right, and the cause is named.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/simulate/experiment_file.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/experiment/experiment_file.h"
+#include "fathom/synthesize/synthesize.h"
+#include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <algorithm>

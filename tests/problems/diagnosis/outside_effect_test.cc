@@ -5,6 +5,7 @@
 // of it; docs/adding_an_effect.md.
 
 #include "fathom/diagnosis/diagnosis.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 // The same answer whoever asks, in whatever order.
 
 #include "fathom/diagnosis/diagnosis.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

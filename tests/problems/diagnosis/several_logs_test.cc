@@ -3,12 +3,13 @@
 
 // What belongs to a run, in one of several logs that are diagnosed together.
 
+#include "fathom/diagnosis/data/log_names.h"
+#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/training_data.h"
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/held_out.h"
-#include "fathom/diagnosis/log_names.h"
-#include "fathom/diagnosis/records.h"
-#include "fathom/diagnosis/suspects.h"
-#include "fathom/diagnosis/training_data.h"
+#include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/search/suspects.h"
+#include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "surge_run.h"
 
-#include "fathom/simulate/effect_list.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/synthesize.h"
 
 #include <cstddef>
 #include <numbers>

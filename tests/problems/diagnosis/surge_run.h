@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/log/log.h"
-#include "fathom/simulate/experiment.h"
+#include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/uncoupled_model.h"
 #include "fathom/vehicle/vehicle_file.h"

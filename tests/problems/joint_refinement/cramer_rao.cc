@@ -3,8 +3,8 @@
 
 #include "cramer_rao.h"
 
-#include "fathom/joint_refinement/joint_state.h"
-#include "fathom/joint_refinement/linear_joint.h"
+#include "fathom/joint_refinement/problem/joint_state.h"
+#include "fathom/joint_refinement/problem/linear_joint.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 // The joint problem where the corners ask for less damping than none.
 
-#include "fathom/joint_refinement/joint_problem.h"
+#include "fathom/joint_refinement/problem/joint_problem.h"
 
 #include <cmath>
 #include <vector>

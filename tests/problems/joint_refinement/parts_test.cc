@@ -3,12 +3,12 @@
 
 // The parts of the joint refinement against finite differences, dense algebra and Monte Carlo.
 
-#include "fathom/joint_refinement/corner_rows.h"
-#include "fathom/joint_refinement/joint_problem.h"
-#include "fathom/joint_refinement/linear_joint.h"
-#include "fathom/joint_refinement/predicted_motion.h"
-#include "fathom/joint_refinement/process_likelihood.h"
-#include "fathom/joint_refinement/second_order_process.h"
+#include "fathom/joint_refinement/motion/predicted_motion.h"
+#include "fathom/joint_refinement/problem/corner_rows.h"
+#include "fathom/joint_refinement/problem/joint_problem.h"
+#include "fathom/joint_refinement/problem/linear_joint.h"
+#include "fathom/joint_refinement/processes/second_order_process.h"
+#include "fathom/joint_refinement/search/process_likelihood.h"
 
 #include <cmath>
 #include <random>

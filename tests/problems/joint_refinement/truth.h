@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "fathom/joint_refinement/joint_problem.h"
-#include "fathom/joint_refinement/joint_state.h"
+#include "fathom/joint_refinement/problem/joint_problem.h"
+#include "fathom/joint_refinement/problem/joint_state.h"
 
 #include "camera_experiment.h"
 

@@ -3,10 +3,11 @@
 
 #include "fathom/marker_trajectory/camera_source.h"
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
+#include "fathom/camera/detections_file.h"
+#include "fathom/log/read_log.h"
 #include "fathom/signal/signals.h"
-#include "fathom/vision/detections_file.h"
 
 #include "synthetic_views.h"
 #include <gmock/gmock.h>

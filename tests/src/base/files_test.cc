@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/input_file.h"
-#include "fathom/base/output_file.h"
 
 #include <filesystem>
 #include <string>

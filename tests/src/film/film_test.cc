@@ -3,11 +3,11 @@
 
 #include "fathom/film/film.h"
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
 #include "fathom/film/film_file.h"
-#include "fathom/simulate/experiment_file.h"
-#include "fathom/simulate/synthesize.h"
+#include "fathom/synthesize/experiment/experiment_file.h"
+#include "fathom/synthesize/synthesize.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <cmath>

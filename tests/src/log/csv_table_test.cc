@@ -3,8 +3,8 @@
 
 #include "fathom/log/csv_table.h"
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
 
 #include <functional>
 #include <string>

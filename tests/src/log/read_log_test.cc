@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/log/read_log.h"
+
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/output_file.h"
 #include "fathom/log/log.h"
 #include "fathom/log/pose_remarks.h"
 

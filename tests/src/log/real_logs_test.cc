@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/log/log.h"
+#include "fathom/log/read_log.h"
 
 #include <filesystem>
 #include <string>

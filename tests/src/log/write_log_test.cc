@@ -3,8 +3,9 @@
 
 #include "fathom/log/write_log.h"
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/input_file.h"
+#include "fathom/log/read_log.h"
 
 #include <bit>
 #include <cstdint>

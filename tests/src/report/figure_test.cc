@@ -3,8 +3,8 @@
 
 #include "fathom/report/figure.h"
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/input_file.h"
 
 #include <cmath>
 #include <cstdlib>

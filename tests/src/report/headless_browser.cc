@@ -3,7 +3,7 @@
 
 #include "headless_browser.h"
 
-#include "fathom/base/output_file.h"
+#include "fathom/base/files/output_file.h"
 
 #include <array>
 #include <cstdio>

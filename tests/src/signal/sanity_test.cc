@@ -4,6 +4,7 @@
 #include "fathom/signal/sanity.h"
 
 #include "fathom/log/log.h"
+#include "fathom/log/read_log.h"
 
 #include <cmath>
 #include <filesystem>

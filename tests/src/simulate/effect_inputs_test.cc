@@ -4,6 +4,7 @@
 #include "fathom/simulate/effect_inputs.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <string>

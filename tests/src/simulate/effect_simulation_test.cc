@@ -3,6 +3,8 @@
 
 #include "fathom/simulate/effect_simulation.h"
 
+#include "fathom/vehicle/effects/catalogue.h"
+
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -4,6 +4,7 @@
 #include "fathom/simulate/extended_prediction.h"
 
 #include "fathom/simulate/prediction.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <vector>

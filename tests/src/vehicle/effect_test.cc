@@ -6,6 +6,7 @@
 #include "fathom/vehicle/effect.h"
 
 #include "fathom/vehicle/effect_law.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <fstream>

@@ -4,6 +4,7 @@
 #include "fathom/vehicle/model_file.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <string>

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/adaptive/adaptive.h"
+
+#include "fathom/adaptive/choose_gains.h"
+#include "fathom/adaptive/pass.h"
+#include "fathom/base/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNormal95 = 1.96;
+constexpr size_t kLongestHistory = 1000;
+constexpr double kLastPart = 1.0 / 3.0;  // of the pass, over which the scatter is taken
+constexpr double kHeaviest = 0.99e5;     // [kg]: alpha has not left its lower bound
+constexpr double kMostScatter = 0.5;     // of the inertia's sd, by its value
+constexpr double kSettledChange = 0.1;   // of the inertia over the last part
+
+using Models = std::vector<ParameterVector>;
+
+// Mean square about the final estimate, so that a drift counts as scatter.
+ParameterCovariance ScatterAbout(const ParameterVector& final, const Models& models) {
+  ParameterCovariance scatter = ParameterCovariance::Zero();
+  for (const ParameterVector& model : models) {
+    scatter += (model - final) * (model - final).transpose();
+  }
+  return scatter / static_cast<double>(models.size());
+}
+
+void AddCaveats(const Models& last_part, AdaptiveSummary* summary) {
+  const double inertia = summary->model.inertia;
+  const double change = inertia - last_part.front()[kInertia];
+  if (std::abs(change) > kSettledChange * inertia) {
+    summary->caveats.push_back(
+        fmt::format("The inertia has not settled: it changed by {:.3g} over the last third of the "
+                    "pass.",
+                    change));
+  }
+  for (const int index : {kQuadraticDamping, kLinearDamping}) {
+    const double value = ToVector(summary->model)[index];
+    if (value >= 0.0) continue;
+    summary->caveats.push_back(
+        fmt::format("{} is negative ({:.4g}): unphysical. Another term or an unmodelled effect is "
+                    "taken for damping.",
+                    kParameterInfo[index].name,
+                    value));
+  }
+  summary->caveats.emplace_back(
+      "The intervals are the scatter of the estimate over the last third of the pass, not a "
+      "standard error: they do not cover what has not converged yet, combinations that the motion "
+      "does not excite, or what the model lacks.");
+}
+
+}  // namespace
+
+AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOptions& options) {
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("The options of the adaptive identifier cannot be used: {}",
+                                 fmt::join(problems, "; ")));
+  }
+  AdaptiveSummary summary;
+  const std::vector<PassSegment> pass = PassOver(segments);
+  size_t n = 0;
+  for (const PassSegment& segment : pass) n += segment.time.size();
+  summary.num_samples = static_cast<int>(n);
+  summary.gains_were_chosen = !options.gains;
+  summary.gains = options.gains ? *options.gains : ChooseGains(segments);
+  if (!summary.gains.Problems().empty()) {
+    summary.message =
+        n < 3 ? fmt::format("Only {} samples.", n)
+              : "No gains were found: the force or the motion is zero, or every pass diverges.";
+    return summary;
+  }
+
+  AdaptiveIdentifier identifier({.gains = summary.gains, .integrator = options.integrator});
+  const size_t stride = 1 + (n - 1) / kLongestHistory;
+  const auto last_part_begin = static_cast<size_t>((1.0 - kLastPart) * static_cast<double>(n));
+  Models last_part;
+  Feed(pass, &identifier, [&](double t) {
+    const auto k = static_cast<size_t>(identifier.num_samples() - 1);
+    const UncoupledModel<double> estimate = identifier.Estimate();
+    if (k % stride == 0 || k + 1 == n) summary.history.push_back({t, estimate});
+    if (k >= last_part_begin) last_part.push_back(ToVector(estimate));
+  });
+  if (!identifier.IsFinite()) {
+    summary.message = "The adaptive law diverged: with these gains its step is too long.";
+    return summary;
+  }
+  const UncoupledModel<double> model = identifier.Estimate();
+  const ParameterCovariance scatter = ScatterAbout(ToVector(model), last_part);
+  const double inertia_std = std::sqrt(scatter(kInertia, kInertia));
+  if (model.inertia > kHeaviest) {
+    summary.message =
+        "The inverse of the inertia stayed at its lower bound: the force does not explain the "
+        "motion. Check its sign, its unit and the clocks.";
+    return summary;
+  }
+  if (!(inertia_std < kMostScatter * model.inertia)) {
+    summary.message = fmt::format(
+        "The inertia did not converge: {:.4g} +- {:.2g} over the last third of the pass.",
+        model.inertia,
+        kNormal95 * inertia_std);
+    return summary;
+  }
+  summary.model = model;
+  summary.covariance = scatter;
+  summary.usable = true;
+  summary.message = fmt::format("Adaptive law, one pass over {} samples.", n);
+  AddCaveats(last_part, &summary);
+  return summary;
+}
+
+}  // namespace fathom

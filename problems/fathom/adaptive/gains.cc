@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/adaptive/gains.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+std::vector<std::string> AdaptiveGains::Problems() const {
+  std::vector<std::string> problems;
+  if (!(a_m < 0.0) || !std::isfinite(a_m)) {
+    problems.push_back(fmt::format("a_m is {}, expected a number below 0", a_m));
+  }
+  for (size_t k = 0; k < lambda.size(); ++k) {
+    if (!(lambda[k] > 0.0) || !std::isfinite(lambda[k])) {
+      problems.push_back(fmt::format("lambda[{}] is {}, expected a number above 0", k, lambda[k]));
+    }
+  }
+  return problems;
+}
+
+}  // namespace fathom

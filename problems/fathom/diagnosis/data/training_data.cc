@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/data/training_data.h"
+
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+// Slope of the damping force over speed.
+double DampingAt(const UncoupledModel<double>& model, double speed) {
+  return model.linear_damping + 2.0 * model.quadratic_damping * std::abs(speed);
+}
+
+// The damping over each interval between samples, by the mean speed in it, as a multiple of that
+// at the usual speed; docs/residual_noise.md (3).
+void SetDampingFactors(const Segment& segment,
+                       const UncoupledModel<double>& about,
+                       double usual_speed,
+                       std::span<NoiseSample> samples) {
+  constexpr double kStepsPerOctave = 4.0;  // few values, 9 % off at most
+  constexpr double kMostOctaves = 3.0;
+  const double usual = DampingAt(about, usual_speed);
+  if (!(usual > 0.0)) return;
+  size_t next = 0;
+  double damping = usual;
+  for (NoiseSample& sample : samples) {
+    double sum = 0.0, n = 0.0;
+    for (; next < segment.time.size() && segment.time[next] <= sample.time; ++next, n += 1.0) {
+      sum += DampingAt(about, segment.velocity[next]);
+    }
+    if (n > 0.0) damping = sum / n;
+    const double octaves = std::log2(std::max(damping, 1e-300) / usual);
+    sample.damping_factor =
+        std::exp2(std::round(kStepsPerOctave * std::clamp(octaves, -kMostOctaves, kMostOctaves)) /
+                  kStepsPerOctave);
+  }
+}
+
+}  // namespace
+
+TrainingData::TrainingData(std::vector<Record> records,
+                           const UncoupledModel<double>& about,
+                           double least_inertia)
+    : records_(std::move(records)),
+      bins_(records_),
+      samples_(bins_.samples()),
+      least_inertia_(least_inertia) {
+  command_tone_.share = 1.0;
+  for (const Record& record : records_) {
+    longest_duration_ = std::max(longest_duration_, record.duration());
+    const HeldCommand& command = record.inputs->command;
+    const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
+    const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
+    if (tone.share <= command_tone_.share) command_tone_ = tone;
+  }
+  measured_.resize(bins_.size());
+  for (size_t r = 0; r < records_.size(); ++r) {
+    simulations_.emplace_back(records_[r].inputs.get(), records_[r].stamps);
+    has_displacement_ = has_displacement_ || !records_[r].displacement.empty();
+    const int first = bins_.first_row(r);
+    bins_.Average(r,
+                  records_[r].velocity,
+                  records_[r].displacement,
+                  std::span(measured_.data() + first, bins_.first_row(r + 1) - first));
+  }
+  SetDamping(about);
+}
+
+void TrainingData::SetDamping(const UncoupledModel<double>& about) {
+  std::vector<Segment> segments;
+  double sum = 0.0, n = 0.0;
+  for (const Record& record : records_) {
+    segments.push_back(SegmentOfRecord(record));
+    for (const double v : segments.back().velocity) sum += std::abs(v);
+    n += static_cast<double>(segments.back().velocity.size());
+  }
+  usual_speed_ = n > 0.0 ? sum / n : 0.0;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    const int first = bins_.first_row(r);
+    SetDampingFactors(segments[r],
+                      about,
+                      usual_speed_,
+                      std::span(samples_).subspan(first, bins_.first_row(r + 1) - first));
+  }
+}
+
+double TrainingData::DampingRate(const UncoupledModel<double>& model) const {
+  constexpr double kLeast = 1e-3, kMost = 5.0;  // [1/s]
+  return std::clamp(DampingAt(model, usual_speed_) / model.inertia, kLeast, kMost);
+}
+
+std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model,
+                                                      std::span<const InitialState> initial) const {
+  return SimulateLog("", model, initial, Eigen::VectorXd(bins_.size()));
+}
+
+std::optional<Eigen::VectorXd> TrainingData::SimulateLog(const std::string& log,
+                                                         const ExtendedModel& model,
+                                                         std::span<const InitialState> initial,
+                                                         Eigen::VectorXd simulated) const {
+  EffectOutputs outputs;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    if (!log.empty() && records_[r].log != log) continue;
+    if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
+    const int first = bins_.first_row(r);
+    bins_.Average(r,
+                  outputs.velocity,
+                  outputs.displacement,
+                  std::span(simulated.data() + first, bins_.first_row(r + 1) - first));
+  }
+  return simulated;
+}
+
+std::optional<TrainingData::Linearised> TrainingData::Linearise(
+    const ExtendedModel& model, std::span<const InitialState> initial) const {
+  const int num_parameters = EffectSimulation::NumParameters(model);
+  const int num_states = this->num_states(model);
+  const int num_columns = num_parameters + num_states * static_cast<int>(records_.size());
+  Linearised linearised = {Eigen::VectorXd(bins_.size()),
+                           RowMajorMatrix::Zero(bins_.size(), num_columns)};
+  EffectOutputs outputs;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    if (!simulations_[r].RunWithSensitivities(model, initial[r], &outputs)) return std::nullopt;
+    const int first = bins_.first_row(r);
+    const int num_rows = bins_.first_row(r + 1) - first;
+    bins_.Average(r,
+                  outputs.velocity,
+                  outputs.displacement,
+                  std::span(linearised.simulated.data() + first, num_rows));
+    SensitivityMatrix rows(num_rows, EffectSimulation::NumColumns(model));
+    bins_.Average(r, outputs.velocity_sensitivity, outputs.displacement_sensitivity, rows);
+    auto to = linearised.jacobian.middleRows(first, num_rows);
+    to.leftCols(kNumParameters) = rows.leftCols(kNumParameters);
+    const int num_effect_parameters = num_parameters - kNumParameters;
+    to.middleCols(kNumParameters, num_effect_parameters) =
+        rows.middleCols(EffectSimulation::kFirstEffectColumn, num_effect_parameters);
+    const int state = num_parameters + num_states * static_cast<int>(r);
+    to.col(state) = rows.col(EffectSimulation::kInitialVelocityColumn);
+    if (has_displacement_) {
+      to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
+    }
+    const int num_excesses = num_states - (has_displacement_ ? 2 : 1);
+    to.middleCols(state + num_states - num_excesses, num_excesses) = rows.rightCols(num_excesses);
+  }
+  return linearised;
+}
+
+}  // namespace fathom

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/data/bins.h"
+#include "fathom/diagnosis/data/records.h"
+#include "fathom/noise/noise_model.h"
+#include "fathom/noise/whitener.h"
+#include "fathom/signal/excitation.h"
+#include "fathom/simulate/effect_simulation.h"
+#include "fathom/vehicle/extended_model.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// The data of a fit: records, their simulations, and their bins.
+class TrainingData {
+ public:
+  // `about`: a model near the truth, whose damping tells how easily the vehicle is disturbed from
+  // sample to sample; docs/residual_noise.md (3). `least_inertia`: the smallest that a fit may try
+  // [kg] or [kg m^2].
+  explicit TrainingData(std::vector<Record> records,
+                        const UncoupledModel<double>& about = {},
+                        double least_inertia = 0.0);
+
+  const std::vector<Record>& records() const { return records_; }
+  const std::vector<EffectSimulation>& simulations() const { return simulations_; }
+  const Bins& bins() const { return bins_; }
+
+  // Of the bins, with their damping factors.
+  const std::vector<NoiseSample>& samples() const { return samples_; }
+
+  // Damping rate of a model about the usual speed of these data [1/s].
+  double DampingRate(const UncoupledModel<double>& model) const;
+
+  double least_inertia() const { return least_inertia_; }
+
+  bool has_displacement() const { return has_displacement_; }
+
+  // States of a record that are free: the velocity, the position where it is measured, and
+  // ExcessesOf() the model. In this order.
+  int num_states(const ExtendedModel& model) const {
+    return (has_displacement_ ? 2 : 1) +
+           static_cast<int>(EffectSimulation::ExcessesOf(model).size());
+  }
+
+  // The strongest line of the command that is least of a tone.
+  const Tone& command_tone() const { return command_tone_; }
+
+  double longest_duration() const { return longest_duration_; }  // of a record [s]
+
+  // Measured, averaged over the bins.
+  const Eigen::VectorXd& measured() const { return measured_; }
+
+  // Simulated, averaged over the bins; nothing if a run diverges.
+  std::optional<Eigen::VectorXd> Simulate(const ExtendedModel& model,
+                                          std::span<const InitialState> initial) const;
+
+  // The same where only the rows of one log differ from what is known, `elsewhere`; without a name,
+  // all are simulated.
+  std::optional<Eigen::VectorXd> SimulateLog(const std::string& log,
+                                             const ExtendedModel& model,
+                                             std::span<const InitialState> initial,
+                                             Eigen::VectorXd elsewhere) const;
+
+  // The same with its derivatives: columns are the baseline's parameters, the effects', then the
+  // free states record by record.
+  struct Linearised {
+    Eigen::VectorXd simulated;
+    RowMajorMatrix jacobian;
+  };
+  std::optional<Linearised> Linearise(const ExtendedModel& model,
+                                      std::span<const InitialState> initial) const;
+
+ private:
+  void SetDamping(const UncoupledModel<double>& about);
+
+  std::vector<Record> records_;
+  std::vector<EffectSimulation> simulations_;
+  Bins bins_;
+  std::vector<NoiseSample> samples_;
+  double usual_speed_ = 0.0;  // [m/s] or [rad/s]
+  double least_inertia_ = 0.0;
+  bool has_displacement_ = false;
+  Tone command_tone_;
+  double longest_duration_ = 0.0;
+  Eigen::VectorXd measured_;
+};
+
+}  // namespace fathom

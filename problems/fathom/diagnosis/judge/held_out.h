@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/data/records.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// A free run beside what was measured, sample by sample.
+struct FreeRun {
+  std::vector<double> time;       // log time [s]
+  std::vector<double> measured;   // velocity [m/s] or [rad/s]; displacement where there is none
+  std::vector<double> predicted;  // the same
+};
+
+// The free run of a model over a record, from the state at which its readings agree with the first
+// two seconds of the measured ones on average, StateBehind() of a sensor with a memory, or, of
+// poses without velocities, in a straight line; nothing if it diverges. (What is measured is not
+// the state: a sensor's bias would start the run at a wrong speed.)
+std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model);
+
+// The same from a given start.
+std::optional<FreeRun> FreeRunOver(const Record& record,
+                                   const ExtendedModel& model,
+                                   const InitialState& initial);
+
+// The displacements of a run from such a state, where velocities and poses are measured: each block
+// of 10 s put onto the straight line that was measured. A free run strays from its place by far
+// more than what is wrong with poses moves them; how they move within a block shows it.
+std::optional<FreeRun> PosesByBlock(const Record& record, const ExtendedModel& model);
+
+// MAE and NMAE over several runs together (docs/models.md (7), (8)); NaN if there are none.
+FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
+
+// How much less the second model's runs miss than the first's, over the same records:
+// 1 - sum |miss after| / sum |miss before|, with a 95 % interval from resampling blocks of 10 s.
+struct Gain {
+  double value = 0.0, low = 0.0, high = 0.0;
+  bool is_in_poses = false;  // Scored::poses_before and poses_after
+};
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
+
+// Free runs of two models over the same records, which neither was fitted to.
+struct Scored {
+  std::vector<FreeRun> before, after;
+
+  std::vector<FreeRun> poses_before, poses_after;  // by PosesByBlock()
+};
+
+// The gain; of an effect that acts on the poses alone, which velocities know nothing of, in the
+// poses, where there are both.
+Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
+
+// Adds the runs over the records that both models can run over.
+void Score(const std::vector<Record>& records,
+           const ExtendedModel& before,
+           const ExtendedModel& after,
+           Scored* scored);
+
+}  // namespace fathom

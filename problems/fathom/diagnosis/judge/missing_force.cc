@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/judge/missing_force.h"
+
+#include "fathom/noise/smooth_disturbance.h"
+#include "fathom/simulate/partner_signals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kCommandRateStep = 0.5;  // [s]
+
+double RmsOf(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() /
+                   std::max<double>(1.0, static_cast<double>(values.size())));
+}
+
+// Noise with a disturbance strong enough to carry what the baseline misses.
+NoiseModel WithDisturbance(const NoiseModel& sensor,
+                           double damping_rate,
+                           const StructureFit& baseline) {
+  NoiseModel noise = sensor;
+  noise.damping_rate = damping_rate;
+  noise.disturbance.time = 1.5;
+  const double missed = std::max(RmsOf(baseline.residual), 1e-9);
+  noise.disturbance.std = std::max(noise.disturbance.std, missed / noise.disturbance.time);
+  return noise;
+}
+
+}  // namespace
+
+MissingForce FindMissingForce(const TrainingData& data,
+                              const StructureFit& baseline,
+                              const StructureFit& extended,
+                              const std::vector<Dof>& partners) {
+  MissingForce missing;
+  const auto& samples = data.samples();
+  const double inertia = baseline.model.baseline.inertia;
+  const NoiseModel noise =
+      WithDisturbance(extended.noise, data.DampingRate(baseline.model.baseline), baseline);
+  const SmoothedDisturbance smoothed = SmoothDisturbance(
+      noise, samples, std::span(baseline.residual.data(), baseline.residual.size()));
+  const Eigen::VectorXd added = baseline.residual - extended.residual;
+  const SmoothedDisturbance explained =
+      SmoothDisturbance(noise, samples, std::span(added.data(), added.size()));
+  for (const Dof partner : partners) missing.partner_names.emplace_back(Name(partner));
+  missing.partner_velocities.resize(partners.size());
+
+  for (size_t r = 0; r < data.records().size(); ++r) {
+    const Record& record = data.records()[r];
+    std::vector<double> times;
+    std::vector<int> rows;
+    for (int row = data.bins().first_row(r); row < data.bins().first_row(r + 1); ++row) {
+      if (!times.empty() && samples[row].time <= times.back()) continue;
+      times.push_back(samples[row].time);
+      rows.push_back(row);
+    }
+    OutputStamps stamps;
+    stamps.start = record.stamps.start;
+    for (const double t : times) stamps.velocity.push_back(std::max(t, stamps.start));
+    stamps.displacement = stamps.velocity;
+    EffectOutputs run;
+    if (!EffectSimulation(record.inputs.get(), stamps)
+             .Run(baseline.model, baseline.initial[r], &run)) {
+      continue;
+    }
+    std::vector<PartnerSignals> signals;
+    for (const Dof partner : partners) {
+      signals.emplace_back(*record.inputs, EffectSetting{.partner = partner});
+    }
+    for (size_t i = 0; i < times.size(); ++i) {
+      const double t = times[i];
+      missing.time.push_back(t);
+      missing.mean.push_back(inertia * smoothed.mean[rows[i]]);
+      missing.std.push_back(inertia * smoothed.std[rows[i]]);
+      missing.explained.push_back(inertia * explained.mean[rows[i]]);
+      missing.command.push_back(record.inputs->command.At(t));
+      missing.command_rate.push_back((record.inputs->command.At(t + 0.5 * kCommandRateStep) -
+                                      record.inputs->command.At(t - 0.5 * kCommandRateStep)) /
+                                     kCommandRateStep);
+      missing.velocity.push_back(run.velocity[i]);
+      missing.displacement.push_back(run.displacement[i]);
+      for (size_t k = 0; k < partners.size(); ++k) {
+        missing.partner_velocities[k].push_back(signals[k].At(t, t, t).velocity);
+      }
+    }
+  }
+  return missing;
+}
+
+ResidualTrace TraceOf(const Record& record,
+                      std::optional<FreeRun> before,
+                      std::optional<FreeRun> after) {
+  ResidualTrace trace;
+  trace.log = record.log;
+  trace.is_held_out = record.is_held_out;
+  if (before) {
+    trace.time = std::move(before->time);
+    trace.measured = std::move(before->measured);
+    trace.before = std::move(before->predicted);
+  }
+  if (after) trace.after = std::move(after->predicted);
+  return trace;
+}
+
+}  // namespace fathom

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/effect.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct DiagnosisOptions {
+  // Chance of naming anything at all where nothing is missing. In (0, 0.5].
+  double false_alarm_rate = 0.05;
+
+  // At most so many causes at once, 1 to 3.
+  int most_causes = 3;
+
+  // A rival is told apart from the named cause only if it is worse by this much: twice the
+  // log-likelihood, after each one's own number of parameters is paid for.
+  double separation = 8.0;
+
+  // Of the draws behind thresholds and intervals.
+  std::uint64_t seed = 1;
+
+  // The effects that are tried; empty: EffectCatalogue().
+  std::vector<const Effect*> effects;
+
+  // One line for each rule that is broken; empty if these options can be used.
+  std::vector<std::string> Problems() const;
+};
+
+}  // namespace fathom

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/cause_text.h"
+
+#include "fathom/diagnosis/report/with_interval.h"
+#include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// Alternatives that are told in words, and that are listed within a sentence.
+constexpr std::size_t kMostTold = 2, kMostListed = 4;
+
+// "time_constant 0.42 s (0.39 to 0.45 s)" for each parameter.
+std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  const std::vector<double> stds = EffectStds(diagnosis.extended, cause.effect_index);
+  std::vector<std::string> sizes;
+  for (std::size_t k = 0; k < active.values.size(); ++k) {
+    const EffectParameter& parameter = active.effect->info().parameters[k];
+    const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+    std::string name(parameter.name);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const double value = active.values[k];
+    const bool is_at_bound = value == parameter.lower || value == parameter.upper;
+    sizes.push_back(fmt::format(
+        "{} {}{}{}",
+        name,
+        WithInterval(value, stds[k], unit == "-" ? "" : unit, parameter.lower, parameter.upper),
+        parameter.search == Search::kTimeOfRun ? " after the first command" : "",
+        is_at_bound ? " (the bound of what is physical)" : ""));
+  }
+  return fmt::format("{}", fmt::join(sizes, ", "));
+}
+
+// "the propellers take time to reach their speed (thruster_lag)" for a label of an alternative.
+std::string Told(const std::string& label) {
+  const Effect* effect = FindEffect(label.substr(0, label.find('(')));
+  return effect == nullptr ? label : fmt::format("{} ({})", effect->info().cause, label);
+}
+
+}  // namespace
+
+const ActiveEffect& EffectOfCause(const Diagnosis& diagnosis, const Cause& cause) {
+  return diagnosis.extended.model.effects.at(static_cast<std::size_t>(cause.effect_index));
+}
+
+std::vector<double> EffectStds(const DiagnosedModel& model, int effect_index) {
+  Eigen::Index first = kNumParameters;
+  for (int k = 0; k < effect_index; ++k) {
+    first += static_cast<Eigen::Index>(model.model.effects[k].values.size());
+  }
+  std::vector<double> stds;
+  for (std::size_t k = 0; k < model.model.effects.at(effect_index).values.size(); ++k) {
+    const Eigen::Index i = first + static_cast<Eigen::Index>(k);
+    stds.push_back(i < model.covariance.rows() ? std::sqrt(model.covariance(i, i))
+                                               : std::numeric_limits<double>::quiet_NaN());
+  }
+  return stds;
+}
+
+std::vector<std::string> AlternativesOf(const Cause& cause) {
+  std::vector<std::string> labels;
+  for (const std::string& label : cause.alternatives) {
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+  }
+  return labels;
+}
+
+std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause) {
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  const EffectInfo& info = active.effect->info();
+  std::string reason = fmt::format(
+      "{} ({}), {}", info.cause, LabelOf(info, active.setting), Sizes(diagnosis, cause));
+  const std::vector<std::string> alternatives = AlternativesOf(cause);
+  if (alternatives.empty()) return reason;
+  if (alternatives.size() > kMostListed) {
+    return fmt::format("{}, or because of one of {} others", reason, alternatives.size());
+  }
+  if (alternatives.size() > kMostTold) {
+    return fmt::format("{}, or because of one of {}", reason, fmt::join(alternatives, ", "));
+  }
+  for (const std::string& label : alternatives) reason += ", or because " + Told(label);
+  return reason;
+}
+
+std::string AnyOf(const std::vector<std::string>& labels) {
+  if (labels.size() <= kMostListed) return fmt::format("{}", fmt::join(labels, " or "));
+  return fmt::format("any of {}", fmt::join(labels, ", "));
+}
+
+std::string ToDecide(const Cause& cause) {
+  std::string experiment = cause.experiment;
+  if (experiment.empty() || experiment.starts_with("No ")) return experiment;
+  while (experiment.back() == '.') experiment.pop_back();
+  if (experiment.size() > 1 && std::islower(static_cast<unsigned char>(experiment[1])) != 0) {
+    experiment[0] = static_cast<char>(std::tolower(experiment[0]));
+  }
+  if (experiment.starts_with("A ")) experiment[0] = 'a';
+  const std::size_t colon = experiment.find(": ");
+  if (colon != std::string::npos) experiment.replace(colon, 2, " (") += ")";
+  return fmt::format("To decide: {}.", experiment);
+}
+
+}  // namespace fathom

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/diagnosis_page.h"
+
+#include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/diagnosis_panels.h"
+#include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/next_steps.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+PageSection NextStepsSection(const Diagnosis& diagnosis) {
+  PageSection section;
+  section.heading = "What to do next";
+  section.text = NextSteps(diagnosis);
+  if (!diagnosis.causes.empty()) section.tables.push_back(CauseTable(diagnosis));
+  return section;
+}
+
+// A section for each panel, which is a log's.
+void AddSections(std::vector<TimePanel> panels,
+                 const std::string& heading,
+                 const std::vector<std::string>& text,
+                 bool are_several,
+                 Page* page) {
+  for (TimePanel& panel : panels) {
+    PageSection section;
+    section.heading = are_several ? heading + ": " + panel.title : heading;
+    section.text = text;
+    panel.title.clear();
+    panel.is_low = page->sections.empty();  // the first screen holds more than that
+    section.time_panels = {std::move(panel)};
+    page->sections.push_back(std::move(section));
+  }
+}
+
+void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
+  AddSections(FreeRunPanels(diagnosis),
+              diagnosis.causes.empty() ? "The model and the measurement" : "Before and after",
+              {},
+              diagnosis.logs.size() > 1,
+              page);
+}
+
+void AddPoses(const Diagnosis& diagnosis, Page* page) {
+  AddSections(PosePanels(diagnosis),
+              diagnosis.causes.empty() ? "The model and the poses" : "The poses before and after",
+              {"Every 10 s the modelled displacement is put back onto the straight line that was "
+               "measured: by then a free run has strayed further than what is wrong with poses "
+               "moves them."},
+              diagnosis.logs.size() > 1,
+              page);
+}
+
+// What was measured against both models, where the causes show first.
+void AddBeforeAndAfter(const Diagnosis& diagnosis, Page* page) {
+  if (diagnosis.gain_is_in_poses) AddPoses(diagnosis, page);
+  AddFreeRuns(diagnosis, page);
+  if (!diagnosis.gain_is_in_poses) AddPoses(diagnosis, page);
+}
+
+PageSection MissingForceSection(const Diagnosis& diagnosis) {
+  PageSection section;
+  section.heading = IsAngular(diagnosis.dof) ? "The missing moment" : "The missing force";
+  section.text = {
+      "What would have to be added to the command for the model without causes to follow the "
+      "measurement, as a random force that fades within seconds (an Ornstein-Uhlenbeck process), "
+      "smoothed over the run; the band is two standard deviations. " +
+      std::string(diagnosis.causes.empty()
+                      ? "Where it follows one of the suspects below, look there."
+                      : "What the causes account for should lie inside it; the points show both "
+                        "over each suspect.") +
+      " How far it follows a suspect is the share of its variance that the mean has; up to some "
+      "20 % can be chance, since it is smooth."};
+  section.time_panels = MissingForcePanels(diagnosis);
+  section.scatter_panels = SuspectPanels(diagnosis);
+  return section;
+}
+
+PageSection ParameterSection(const Diagnosis& diagnosis) {
+  PageSection section;
+  section.heading = diagnosis.causes.empty() ? "The parameters" : "The parameters before and after";
+  section.parameter_panels = ParameterPanels(diagnosis);
+  section.tables.push_back(BeforeAndAfterTable(diagnosis));
+  return section;
+}
+
+PageSection CandidateSection(const Diagnosis& diagnosis) {
+  PageSection section;
+  section.heading = "Every candidate";
+  section.text = {
+      "The score is twice the log-likelihood that an effect gains over the model without causes, "
+      "by a linear screen; the p-value is that of as good a score anywhere among all candidates if "
+      "nothing were missing. Those that matter were refitted."};
+  section.tables.push_back(CandidateTable(diagnosis));
+  return section;
+}
+
+// "sensor_lag or thruster_lag": a cause and what it may be instead.
+std::string LabelsOf(const Diagnosis& diagnosis, const Cause& cause) {
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  const std::string label = LabelOf(active.effect->info(), active.setting);
+  const std::vector<std::string> alternatives = AlternativesOf(cause);
+  if (alternatives.empty()) return label;
+  if (alternatives.size() > 2) {
+    return fmt::format("{} or one of {} others", label, alternatives.size());
+  }
+  return fmt::format("{} or {}", label, fmt::join(alternatives, " or "));
+}
+
+std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
+  std::vector<Fact> facts = {{"verdict", std::string(Name(diagnosis.verdict))}};
+  std::vector<std::string> names;
+  for (const Cause& cause : diagnosis.causes) names.push_back(LabelsOf(diagnosis, cause));
+  if (!names.empty()) {
+    facts.push_back(
+        {names.size() == 1 ? "cause" : "causes", fmt::format("{}", fmt::join(names, "; "))});
+  }
+  const auto add_percent = [&](const char* name, double share) {
+    if (std::isfinite(share)) facts.push_back({name, fmt::format("{:.0f} %", 100.0 * share)});
+  };
+  add_percent("squared error that is not noise", diagnosis.structure_share);
+  if (!names.empty() && diagnosis.structure_share >= 0.005) {
+    add_percent("of that, explained", diagnosis.explained_share);
+  }
+  if (diagnosis.gain_is_in_poses) {
+    const double gain = diagnosis.held_out_gain;
+    facts.push_back(
+        {"error of unseen poses",
+         fmt::format("{:.0f} % {}", 100.0 * std::abs(gain), gain < 0.0 ? "more" : "less")});
+  }
+  if (std::isfinite(diagnosis.baseline.held_out.nmae)) {
+    const std::string before = fmt::format("{:.3f}", diagnosis.baseline.held_out.nmae);
+    facts.push_back({"NMAE on unseen data",
+                     names.empty()
+                         ? before
+                         : fmt::format("{} → {:.3f}", before, diagnosis.extended.held_out.nmae)});
+  }
+  return facts;
+}
+
+}  // namespace
+
+Page DiagnosisPage(const Diagnosis& diagnosis) {
+  Page page;
+  page.title = fmt::format(
+      "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
+  page.lead = VerdictParagraphs(diagnosis);
+  page.facts = FactsOf(diagnosis);
+  AddBeforeAndAfter(diagnosis, &page);
+  page.sections.push_back(NextStepsSection(diagnosis));
+  if (!diagnosis.missing_force.time.empty()) {
+    page.sections.push_back(MissingForceSection(diagnosis));
+  }
+  page.sections.push_back(ParameterSection(diagnosis));
+  if (!diagnosis.candidates.empty()) page.sections.push_back(CandidateSection(diagnosis));
+  if (!diagnosis.remarks.empty()) {
+    PageSection notes;
+    notes.heading = "Remarks";
+    notes.text = diagnosis.remarks;
+    page.sections.push_back(std::move(notes));
+  }
+  page.footer =
+      "Shares are of the squared error of the free run. NMAE is of the free run over the command "
+      "alone (docs/models.md). Intervals are 95 %, ± one standard deviation. docs/diagnosis.md "
+      "says how causes are found, and how sure they are.";
+  return page;
+}
+
+}  // namespace fathom

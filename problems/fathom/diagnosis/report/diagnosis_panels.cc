@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/diagnosis_panels.h"
+
+#include "fathom/base/median.h"
+#include "fathom/report/scatter_chart.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEpoch = 1e6;  // stamps beyond this count from some epoch [s]
+constexpr const char* kBefore = "before";
+constexpr const char* kAccounted = "what the causes account for";
+constexpr const char* kAfter = "after";
+
+std::string WithSpaces(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string MissingName(const Diagnosis& diagnosis) {
+  return IsAngular(diagnosis.dof) ? "missing moment" : "missing force";
+}
+
+// Where a curve over `time` must break: stamps much further apart than is usual.
+double LongestStep(const std::vector<double>& time) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    if (time[i] > time[i - 1]) steps.push_back(time[i] - time[i - 1]);
+  }
+  if (steps.empty()) return 1.0;
+  return std::max(5.0, 20.0 * Median(std::move(steps)));
+}
+
+std::string NmaeNote(const DiagnosedModel& model) {
+  return std::isfinite(model.train.nmae) ? fmt::format("NMAE {:.3f}", model.train.nmae) : "";
+}
+
+void AddGap(TimePanel* panel) {
+  panel->time.push_back(panel->time.back());
+  if (panel->measured) panel->measured->values.push_back(kNotKnown);
+  for (Series& response : panel->responses) {
+    response.values.push_back(kNotKnown);
+    if (!response.half_width.empty()) response.half_width.push_back(kNotKnown);
+  }
+}
+
+// Curves break where nothing was measured for long, as where no marker is in view.
+void AddTrace(const ResidualTrace& trace, TimePanel* panel) {
+  if (!panel->time.empty()) AddGap(panel);
+  const double longest_step = LongestStep(trace.time);
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    if (i > 0 && trace.time[i] - trace.time[i - 1] > longest_step) AddGap(panel);
+    panel->time.push_back(trace.time[i]);
+    panel->measured->values.push_back(trace.measured[i]);
+    panel->responses[0].values.push_back(trace.before[i]);
+    // A run that diverged is left out.
+    if (panel->responses.size() > 1) {
+      panel->responses[1].values.push_back(i < trace.after.size() ? trace.after[i] : kNotKnown);
+    }
+  }
+  if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
+}
+
+// A panel for each log, with all its traces by time. The notes are for before and after.
+std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
+                                const std::vector<ResidualTrace>& of,
+                                bool are_velocities,
+                                const std::string& before_note,
+                                const std::string& after_note) {
+  std::vector<TimePanel> panels;
+  for (const std::string& log : diagnosis.logs) {
+    std::vector<const ResidualTrace*> traces;
+    for (const ResidualTrace& trace : of) {
+      if (trace.log == log && !trace.time.empty()) traces.push_back(&trace);
+    }
+    if (traces.empty()) continue;
+    std::stable_sort(traces.begin(), traces.end(), [](const auto* a, const auto* b) {
+      return a->time.front() < b->time.front();
+    });
+    TimePanel panel;
+    panel.title = log;
+    panel.quantity =
+        fmt::format("{} {}", Name(diagnosis.dof), are_velocities ? "velocity" : "displacement");
+    panel.unit = are_velocities ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
+    panel.measured = Series{"measured", {}, ""};
+    const bool has_causes = !diagnosis.extended.model.effects.empty();
+    panel.responses.push_back({has_causes ? kBefore : "model", {}, before_note});
+    if (has_causes) panel.responses.push_back({kAfter, {}, after_note});
+    for (const ResidualTrace* trace : traces) AddTrace(*trace, &panel);
+    panels.push_back(std::move(panel));
+  }
+  return panels;
+}
+
+}  // namespace
+
+std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
+  return PanelsOf(diagnosis,
+                  diagnosis.traces,
+                  diagnosis.has_velocity,
+                  NmaeNote(diagnosis.baseline),
+                  NmaeNote(diagnosis.extended));
+}
+
+std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis) {
+  return PanelsOf(diagnosis, diagnosis.pose_traces, false, "", "");
+}
+
+std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {
+  const MissingForce& missing = diagnosis.missing_force;
+  const double longest_step = LongestStep(missing.time);
+  const bool has_explained =
+      missing.explained.size() == missing.time.size() && !diagnosis.causes.empty();
+  std::vector<TimePanel> panels;
+  for (std::size_t i = 0; i < missing.time.size(); ++i) {
+    if (i == 0 || missing.time[i] < missing.time[i - 1]) {
+      TimePanel& panel = panels.emplace_back();
+      panel.quantity = MissingName(diagnosis);
+      panel.unit = diagnosis.force_unit;
+      panel.responses.push_back({MissingName(diagnosis), {}, ""});
+      if (has_explained) panel.responses.push_back({kAccounted, {}, ""});
+    }
+    TimePanel& panel = panels.back();
+    if (!panel.time.empty() && missing.time[i] - panel.time.back() > longest_step) AddGap(&panel);
+    panel.time.push_back(missing.time[i]);
+    panel.responses[0].values.push_back(missing.mean[i]);
+    if (i < missing.std.size()) panel.responses[0].half_width.push_back(2.0 * missing.std[i]);
+    if (has_explained) panel.responses[1].values.push_back(missing.explained[i]);
+  }
+  return panels;
+}
+
+std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
+  const MissingForce& missing = diagnosis.missing_force;
+  constexpr int kNumBins = 24;
+  std::vector<ScatterPanel> panels;
+  const auto add =
+      [&](const std::string& name, const std::string& unit, const std::vector<double>& values) {
+        if (values.empty() || values.size() != missing.mean.size()) return;
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        if (!(*most > *least)) return;
+        ScatterPanel panel = {name,
+                              unit,
+                              MissingName(diagnosis),
+                              diagnosis.force_unit,
+                              values,
+                              missing.mean,
+                              {},
+                              kAccounted,
+                              ""};
+        if (!diagnosis.causes.empty() && missing.explained.size() == values.size()) {
+          panel.second_y = missing.explained;
+        }
+        const double share = ShareBetweenBins(values, missing.mean, kNumBins);
+        if (std::isfinite(share)) {
+          panel.note = fmt::format("follows it by {:.0f} %", 100.0 * share);
+        }
+        panels.push_back(std::move(panel));
+      };
+  const std::string& force_unit = diagnosis.force_unit;
+  const std::string speed_unit(VelocityUnit(diagnosis.dof));
+  add("command", force_unit, missing.command);
+  add("command rate", force_unit + "/s", missing.command_rate);
+  add(fmt::format("{} velocity", Name(diagnosis.dof)), speed_unit, missing.velocity);
+  add("displacement", std::string(DisplacementUnit(diagnosis.dof)), missing.displacement);
+  std::vector<double> time = missing.time;
+  std::string time_name = "time";
+  if (!time.empty() && std::abs(time.front()) > kEpoch) {
+    const double offset = std::floor(time.front());
+    for (double& stamp : time) stamp -= offset;
+    time_name = fmt::format("time + {:.0f} s", offset);
+  }
+  add(time_name, "s", time);
+  for (std::size_t k = 0; k < missing.partner_velocities.size(); ++k) {
+    const std::string partner =
+        k < missing.partner_names.size() ? missing.partner_names[k] : "another DOF";
+    const auto dof = DofFromName(partner);
+    add(partner + " velocity",
+        dof ? std::string(VelocityUnit(*dof)) : "",
+        missing.partner_velocities[k]);
+  }
+  return panels;
+}
+
+std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
+  std::vector<ParameterPanel> panels;
+  const auto std_of = [](const DiagnosedModel& model, int i) {
+    return i < model.covariance.rows() ? std::sqrt(model.covariance(i, i)) : kNotKnown;
+  };
+  const bool has_causes = !diagnosis.extended.model.effects.empty();
+  for (int i = 0; i < kNumParameters; ++i) {
+    ParameterPanel panel;
+    panel.name = WithSpaces(kParameterInfo[i].name);
+    panel.unit = ParameterUnit(i, diagnosis.dof, diagnosis.force_unit);
+    panel.estimates.push_back({has_causes ? kBefore : "model",
+                               ToVector(diagnosis.baseline.model.baseline)[i],
+                               std_of(diagnosis.baseline, i)});
+    if (has_causes) {
+      panel.estimates.push_back(
+          {kAfter, ToVector(diagnosis.extended.model.baseline)[i], std_of(diagnosis.extended, i)});
+    }
+    panels.push_back(std::move(panel));
+  }
+  int index = kNumParameters;
+  for (const ActiveEffect& active : diagnosis.extended.model.effects) {
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+      ParameterPanel panel;
+      panel.name = fmt::format(
+          "{}: {}", LabelOf(active.effect->info(), active.setting), WithSpaces(parameter.name));
+      panel.unit = unit == "-" ? "" : unit;
+      panel.estimates = {{kAfter, active.values[k], std_of(diagnosis.extended, index++)}};
+      if (std::isfinite(parameter.null)) {
+        panel.reference = parameter.null;
+        panel.reference_name = "no effect";
+      }
+      panels.push_back(std::move(panel));
+    }
+  }
+  return panels;
+}
+
+}  // namespace fathom

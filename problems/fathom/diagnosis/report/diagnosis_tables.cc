@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/diagnosis_tables.h"
+
+#include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/with_interval.h"
+#include "fathom/report/format_value.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+std::string Figure(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+// "0.032", "1e-12", "< 1e-15".
+std::string Probability(double p) {
+  if (!std::isfinite(p)) return "-";
+  if (p < 1e-15) return "< 1e-15";
+  return p < 1e-3 ? fmt::format("{:.0e}", p) : fmt::format("{:.2g}", p);
+}
+
+std::string InBrackets(const std::string& unit) {
+  return unit == "-" ? "" : fmt::format(" [{}]", unit);
+}
+
+double StdOf(const DiagnosedModel& model, int i) {
+  return i < model.covariance.rows() ? std::sqrt(model.covariance(i, i)) : kNotKnown;
+}
+
+}  // namespace
+
+Table CauseTable(const Diagnosis& diagnosis) {
+  Table table;
+  table.columns = {{"cause"},
+                   {"parameter"},
+                   {"value"},
+                   {"p-value", true},
+                   {"BIC better by", true},
+                   {"held-out gain", true},
+                   {"cannot be told from"}};
+  for (const Cause& cause : diagnosis.causes) {
+    const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+    const std::vector<double> stds = EffectStds(diagnosis.extended, cause.effect_index);
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+      const std::string value = WithInterval(
+          active.values[k], stds[k], unit == "-" ? "" : unit, parameter.lower, parameter.upper);
+      if (k > 0) {  // of the same cause
+        table.rows.push_back({{"", std::string(parameter.name), value, "", "", "", ""}});
+        continue;
+      }
+      table.rows.push_back(
+          {{LabelOf(active.effect->info(), active.setting),
+            std::string(parameter.name),
+            value,
+            Probability(cause.p_value),
+            Figure(cause.delta_bic, "{:.0f}"),
+            Figure(std::round(100.0 * cause.held_out_gain) + 0.0, "{:.0f} %"),  // no -0
+            cause.alternatives.empty() ? "-"
+                                       : fmt::format("{}", fmt::join(cause.alternatives, ", "))}});
+    }
+  }
+  return table;
+}
+
+Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
+  const bool has_causes = !diagnosis.extended.model.effects.empty();
+  Table table;
+  table.columns = {{"parameter"}, {has_causes ? "before" : "value", true}};
+  if (has_causes) table.columns.insert(table.columns.end(), {{"after", true}, {"moves by", true}});
+  const auto add = [&](std::vector<std::string> cells) {
+    cells.resize(table.columns.size());
+    table.rows.push_back({std::move(cells)});
+  };
+  const auto moves_by = [](double was, double is) {
+    return Figure(100.0 * (is - was) / std::abs(was), "{:+.1f} %");
+  };
+  const ParameterVector before = ToVector(diagnosis.baseline.model.baseline);
+  const ParameterVector after = ToVector(diagnosis.extended.model.baseline);
+  for (int i = 0; i < kNumParameters; ++i) {
+    add({kParameterInfo[i].name + InBrackets(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit)),
+         FormatValue(before[i], StdOf(diagnosis.baseline, i)),
+         FormatValue(after[i], StdOf(diagnosis.extended, i)),
+         i == kBuoyancy ? "-" : moves_by(before[i], after[i])});
+  }
+  int index = kNumParameters;
+  for (const ActiveEffect& active : diagnosis.extended.model.effects) {
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      add({KeyOf(active, parameter) +
+               InBrackets(UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit)),
+           "-",
+           FormatValue(active.values[k], StdOf(diagnosis.extended, index++)),
+           "-"});
+    }
+  }
+  const auto add_figure = [&](const std::string& name, double was, double is) {
+    add({name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is)});
+  };
+  add_figure("NMAE, training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
+  add_figure(diagnosis.by_left_out_blocks ? "NMAE, blocks left out" : "NMAE, held-out data",
+             diagnosis.baseline.held_out.nmae,
+             diagnosis.extended.held_out.nmae);
+  return table;
+}
+
+Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
+  Table table;
+  table.columns = {{"candidate"},
+                   {"score", true},
+                   {"p-value", true},
+                   {"gain refitted", true},
+                   {"BIC better by", true},
+                   {"why it was kept or dropped"}};
+  for (const Candidate& candidate : diagnosis.candidates) {
+    if (table.rows.size() == most) break;
+    const bool is_refitted = std::isfinite(candidate.gain) && !candidate.values.empty();
+    table.rows.push_back({{candidate.label,
+                           Figure(candidate.score, "{:.1f}"),
+                           Probability(candidate.p_value),
+                           is_refitted ? Figure(candidate.gain, "{:.1f}") : "-",
+                           is_refitted ? Figure(candidate.delta_bic, "{:.1f}") : "-",
+                           candidate.why},
+                          candidate.is_kept ? RowFlag::kKept : RowFlag::kNone});
+  }
+  return table;
+}
+
+}  // namespace fathom

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/verdict_sentence.h"
+
+#include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/moved_parameter.h"
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kMuchMoreThanScatter = 3.0;  // at which an error without a cause needs a word
+
+constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
+
+// "38 %"; "Part" where no share is known.
+std::string Percent(double share) {
+  if (!(share >= 0.005)) return "Part";
+  return fmt::format("{:.0f} %", 100.0 * share);
+}
+
+// "this log" or "these 3 logs".
+std::string TheseLogs(const Diagnosis& diagnosis) {
+  return diagnosis.logs.size() <= 1 ? "this log"
+                                    : fmt::format("these {} logs", diagnosis.logs.size());
+}
+
+std::string Capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
+
+// Why the error is there, all causes together.
+std::string WhyItMisses(const Diagnosis& diagnosis) {
+  const std::string share = Percent(diagnosis.structure_share * diagnosis.explained_share);
+  const std::string subject =
+      fmt::format("{} of the error of your {} model", share, Name(diagnosis.dof));
+  if (diagnosis.causes.size() == 1) {
+    return fmt::format(
+        "{} is there because {}.", subject, ReasonText(diagnosis, diagnosis.causes.front()));
+  }
+  std::vector<std::string> reasons;
+  for (const Cause& cause : diagnosis.causes) reasons.push_back(ReasonText(diagnosis, cause));
+  const std::string count =
+      reasons.size() < kCounts.size() ? kCounts[reasons.size()] : fmt::format("{}", reasons.size());
+  return fmt::format("{} has {} causes. It is there because {}.",
+                     subject,
+                     count,
+                     fmt::join(reasons, "; and because "));
+}
+
+// What cannot be told apart, and what would tell; empty if everything can.
+std::string WhatIsOpen(const Diagnosis& diagnosis) {
+  std::vector<std::string> sentences, experiments;
+  for (const Cause& cause : diagnosis.causes) {
+    const std::vector<std::string> alternatives = AlternativesOf(cause);
+    if (alternatives.empty()) continue;
+    const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+    sentences.push_back(fmt::format("{} cannot tell {} from {}.",
+                                    Capitalised(TheseLogs(diagnosis)),
+                                    LabelOf(active.effect->info(), active.setting),
+                                    AnyOf(alternatives)));
+    const std::string experiment = ToDecide(cause);
+    if (experiment.empty() ||
+        std::find(experiments.begin(), experiments.end(), experiment) != experiments.end()) {
+      continue;
+    }
+    experiments.push_back(experiment);
+    sentences.push_back(experiment);
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+// So many digits, those at the end that are zero among them: "0.080".
+std::string WithDigits(double value, int digits) {
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+// Two figures with as few digits as tell them apart, two at least.
+std::pair<std::string, std::string> ToldApart(double a, double b) {
+  for (int digits = 2; digits <= 4; ++digits) {
+    if (WithDigits(a, digits) != WithDigits(b, digits)) {
+      return {WithDigits(a, digits), WithDigits(b, digits)};
+    }
+  }
+  return {WithDigits(a, 2), WithDigits(b, 2)};
+}
+
+std::string OnUnseenData(const Diagnosis& diagnosis) {
+  return diagnosis.by_left_out_blocks ? "on blocks left out in turn" : "on held-out data";
+}
+
+// What is put in: "it", "them", or the one that was taken of a group.
+std::string WhatIsIn(const Diagnosis& diagnosis) {
+  if (diagnosis.causes.size() > 1) return "them";
+  const Cause& cause = diagnosis.causes.front();
+  if (AlternativesOf(cause).empty()) return "it";
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  return LabelOf(active.effect->info(), active.setting);
+}
+
+// "a gain of 32 %; 95 % interval 23 to 37 %"; a gain below zero is a loss.
+std::string GainText(double gain, double low, double high) {
+  const char* word = "gain";
+  if (gain < 0.0) {
+    word = "loss";
+    gain = -gain;
+    std::swap(low, high);
+    low = -low;
+    high = -high;
+  }
+  const auto percent = [](double share) { return static_cast<int>(std::lround(100.0 * share)); };
+  return fmt::format(
+      "a {} of {} %; 95 % interval {} to {} %", word, percent(gain), percent(low), percent(high));
+}
+
+// How the error on unseen data changes; empty where none was held out.
+std::string WhatItGains(const Diagnosis& diagnosis) {
+  if (diagnosis.gain_is_in_poses) {
+    if (!std::isfinite(diagnosis.held_out_gain)) return "";
+    const long percent = std::lround(100.0 * diagnosis.held_out_gain);
+    return fmt::format(
+        "{} on the poses alone: with {} in, how they move within 10 s is told {} {} ({})",
+        diagnosis.causes.size() > 1 ? "These act" : "This acts",
+        WhatIsIn(diagnosis),
+        percent == 0  ? "as before"
+        : percent > 0 ? "better"
+                      : "worse",
+        OnUnseenData(diagnosis),
+        GainText(
+            diagnosis.held_out_gain, diagnosis.held_out_gain_low, diagnosis.held_out_gain_high));
+  }
+  const double before = diagnosis.baseline.held_out.nmae, after = diagnosis.extended.held_out.nmae;
+  if (!std::isfinite(before) || !std::isfinite(after)) return "";
+  const auto [from, to] = ToldApart(before, after);
+  std::string text =
+      fmt::format("With {} in, NMAE {} ", WhatIsIn(diagnosis), OnUnseenData(diagnosis));
+  if (from == to) {
+    text += "stays at " + from;
+  } else {
+    text += fmt::format("{} from {} to {}", after < before ? "falls" : "rises", from, to);
+  }
+  const double low = diagnosis.held_out_gain_low, high = diagnosis.held_out_gain_high;
+  if (std::isfinite(low) && std::isfinite(high)) {
+    text += fmt::format(" ({})", GainText(diagnosis.held_out_gain, low, high));
+  }
+  return text;
+}
+
+std::string Joined(const std::string& gains, const std::string& moves) {
+  if (gains.empty() && moves.empty()) return "";
+  if (moves.empty()) return gains + ".";
+  return gains.empty() ? Capitalised(moves) + "." : fmt::format("{}, and {}.", gains, moves);
+}
+
+// What speaks against building on the causes; empty where nothing does.
+std::string WhatIsLeft(const Diagnosis& diagnosis) {
+  std::vector<std::string> sentences;
+  if (diagnosis.held_out_gain_high < 0.0) {
+    sentences.push_back(
+        "On data that no fit has seen that is worse than without: do not build on it.");
+  }
+  if (diagnosis.verdict == Verdict::kUnexplained) {
+    sentences.push_back(
+        "What is left is still not noise alone, and nothing in the catalogue accounts for it.");
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+// Where nothing is named.
+std::string WithoutCauses(const Diagnosis& diagnosis) {
+  std::string text;
+  if (diagnosis.verdict == Verdict::kConsistent) {
+    const std::string logs = Capitalised(TheseLogs(diagnosis));
+    const char* const show = diagnosis.logs.size() <= 1 ? "shows" : "show";
+    if (diagnosis.wander_ratio > kMuchMoreThanScatter) {
+      text = fmt::format(
+          "{} {} no cause for the error of your {} model, which is {:.0f} times what scatters from "
+          "sample to sample. It wanders as slow random forces or a wandering sensor make it "
+          "wander, and follows nothing that was logged: noise, or something that cannot be seen "
+          "here.",
+          logs,
+          show,
+          Name(diagnosis.dof),
+          diagnosis.wander_ratio);
+    } else {
+      text = fmt::format("{} {} nothing that your {} model gets wrong beyond noise.",
+                         logs,
+                         show,
+                         Name(diagnosis.dof));
+    }
+  } else {
+    text = fmt::format(
+        "{} of the error of your {} model is not noise, and nothing in the catalogue accounts for "
+        "it.",
+        Percent(diagnosis.structure_share),
+        Name(diagnosis.dof));
+  }
+  const double nmae = diagnosis.baseline.held_out.nmae;
+  if (std::isfinite(nmae)) {
+    text += fmt::format(" Its NMAE {} is {}.", OnUnseenData(diagnosis), WithDigits(nmae, 2));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis) {
+  if (diagnosis.causes.empty()) return {WithoutCauses(diagnosis)};
+  std::vector<std::string> paragraphs = {WhyItMisses(diagnosis)};
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) paragraphs.push_back(text);
+  };
+  add(WhatIsOpen(diagnosis));
+  add(Joined(WhatItGains(diagnosis), WhatMoves(diagnosis)));
+  add(WhatIsLeft(diagnosis));
+  return paragraphs;
+}
+
+std::string VerdictSentence(const Diagnosis& diagnosis) {
+  return fmt::format("{}", fmt::join(VerdictParagraphs(diagnosis), " "));
+}
+
+}  // namespace fathom

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/result.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What a colleague would say of a diagnosis, in a few sentences: what share of the error, because
+// of what and how large; what cannot be told apart and which experiment would tell; how the error
+// on unseen data changes, and which parameter of the model moves most.
+std::string VerdictSentence(const Diagnosis& diagnosis);
+
+// The same in paragraphs, one for each of these; only the first is there in any case.
+std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis);
+
+}  // namespace fathom

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/result.h"
+
+#include "fathom/vehicle/parameters.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+std::string_view Name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConsistent:
+      return "consistent";
+    case Verdict::kExplained:
+      return "explained";
+    case Verdict::kAmbiguous:
+      return "ambiguous";
+    case Verdict::kUnexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+std::string WhyOfNoUse(const Diagnosis& diagnosis) {
+  if (!diagnosis.IsUsable()) return diagnosis.message;
+  if (diagnosis.verdict != Verdict::kConsistent) return "";
+  constexpr double kNormal95 = 1.96;
+  const double inertia = diagnosis.baseline.model.baseline.inertia;
+  const double variance = diagnosis.baseline.covariance(kInertia, kInertia);
+  const double half_width = kNormal95 * std::sqrt(variance);
+  if (half_width < inertia) return "";
+  return fmt::format(
+      "these logs do not determine the inertia: {:.3g} +- {:.2g} {} (95 %), and no cause that was "
+      "tried makes up for it. Commands that change fast and move the vehicle by much would: steps, "
+      "or a square wave of 10 to 20 s.",
+      inertia,
+      half_width,
+      ParameterUnit(kInertia, diagnosis.dof, diagnosis.force_unit));
+}
+
+}  // namespace fathom

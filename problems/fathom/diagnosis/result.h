@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// What a diagnosis ends with.
+enum class Verdict {
+  kConsistent,   // nothing beyond noise
+  kExplained,    // one or more causes are named
+  kAmbiguous,    // something is missing, and these logs cannot tell which of several causes it is
+  kUnexplained,  // something is missing, and nothing in the catalogue accounts for it
+};
+
+// "consistent", "explained", "ambiguous" or "unexplained".
+std::string_view Name(Verdict verdict);
+
+// A model fitted to the training data by generalised least squares.
+struct DiagnosedModel {
+  static constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
+  ExtendedModel model;
+
+  // Of the baseline's parameters in the order of kParameterInfo, then the effects' in theirs.
+  Eigen::MatrixXd covariance;
+
+  FitFigures train;     // of free runs
+  FitFigures held_out;  // on data that no fit has seen; where every block was left out in turn,
+                        // over the blocks
+
+  double log_likelihood = kNotComputed;  // with the noise learned along with the model
+};
+
+// One effect (with its partner, if it has one, and its log, if it belongs to one of several) that
+// was tried.
+struct Candidate {
+  const Effect* effect = nullptr;
+  EffectSetting setting;
+  std::string label;  // "thruster_lag", "velocity_coupling(sway)"
+
+  std::vector<double> values;  // as fitted on top of the baseline alone; empty: not refitted
+  std::vector<double> stds;
+  double score = 0.0;  // twice the log-likelihood gained over the baseline, by the linear screen
+  double gain = 0.0;   // the same after refitting, the noise learned along; NaN: not refitted
+  double delta_bic = 0.0;  // of that gain; above 0: better than the baseline
+  double p_value = 1.0;  // of as good a score anywhere among all candidates, if nothing is missing
+  bool is_kept = false;
+  std::string why;  // kept or dropped, and why: a sentence
+};
+
+// A cause that the data call for.
+struct Cause {
+  int effect_index = 0;  // in Diagnosis::extended.model.effects
+  double p_value = 1.0;
+  double delta_bic = 0.0;                 // lost when this cause alone is taken out again
+  double held_out_gain = 0.0;             // 1 - NMAE with / NMAE without it
+  std::vector<std::string> alternatives;  // labels of what these logs cannot tell from it
+  std::string experiment;                 // that would decide between them; empty if there are none
+};
+
+// What the baseline's free run misses, as a force in time; with its standard deviation.
+struct MissingForce {
+  std::vector<double> time;       // log time [s]
+  std::vector<double> mean;       // [N] or [N m]
+  std::vector<double> std;        // [N] or [N m]
+  std::vector<double> explained;  // the part that the named causes account for
+  // What it may depend on, at the same times.
+  std::vector<double> command, command_rate, velocity, displacement;
+  std::vector<std::vector<double>> partner_velocities;  // one per entry of partner_names
+  std::vector<std::string> partner_names;               // "sway"
+};
+
+// Residuals of one segment of the training data at the velocity's stamps (the displacement's where
+// there is no velocity).
+struct ResidualTrace {
+  std::string log;
+  std::vector<double> time;      // log time [s]
+  std::vector<double> measured;  // [m/s] or [rad/s]; displacement [m] or [rad]
+  std::vector<double> before;    // baseline's free run
+  std::vector<double> after;     // extended model's free run
+  bool is_held_out = false;
+};
+
+struct Diagnosis {
+  Dof dof = Dof::kSurge;
+  std::string force_unit;
+  std::vector<std::string>
+      logs;  // their names, told apart by their folders where they are the same
+  bool fits_displacement = false;  // poses were used too, or alone
+  bool has_velocity = true;
+
+  // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted,
+  // or it leaves the inertia open and nothing that was found makes up for it.
+  std::string message;
+  bool IsUsable() const { return message.empty(); }
+
+  Verdict verdict = Verdict::kConsistent;
+  DiagnosedModel baseline;  // by output error, as fathom_identify gives it
+  DiagnosedModel extended;  // the baseline again where nothing is named
+  std::vector<Cause> causes;
+  std::vector<Candidate> candidates;  // best first
+
+  // Share of the baseline's squared error that is structure rather than noise, 0 to 1; and of that
+  // structure, what the causes account for.
+  double structure_share = 0.0;
+  double explained_share = 0.0;
+
+  // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
+  // named and the rest passes for noise that wanders; else 0.
+  double wander_ratio = 0.0;
+
+  // p-value of what is left with the causes in: structure that no effect of the catalogue has.
+  double remaining_p_value = 1.0;
+
+  // 1 - NMAE of the extended model / NMAE of the baseline on data that neither has seen, with its
+  // 95 % interval over blocks; NaN where nothing was held out.
+  double held_out_gain = 0.0;
+  double held_out_gain_low = 0.0;
+  double held_out_gain_high = 0.0;
+  bool gain_is_in_poses = false;    // of causes that act on the poses alone: see Scored
+  bool by_left_out_blocks = false;  // the logs hold nothing out: blocks were left out in turn
+
+  MissingForce missing_force;
+  std::vector<ResidualTrace> traces;
+
+  // Where a cause acts on the poses alone, or what is unexplained may, and velocities are measured
+  // too: the same of the displacements, as PosesByBlock() has them [m] or [rad].
+  std::vector<ResidualTrace> pose_traces;
+  std::vector<std::string> remarks;  // what was dropped, counted; what could not be tried, and why
+};
+
+// Why a diagnosis is of no use to anyone: its message; or nothing is missing from a baseline that
+// leaves the inertia open, by fathom_identify's measure. Empty where it is of use.
+std::string WhyOfNoUse(const Diagnosis& diagnosis);
+
+}  // namespace fathom

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/search/suspects.h"
+
+#include "fathom/vehicle/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+double RmsCommand(const Records& records) {
+  double sum = 0.0, n = 0.0;
+  for (const Record& record : records.all) {
+    const HeldCommand& command = record.inputs->command;
+    for (const double value : command.value) sum += value * value;
+    n += static_cast<double>(command.value.size());
+  }
+  return std::max(1e-9, std::sqrt(sum / std::max(1.0, n)));
+}
+
+bool Moves(const Records& records, Dof dof) {
+  return std::count(records.partners.begin(), records.partners.end(), dof) > 0;
+}
+
+bool IsCommanded(const Records& records, Dof dof) {
+  return std::all_of(records.all.begin(), records.all.end(), [&](const Record& record) {
+    const auto& values = record.inputs->force[Index(dof)].value;
+    if (values.empty()) return false;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *most > *least;
+  });
+}
+
+bool IsHorizontal(Dof dof) { return dof == Dof::kSurge || dof == Dof::kSway; }
+
+// Whether an effect on poses leaves a trace. What is wrong with all of them alike, a scale or a
+// clock, shows beside velocities only; what changes at a time shows by itself, since no vehicle
+// jumps. Poses that are short of motion themselves would pass for another scale.
+bool CanShowInPoses(const Records& records, const EffectInfo& info) {
+  if (!records.has_displacement) return false;
+  if (info.name == "pose_scale" && records.poses_lose_motion) return false;
+  return records.has_velocity ||
+         std::any_of(
+             info.parameters.begin(), info.parameters.end(), [](const EffectParameter& parameter) {
+               return parameter.search == Search::kTimeOfRun;
+             });
+}
+
+// The logs that an effect is looked for in, one by one: those that are trained on, if it belongs to
+// a run and there are several. Otherwise one without a name, which stands for all.
+std::vector<std::string> LogsFor(const Records& records, const EffectInfo& info) {
+  if (info.scope != Scope::kRun || records.logs.size() < 2) return {""};
+  std::vector<std::string> logs;
+  for (const Record& record : records.all) {
+    const bool is_new = std::find(logs.begin(), logs.end(), record.log) == logs.end();
+    if (is_new && !record.is_held_out) logs.push_back(record.log);
+  }
+  return logs;
+}
+
+// Whether `partner` can be what the effect acts through, and these records show it.
+bool CanPartner(const Records& records, Dof dof, Dof partner, std::string_view effect) {
+  if (partner == dof) return false;
+  if (effect == "thrust_crosstalk") return IsCommanded(records, partner);
+  if (!Moves(records, partner)) return false;
+  if (effect == "coriolis_coupling") {
+    return IsHorizontal(dof) && IsHorizontal(partner) && Moves(records, Dof::kYaw);
+  }
+  if (effect == "sensor_misalignment") return IsAngular(dof) == IsAngular(partner);
+  if (effect == "lever_arm") {
+    if (IsHorizontal(dof)) return partner == Dof::kYaw;
+    return dof == Dof::kHeave && (partner == Dof::kRoll || partner == Dof::kPitch);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Suspect> SuspectsFor(const Records& records,
+                                 Dof dof,
+                                 std::span<const Effect* const> effects) {
+  const double reference_force = RmsCommand(records);
+  std::vector<Suspect> suspects;
+  for (const Effect* effect : effects) {
+    const EffectInfo& info = effect->info();
+    if (info.needs_pose && !CanShowInPoses(records, info)) continue;
+    const bool reads_velocity = effect->laws().has.reading || effect->laws().has.follow_reading;
+    if (reads_velocity && !records.has_velocity) continue;
+    for (const std::string& log : LogsFor(records, info)) {
+      if (!info.has_partner) {
+        suspects.push_back({effect, {dof, dof, reference_force, log}});
+        continue;
+      }
+      for (const Dof partner : kAllDofs) {
+        if (CanPartner(records, dof, partner, info.name)) {
+          suspects.push_back({effect, {dof, partner, reference_force, log}});
+        }
+      }
+    }
+  }
+  return suspects;
+}
+
+std::string LabelOf(const Suspect& suspect) {
+  return LabelOf(suspect.effect->info(), suspect.setting);
+}
+
+int PlaceIn(const ExtendedModel& model, const Suspect& suspect) {
+  for (size_t k = 0; k < model.effects.size(); ++k) {
+    const ActiveEffect& active = model.effects[k];
+    if (active.effect == suspect.effect && active.setting.partner == suspect.setting.partner &&
+        active.setting.log == suspect.setting.log) {
+      return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
+std::string LabelsOf(const std::vector<int>& indices, const std::vector<Suspect>& suspects) {
+  std::string labels;
+  for (const int index : indices) {
+    labels += (labels.empty() ? "" : " with ") + LabelOf(suspects[index]);
+  }
+  return labels;
+}
+
+bool ActOnPosesAlone(const std::vector<int>& indices, const std::vector<Suspect>& suspects) {
+  return !indices.empty() && std::all_of(indices.begin(), indices.end(), [&](int index) {
+    return suspects[index].effect->info().needs_pose;
+  });
+}
+
+}  // namespace fathom

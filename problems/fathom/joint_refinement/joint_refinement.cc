@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/joint_refinement.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/joint_refinement/motion/global_columns.h"
+#include "fathom/joint_refinement/motion/run_frame.h"
+#include "fathom/joint_refinement/problem/corner_rows.h"
+#include "fathom/joint_refinement/problem/linear_joint.h"
+#include "fathom/joint_refinement/problem/pose_spread.h"
+#include "fathom/joint_refinement/search/joint_caveats.h"
+#include "fathom/joint_refinement/search/joint_search.h"
+#include "fathom/joint_refinement/search/joint_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+void RequireUsable(const JointInput& input, const JointOptions& options) {
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("The options of the joint refinement cannot be used: {}",
+                                 fmt::join(problems, "; ")));
+  }
+  if (input.runs.empty()) throw InputError("The joint refinement needs at least one run.");
+  for (const CameraRun& run : input.runs) {
+    const size_t n = run.time.size();
+    if (n < 10 || run.detections.size() != n || run.world_from_body.size() != n) {
+      throw InputError(
+          fmt::format("A run has {} frames, {} lists of detections and {} poses, expected at least "
+                      "10 of each and as many of one as of the other.",
+                      n,
+                      run.detections.size(),
+                      run.world_from_body.size()));
+    }
+    for (const auto& detections : run.detections) {
+      for (const Detection& detection : detections) {
+        const Marker* const marker = input.map.Find(detection.tag_id);
+        if (marker != nullptr && marker->is_surveyed) continue;
+        throw InputError(
+            fmt::format("A detection at {} s is of tag {}, expected a surveyed one of the map.",
+                        detection.time,
+                        detection.tag_id));
+      }
+    }
+  }
+}
+
+int CountOutliers(const JointData& data,
+                  const JointUnknowns& unknowns,
+                  double corner_sigma,
+                  size_t run) {
+  int count = 0;
+  for (size_t k = 0; k < data.runs[run].detections.size(); ++k) {
+    const PoseVector eta = PoseAt(data.runs[run], unknowns.runs[run], k);
+    for (const Detection& detection : data.runs[run].detections[k]) {
+      CornerRows rows;
+      const bool is_ahead = EvaluateCorners(data.setup,
+                                            unknowns.setup,
+                                            *data.runs[run].map.Find(detection.tag_id),
+                                            detection,
+                                            eta,
+                                            corner_sigma,
+                                            false,
+                                            &rows);
+      if (!is_ahead || rows.residual.squaredNorm() > data.loss_limit) ++count;
+    }
+  }
+  return count;
+}
+
+// By how much the excited coordinate of a frame is off what its own corners say, the other five
+// being as they are. As the search leaves it, smoothed over time, it would blur jumps.
+double OwnStep(const LinearFrame& frame, const std::array<double, 6>& deviation, int excited) {
+  const double information = frame.JdJd(excited, excited);
+  if (!(information > 0.0)) return 0.0;
+  const double slope =
+      frame.Jdr[excited] + frame.JdJd.row(excited).dot(PoseVector::Map(deviation.data()));
+  return -slope / information;
+}
+
+RefinedRun RefinedRunOf(const JointOptions& options,
+                        const JointStart& at,
+                        const LinearJoint& linear,
+                        const LinearRun& corners,
+                        const Pose& world_from_frame,
+                        size_t r) {
+  const RunUnknowns& own = at.unknowns.runs[r];
+  const PredictedMotion& motion = at.data.runs[r].motion;
+  const int excited = at.data.excited;
+  const auto eta_of = [&](size_t k) {
+    PoseVector eta = PoseAt(at.data.runs[r], own, k);
+    if (options.moves_freely) eta[excited] += OwnStep(corners.frames[k], own.deviation[k], excited);
+    return eta;
+  };
+  RefinedRun run;
+  run.start = {own.start[0], own.start[1]};
+  for (int j = 0; j < kNumHeld; ++j) {
+    std::copy_n(own.response.begin() + j * kResponseTerms, kResponseTerms, run.response[j].begin());
+  }
+  run.clock_offset = own.clock_offset;
+  if (options.clock_offset_std > 0.0) {
+    run.clock_offset_std = std::sqrt(linear.covariance(r)(kClockColumn, kClockColumn));
+  }
+  for (size_t k = 0; k < motion.size(); ++k) {
+    run.world_from_body.push_back(world_from_frame * PoseFromVector(eta_of(k)));
+    run.displacement.push_back(motion.displacement(k));
+    run.velocity.push_back(motion.velocity(k));
+  }
+  run.pose_covariance = PoseSpread(linear, r, motion, world_from_frame.rotation, eta_of);
+  run.num_outliers = CountOutliers(at.data, at.unknowns, at.processes.corner_sigma, r);
+  return run;
+}
+
+// The joint problem with every run in a frame of its own.
+JointSummary FitInFrames(const JointInput& input,
+                         const JointOptions& options,
+                         const std::vector<Pose>& world_from_frame,
+                         const std::vector<std::vector<Pose>>& frame_from_body) {
+  JointSummary summary;
+  summary.num_rounds = summary.num_iterations = 0;
+  JointStart at = StartOf(input, options, world_from_frame, frame_from_body);
+  for (const CameraRun& run : input.runs) {
+    for (const auto& detections : run.detections) {
+      summary.num_detections += static_cast<int>(detections.size());
+    }
+  }
+  SearchEnd end;
+  if (!SearchJoint(options, &at, &end, &summary)) return summary;
+
+  std::vector<LinearRun> runs;
+  if (!Linearise(&at.data, at.unknowns, at.processes.corner_sigma, &runs)) {
+    summary.converged = false;
+    summary.message = "the corners cannot be projected at the end of the search.";
+    return summary;
+  }
+  const LinearJoint linear(runs,
+                           PriorsOf(options, at.unknowns, {}),
+                           at.processes,
+                           at.data.excited,
+                           &end.setup.information);
+  for (const int i : end.held_at_zero) summary.on_bound[i] = true;
+  summary.determined = linear.is_usable();
+  if (!summary.determined) {
+    summary.message = "some unknown leaves no trace in the corners.";
+    return summary;
+  }
+  if (!options.moves_freely) {
+    summary.model = at.unknowns.Motion(0).Model();
+    Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
+    by_log[kInertia] = summary.model.inertia;
+    summary.covariance =
+        by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
+  }
+  summary.size_scale = at.unknowns.setup.size_scale;
+  summary.mount = at.unknowns.setup.mount;
+  const auto std_of = [&](int column) { return std::sqrt(linear.covariance(0)(column, column)); };
+  if (options.size_scale_std > 0.0) summary.size_scale_std = std_of(kSizeColumn);
+  for (int i = 0; i < 6; ++i) {
+    const bool is_free = (i < 3 ? options.mount_position_std : options.mount_angle_std) > 0.0;
+    if (is_free) summary.mount_std[i] = std_of(kMountColumns + i);
+  }
+  summary.processes = at.processes;
+  for (size_t r = 0; r < input.runs.size(); ++r) {
+    summary.runs.push_back(RefinedRunOf(options, at, linear, runs[r], world_from_frame[r], r));
+  }
+  summary.caveats = CaveatsOn(input, options, at, end, runs, summary);
+  return summary;
+}
+
+std::vector<Pose> FramesOf(Dof dof, const std::vector<std::vector<Pose>>& world_from_body) {
+  std::vector<Pose> frames;
+  for (const std::vector<Pose>& poses : world_from_body) frames.push_back(RunFrameOf(dof, poses));
+  return frames;
+}
+
+// The largest angle between the axes of a DOF in two sets of frames [rad].
+double LargestTurn(Dof dof, const std::vector<Pose>& some, const std::vector<Pose>& others) {
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(Index(dof) % 3);
+  double largest = 0.0;
+  for (size_t r = 0; r < some.size(); ++r) {
+    const double sine = (some[r].rotation * axis).cross(others[r].rotation * axis).norm();
+    largest = std::max(largest, std::asin(std::min(1.0, sine)));
+  }
+  return largest;
+}
+
+}  // namespace
+
+JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
+  RequireUsable(input, options);
+  // The frames follow from the poses, which the search makes better.
+  constexpr int kMostSearches = 3;
+  constexpr double kSmallTurn = 0.003;  // [rad]; its cosine is 1 to 5e-6
+  JointOptions own = options;
+  std::vector<std::vector<Pose>> world_from_body;
+  for (const CameraRun& run : input.runs) world_from_body.push_back(run.world_from_body);
+  for (int search = 1;; ++search) {
+    const std::vector<Pose> frames = FramesOf(input.dof, world_from_body);
+    std::vector<std::vector<Pose>> frame_from_body = world_from_body;
+    for (size_t r = 0; r < frames.size(); ++r) {
+      for (Pose& pose : frame_from_body[r]) pose = frames[r].Inverse() * pose;
+    }
+    JointSummary summary = FitInFrames(input, own, frames, frame_from_body);
+    if (!summary.IsUsable() || search == kMostSearches) return summary;
+    for (size_t r = 0; r < frames.size(); ++r) {
+      world_from_body[r] = summary.runs[r].world_from_body;
+    }
+    if (LargestTurn(input.dof, frames, FramesOf(input.dof, world_from_body)) < kSmallTurn) {
+      return summary;
+    }
+    own.initial_guess = summary.model;
+  }
+}
+
+}  // namespace fathom

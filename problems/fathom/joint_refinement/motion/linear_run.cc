@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/motion/linear_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace fathom {
+
+void LayOutDurations(const std::vector<double>& time, LinearRun* run) {
+  constexpr double kGrain = 1e-4;  // [s]
+  std::map<long, int> known;
+  run->durations.clear();
+  run->duration_after.clear();
+  for (size_t k = 0; k + 1 < time.size(); ++k) {
+    const long grains = std::max(1L, std::lround((time[k + 1] - time[k]) / kGrain));
+    const auto [entry, is_new] = known.try_emplace(grains, static_cast<int>(run->durations.size()));
+    if (is_new) run->durations.push_back(kGrain * static_cast<double>(grains));
+    run->duration_after.push_back(entry->second);
+  }
+}
+
+}  // namespace fathom

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/joint_refinement/search/joint_caveats.h"
+
+#include "fathom/joint_refinement/motion/global_columns.h"
+#include "fathom/joint_refinement/problem/linear_joint.h"
+#include "fathom/output_error/caveats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+double HalfWidth(double variance) { return 1.96 * std::sqrt(variance); }  // of a 95 % interval
+
+// How far the excited motion goes off the mean axis of its DOF [rad], by what the other
+// translations do along with it; 0 for an angle.
+double AngleOffAxis(const JointStart& at, size_t run) {
+  if (at.data.excited >= 3) return 0.0;
+  double squares = 0.0;
+  for (int j = 0; j < 2; ++j) {  // the translations among the held ones
+    const double by_displacement = at.unknowns.runs[run].response[j * kResponseTerms + 1];
+    squares += std::pow(by_displacement / at.scales.displacement, 2);
+  }
+  return std::atan(std::sqrt(squares));
+}
+
+std::string CaveatOnAxis(Dof dof, const JointStart& at, const JointSummary& summary) {
+  double angle = 0.0;
+  for (size_t r = 0; r < summary.runs.size(); ++r) angle = std::max(angle, AngleOffAxis(at, r));
+  const double too_large = 1.0 / std::cos(angle) - 1.0;
+  const double std = std::sqrt(summary.covariance(kInertia, kInertia)) / summary.model.inertia;
+  if (!(too_large > 0.5 * std)) return "";
+  return fmt::format(
+      "The vehicle moves {:.1f} degrees off its mean {} axis. If that is the mount or the survey "
+      "and not the vehicle, inertia and linear damping are {:.2g} % too large, which matters "
+      "beside the interval.",
+      angle * 180.0 / std::numbers::pi,
+      Name(dof),
+      100.0 * too_large);
+}
+
+std::string CaveatOn(int damping, const JointSummary& summary) {
+  const double half_width = HalfWidth(summary.covariance(damping, damping));
+  if (summary.on_bound[damping]) return CaveatOnBound(damping, half_width);
+  const ParameterCovariance information = summary.covariance.inverse();
+  const double share =
+      1.0 / std::sqrt(information(damping, damping) * summary.covariance(damping, damping));
+  return CaveatOnDamping(damping, ToVector(summary.model)[damping], half_width, share);
+}
+
+// The linear problem about the search's end with the camera's clock free in these runs.
+LinearJoint WithClockFree(const JointOptions& options,
+                          const JointStart& at,
+                          const SearchEnd& end,
+                          std::span<const LinearRun> linear,
+                          size_t begin_run,
+                          size_t end_run) {
+  auto priors = PriorsOf(options, at.unknowns, {});
+  for (size_t r = begin_run; r < end_run; ++r) {
+    priors[r].std[kClockColumn] = std::numeric_limits<double>::infinity();
+  }
+  return {linear, priors, at.processes, at.data.excited, &end.setup.information};
+}
+
+// A delay of the command is an offset of the camera's clock: how well the model is known where
+// that is free says how much hangs on it.
+std::string CaveatOnDelayOf(const JointInput& input,
+                            const JointOptions& options,
+                            const JointStart& at,
+                            const SearchEnd& end,
+                            std::span<const LinearRun> linear,
+                            const JointSummary& summary) {
+  if (options.clock_offset_std > 0.0) return "";  // the intervals have it in them
+  const double inertia = summary.model.inertia;   // the column is of its logarithm
+  DelayDoubt doubt = {.half_width = HalfWidth(summary.covariance(kInertia, kInertia)),
+                      .half_width_with_delay = std::numeric_limits<double>::infinity()};
+  if (const auto all = WithClockFree(options, at, end, linear, 0, linear.size()); all.is_usable()) {
+    doubt.half_width_with_delay = inertia * HalfWidth(all.covariance(0)(kInertia, kInertia));
+  }
+  if (!(doubt.half_width < kLostToDelay * doubt.half_width_with_delay)) return "";
+  // Linear: what the same delay in every run changes is the sum over the runs.
+  for (size_t r = 0; r < linear.size(); ++r) {
+    const LinearJoint one = WithClockFree(options, at, end, linear, r, r + 1);
+    if (!one.is_usable()) continue;
+    const Eigen::MatrixXd& covariance = one.covariance(r);
+    // What is commanded later is seen by a clock that is behind.
+    const double per_second = -1.0 / covariance(kClockColumn, kClockColumn);
+    doubt.inertia_per_second += per_second * inertia * covariance(kInertia, kClockColumn);
+    doubt.linear_damping_per_second += per_second * covariance(kLinearDamping, kClockColumn);
+  }
+  const CameraRun& longest = *std::max_element(
+      input.runs.begin(), input.runs.end(), [](const CameraRun& a, const CameraRun& b) {
+        return a.time.back() - a.time.front() < b.time.back() - b.time.front();
+      });
+  return CaveatOnDelay(longest.command.Between(longest.time.front(), longest.time.back()), doubt);
+}
+
+}  // namespace
+
+std::vector<std::string> CaveatsOn(const JointInput& input,
+                                   const JointOptions& options,
+                                   const JointStart& at,
+                                   const SearchEnd& end,
+                                   std::span<const LinearRun> linear,
+                                   const JointSummary& summary) {
+  std::vector<std::string> caveats;
+  if (!options.moves_freely) {
+    caveats = {CaveatOn(kQuadraticDamping, summary),
+               CaveatOn(kLinearDamping, summary),
+               CaveatOnDelayOf(input, options, at, end, linear, summary)};
+  }
+  caveats.push_back(CaveatOnAxis(input.dof, at, summary));
+  std::erase(caveats, "");
+  if (!end.processes_settled) {
+    caveats.push_back(
+        "The search for how the held coordinates wander did not settle: the intervals are less "
+        "sure than they look.");
+  }
+  if (!end.likelihood_settled) {
+    caveats.push_back(
+        fmt::format("The likelihood was still rising after {} rounds: the intervals are less sure "
+                    "than they look.",
+                    summary.num_rounds));
+  }
+  return caveats;
+}
+
+}  // namespace fathom

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/joint_refinement/input.h"
+#include "fathom/joint_refinement/options.h"
+#include "fathom/joint_refinement/problem/joint_state.h"
+#include "fathom/joint_refinement/processes/process_set.h"
+
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// Where the search for the joint problem starts.
+struct JointStart {
+  JointData data;
+  JointUnknowns unknowns;
+  ProcessSet processes;
+  MotionScales scales;
+};
+
+// From poses frame_from_body of every run, in its frame (run_frame.h), and the model that the
+// options give, or output error on the displacement of the poses.
+JointStart StartOf(const JointInput& input,
+                   const JointOptions& options,
+                   std::span<const Pose> world_from_frame,
+                   std::span<const std::vector<Pose>> frame_from_body);
+
+}  // namespace fathom

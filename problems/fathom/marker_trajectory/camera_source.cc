@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/camera_source.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/camera/camera_rig.h"
+#include "fathom/camera/detections_file.h"
+#include "fathom/marker_trajectory/marker_trajectory.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+bool NeedsTracking(const Log& log) { return log.detections && !log.pose; }
+
+void TrackDetections(Log* log) {
+  if (!NeedsTracking(*log)) return;
+  const CameraRig rig = ReadCameraRig(log->path);
+  log->remarks.insert(log->remarks.end(), rig.remarks.begin(), rig.remarks.end());
+  const std::vector<Detection> detections = DetectionsOf(*log->detections);
+  MarkerTrajectoryOptions options;
+  options.pose_track.name = (log->path / "detections.csv").string();
+  const MarkerTrack track =
+      TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
+  for (const std::string& remark : track.remarks) {
+    log->remarks.push_back("detections.csv: " + remark);
+  }
+  if (track.world_from_body.size() < 2) {
+    std::string losses;
+    for (const std::string& remark : track.remarks) losses += " " + remark;
+    throw InputError(
+        fmt::format("{}: {} of {} frames with detections gave a pose, expected at least two.{}{}",
+                    (log->path / "detections.csv").string(),
+                    track.world_from_body.size(),
+                    track.pnp.num_frames,
+                    track.message.empty() ? "" : " " + track.message,
+                    losses));
+  }
+  log->pose = PoseStreamOf(track.world_from_body);
+  log->remarks.push_back(
+      fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames that show "
+                  "no marker are not "
+                  "listed there); corner sigma {:.3g} px.",
+                  track.world_from_body.size(),
+                  track.pnp.num_frames,
+                  track.corner_sigma));
+}
+
+}  // namespace fathom

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/output_error/parameter_covariance.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/parameters.h"
+#include "fathom/vehicle/uncoupled_model.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// Numbers that were not computed are NaN, never zero.
+struct OutputErrorSummary {
+  static constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
+  // True if the search converged to a physical model that the data determine.
+  bool IsUsable() const { return converged && determined; }
+
+  // Why it ended as it did, for a person.
+  std::string message = "FitOutputError() was not called.";
+
+  bool converged = false;
+  bool determined = false;
+  std::string initial_guess;  // "given", "least_squares", "adaptive" or "rough"
+  int num_iterations = -1;    // over all passes
+  // Of the first pass, by plain squares, and of the last, by the robust loss with the noise level
+  // found: not to be compared with each other.
+  double initial_cost = kNotComputed;
+  double final_cost = kNotComputed;
+
+  UncoupledModel<double> model = {kNotComputed, kNotComputed, kNotComputed, kNotComputed};
+
+  // In the order of kParameterInfo. A damping that ended on its bound 0 has the spread it would
+  // have without the bound; its interval is to be cut at 0.
+  ParameterCovariance covariance = ParameterCovariance::Constant(kNotComputed);
+  std::array<bool, kNumParameters> on_bound = {};
+
+  // One per segment, at its first stamp.
+  std::vector<InitialState> initial_states;
+
+  // Shares, condition number and noise at the optimum.
+  ParameterEvidence evidence;
+
+  // What the reader must know beyond the intervals, a sentence each.
+  std::vector<std::string> caveats;
+};
+
+}  // namespace fathom

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/base/files/input_file.h"
+
+#include "fathom/base/input_error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace fathom {
+
+std::string ReadFile(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(path.string() + ": there is no such file. Check the path.");
+  }
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(path.string() + ": is a folder, expected a file.");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file || file.bad()) {
+    const std::string reason = errno == 0 ? "unknown reason" : std::strerror(errno);
+    throw InputError(path.string() + ": cannot read this file: " + reason + ".");
+  }
+  return content;
+}
+
+}  // namespace fathom

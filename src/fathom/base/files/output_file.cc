@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/base/files/output_file.h"
+
+#include "fathom/base/files/temporary.h"
+#include "fathom/base/input_error.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void RefuseToWrite(const fs::path& path, const std::string& reason) {
+  throw InputError(path.string() + ": cannot write this file: " + reason + ".");
+}
+
+// A device, a pipe or a socket, or an open file by one of the names that the system has for it: it
+// is written into. A file in its place would take it from every other process.
+bool IsDevice(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return false;
+  const std::string name = fs::absolute(path, error).lexically_normal().string();
+  const bool is_open_file =
+      name.starts_with("/dev/std") || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+  return is_open_file || fs::is_other(path, error);
+}
+
+void WriteInto(const fs::path& file, std::string_view content, const fs::path& named) {
+  errno = 0;
+  // At the end: /dev/stdout may be a file that has lines already.
+  std::ofstream stream(file, std::ios::binary | std::ios::app);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream) RefuseToWrite(named, std::strerror(errno));
+}
+
+// Makes and removes the temporary that is to be beside `path`.
+void TryTemporaryOf(const fs::path& path) {
+  std::error_code error;
+  // Folders that are missing are made, and removed again from the innermost on.
+  std::vector<fs::path> made;
+  for (auto folder = path.parent_path(); !folder.empty() && !fs::exists(folder, error);
+       folder = folder.parent_path()) {
+    made.push_back(folder);
+  }
+  if (!made.empty()) fs::create_directories(made.front(), error);
+  const Temporary temporary(path);
+  errno = 0;
+  const bool can_write = std::ofstream(temporary.path(), std::ios::binary).is_open();
+  const std::string reason = std::strerror(errno);
+  if (can_write) fs::remove(temporary.path(), error);
+  for (const auto& folder : made) fs::remove(folder, error);
+  if (!can_write) RefuseToWrite(path, reason);
+}
+
+}  // namespace
+
+void WriteFile(const fs::path& path, std::string_view content) {
+  if (IsDevice(path)) return WriteInto(path, content, path);
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  const Temporary temporary(path);
+  WriteInto(temporary.path(), content, path);
+  temporary.TakePlace();
+}
+
+void RequireWritableFile(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    throw InputError(path.string() + ": is a folder, expected a file to write.");
+  }
+  if (!IsDevice(path)) return TryTemporaryOf(path);
+  if (access(path.c_str(), W_OK) != 0) RefuseToWrite(path, std::strerror(errno));
+}
+
+void RequireWritableFolder(const fs::path& path) { TryTemporaryOf(path); }
+
+}  // namespace fathom

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/base/time_interval.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+// One file of a log: columns of equal length over stamps of its own clock.
+struct Stream {
+  std::vector<double> time;                 // [s], strictly increasing (detections: not falling)
+  std::vector<std::string> columns;         // names, without "t"
+  std::vector<std::vector<double>> values;  // values[column][row], SI, finite
+
+  // Null if there is no such column.
+  const std::vector<double>* Find(std::string_view column) const;
+};
+
+// What a log folder (or a single CSV) holds; docs/file_formats.md.
+struct Log {
+  std::filesystem::path path;
+  std::string name;
+  std::vector<Dof> dofs;  // the excited ones
+  std::string vehicle;    // a file name or free text, as in log.yaml
+  std::string notes;
+  std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
+  std::string command_unit;            // empty: N and N m
+  std::string video;                   // of a camera log, a file in its folder; may be empty
+
+  std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
+  std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame
+  std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body
+
+  // tag_id u0 v0 ... u3 v3 [px]: corners of markers, a row for each tag of each frame. What they
+  // mean takes the calibration: fathom/vision/detections_file.h, camera_rig.h.
+  std::optional<Stream> detections;
+
+  // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are
+  // not read: ..."). Tools print them.
+  std::vector<std::string> remarks;
+};
+
+}  // namespace fathom

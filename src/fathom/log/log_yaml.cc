@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/log_yaml.h"
+
+#include "fathom/base/files/leaves_its_folder.h"
+#include "fathom/base/files/yaml_file.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+std::vector<Dof> DofsOf(const YamlMap& file) {
+  std::vector<Dof> dofs;
+  for (const std::string& name : file.Strings("dof")) {
+    const auto dof = DofFromName(name);
+    if (!dof) {
+      file.Fail("dof",
+                fmt::format("is {}, expected one or a list of surge, sway, heave, roll, pitch, "
+                            "yaw.",
+                            Quoted(name)));
+    }
+    if (std::find(dofs.begin(), dofs.end(), *dof) != dofs.end()) {
+      file.Fail("dof", fmt::format("lists {} twice, expected each once.", Quoted(name)));
+    }
+    dofs.push_back(*dof);
+  }
+  return dofs;
+}
+
+std::vector<TimeInterval> HeldOutOf(const YamlMap& file) {
+  std::vector<TimeInterval> intervals;
+  if (!file.Has("held_out")) return intervals;
+  for (const auto& pair : file.NumberLists("held_out", 2)) {
+    if (!(pair[0] < pair[1])) {
+      file.Fail(
+          "held_out",
+          fmt::format("is [{}, {}], expected [from, to] with from before to.", pair[0], pair[1]));
+    }
+    intervals.push_back({.from = pair[0], .to = pair[1]});
+  }
+  return intervals;
+}
+
+std::string VideoOf(const YamlMap& file) {
+  std::string video = file.String("video", "");
+  if (LeavesItsFolder(video)) {
+    file.Fail(
+        "video",
+        fmt::format("is {}, expected the path of a video from this folder on.", Quoted(video)));
+  }
+  return video;
+}
+
+}  // namespace
+
+Log ParseLogYaml(const std::string& name, const std::string& text) {
+  const YamlMap file = ParseYaml(name, text);
+  Log log;
+  log.name = file.String("name");
+  log.dofs = DofsOf(file);
+  log.vehicle = file.String("vehicle", "");
+  log.notes = file.String("notes", "");
+  log.held_out = HeldOutOf(file);
+  log.command_unit = file.String("command_unit", "");
+  log.video = VideoOf(file);
+  file.Finish();
+  return log;
+}
+
+}  // namespace fathom

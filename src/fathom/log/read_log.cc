@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/read_log.h"
+
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_text.h"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+bool Exists(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
+
+LogText::File ReadText(const std::filesystem::path& path) {
+  return {.name = path.string(), .text = ReadFile(path)};
+}
+
+// `file` as given, or in the log's folder.
+std::filesystem::path FindVelocity(const std::filesystem::path& folder,
+                                   const std::filesystem::path& file) {
+  const std::filesystem::path beside = folder / file;
+  if (!Exists(beside)) return file;
+  std::error_code error;
+  if (Exists(file) && !std::filesystem::equivalent(file, beside, error)) {
+    throw InputError(fmt::format(
+        "--velocity={}: there is such a file here and in {}, expected one. Give the full path.",
+        file.string(),
+        folder.string()));
+  }
+  return beside;
+}
+
+Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
+  const auto require = [&](const char* file, const char* meaning) {
+    if (Exists(folder / file)) return;
+    throw InputError(
+        fmt::format("{}: holds no {} ({}), expected a log folder. See docs/file_formats.md.",
+                    folder.string(),
+                    file,
+                    meaning));
+  };
+  require("log.yaml", "name and dof of the log");
+  if (!options.may_lack_command && !Exists(folder / "command.csv")) {
+    throw InputError(
+        fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track "
+                    "does without them. See docs/file_formats.md.",
+                    folder.string()));
+  }
+  const bool has_own_velocity = Exists(folder / "velocity.csv");
+  const bool has_motion = has_own_velocity || !options.velocity.empty() ||
+                          Exists(folder / "pose.csv") || Exists(folder / "detections.csv");
+  if (!has_motion && !options.may_lack_motion) {
+    throw InputError(fmt::format(
+        "{}: holds neither velocity.csv nor pose.csv nor detections.csv, expected the vehicle's "
+        "motion in one of them. Images become detections and poses by fathom_track.",
+        folder.string()));
+  }
+
+  LogText text;
+  text.path = folder;
+  text.log_yaml = ReadText(folder / "log.yaml");
+  if (Exists(folder / "command.csv")) text.command = ReadText(folder / "command.csv");
+  if (!options.velocity.empty()) {
+    text.velocity = ReadText(FindVelocity(folder, options.velocity));
+  } else if (has_own_velocity) {
+    text.velocity = ReadText(folder / "velocity.csv");
+  }
+  if (Exists(folder / "pose.csv")) text.pose = ReadText(folder / "pose.csv");
+  if (Exists(folder / "pose.yaml")) text.pose_yaml = ReadText(folder / "pose.yaml");
+  if (Exists(folder / "detections.csv")) text.detections = ReadText(folder / "detections.csv");
+
+  Log log = ParseLog(text);
+  std::error_code error;
+  if (has_own_velocity && !options.velocity.empty() &&
+      !std::filesystem::equivalent(text.velocity->name, folder / "velocity.csv", error)) {
+    log.remarks.push_back(
+        fmt::format("velocity.csv: not read, {} is in its place.", options.velocity.string()));
+  }
+  return log;
+}
+
+}  // namespace
+
+Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return ReadFolder(path, options);
+  const std::string text = ReadFile(path);
+  if (!options.dof) {
+    throw InputError(
+        path.string() +
+        ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected "
+        "--dof with it: --dof=surge, sway, heave, roll, pitch or yaw.");
+  }
+  if (!options.velocity.empty()) {
+    throw InputError(
+        fmt::format("--velocity={}: {} is a single CSV with its own speed, expected a log "
+                    "folder. Leave out --velocity.",
+                    options.velocity.string(),
+                    path.string()));
+  }
+  return ParseSingleCsv(path.string(), text, *options.dof);
+}
+
+}  // namespace fathom

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/write_log.h"
+
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+namespace fathom {
+namespace {
+
+void WriteOrRequireNone(const std::filesystem::path& path, const std::optional<Stream>& stream) {
+  if (stream) {
+    WriteStream(path, *stream);
+    return;
+  }
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) {
+    throw InputError(
+        path.string() +
+        ": is left from another log, and the log to be written has no such stream. Remove "
+        "it, or write into an empty folder.");
+  }
+}
+
+}  // namespace
+
+std::string FormatLogYaml(const Log& log) {
+  YAML::Emitter yaml;
+  const auto emit_text = [&](const char* key, const std::string& text) {
+    if (!text.empty()) yaml << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << text;
+  };
+  yaml << YAML::BeginMap;
+  yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << log.name;
+  yaml << YAML::Key << "dof" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const Dof dof : log.dofs) yaml << std::string(Name(dof));
+  yaml << YAML::EndSeq;
+  emit_text("vehicle", log.vehicle);
+  if (!log.held_out.empty()) {
+    yaml << YAML::Key << "held_out" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const TimeInterval& interval : log.held_out) {
+      yaml << YAML::Flow << YAML::BeginSeq << fmt::format("{}", interval.from)
+           << fmt::format("{}", interval.to) << YAML::EndSeq;
+    }
+    yaml << YAML::EndSeq;
+  }
+  emit_text("command_unit", log.command_unit);
+  emit_text("video", log.video);
+  emit_text("notes", log.notes);
+  yaml << YAML::EndMap;
+  return std::string(yaml.c_str()) + "\n";
+}
+
+void WriteStream(const std::filesystem::path& path, const Stream& stream) {
+  std::string csv = "t";
+  for (const std::string& column : stream.columns) csv += "," + column;
+  csv += "\n";
+  for (std::size_t row = 0; row < stream.time.size(); ++row) {
+    fmt::format_to(std::back_inserter(csv), "{}", stream.time[row]);
+    for (const auto& column : stream.values) {
+      fmt::format_to(std::back_inserter(csv), ",{}", column[row]);
+    }
+    csv += "\n";
+  }
+  WriteFile(path, csv);
+}
+
+void WriteLog(const std::filesystem::path& folder, const Log& log) {
+  WriteOrRequireNone(folder / "command.csv", log.command);
+  WriteOrRequireNone(folder / "velocity.csv", log.velocity);
+  WriteOrRequireNone(folder / "pose.csv", log.pose);
+  WriteOrRequireNone(folder / "detections.csv", log.detections);
+  // On the poses of another log.
+  WriteOrRequireNone(folder / "pose.yaml", std::nullopt);
+  WriteFile(folder / "log.yaml", FormatLogYaml(log));
+}
+
+}  // namespace fathom

@@ -1,0 +1,17 @@
+# cmake -DOUTPUT=... -DSOURCES="name=file;..." -P embed.cmake
+#
+# Writes a .cc that defines `const std::string_view name` in fathom::web for each file. The bytes become
+# an array of numbers: no limit on its length, no character that needs quoting.
+cmake_minimum_required(VERSION 3.22)
+set(text "// Written by src/fathom/report/web/embed.cmake. Do not edit.\n#include \"fathom/report/web/assets.h\"\n\nnamespace fathom::web {\n")
+foreach(source IN LISTS SOURCES)
+  string(REPLACE "=" ";" source "${source}")
+  list(GET source 0 name)
+  list(GET source 1 file)
+  file(READ ${file} bytes HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
+  string(APPEND text "static const char ${name}_bytes[] = {${bytes}};\n"
+                     "const std::string_view ${name}{${name}_bytes, sizeof ${name}_bytes};\n")
+endforeach()
+string(APPEND text "}  // namespace fathom::web\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/synthesize/experiment/experiment_file.h"
+
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/yaml_file.h"
+#include "fathom/base/files/yaml_numbers.h"
+#include "fathom/log/csv_table.h"
+#include "fathom/synthesize/experiment/input_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kMostSamples = 1e6;          // of one stream
+constexpr double kLongest = 1e5;              // [s]
+constexpr double kShortestCorrelation = 0.1;  // [s], of turbulence
+constexpr double kHighestRate = 1e4;          // [Hz]
+constexpr double kLowestRate = 0.1;           // [Hz]; a log's clocks ask for no less
+
+double Resolution(const YamlMap& map, std::string_view key) {
+  const double resolution = map.Number(key, 0.0);
+  if (resolution == 0.0 || (resolution >= 1e-9 && resolution <= kLargest)) return resolution;
+  map.Fail(
+      key,
+      fmt::format(
+          "is {}, expected 0 (do not round) or a number from 1e-9 to {}.", resolution, kLargest));
+}
+
+double Rate(const YamlMap& map, std::string_view key, double duration) {
+  const double rate = NumberWithin(map, key, kLowestRate, kHighestRate);
+  if (rate * duration > kMostSamples) {
+    map.Fail(key,
+             fmt::format("is {} Hz, which makes {:.3g} samples, expected at most {}.",
+                         rate,
+                         rate * duration,
+                         kMostSamples));
+  }
+  return rate;
+}
+
+Sampling ReadSampling(const YamlMap& map, double duration) {
+  Sampling sampling;
+  sampling.rate = Rate(map, "rate", duration);
+  sampling.jitter = NumberWithin(map, "jitter", 0.0, 0.4 / sampling.rate, 0.0);
+  if (const auto bursts = map.OptionalMap("drop_outs")) {
+    sampling.drop_outs.probability = NumberWithin(*bursts, "probability", 0.0, 1.0);
+    const std::vector<double> length = bursts->Numbers("length", 2);
+    if (!(0.0 < length[0] && length[0] <= length[1] && length[1] <= kLongest)) {
+      bursts->Fail("length",
+                   fmt::format("is [{}, {}], expected [shortest, longest] in seconds, above 0.",
+                               length[0],
+                               length[1]));
+    }
+    sampling.drop_outs.shortest = length[0];
+    sampling.drop_outs.longest = length[1];
+  }
+  return sampling;
+}
+
+// Chance of an outlier at a sample; may be 1.
+double OutlierProbability(const YamlMap& outliers) {
+  return NumberWithin(outliers, "probability", 0.0, 1.0);
+}
+
+VelocitySensor ReadVelocitySensor(const YamlMap& map, const Experiment& experiment) {
+  VelocitySensor sensor;
+  sensor.sampling = ReadSampling(map, experiment.duration);
+  if (const auto noise = map.OptionalMap("noise")) {
+    for (const Drive& drive : experiment.drives) {
+      sensor.noise[Index(drive.dof)] = NumberWithin(*noise, Name(drive.dof), 0.0, kLargest, 0.0);
+    }
+  }
+  if (const auto outliers = map.OptionalMap("outliers")) {
+    sensor.outlier_probability = OutlierProbability(*outliers);
+    for (const Drive& drive : experiment.drives) {
+      sensor.outlier_size[Index(drive.dof)] =
+          NumberWithin(*outliers, Name(drive.dof), 0.0, kLargest, 0.0);
+    }
+  }
+  sensor.noise_correlation = map.Number("noise_correlation", 0.0);
+  if (!(0.0 <= sensor.noise_correlation && sensor.noise_correlation < 1.0)) {
+    map.Fail("noise_correlation",
+             fmt::format("is {}, expected at least 0 and below 1.", sensor.noise_correlation));
+  }
+  sensor.resolution = Resolution(map, "resolution");
+  return sensor;
+}
+
+PoseSensor ReadPoseSensor(const YamlMap& map, const Experiment& experiment) {
+  PoseSensor sensor;
+  sensor.sampling = ReadSampling(map, experiment.duration);
+  if (const auto noise = map.OptionalMap("noise")) {
+    sensor.position_noise = NumberWithin(*noise, "position", 0.0, kLargest, 0.0);
+    sensor.angle_noise = NumberWithin(*noise, "angle", 0.0, std::numbers::pi, 0.0);
+  }
+  if (const auto outliers = map.OptionalMap("outliers")) {
+    sensor.outlier_probability = OutlierProbability(*outliers);
+    sensor.outlier_position = NumberWithin(*outliers, "position", 0.0, kLargest, 0.0);
+    sensor.outlier_angle = NumberWithin(*outliers, "angle", 0.0, std::numbers::pi, 0.0);
+  }
+  sensor.resolution = Resolution(map, "resolution");
+  if (sensor.resolution > 1e-4) {
+    map.Fail("resolution",
+             fmt::format("is {}, expected at most 1e-4: a coarser quaternion is none.",
+                         sensor.resolution));
+  }
+  sensor.is_logged = map.Boolean("logged", true);
+  return sensor;
+}
+
+TurbulenceSpec ReadTurbulence(const YamlMap& map, double duration) {
+  TurbulenceSpec turbulence;
+  turbulence.force = NumberWithin(map, "force", 0.0, kLargest);
+  // Its sequence has some steps to each correlation time.
+  const double shortest = std::max(kShortestCorrelation,
+                                   duration * Turbulence::kStepsPerCorrelationTime / kMostSamples);
+  turbulence.correlation_time = NumberWithin(map, "correlation_time", shortest, kLongest);
+  return turbulence;
+}
+
+Drive ReadDrive(const YamlMap& map, Dof dof, double command_rate, double duration) {
+  Drive drive{.dof = dof, .input = {}, .pid = {}};
+  drive.initial_speed = NumberWithin(map, "initial_speed", -1e3, 1e3, 0.0);
+  if (const auto turbulence = map.OptionalMap("turbulence")) {
+    drive.turbulence = ReadTurbulence(*turbulence, duration);
+  }
+  const std::string control = map.String("control");
+  if (control == "open_loop") {
+    drive.input = ReadInput(map.Map("input"), command_rate);
+  } else if (control == "closed_loop") {
+    drive.input = ReadInput(map.Map("setpoint"), command_rate);
+    const YamlMap pid = map.Map("pid");
+    drive.pid = PidGains{.kp = Positive(pid, "kp"),
+                         .ki = NumberWithin(pid, "ki", 0.0, kLargest, 0.0),
+                         .kd = NumberWithin(pid, "kd", 0.0, kLargest, 0.0),
+                         .limit = Positive(pid, "limit")};
+  } else {
+    map.Fail("control", fmt::format("is '{}', expected open_loop or closed_loop.", control));
+  }
+  return drive;
+}
+
+HeldCommand ReadReplay(const std::filesystem::path& file, Dof dof) {
+  const std::string column(ForceColumn(dof));
+  CsvSpec spec;
+  spec.required = {column};
+  const CsvTable table = ReadCsvTable(file, spec);
+  return {table.stream.time, *table.stream.Find(column)};
+}
+
+}  // namespace
+
+Experiment ReadExperimentFile(const std::filesystem::path& path) {
+  Experiment experiment = ParseExperiment(path.string(), ReadFile(path));
+  for (Drive& drive : experiment.drives) {
+    if (auto* replay = std::get_if<ReplayInput>(&drive.input.kind)) {
+      replay->command = ReadReplay(path.parent_path() / replay->file, drive.dof);
+    }
+  }
+  return experiment;
+}
+
+Experiment ParseExperiment(const std::string& name, const std::string& text) {
+  const YamlMap file = ParseYaml(name, text);
+  Experiment experiment;
+  experiment.name = file.String("name");
+  experiment.notes = file.String("notes", "");
+  experiment.start_time = NumberWithin(file, "start_time", 0.0, 1e10, 0.0);
+  experiment.duration = Positive(file, "duration");
+  if (experiment.duration > kLongest) {
+    file.Fail("duration",
+              fmt::format("is {} s, expected at most {} s.", experiment.duration, kLongest));
+  }
+  experiment.command_rate = Rate(file, "command_rate", experiment.duration);
+  experiment.command_resolution = Resolution(file, "command_resolution");
+  for (const Dof dof : kAllDofs) {
+    if (const auto map = file.OptionalMap(Name(dof))) {
+      experiment.drives.push_back(
+          ReadDrive(*map, dof, experiment.command_rate, experiment.duration));
+    }
+  }
+  if (experiment.drives.empty()) {
+    file.Fail("drives no DOF, expected at least one of surge, sway, heave, roll, pitch, yaw.");
+  }
+  if (const auto map = file.OptionalMap("velocity")) {
+    experiment.velocity = ReadVelocitySensor(*map, experiment);
+  }
+  if (const auto map = file.OptionalMap("pose")) experiment.pose = ReadPoseSensor(*map, experiment);
+  if (!experiment.velocity && !(experiment.pose && experiment.pose->is_logged)) {
+    file.Fail("logs no motion, expected a velocity or a pose.");
+  }
+  if (file.Has("held_out")) {
+    for (const std::vector<double>& pair : file.NumberLists("held_out", 2)) {
+      if (!(pair[0] < pair[1])) {
+        file.Fail("held_out",
+                  fmt::format("holds [{}, {}], expected [from, to].", pair[0], pair[1]));
+      }
+      experiment.held_out.push_back({pair[0], pair[1]});
+    }
+  }
+  file.Finish();
+  return experiment;
+}
+
+}  // namespace fathom

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/log.h"
+#include "fathom/synthesize/experiment/experiment.h"
+#include "fathom/synthesize/motion/true_run.h"
+#include "fathom/synthesize/motion/vehicle_motion.h"
+#include "fathom/vehicle/extended_model.h"
+
+#include <cstdint>
+#include <span>
+
+namespace fathom {
+
+// The streams of a log, from the truth: command.csv, velocity.csv and pose.csv in log time, of the
+// driven DOFs. Drop-outs are remarked on in `log`.
+
+Stream CommandStream(const TrueRun& truth, const Experiment& experiment);
+
+// The experiment has a velocity sensor.
+Stream VelocityStream(const VehicleMotion& motion,
+                      const TrueRun& truth,
+                      const Experiment& experiment,
+                      std::uint64_t seed,
+                      Log& log);
+
+// The experiment has a pose sensor. Clock offsets among `effects` add up: a pose has one stamp.
+Stream PoseStream(const VehicleMotion& motion,
+                  const TrueRun& truth,
+                  const Experiment& experiment,
+                  std::span<const ActiveEffect> effects,
+                  std::uint64_t seed,
+                  Log& log);
+
+}  // namespace fathom

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/synthesize/truth_file.h"
+
+#include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <cstddef>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ModelOf(Dof dof, const UncoupledModel<double>& model) {
+  const ParameterVector values = ToVector(model);
+  Json json = Json::object();
+  for (int i = 0; i < kNumParameters; ++i) {
+    json[kParameterInfo[i].name] = {{"value", values[i]},
+                                    {"unit", ParameterUnit(i, dof, std::string(ForceUnit(dof)))}};
+  }
+  return json;
+}
+
+Json EffectOfTruth(const ActiveEffect& active) {
+  const EffectInfo& info = active.effect->info();
+  const Dof dof = active.setting.dof;
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const EffectParameter& parameter = info.parameters[i];
+    parameters[std::string(parameter.name)] = {
+        {"value", active.values[i]},
+        {"unit", UnitOf(parameter.quantity, dof, std::string(ForceUnit(dof)))}};
+  }
+  Json json = {{"effect", info.name},
+               {"dof", Name(dof)},
+               {"place", Name(info.place)},
+               {"in_catalogue", FindEffect(info.name) == active.effect},
+               {"parameters", parameters}};
+  if (info.has_partner) json["partner"] = Name(active.setting.partner);
+  if (info.name == "thrust_curve") json["reference_force"] = active.setting.reference_force;
+  return json;
+}
+
+}  // namespace
+
+std::string FormatTruth(const Vehicle& vehicle,
+                        const Experiment& experiment,
+                        std::span<const ActiveEffect> effects,
+                        std::uint64_t seed) {
+  Json hidden = Json::array();
+  for (const ActiveEffect& active : effects) hidden.push_back(EffectOfTruth(active));
+  Json models = Json::object();
+  for (const Drive& drive : experiment.drives) {
+    models[std::string(Name(drive.dof))] =
+        ModelOf(drive.dof, vehicle.models[Index(drive.dof)].value());
+  }
+  const Json json = {{"schema", "fathom-truth-1"},
+                     {"vehicle", vehicle.name},
+                     {"experiment", experiment.name},
+                     {"seed", seed},
+                     {"models", models},
+                     {"effects", hidden}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace fathom

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/judge/ranking.h"
+
+#include "fathom/base/random_stream.h"
+#include "fathom/vehicle/effects/catalogue.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// A search whose suspects have one trial each.
+class RankCandidatesTest : public testing::Test {
+ protected:
+  RankCandidatesTest() {
+    for (const char* name : {"thruster_lag",
+                             "thrust_dead_zone",
+                             "time_offset",
+                             "thrust_curve",
+                             "cubic_damping",
+                             "steady_current"}) {
+      suspects_.push_back({FindEffect(name), {}});
+    }
+    const int n = static_cast<int>(suspects_.size());
+    RandomStream random(1, "test");
+    Eigen::MatrixXd maxima(512, n);
+    for (double& number : maxima.reshaped()) number = std::pow(random.Normal(), 2);
+    search_.significance =
+        Significance(maxima, std::vector<int>(n, 1), std::vector<double>(n, 1.0), 0.05);
+    for (int k = 0; k < n; ++k) {
+      search_.thresholds.push_back(search_.significance.Threshold(k));
+      search_.thresholds_beside.push_back(search_.significance.ThresholdBeside(k));
+    }
+    search_.scores.assign(n, 0.0);
+    search_.failed_alone.assign(n, false);
+    Try({}, 0.0);
+  }
+
+  void Try(const std::vector<int>& suspects, double gain) {
+    Hypothesis hypothesis;
+    hypothesis.suspects = suspects;
+    hypothesis.gain = gain;
+    hypothesis.delta_bic = gain - 7.0 * static_cast<double>(suspects.size());
+    Eigen::Index num_parameters = kNumParameters;
+    for (const int suspect : suspects) {
+      const auto size = suspects_[suspect].effect->info().parameters.size();
+      hypothesis.fit.model.effects.push_back(
+          {suspects_[suspect].effect, {}, std::vector<double>(size, 0.5)});
+      num_parameters += static_cast<Eigen::Index>(size);
+    }
+    hypothesis.fit.covariance = Eigen::MatrixXd::Identity(num_parameters, num_parameters);
+    search_.tried.push_back(std::move(hypothesis));
+  }
+
+  std::map<std::string, Candidate> Ranked() const {
+    std::map<std::string, Candidate> by_label;
+    for (Candidate& candidate : RankCandidates(search_, suspects_)) {
+      by_label[candidate.label] = std::move(candidate);
+    }
+    return by_label;
+  }
+
+  std::vector<Suspect> suspects_;
+  SearchResult search_;
+};
+
+TEST_F(RankCandidatesTest, SayWhyAScoreHasNoRefit) {
+  search_.scores = {40.9, 2.0, 300.0, 0.0, 0.0, 0.0};
+  search_.failed_alone[2] = true;
+  auto ranked = Ranked();
+  // Far above noise, and not among the ten that were refitted.
+  EXPECT_LT(ranked["thruster_lag"].p_value, 1e-6);
+  EXPECT_EQ(ranked["thruster_lag"].why,
+            "not refitted: scores 40.9 on the screen, others score higher");
+  EXPECT_GT(ranked["thrust_dead_zone"].p_value, 0.05);
+  EXPECT_THAT(ranked["thrust_dead_zone"].why,
+              AllOf(StartsWith("dropped: scores 2.0"), HasSubstr("noise alone would reach")));
+  EXPECT_THAT(ranked["time_offset"].why, StartsWith("dropped: its fit cannot be simulated"));
+}
+
+// Whatever stands behind "noise", the p-value says the same.
+TEST_F(RankCandidatesTest, CallItNoiseJustWhereThePValueDoes) {
+  for (double score = 0.0; score < 60.0; score += 1.5) {
+    search_.scores.assign(suspects_.size(), score);
+    for (const auto& [label, candidate] : Ranked()) {
+      const bool is_noise = candidate.why.find("noise") != std::string::npos;
+      EXPECT_EQ(is_noise, candidate.p_value > 0.05) << label << ' ' << score;
+    }
+  }
+}
+
+TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
+  search_.scores.assign(suspects_.size(), 50.0);
+  Try({0}, 90.0);  // index 1
+  Try({1}, 3.0);
+  Try({2}, 88.0);  // index 3: a rival
+  Try({3}, 60.0);
+  search_.best = 1;
+  search_.rivals = {3};
+  auto ranked = Ranked();
+  EXPECT_TRUE(ranked["thruster_lag"].is_kept);
+  EXPECT_THAT(ranked["thruster_lag"].why, StartsWith("kept: gains 90"));
+  EXPECT_THAT(ranked["thrust_dead_zone"].why, StartsWith("dropped: gains 3.0, noise alone"));
+  EXPECT_EQ(ranked["time_offset"].why, "cannot be told from a kept cause on these logs");
+  EXPECT_EQ(ranked["thrust_curve"].why, "dropped: gains 60 alone, nothing beside the kept causes");
+  EXPECT_EQ(RankCandidates(search_, suspects_).front().label, "thruster_lag");
+
+  search_.best = 0;
+  search_.rivals.clear();
+  EXPECT_EQ(Ranked()["thrust_curve"].why,
+            "dropped: gains 60, but what fits best fails on data that no fit has seen");
+}
+
+// The same effect in two logs is two suspects.
+TEST_F(RankCandidatesTest, TellTheLogsOfOneEffectApart) {
+  suspects_[0] = {FindEffect("buoyancy_step"), {.log = "first"}};
+  suspects_[1] = {FindEffect("buoyancy_step"), {.log = "second"}};
+  Try({1}, 90.0);
+  search_.tried.back().fit.model.effects[0].setting.log = "second";
+  search_.best = 1;
+  EXPECT_EQ(PlaceIn(search_.tried[1].fit.model, suspects_[0]), -1);
+  EXPECT_EQ(PlaceIn(search_.tried[1].fit.model, suspects_[1]), 0);
+  const auto ranked = Ranked();
+  EXPECT_FALSE(ranked.at("buoyancy_step(first)").is_kept);
+  EXPECT_TRUE(ranked.at("buoyancy_step(second)").is_kept);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/next_steps.h"
+
+#include <limits>
+
+#include "handmade_diagnosis.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(NextSteps, SayWhatToDoAboutACertainCause) {
+  EXPECT_THAT(NextSteps(ExplainedDiagnosis()),
+              ElementsAre("thrust_dead_zone: Look for the dead band of the speed controllers "
+                          "around neutral and add it to the command."));
+}
+
+TEST(NextSteps, AskForTheDecidingExperimentFirst) {
+  EXPECT_THAT(NextSteps(AmbiguousDiagnosis()),
+              ElementsAre("Find out first whether it is sensor_lag or thruster_lag. To decide: "
+                          "large steps, to speeds where quadratic drag matters (in linear drag "
+                          "lags commute).",
+                          "If it is sensor_lag: Log the raw sensor, or turn the estimator's "
+                          "smoothing down.",
+                          "If it is thruster_lag: Log the propellers' speed and use it in place "
+                          "of the command."));
+}
+
+TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.held_out_gain_low = -0.01;
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre("The data held out do not confirm what is named here: see whether "
+                          "another log names it too before you act on it.",
+                          HasSubstr("thrust_dead_zone: Look for")));
+  diagnosis.held_out_gain_low = std::numeric_limits<double>::quiet_NaN();  // none were held out
+  EXPECT_THAT(NextSteps(diagnosis), ElementsAre(HasSubstr("thrust_dead_zone: Look for")));
+}
+
+// A group must not hide what can never be decided behind "To decide:".
+TEST(NextSteps, AdmitThatNoExperimentDecides) {
+  Diagnosis diagnosis = AmbiguousDiagnosis();
+  diagnosis.causes[0].experiment = "No velocity log alone can: the two are identical.";
+  EXPECT_EQ(NextSteps(diagnosis).front(),
+            "Find out first whether it is sensor_lag or thruster_lag. No velocity log alone can: "
+            "the two are identical.");
+}
+
+// Advice on a dozen effects helps nobody: the experiment comes first.
+TEST(NextSteps, LeaveTheAdviceOutWhereAlternativesAreMany) {
+  Diagnosis diagnosis = AmbiguousDiagnosis();
+  diagnosis.causes[0].alternatives = {
+      "thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"};
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre("Find out first whether it is sensor_lag or any of thruster_lag, "
+                          "time_offset, thrust_curve, fluid_memory, thrust_fade. To decide: large "
+                          "steps, to speeds where quadratic drag matters (in linear drag lags "
+                          "commute)."));
+}
+
+TEST(NextSteps, SayWhatBelongsToTheRun) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  AddCause("steady_current", {0.05}, {0.002}, &diagnosis);
+  EXPECT_EQ(NextSteps(diagnosis).back(),
+            "steady_current belongs to this run: fathom_simulate leaves it out on any other log.");
+}
+
+TEST(NextSteps, SayWhatAVerdictWithoutCausesMeans) {
+  EXPECT_THAT(NextSteps(ConsistentDiagnosis()),
+              ElementsAre(HasSubstr("within the speeds and commands of this data")));
+  EXPECT_THAT(NextSteps(UnexplainedDiagnosis()), ElementsAre(HasSubstr("adding_an_effect.md")));
+}
+
+}  // namespace
+}  // namespace fathom

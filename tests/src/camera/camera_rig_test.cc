@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/camera/camera_rig.h"
+
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+const std::map<std::string, std::string> kFiles = {
+    {"camera.yaml",
+     "cam0: {camera_model: pinhole, distortion_model: none, intrinsics: [500, 510, 320, 240], "
+     "resolution: [640, 480]}\n"},
+    {"tags.yaml",
+     "family: tag36h11\ntags: [{id: 4, size: 0.16, world_from_tag: {position: [2, 0, 0.5], "
+     "quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n"},
+    {"mount.yaml",
+     "body_from_camera: {position: [0.2, 0, 0.05], quaternion: [0.5, 0.5, 0.5, 0.5]}\n"}};
+
+std::filesystem::path FolderWithout(const std::string& file) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "camera_rig_test" / test->name();
+  std::filesystem::remove_all(folder);
+  for (const auto& [name, text] : kFiles) {
+    if (name != file) WriteFile(folder / name, text);
+  }
+  return folder;
+}
+
+TEST(CameraRig, ReadsTheThreeFiles) {
+  const CameraRig rig = ReadCameraRig(FolderWithout(""));
+  EXPECT_EQ(rig.camera.fy, 510.0);
+  ASSERT_NE(rig.map.Find(4), nullptr);
+  // The camera looks ahead: its z axis is the body's x, its x the body's y.
+  EXPECT_TRUE((rig.body_from_camera * Eigen::Vector3d(0.0, 0.0, 1.0))
+                  .isApprox(Eigen::Vector3d(1.2, 0.0, 0.05)));
+  EXPECT_TRUE((rig.body_from_camera * Eigen::Vector3d(1.0, 0.0, 0.0))
+                  .isApprox(Eigen::Vector3d(0.2, 1.0, 0.05)));
+}
+
+TEST(CameraRig, SaysWhatIsMissing) {
+  const std::map<std::string, std::string> meanings = {
+      {"camera.yaml", "the camera's calibration"},
+      {"tags.yaml", "size and place of the markers"},
+      {"mount.yaml", "the camera's place on the vehicle"}};
+  for (const auto& [file, meaning] : meanings) {
+    const auto folder = FolderWithout(file);
+    try {
+      ReadCameraRig(folder);
+      FAIL() << file;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                folder.string() + ": holds no " + file + " (" + meaning +
+                    "), expected it in a camera log. See docs/file_formats.md.");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/camera/marker_map.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace fathom {
+
+// A camera with a bent lens, 90 degrees wide.
+inline CameraModel SyntheticCamera() {
+  return {.width = 1280,
+          .height = 960,
+          .fx = 640.0,
+          .fy = 645.0,
+          .cx = 633.0,
+          .cy = 487.0,
+          .lens = LensModel::kPlumbBob,
+          .coefficients = {-0.11, 0.02, 0.0004, -0.0003, -0.001}};
+}
+
+// A wall ahead (x north): its tags' z axes point north, their x axes east, their y axes down.
+inline Pose OnTheWall(double east, double down) {
+  Eigen::Matrix3d world_from_tag;
+  world_from_tag << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  return {Eigen::Quaterniond(world_from_tag), {3.0, east, down}};
+}
+
+// One marker of 0.4 m in the middle; or four of 0.2 m around it.
+inline MarkerMap SingleMarker() {
+  return {{{.id = 0, .size = 0.4, .family = "tag36h11", .world_from_tag = OnTheWall(0.0, 0.0)}}};
+}
+inline MarkerMap FourMarkers() {
+  MarkerMap map;
+  int id = 0;
+  for (const double east : {-0.6, 0.6}) {
+    for (const double down : {-0.4, 0.4}) {
+      map.markers.push_back(
+          {.id = id++, .size = 0.2, .family = "tag36h11", .world_from_tag = OnTheWall(east, down)});
+    }
+  }
+  return map;
+}
+
+// The camera looks north from about the origin, `tilt` [rad] off to the east, and moves to and fro.
+inline Pose CameraPoseAt(double t, double tilt) {
+  Pose pose = OnTheWall(0.2 * std::sin(0.5 * t), 0.15 * std::sin(0.3 * t));
+  pose.translation.x() = 0.4 * std::sin(0.4 * t);
+  pose.translation.y() -= 2.5 * std::sin(tilt);
+  const Eigen::Vector3d phi(0.05 * std::sin(0.7 * t), tilt + 0.04 * std::sin(0.6 * t), 0.0);
+  pose.rotation =
+      pose.rotation *
+      Eigen::AngleAxisd(phi.norm() + 1e-12, (phi + Eigen::Vector3d(1e-12, 0, 0)).normalized());
+  return pose;
+}
+
+// Corners with independent normal noise.
+inline void AddNoise(double sigma, std::mt19937* random, std::vector<Detection>* detections) {
+  std::normal_distribution<double> normal;
+  for (Detection& detection : *detections) {
+    for (Eigen::Vector2d& corner : detection.corners) {
+      corner.x() += sigma * normal(*random);
+      corner.y() += sigma * normal(*random);
+    }
+  }
+}
+
+// A false decode: the right id on a square of somewhere else, up to `farthest` [px] from its
+// marker.
+inline void PutElsewhere(double farthest, std::mt19937* random, Detection* detection) {
+  std::uniform_real_distribution<double> u(100.0, 1180.0), v(100.0, 860.0), half(10.0, 50.0);
+  std::uniform_real_distribution<double> turn(-0.5, 0.5);
+  const Eigen::Vector2d was = 0.25 * (detection->corners[0] + detection->corners[1] +
+                                      detection->corners[2] + detection->corners[3]);
+  Eigen::Vector2d centre;
+  do {
+    centre = {u(*random), v(*random)};
+  } while ((centre - was).norm() < 5.0 || (centre - was).norm() > farthest);
+  const double angle = turn(*random), size = half(*random);
+  const Eigen::Vector2d right(size * std::cos(angle), size * std::sin(angle));
+  const Eigen::Vector2d down(-right.y(), right.x());
+  detection->corners = {
+      centre - right + down, centre + right + down, centre + right - down, centre - right - down};
+}
+
+struct SyntheticRecord {
+  std::vector<double> time;             // of all frames
+  std::vector<Pose> world_from_camera;  // the truth
+  std::vector<Detection> detections;
+};
+
+// Frames at 10 Hz with uneven stamps.
+inline SyntheticRecord MakeRecord(
+    const MarkerMap& map, int num_frames, double tilt, double sigma, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> jitter(-0.02, 0.02);
+  SyntheticRecord record;
+  for (int i = 0; i < num_frames; ++i) {
+    const double t = 100.0 + 0.1 * i + jitter(random);
+    record.time.push_back(t);
+    record.world_from_camera.push_back(CameraPoseAt(t, tilt));
+    for (const Detection& detection :
+         ObserveCorners(SyntheticCamera(), map, record.world_from_camera.back(), t)) {
+      record.detections.push_back(detection);
+    }
+  }
+  AddNoise(sigma, &random, &record.detections);
+  return record;
+}
+
+}  // namespace fathom

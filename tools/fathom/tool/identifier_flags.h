@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/comparison/identification.h"
+#include "fathom/tool/log_flags.h"
+
+#include <string>
+
+#include <gflags/gflags_declare.h>
+
+// Flags that the identifying tools share.
+DECLARE_string(gains);
+DECLARE_string(integrator);
+DECLARE_double(huber);
+DECLARE_double(shooting_window);
+
+namespace fathom {
+
+// Options of the families as --gains, --integrator, --huber and --shooting_window say. Throws
+// InputError for a value that cannot be used.
+IdentificationOptions IdentificationOptionsFromFlags();
+
+}  // namespace fathom

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/log_flags.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_fingerprint.h"
+#include "fathom/log/read_log.h"
+#include "fathom/marker_trajectory/camera_source.h"
+#include "fathom/vehicle/vehicle_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(log,
+              "",
+              "Log folder, or a single CSV with columns t, tau, v (then --dof is needed).");
+DEFINE_string(velocity, "", "Read this CSV as the velocity stream instead of the log's.");
+namespace fathom {
+
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  if (text.empty()) return parts;
+  size_t begin = 0;
+  while (true) {
+    const size_t comma = text.find(',', begin);
+    parts.push_back(text.substr(begin, comma - begin));
+    if (comma == std::string::npos) return parts;
+    begin = comma + 1;
+  }
+}
+
+std::vector<std::string> LogPathsFromFlags() {
+  namespace fs = std::filesystem;
+  std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
+  std::vector<fs::path> places;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    fs::path place = fs::canonical(path, error);
+    if (error) continue;  // the reader says what is wrong with it
+    if (std::find(places.begin(), places.end(), place) != places.end()) {
+      throw InputError(fmt::format(
+          "--log: names {} twice, expected each log once: its data would count as twice "
+          "as much as they are.",
+          path));
+    }
+    places.push_back(std::move(place));
+  }
+  return paths;
+}
+
+void RequireDifferentData(const std::vector<Log>& logs) {
+  std::map<std::string, std::string> path_of;
+  for (const Log& log : logs) {
+    const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());
+    if (is_new) continue;
+    throw InputError(fmt::format(
+        "--log: {} and {} hold the same data, expected each run once: it would count as twice as "
+        "much as it is.",
+        other->second,
+        log.path.string()));
+  }
+}
+
+std::vector<std::string> InputsFromFlags() {
+  std::vector<std::string> inputs = LogPathsFromFlags();
+  if (!FLAGS_velocity.empty()) inputs.push_back(FLAGS_velocity);
+  return inputs;
+}
+
+Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {
+  ReadLogOptions options;
+  options.dof = dof;
+  options.velocity = FLAGS_velocity;
+  options.may_lack_motion = may_lack_motion;
+  Log log = ReadLog(path, options);
+  const bool has_thrusters = log.command && !log.command->columns.empty() &&
+                             log.command->columns[0].starts_with("thruster");
+  if (has_thrusters) {
+    if (!log.vehicle.ends_with(".yaml")) {
+      throw InputError(fmt::format(
+          "{}: command.csv holds thruster speeds, but log.yaml names no vehicle file to turn them "
+          "into forces. Add `vehicle: file.yaml`.",
+          path));
+    }
+    log.command = ForcesFromThrusters(*log.command, ReadVehicleFile(log.path / log.vehicle));
+  }
+  for (const std::string& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  if (!may_lack_motion && !log.velocity) AddCameraSource(&log);
+  return log;
+}
+
+void AddCameraSource(Log* log) {
+  const size_t num_printed = log->remarks.size();
+  TrackDetections(log);
+  for (size_t i = num_printed; i < log->remarks.size(); ++i) {
+    std::fprintf(stderr, "%s\n", log->remarks[i].c_str());
+  }
+}
+
+void AddCameraSourceIfUsable(Log* log) {
+  try {
+    AddCameraSource(log);
+  } catch (const InputError& error) {
+    log->remarks.push_back(std::string("The source camera is left out: ") + error.what());
+    std::fprintf(stderr, "%s\n", log->remarks.back().c_str());
+  }
+}
+
+}  // namespace fathom

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/tool.h"
+
+#include "fathom/base/files/temporary.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/number.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+using Flag = gflags::CommandLineFlagInfo;
+
+// The flags that are defined in the folder tools/, by name; not those of gflags and glog.
+std::vector<Flag> OwnFlags() {
+  std::vector<Flag> flags;
+  gflags::GetAllFlags(&flags);
+  std::erase_if(flags, [](const Flag& flag) {
+    return std::filesystem::path(flag.filename).parent_path().filename() != "tools";
+  });
+  std::sort(
+      flags.begin(), flags.end(), [](const Flag& a, const Flag& b) { return a.name < b.name; });
+  return flags;
+}
+
+const Flag* Find(const std::vector<Flag>& flags, std::string_view name) {
+  const auto found =
+      std::find_if(flags.begin(), flags.end(), [&](const Flag& flag) { return flag.name == name; });
+  return found == flags.end() ? nullptr : &*found;
+}
+
+std::string_view ExpectedValue(const Flag& flag) {
+  if (flag.type == "bool") return "true or false";
+  if (flag.type == "double") return "a number";
+  if (flag.type == "uint32" || flag.type == "uint64") return "a whole number, at least 0";
+  if (flag.type == "int32" || flag.type == "int64") return "a whole number";
+  return "a text";
+}
+
+void SetFlag(const Flag& flag, const std::string& value) {
+  const bool is_finite = flag.type != "double" || ParseFiniteNumber(value);
+  if (!is_finite || gflags::SetCommandLineOption(flag.name.c_str(), value.c_str()).empty()) {
+    throw InputError(
+        fmt::format("--{}: is {}, expected {}.", flag.name, Quoted(value), ExpectedValue(flag)));
+  }
+}
+
+void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
+  const std::string& tool = info.name;
+  const std::vector<Flag> flags = OwnFlags();
+  std::set<std::string> given;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    const std::size_t dashes = argument.starts_with("--") ? 2 : argument.starts_with("-") ? 1 : 0;
+    if (dashes == 0 || argument.size() == dashes) {
+      throw InputError(fmt::format(
+          "{}: is no flag, expected --name=value. See {} --help.", Quoted(argument), tool));
+    }
+    const std::size_t equals = argument.find('=');
+    const std::string name =
+        argument.substr(dashes, equals == std::string::npos ? std::string::npos : equals - dashes);
+    const Flag* flag = Find(flags, name);
+    std::string value;
+    if (equals != std::string::npos) {
+      value = argument.substr(equals + 1);
+    } else if (flag != nullptr && flag->type == "bool") {
+      value = "true";
+    } else if (flag != nullptr && i + 1 < arguments.size()) {
+      value = arguments[++i];
+    } else if (flag != nullptr) {
+      throw InputError(fmt::format("--{}: has no value, expected {}.", name, ExpectedValue(*flag)));
+    } else if (name.starts_with("no")) {
+      flag = Find(flags, std::string_view(name).substr(2));
+      if (flag != nullptr && flag->type != "bool") flag = nullptr;
+      value = "false";
+    }
+    if (flag == nullptr) {
+      throw InputError(
+          fmt::format("--{}: there is no such flag. See {} --help.", Printable(name), tool));
+    }
+    const bool may_repeat = std::ranges::count(info.repeatable_flags, flag->name) > 0;
+    if (!given.insert(flag->name).second) {
+      std::string before;
+      if (may_repeat && gflags::GetCommandLineOption(flag->name.c_str(), &before)) {
+        SetFlag(*flag, before + "," + value);
+        continue;
+      }
+      throw InputError(fmt::format("--{}: is given twice, expected once.", flag->name));
+    }
+    SetFlag(*flag, value);
+  }
+}
+
+// As a person would write it: gflags gives 0.05 all seventeen digits.
+std::string DefaultOf(const Flag& flag) {
+  return flag.type == "double" ? fmt::format("{}", std::stod(flag.default_value))
+                               : flag.default_value;
+}
+
+void PrintHelp(const ToolInfo& info) {
+  fmt::print("{}\n\nUsage: {} {}\n\n", info.summary, info.name, info.usage);
+  for (const Flag& flag : OwnFlags()) {
+    fmt::print("  --{}", flag.name);
+    if (flag.type != "string") {
+      fmt::print(" (default {})", DefaultOf(flag));
+    } else if (!flag.default_value.empty()) {
+      fmt::print(" (default \"{}\")", flag.default_value);
+    }
+    fmt::print("\n      {}\n", flag.description);
+  }
+  fmt::print("\nExample:\n\n  {}\n", info.example);
+  if (!info.details.empty()) fmt::print("\n{}\n", info.details);
+  fmt::print(
+      "\nExit code 0: a usable result; 1: input or flags cannot be used; 2: no usable fit.\n");
+}
+
+int ReadFlagsAndRun(const std::vector<std::string>& arguments,
+                    const ToolInfo& info,
+                    const std::function<int()>& run) {
+  const auto given = [&](const char* flag) {
+    return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
+  };
+  if (given("--help") || given("-help") || given("-h")) {
+    PrintHelp(info);
+    return 0;
+  }
+  if (given("--version") || given("-version")) {
+    fmt::print("{} {}\n", info.name, FATHOM_VERSION);
+    return 0;
+  }
+  ReadFlags(arguments, info);
+  return run();
+}
+
+}  // namespace
+
+int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run) {
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_WARNING;
+  google::InitGoogleLogging(info.name.c_str());
+  RemoveTemporariesOnInterrupt();
+  int exit_code = 1;
+  std::string problem;
+  try {
+    exit_code = ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
+  } catch (const std::bad_alloc&) {
+    problem = "the memory does not suffice.";
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (problem.empty() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+    problem = "cannot write to standard output.";
+  }
+  if (problem.empty()) return exit_code;
+  std::fflush(stdout);
+  fmt::print(stderr, "{}: {}\n", info.name, problem);
+  return 1;
+}
+
+const std::string& RequireFlag(const std::string& name,
+                               const std::string& value,
+                               const std::string& expected) {
+  if (value.empty()) {
+    throw InputError(fmt::format("--{}: is missing, expected {}.", name, expected));
+  }
+  return value;
+}
+
+}  // namespace fathom
