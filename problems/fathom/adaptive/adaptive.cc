@@ -6,6 +6,7 @@
 #include "fathom/adaptive/choose_gains.h"
 #include "fathom/adaptive/pass.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/interval95.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
 constexpr size_t kLongestHistory = 1000;
 constexpr double kLastPart = 1.0 / 3.0;  // of the pass, over which the scatter is taken
 constexpr double kHeaviest = 0.99e5;     // [kg]: alpha has not left its lower bound
@@ -106,7 +106,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
     summary.message = fmt::format(
         "The inertia did not converge: {:.4g} +- {:.2g} over the last third of the pass.",
         model.inertia,
-        kNormal95 * inertia_std);
+        kStdsOf95 * inertia_std);
     return summary;
   }
   summary.model = model;

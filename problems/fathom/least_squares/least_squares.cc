@@ -4,6 +4,7 @@
 #include "fathom/least_squares/least_squares.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/interval95.h"
 #include "fathom/least_squares/regression.h"
 
 #include <cmath>
@@ -15,7 +16,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
 constexpr int kFewestSamples = 8;  // two for each unknown
 
 // A parameter takes part in an undetermined direction (of length 1) with at least this.
@@ -25,7 +25,7 @@ constexpr double kTakesPart = 0.1;
 void AddCaveats(LeastSquaresSummary* summary) {
   const ParameterVector parameters = ToVector(summary->model);
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
-    const double half_width = kNormal95 * std::sqrt(summary->covariance(index, index));
+    const double half_width = kStdsOf95 * std::sqrt(summary->covariance(index, index));
     if (parameters[index] < 0.0) {
       summary->caveats.push_back(fmt::format(
           "{} is negative ({:.4g} +- {:.2g}): unphysical. Another term or an unmodelled "
@@ -129,13 +129,13 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
         1.0 / alpha);
     return summary;
   }
-  if (alpha < kNormal95 * alpha_std) {
+  if (alpha < kStdsOf95 * alpha_std) {
     summary.not_determined = {kParameterInfo[kInertia].name};
     summary.message = fmt::format(
         "The data do not determine the inertia: its inverse is {:.3g} +- {:.2g} (95 %), which "
         "includes 0.",
         alpha,
-        kNormal95 * alpha_std);
+        kStdsOf95 * alpha_std);
     return summary;
   }
   summary.model = ModelFromVector(ParametersOf(lumped));  // (2)
