@@ -223,13 +223,4 @@ bool IsAllHeldOut(const Signals& signals) {
   return signals.train.empty() && !signals.held_out.empty();
 }
 
-void Append(const Signals& more, Signals* signals) {
-  const auto append = [](auto* to, const auto& from) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
-  append(&signals->train, more.train);
-  append(&signals->held_out, more.held_out);
-  append(&signals->remarks, more.remarks);
-}
-
 }  // namespace fathom

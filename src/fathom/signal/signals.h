@@ -47,7 +47,4 @@ inline constexpr std::string_view kAllIsHeldOut =
     "nothing is left to train on: the held-out intervals take all of the data.";
 bool IsAllHeldOut(const Signals& signals);
 
-// Adds the segments and remarks of another log, of the same DOF, source and unit.
-void Append(const Signals& more, Signals* signals);
-
 }  // namespace fathom
