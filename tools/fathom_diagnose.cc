@@ -13,7 +13,9 @@
 #include "fathom/joint_refinement/logs/one_marker_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/pose_remarks.h"
-#include "fathom/signal/signals.h"
+#include "fathom/signal/dof_of_log.h"
+#include "fathom/signal/sources_of_log.h"
+#include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/progress.h"
@@ -22,12 +24,12 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
 DEFINE_string(source,
               "",
               "pose_estimator (velocities only) or camera (poses only); all that the logs have if "
@@ -56,13 +58,6 @@ const ToolInfo kInfo = {
 
 constexpr std::size_t kMostCandidates = 8;
 
-Dof DofFromFlagOrLog(const Log& log) {
-  if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
-  if (log.dofs.size() == 1) return log.dofs.front();
-  throw InputError(
-      fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
-}
-
 DiagnosisOptions OptionsFromFlags() {
   DiagnosisOptions options;
   if (!(FLAGS_false_alarm_rate > 0.0 && FLAGS_false_alarm_rate <= 0.5)) {
@@ -74,47 +69,39 @@ DiagnosisOptions OptionsFromFlags() {
   return options;
 }
 
-// Leaves the log with the streams of --source.
-void ChooseSource(Log* log) {
+// The log with the motion streams of --source.
+Log WithSourceFromFlag(Log log) {
   if (FLAGS_source.empty()) {
-    AddCameraSourceIfUsable(log);
-    return;
+    AddCameraSourceIfUsable(&log);
+    return log;
   }
   const Source source = ParseFlag("source", FLAGS_source, ParseSource);
-  if (source == Source::kCamera) {
-    AddCameraSource(log);
-    if (log->pose) log->velocity.reset();
-  } else if (log->velocity) {
-    log->pose.reset();
+  if (source == Source::kCamera) AddCameraSource(&log);
+  log = WithSourceOnly(std::move(log), source);
+  if (!(source == Source::kCamera ? log.pose : log.velocity)) {
+    throw InputError(fmt::format("--source={}: {} has no such source.", FLAGS_source, log.name));
   }
-  if (!(source == Source::kCamera ? log->pose : log->velocity)) {
-    throw InputError(fmt::format("--source={}: {} has no such source.", FLAGS_source, log->name));
-  }
+  return log;
 }
 
 struct Logs {
+  Dof dof = Dof::kSurge;  // to be diagnosed
   std::vector<Log> all;
   std::vector<std::string> fingerprints;  // of the logs as they lie there, whatever --source
 };
 
 Logs LogsFromFlags() {
-  std::optional<Dof> dof;
-  if (!FLAGS_dof.empty()) dof = ParseFlag("dof", FLAGS_dof, ParseDof);
-  const std::vector<std::string> paths = LogPathsFromFlags();
-  if (!FLAGS_velocity.empty() && paths.size() > 1) {
-    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
-  }
+  const std::optional<Dof> dof = DofFromFlag();
   Logs logs;
-  for (const std::string& path : paths) {
-    logs.all.push_back(ReadLogFromFlags(path, dof));
-    logs.fingerprints.push_back(FingerprintOf(logs.all.back()));
+  logs.all = ReadLogsFromFlags(dof);
+  for (Log& log : logs.all) {
+    logs.fingerprints.push_back(FingerprintOf(log));
+    log = WithSourceFromFlag(std::move(log));
   }
-  RequireDifferentData(logs.all);
-  for (Log& log : logs.all) ChooseSource(&log);
-  const Dof diagnosed = DofFromFlagOrLog(logs.all.front());
+  logs.dof = DofOf(logs.all.front(), dof);
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
-    HoldOtherDofs(diagnosed, &log, [&](int round, int most) { progress.Show(round, most); });
+    HoldOtherDofs(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });
   }
   return logs;
 }
@@ -138,7 +125,7 @@ int Run() {
   const DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
-  Diagnosis diagnosis = Diagnose(logs.all, DofFromFlagOrLog(logs.all.front()), options);
+  Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
     return 2;

@@ -13,7 +13,8 @@
 #include "fathom/comparison/image_comparison_page.h"
 #include "fathom/geometry/stamped_pose.h"
 #include "fathom/log/write_log.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/dof_of_log.h"
+#include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/progress.h"
@@ -29,7 +30,6 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
 DEFINE_string(initial_guess,
               "",
               "Start from this family's model: least_squares, adaptive or output_error. Not given: "
@@ -70,25 +70,6 @@ const ToolInfo kInfo = {
         "each family makes of the same images. Exit code 2: the refinement has no usable model. "
         "docs/joint_refinement.md.",
     .repeatable_flags = {"log"}};
-
-Dof DofFromFlagOrLogs(const std::vector<Log>& logs) {
-  if (!FLAGS_dof.empty()) return ParseFlag("dof", FLAGS_dof, ParseDof);
-  for (const Log& log : logs) {
-    if (log.dofs.size() != 1) {
-      throw InputError(fmt::format("--dof: is missing, and {} names {} DOFs; say which.",
-                                   FileOf(log, "log.yaml"),
-                                   log.dofs.size()));
-    }
-    if (log.dofs != logs.front().dofs) {
-      throw InputError(fmt::format("--dof: is missing, and {} names {}, but {} {}; say which.",
-                                   FileOf(logs.front(), "log.yaml"),
-                                   Name(logs.front().dofs.front()),
-                                   FileOf(log, "log.yaml"),
-                                   Name(log.dofs.front())));
-    }
-  }
-  return logs.front().dofs.front();
-}
 
 ImageComparisonOptions OptionsFromFlags() {
   ImageComparisonOptions options;
@@ -151,21 +132,13 @@ int RunRefine() {
                   {"trajectory", FLAGS_trajectory},
                   {"report", FLAGS_report}},
                  InputsFromFlags());
-  std::optional<Dof> given;
-  if (!FLAGS_dof.empty()) given = ParseFlag("dof", FLAGS_dof, ParseDof);
-  std::vector<Log> logs;
-  for (const std::string& path : LogPathsFromFlags()) {
-    // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
-    logs.push_back(ReadLogFromFlags(path, given, /*may_lack_motion=*/true));
-  }
-  RequireDifferentData(logs);
+  const std::optional<Dof> given = DofFromFlag();
+  // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
+  std::vector<Log> logs = ReadLogsFromFlags(given, /*may_lack_motion=*/true);
   if (!FLAGS_trajectory.empty() && logs.size() > 1) {
     throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
   }
-  if (!FLAGS_velocity.empty() && logs.size() > 1) {
-    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
-  }
-  const Dof dof = DofFromFlagOrLogs(logs);
+  const Dof dof = DofOfAll(logs, given);
   const MarkerLogs markers = PrepareMarkerLogs(std::move(logs), dof);
   std::optional<Progress> progress(std::in_place, "round");
   options.identification.joint.on_round = [&](int round, int most) { progress->Show(round, most); };

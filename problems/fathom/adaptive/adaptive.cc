@@ -6,6 +6,7 @@
 #include "fathom/adaptive/choose_gains.h"
 #include "fathom/adaptive/pass.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/interval95.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
-constexpr size_t kLongestHistory = 1000;
 constexpr double kLastPart = 1.0 / 3.0;  // of the pass, over which the scatter is taken
 constexpr double kHeaviest = 0.99e5;     // [kg]: alpha has not left its lower bound
 constexpr double kMostScatter = 0.5;     // of the inertia's sd, by its value
@@ -70,7 +69,6 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   size_t n = 0;
   for (const PassSegment& segment : pass) n += segment.time.size();
   summary.num_samples = static_cast<int>(n);
-  summary.gains_were_chosen = !options.gains;
   summary.gains = options.gains ? *options.gains : ChooseGains(segments);
   if (!summary.gains.Problems().empty()) {
     summary.message =
@@ -80,14 +78,11 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   }
 
   AdaptiveIdentifier identifier({.gains = summary.gains, .integrator = options.integrator});
-  const size_t stride = 1 + (n - 1) / kLongestHistory;
   const auto last_part_begin = static_cast<size_t>((1.0 - kLastPart) * static_cast<double>(n));
   Models last_part;
-  Feed(pass, &identifier, [&](double t) {
+  Feed(pass, &identifier, [&] {
     const auto k = static_cast<size_t>(identifier.num_samples() - 1);
-    const UncoupledModel<double> estimate = identifier.Estimate();
-    if (k % stride == 0 || k + 1 == n) summary.history.push_back({t, estimate});
-    if (k >= last_part_begin) last_part.push_back(ToVector(estimate));
+    if (k >= last_part_begin) last_part.push_back(ToVector(identifier.Estimate()));
   });
   if (!identifier.IsFinite()) {
     summary.message = "The adaptive law diverged: with these gains its step is too long.";
@@ -106,7 +101,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
     summary.message = fmt::format(
         "The inertia did not converge: {:.4g} +- {:.2g} over the last third of the pass.",
         model.inertia,
-        kNormal95 * inertia_std);
+        kStdsOf95 * inertia_std);
     return summary;
   }
   summary.model = model;

@@ -16,12 +16,6 @@
 
 namespace fathom {
 
-// The estimate after the sample at `time`.
-struct AdaptiveEstimate {
-  double time = 0.0;  // [s]
-  UncoupledModel<double> model;
-};
-
 // What FitAdaptive found. Numbers that were not computed are NaN.
 struct AdaptiveSummary {
   bool usable = false;
@@ -36,9 +30,7 @@ struct AdaptiveSummary {
   ParameterCovariance covariance =
       ParameterCovariance::Constant(std::numeric_limits<double>::quiet_NaN());
 
-  AdaptiveGains gains;                    // that were used
-  bool gains_were_chosen = false;         // by ChooseGains, not given
-  std::vector<AdaptiveEstimate> history;  // thinned, in time order
+  AdaptiveGains gains;  // that were used
   int num_samples = 0;
   std::vector<std::string> caveats;  // what the intervals do not cover, a sentence each
 

@@ -5,7 +5,7 @@
 
 #include "fathom/adaptive/adaptive_identifier.h"
 #include "fathom/adaptive/pass.h"
-#include "fathom/signal/excitation.h"
+#include "fathom/signal/dominant_tone.h"
 #include "fathom/simulate/simulate.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ class Search {
   // Sum of squares of what the free run of the final model misses; infinite if it diverges.
   double Score(const Point& point) {
     AdaptiveIdentifier identifier({.gains = GainsAt(point)});
-    Feed(pass_, &identifier, [](double) {});
+    Feed(pass_, &identifier, [] {});
     if (!identifier.IsFinite()) return kInfinity;
     const UncoupledModel<double> model = identifier.Estimate();
     double sum = 0.0;

@@ -23,14 +23,14 @@ struct PassSegment {
 // In time order.
 std::vector<PassSegment> PassOver(std::span<const Segment> segments);
 
-// Feeds everything to `identifier` and calls visit(t) after each sample.
+// Feeds everything to `identifier` and calls visit() after each sample.
 template <typename Visit>
 void Feed(const std::vector<PassSegment>& pass, AdaptiveIdentifier* identifier, Visit visit) {
   for (const PassSegment& segment : pass) {
     identifier->StartSegment();
     for (size_t i = 0; i < segment.time.size(); ++i) {
       identifier->Add(segment.time[i], segment.force[i], segment.velocity[i]);
-      visit(segment.time[i]);
+      visit();
     }
   }
 }

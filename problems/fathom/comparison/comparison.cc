@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/log_column.h"
+#include "fathom/signal/sources_of_log.h"
 
 #include <algorithm>
 
@@ -42,16 +43,48 @@ void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison
   for (const std::string& remark : remarks) result->remarks.push_back("Joint camera: " + remark);
 }
 
-}  // namespace
-
-std::vector<Source> SourcesOf(const Log& log, Dof dof) {
-  std::vector<Source> sources;
-  if (log.velocity && log.velocity->Find(VelocityColumn(dof)) != nullptr) {
-    sources.push_back(Source::kPoseEstimator);
+// The sources that a log has for `dof`, the best one first. Throws InputError if there is none.
+std::vector<Source> RequireSources(const Log& log, Dof dof) {
+  std::vector<Source> available = SourcesOf(log, dof);
+  if (available.empty()) {
+    throw InputError(
+        fmt::format("{}: nothing measures {}: velocity.csv has no column '{}' and there is no "
+                    "pose.csv.",
+                    log.path.string(),
+                    Name(dof),
+                    VelocityColumn(dof)));
   }
-  if (log.pose) sources.push_back(Source::kCamera);
-  return sources;
+  return available;
 }
+
+DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& options) {
+  const std::vector<Source> available = RequireSources(log, dof);
+  DofComparison result;
+  result.dof = dof;
+  result.scored = SignalsOf(log, dof, {.source = available.front()});
+  result.findings = CheckSanity(result.scored);
+  result.remarks = result.scored.remarks;
+  bool is_all_held_out = true;
+  for (const Source source : options.sources.empty() ? available : options.sources) {
+    Signals signals = result.scored;
+    if (source != available.front()) {
+      signals = SignalsOf(log, dof, {.source = source});
+      result.remarks.insert(result.remarks.end(), signals.remarks.begin(), signals.remarks.end());
+    }
+    is_all_held_out = is_all_held_out && IsAllHeldOut(signals);
+    for (const Family family : kSignalFamilies) {
+      if (!IsAmong(options.families, family)) continue;
+      result.rows.push_back(Identify(signals, result.scored, family, options.identification));
+    }
+  }
+  if (is_all_held_out) {
+    throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
+  }
+  AddJointRow(log, options, &result);
+  return result;
+}
+
+}  // namespace
 
 Comparison Compare(const Log& log, const ComparisonOptions& options) {
   Comparison comparison;
@@ -62,40 +95,7 @@ Comparison Compare(const Log& log, const ComparisonOptions& options) {
     throw InputError(
         fmt::format("{}: log.yaml names no dof; say which with --dofs.", log.path.string()));
   }
-  for (const Dof dof : dofs) {
-    const std::vector<Source> available = SourcesOf(log, dof);
-    if (available.empty()) {
-      throw InputError(
-          fmt::format("{}: nothing measures {}: velocity.csv has no column '{}' and there is no "
-                      "pose.csv.",
-                      log.path.string(),
-                      Name(dof),
-                      VelocityColumn(dof)));
-    }
-    DofComparison result;
-    result.dof = dof;
-    result.scored = SignalsOf(log, dof, {.source = available.front()});
-    result.findings = CheckSanity(result.scored);
-    result.remarks = result.scored.remarks;
-    bool is_all_held_out = true;
-    for (const Source source : options.sources.empty() ? available : options.sources) {
-      Signals signals = result.scored;
-      if (source != available.front()) {
-        signals = SignalsOf(log, dof, {.source = source});
-        result.remarks.insert(result.remarks.end(), signals.remarks.begin(), signals.remarks.end());
-      }
-      is_all_held_out = is_all_held_out && IsAllHeldOut(signals);
-      for (const Family family : kSignalFamilies) {
-        if (!IsAmong(options.families, family)) continue;
-        result.rows.push_back(Identify(signals, result.scored, family, options.identification));
-      }
-    }
-    if (is_all_held_out) {
-      throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
-    }
-    AddJointRow(log, options, &result);
-    comparison.dofs.push_back(std::move(result));
-  }
+  for (const Dof dof : dofs) comparison.dofs.push_back(CompareAlong(dof, log, options));
   return comparison;
 }
 

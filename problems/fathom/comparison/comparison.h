@@ -48,7 +48,4 @@ struct Comparison {
 // asked for and the corners do not serve the joint refinement, a remark says why.
 Comparison Compare(const Log& log, const ComparisonOptions& options = {});
 
-// The sources this log has for `dof`.
-std::vector<Source> SourcesOf(const Log& log, Dof dof);
-
 }  // namespace fathom

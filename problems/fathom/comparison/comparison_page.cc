@@ -3,6 +3,7 @@
 
 #include "fathom/comparison/comparison_page.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 #include "fathom/simulate/prediction.h"
 
@@ -102,7 +103,7 @@ std::string Sentence(const DofComparison& comparison) {
       HasHeldOut(comparison) ? "on data it has not seen"
                              : "on the data it was fitted to (none are held out)",
       FormatValue(best->fitted.model.inertia,
-                  1.96 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
+                  kStdsOf95 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
       ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit));
 }
 

@@ -27,6 +27,50 @@ std::string FiguresText(const char* where, const FitFigures& figures, std::strin
                      figures.duration);
 }
 
+// A row of the table: a number with its interval, which does not reach below `lower_bound`.
+TableRow RowOf(const std::string& name,
+               const Ratio& number,
+               const std::string& unit,
+               double lower_bound,
+               double share) {
+  return {{name,
+           FormatValue(number.value, number.std),
+           unit,
+           FormatInterval(number.value, number.std, lower_bound),
+           std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"}};
+}
+
+bool HasSiForce(const FittedModel& fitted) { return fitted.force_unit == ForceUnit(fitted.dof); }
+
+// The parameters, and their ratios where only these are of the vehicle.
+Table ParameterTable(const Identification& identification) {
+  const FittedModel& fitted = identification.fitted;
+  const ParameterVector values = ToVector(fitted.model);
+  Table table;
+  table.columns = {
+      {"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}, {"own share", true}};
+  for (int i = 0; i < kNumParameters; ++i) {
+    table.rows.push_back(RowOf(kParameterInfo[i].name,
+                               {values[i], std::sqrt(fitted.covariance(i, i))},
+                               ParameterUnit(i, fitted.dof, fitted.force_unit),
+                               kParameterInfo[i].lower_bound,
+                               identification.share[i]));
+  }
+  if (HasSiForce(fitted)) return table;
+  const char* const per_length = IsAngular(fitted.dof) ? "1/rad" : "1/m";
+  table.rows.push_back(RowOf("linear_damping / inertia",
+                             RatioOf(fitted, kLinearDamping, kInertia),
+                             "1/s",
+                             0.0,
+                             kNotComputed));
+  table.rows.push_back(RowOf("quadratic_damping / inertia",
+                             RatioOf(fitted, kQuadraticDamping, kInertia),
+                             per_length,
+                             0.0,
+                             kNotComputed));
+  return table;
+}
+
 }  // namespace
 
 Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator) {
@@ -49,45 +93,8 @@ std::string FormatIdentification(const Identification& identification) {
                                  identification.message);
   if (!identification.is_usable) return text;
 
-  Table table;
-  table.columns = {
-      {"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}, {"own share", true}};
-  const ParameterVector values = ToVector(fitted.model);
-  const auto add = [&](const std::string& name,
-                       double value,
-                       double std,
-                       const std::string& unit,
-                       double lower_bound,
-                       double share) {
-    table.rows.push_back({{name,
-                           FormatValue(value, std),
-                           unit,
-                           FormatInterval(value, std, lower_bound),
-                           std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"}});
-  };
-  for (int i = 0; i < kNumParameters; ++i) {
-    add(kParameterInfo[i].name,
-        values[i],
-        std::sqrt(fitted.covariance(i, i)),
-        ParameterUnit(i, fitted.dof, fitted.force_unit),
-        kParameterInfo[i].lower_bound,
-        identification.share[i]);
-  }
-  const bool has_si_force = fitted.force_unit == ForceUnit(fitted.dof);
-  if (!has_si_force) {
-    const Ratio linear = RatioOf(fitted, kLinearDamping, kInertia);
-    const Ratio quadratic = RatioOf(fitted, kQuadraticDamping, kInertia);
-    const char* const per_length = IsAngular(fitted.dof) ? "1/rad" : "1/m";
-    add("linear_damping / inertia", linear.value, linear.std, "1/s", 0.0, kNotComputed);
-    add("quadratic_damping / inertia",
-        quadratic.value,
-        quadratic.std,
-        per_length,
-        0.0,
-        kNotComputed);
-  }
-  text += FormatTable(table);
-  if (!has_si_force) {
+  text += FormatTable(ParameterTable(identification));
+  if (!HasSiForce(fitted)) {
     text += fmt::format(
         "The command is in {}, not in {}: only the ratios are of the vehicle; the other figures "
         "carry the unknown thrust per {}.\n",

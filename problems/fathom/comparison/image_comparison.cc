@@ -4,6 +4,7 @@
 #include "fathom/comparison/image_comparison.h"
 
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/signal/joined_signals.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,27 +13,6 @@
 
 namespace fathom {
 namespace {
-
-// The signals of all logs as one, a segment each or more.
-struct SignalsOfLogs {
-  Signals all;
-  std::vector<size_t> log_of_train, log_of_held_out;  // of each segment
-};
-SignalsOfLogs SignalsOfAll(const MarkerLogs& logs, Source source) {
-  const SignalsOptions options = {.source = source};
-  SignalsOfLogs result;
-  for (size_t i = 0; i < logs.logs.size(); ++i) {
-    Signals own = SignalsOf(logs.logs[i], logs.dof, options);
-    if (i == 0) {
-      result.all = std::move(own);
-    } else {
-      Append(std::move(own), &result.all);
-    }
-    result.log_of_train.resize(result.all.train.size(), i);
-    result.log_of_held_out.resize(result.all.held_out.size(), i);
-  }
-  return result;
-}
 
 bool HasVelocity(const Log& log, Dof dof) {
   return log.velocity && log.velocity->Find(VelocityColumn(dof)) != nullptr;
@@ -62,12 +42,13 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   result.comparison.remarks = logs.remarks;
   DofComparison dof;
   dof.dof = logs.dof;
-  const SignalsOfLogs by_camera = SignalsOfAll(logs, Source::kCamera);
+  const JoinedSignals by_camera = JoinSignals(logs.logs, logs.dof, Source::kCamera);
   const Signals& camera = by_camera.all;
   const bool has_velocity = std::all_of(logs.logs.begin(), logs.logs.end(), [&](const Log& log) {
     return HasVelocity(log, logs.dof);
   });
-  SignalsOfLogs scored = has_velocity ? SignalsOfAll(logs, Source::kPoseEstimator) : by_camera;
+  JoinedSignals scored =
+      has_velocity ? JoinSignals(logs.logs, logs.dof, Source::kPoseEstimator) : by_camera;
   dof.scored = std::move(scored.all);
   dof.log_of_train = std::move(scored.log_of_train);
   dof.log_of_held_out = std::move(scored.log_of_held_out);

@@ -25,8 +25,6 @@ struct ImageComparisonOptions {
 struct ImageComparison {
   Comparison comparison;  // of one DOF; the joint row is the last one
   JointSummary joint;
-
-  const Identification& JointRow() const { return comparison.dofs.front().rows.back(); }
 };
 
 // What the joint refinement found a DOF to do that is not excited, along or about the mean body

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/result.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <cmath>
@@ -28,10 +29,9 @@ std::string_view Name(Verdict verdict) {
 std::string WhyOfNoUse(const Diagnosis& diagnosis) {
   if (!diagnosis.IsUsable()) return diagnosis.message;
   if (diagnosis.verdict != Verdict::kConsistent) return "";
-  constexpr double kNormal95 = 1.96;
   const double inertia = diagnosis.baseline.model.baseline.inertia;
   const double variance = diagnosis.baseline.covariance(kInertia, kInertia);
-  const double half_width = kNormal95 * std::sqrt(variance);
+  const double half_width = kStdsOf95 * std::sqrt(variance);
   if (half_width < inertia) return "";
   return fmt::format(
       "these logs do not determine the inertia: {:.3g} +- {:.2g} {} (95 %), and no cause that was "

@@ -4,6 +4,7 @@
 #include "fathom/least_squares/least_squares.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/interval95.h"
 #include "fathom/least_squares/regression.h"
 
 #include <cmath>
@@ -15,7 +16,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
 constexpr int kFewestSamples = 8;  // two for each unknown
 
 // A parameter takes part in an undetermined direction (of length 1) with at least this.
@@ -25,7 +25,7 @@ constexpr double kTakesPart = 0.1;
 void AddCaveats(LeastSquaresSummary* summary) {
   const ParameterVector parameters = ToVector(summary->model);
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
-    const double half_width = kNormal95 * std::sqrt(summary->covariance(index, index));
+    const double half_width = kStdsOf95 * std::sqrt(summary->covariance(index, index));
     if (parameters[index] < 0.0) {
       summary->caveats.push_back(fmt::format(
           "{} is negative ({:.4g} +- {:.2g}): unphysical. Another term or an unmodelled "
@@ -43,6 +43,90 @@ void AddCaveats(LeastSquaresSummary* summary) {
   summary->caveats.emplace_back(
       "The intervals take force and velocity as exact: noise of the velocity in v and v|v|, and "
       "whatever the model lacks, bias the parameters by an amount that they do not cover.");
+}
+
+// F = U S V' diag(length): columns of unit length, so that no unit decides what is determined.
+struct Decomposition {
+  Eigen::Vector4d length;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd;
+};
+
+Decomposition Decompose(const Eigen::MatrixX4d& F) {
+  Eigen::Vector4d length = F.colwise().norm();
+  for (int k = 0; k < 4; ++k) {
+    if (length[k] == 0.0) length[k] = 1.0;
+  }
+  const Eigen::MatrixXd scaled = F * length.cwiseInverse().asDiagonal();
+  return {length,
+          Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV)};
+}
+
+// Names of the parameters that take part in a direction whose singular value is below the share
+// `smallest` of the largest. Parameter k of (1) belongs to column k, and alpha to all of (2):
+// without it there is no inertia.
+std::vector<std::string> NotDetermined(const Decomposition& decomposition, double smallest) {
+  const Eigen::Vector4d S = decomposition.svd.singularValues();
+  const Eigen::Matrix4d V = decomposition.svd.matrixV();
+  std::vector<std::string> names;
+  for (int k = 0; k < 4; ++k) {
+    for (int direction = 0; direction < 4; ++direction) {
+      if (S[direction] >= smallest * S[0]) continue;
+      if (std::abs(V(k, direction)) < kTakesPart) continue;
+      names.emplace_back(kParameterInfo[k].name);
+      break;
+    }
+  }
+  return names;
+}
+
+// alpha, beta, mu and nu of (1).
+struct Lumped {
+  Eigen::Vector4d value;
+  Eigen::Matrix4d covariance;
+
+  double alpha() const { return value[0]; }
+  double alpha_std() const { return std::sqrt(covariance(0, 0)); }
+  bool IsFinite() const { return value.allFinite() && covariance.allFinite(); }
+};
+
+Lumped SolveLumped(const Decomposition& decomposition,
+                   const Regression& regression,
+                   int max_noise_order) {
+  const auto& [length, svd] = decomposition;
+  const Eigen::Vector4d S = svd.singularValues();
+  const Eigen::Matrix4d V = svd.matrixV();
+  const Eigen::Matrix4d scaled_inverse = length.cwiseInverse().asDiagonal() * V *
+                                         S.cwiseInverse().asDiagonal();  // (F'F)^-1 = its square
+  Lumped lumped;
+  lumped.value = scaled_inverse * (svd.matrixU().transpose() * regression.acceleration);  // (3)
+  const Eigen::VectorXd residual = regression.acceleration - regression.F * lumped.value;
+  lumped.covariance = CovarianceOf(regression,
+                                   residual,
+                                   scaled_inverse * scaled_inverse.transpose(),
+                                   max_noise_order);  // (4)
+  return lumped;
+}
+
+// Why there is no model; empty if there is one.
+std::string WhyNoModel(const Lumped& lumped) {
+  if (!lumped.IsFinite()) {
+    return "The solution is not finite: the samples are out of range.";
+  }
+  const double alpha = lumped.alpha(), half_width = kStdsOf95 * lumped.alpha_std();
+  if (!(alpha > 0.0)) {
+    return fmt::format(
+        "The inertia would be {:.4g}, expected above 0: force and acceleration point in opposite "
+        "directions. Check the sign of the force, the axes and the clocks.",
+        1.0 / alpha);
+  }
+  if (alpha < half_width) {
+    return fmt::format(
+        "The data do not determine the inertia: its inverse is {:.3g} +- {:.2g} (95 %), which "
+        "includes 0.",
+        alpha,
+        half_width);
+  }
+  return "";
 }
 
 }  // namespace
@@ -74,29 +158,10 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
         "Only {} samples have an acceleration, expected at least {}.", F.rows(), kFewestSamples);
     return summary;
   }
-
-  // F = U S V' diag(length): columns of unit length, so that no unit decides what is determined.
-  Eigen::Vector4d length = F.colwise().norm();
-  for (int k = 0; k < 4; ++k) {
-    if (length[k] == 0.0) length[k] = 1.0;
-  }
-  const Eigen::MatrixXd scaled = F * length.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::Vector4d S = svd.singularValues();
-  const Eigen::Matrix4d V = svd.matrixV();
-  summary.singular_values = Eigen::JacobiSVD<Eigen::MatrixX4d>(F).singularValues();
+  const Decomposition decomposition = Decompose(F);
+  const auto& S = decomposition.svd.singularValues();
   summary.condition_number = S[0] / S[3];
-
-  // Parameter k of (1) belongs to column k, and alpha to all of (2): without it there is no
-  // inertia.
-  for (int k = 0; k < 4; ++k) {
-    for (int direction = 0; direction < 4; ++direction) {
-      if (S[direction] >= options.smallest_singular_value * S[0]) continue;
-      if (std::abs(V(k, direction)) < kTakesPart) continue;
-      summary.not_determined.emplace_back(kParameterInfo[k].name);
-      break;
-    }
-  }
+  summary.not_determined = NotDetermined(decomposition, options.smallest_singular_value);
   if (!summary.not_determined.empty()) {
     summary.message = fmt::format(
         "The data do not determine {}: the columns of the regression are linearly dependent "
@@ -105,42 +170,16 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
         summary.condition_number);
     return summary;
   }
-
-  const Eigen::Matrix4d scaled_inverse = length.cwiseInverse().asDiagonal() * V *
-                                         S.cwiseInverse().asDiagonal();  // (F'F)^-1 = its square
-  const Eigen::Vector4d lumped =
-      scaled_inverse * (svd.matrixU().transpose() * regression.acceleration);  // (3)
-  const Eigen::VectorXd residual = regression.acceleration - F * lumped;
-  summary.relative_error = residual.norm() / regression.acceleration.norm();
-  const Eigen::Matrix4d lumped_covariance =
-      CovarianceOf(regression,
-                   residual,
-                   scaled_inverse * scaled_inverse.transpose(),
-                   options.max_noise_order);  // (4)
-  const double alpha = lumped[0], alpha_std = std::sqrt(lumped_covariance(0, 0));
-  if (!lumped.allFinite() || !lumped_covariance.allFinite()) {
-    summary.message = "The solution is not finite: the samples are out of range.";
+  const Lumped lumped = SolveLumped(decomposition, regression, options.max_noise_order);
+  summary.message = WhyNoModel(lumped);
+  if (!summary.message.empty()) {
+    const bool is_open = lumped.IsFinite() && lumped.alpha() > 0.0;
+    if (is_open) summary.not_determined = {kParameterInfo[kInertia].name};
     return summary;
   }
-  if (!(alpha > 0.0)) {
-    summary.message = fmt::format(
-        "The inertia would be {:.4g}, expected above 0: force and acceleration point in opposite "
-        "directions. Check the sign of the force, the axes and the clocks.",
-        1.0 / alpha);
-    return summary;
-  }
-  if (alpha < kNormal95 * alpha_std) {
-    summary.not_determined = {kParameterInfo[kInertia].name};
-    summary.message = fmt::format(
-        "The data do not determine the inertia: its inverse is {:.3g} +- {:.2g} (95 %), which "
-        "includes 0.",
-        alpha,
-        kNormal95 * alpha_std);
-    return summary;
-  }
-  summary.model = ModelFromVector(ParametersOf(lumped));  // (2)
-  const Eigen::Matrix4d J = ParameterJacobian(lumped);
-  summary.covariance = J * lumped_covariance * J.transpose();
+  summary.model = ModelFromVector(ParametersOf(lumped.value));  // (2)
+  const Eigen::Matrix4d J = ParameterJacobian(lumped.value);
+  summary.covariance = J * lumped.covariance * J.transpose();
   summary.usable = true;
   summary.message = fmt::format("Least squares over {} samples.", summary.num_samples);
   AddCaveats(&summary);

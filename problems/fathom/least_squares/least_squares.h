@@ -45,13 +45,6 @@ struct LeastSquaresSummary {
   // Largest over smallest singular value of the columns scaled to length 1.
   double condition_number = std::numeric_limits<double>::quiet_NaN();
 
-  // Singular values of the columns as they are (tau, v|v|, v, 1), falling.
-  Eigen::Vector4d singular_values =
-      Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
-
-  // Length of the residual over length of the acceleration.
-  double relative_error = std::numeric_limits<double>::quiet_NaN();
-
   int num_samples = 0;                      // that entered the fit
   std::vector<std::string> not_determined;  // names of parameters that the data leave open
   std::vector<std::string> caveats;         // what the intervals do not cover, a sentence each

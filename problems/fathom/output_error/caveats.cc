@@ -3,7 +3,8 @@
 
 #include "fathom/output_error/caveats.h"
 
-#include "fathom/signal/excitation.h"
+#include "fathom/base/interval95.h"
+#include "fathom/signal/dominant_tone.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNormal95 = 1.96;
-
 // A command whose strongest line carries this share of its variance is a single sine to the fit.
 constexpr double kSingleTone = 0.8;
 
@@ -23,7 +22,7 @@ constexpr double kSingleTone = 0.8;
 constexpr double kSmallShare = 0.3;
 
 double HalfWidth(const ParameterCovariance& covariance, int index) {
-  return kNormal95 * std::sqrt(covariance(index, index));
+  return kStdsOf95 * std::sqrt(covariance(index, index));
 }
 
 std::string Spaced(const char* name) {

@@ -8,34 +8,36 @@
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace fathom {
 
-// What the data say about the parameters at the optimum.
+// What the data say about the parameters at the optimum. NaN where not computed.
 struct ParameterEvidence {
+  static constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
+
   // Sandwich covariance with the residuals' own colour, docs/output_error.md (7); and what it would
   // be if a time offset of the command were to be fitted too (EFFECTS.md's `time_offset`): infinite
   // if the parameters imitate an offset exactly.
-  ParameterCovariance covariance;
-  ParameterCovariance covariance_with_time_offset;
+  ParameterCovariance covariance = ParameterCovariance::Constant(kNotComputed);
+  ParameterCovariance covariance_with_time_offset = ParameterCovariance::Constant(kNotComputed);
 
   // Share of each parameter's signature in the output that the other parameters and the initial
   // states cannot imitate, 0 to 1; and with a time offset among those others.
-  ParameterVector share;
-  ParameterVector share_with_time_offset;
+  ParameterVector share = ParameterVector::Constant(kNotComputed);
+  ParameterVector share_with_time_offset = ParameterVector::Constant(kNotComputed);
 
   // How the parameters would follow a time offset of the command: the fit's change per second.
-  ParameterVector change_per_second_of_offset;
+  ParameterVector change_per_second_of_offset = ParameterVector::Constant(kNotComputed);
 
   // Ratio of the largest to the smallest singular value of the scaled signatures.
-  double condition_number = 0.0;
+  double condition_number = kNotComputed;
 
-  Autoregression noise;          // of the whitened residuals
-  double residual_sd = 0.0;      // of the raw residuals [unit of the output]
-  double noise_correlation = 0;  // of neighbouring residuals
+  Autoregression noise;                     // of the whitened residuals
+  double noise_correlation = kNotComputed;  // of neighbouring residuals
 };
 
 // `initial_states` has one entry per segment; `sigma` and `huber_k` as in ShootingWindow. Returns

@@ -3,6 +3,7 @@
 
 #include "fathom/report/figure.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/gnuplot.h"
 #include "fathom/report/palette.h"
@@ -231,7 +232,7 @@ void WriteFigure(const std::vector<ParameterPanel>& panels, const std::filesyste
                               color);
         continue;
       }
-      const double half = std::isfinite(estimate.std) ? kHalfInterval * estimate.std : 0.0;
+      const double half = std::isfinite(estimate.std) ? kStdsOf95 * estimate.std : 0.0;
       blocks +=
           fmt::format("$estimate{}_{} << END_OF_DATA\n{:.12g} {} {:.12g} {:.12g}\nEND_OF_DATA\n",
                       i,

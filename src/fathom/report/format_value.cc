@@ -3,10 +3,11 @@
 
 #include "fathom/report/format_value.h"
 
+#include "fathom/base/interval95.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -86,15 +87,40 @@ std::string FormatValue(double value, double std) {
 }
 
 std::string FormatInterval(double value, double std, double lower_bound) {
-  constexpr double kNormal95 = 1.96;
   if (!std::isfinite(value) || !std::isfinite(std)) return "-";
-  double from = value - kNormal95 * std;
+  double from = value - kStdsOf95 * std;
   if (value >= lower_bound) from = std::max(from, lower_bound);
-  const double to = value + kNormal95 * std;
+  const double to = value + kStdsOf95 * std;
   if (std == 0.0) return FormatAlone(value) + " ... " + FormatAlone(value);
   const Digits digits = DigitsOf(value, std);
   if (digits.AreTooMany()) return fmt::format("{0:.{2}g} ... {1:.{2}g}", from, to, kMostDigits);
   return digits.Write(from, " ... ", to);
+}
+
+std::string WithInterval(
+    double value, double std, std::string_view unit, double lower, double upper) {
+  const auto with_unit = [&](const std::string& number) {
+    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+  };
+  if (!std::isfinite(std) || !(std > 0.0)) return with_unit(FormatValue(value));
+  const double half = kStdsOf95 * std;
+  const int decimals = DecimalsFor(half);
+  return fmt::format("{} ({} to {})",
+                     with_unit(RoundedAt(value, decimals)),
+                     RoundedAt(std::max(value - half, lower), decimals),
+                     with_unit(RoundedAt(std::min(value + half, upper), decimals)));
+}
+
+int DecimalsFor(double size) {
+  const int exponent = static_cast<int>(std::floor(std::log10(size)));
+  const double first_digit = size / std::pow(10.0, exponent);
+  return first_digit < 1.95 ? 1 - exponent : -exponent;
+}
+
+std::string RoundedAt(double value, int decimals) {
+  constexpr int kMostDecimals = 6;
+  const bool needs_power = decimals > kMostDecimals || std::abs(value) >= kLargest;
+  return needs_power ? fmt::format("{:.3g}", value) : Rounded(value, decimals);
 }
 
 }  // namespace fathom

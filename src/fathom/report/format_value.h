@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace fathom {
 
@@ -22,5 +23,19 @@ std::string FormatValue(double value, double std = std::numeric_limits<double>::
 std::string FormatInterval(double value,
                            double std,
                            double lower_bound = -std::numeric_limits<double>::infinity());
+
+// The same interval within a sentence: "0.42 s (0.39 to 0.45 s)". Rounded at DecimalsFor() its half
+// width; the ends do not pass the bounds. Without a known standard deviation the number alone, to
+// four digits.
+std::string WithInterval(
+    double value, double std, std::string_view unit, double lower, double upper);
+
+// Decimals that show the first digit of `size`, or its second if the first is a 1; below 0 they
+// stand before the point.
+int DecimalsFor(double size);
+
+// The number with so many decimals: "1090" of 1086 with -1. No more than six, and none of a million
+// and beyond, which get three digits and a power of ten.
+std::string RoundedAt(double value, int decimals);
 
 }  // namespace fathom

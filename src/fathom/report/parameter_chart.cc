@@ -3,6 +3,7 @@
 
 #include "fathom/report/parameter_chart.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/html_text.h"
@@ -41,7 +42,7 @@ std::string WithUnit(const std::string& value, const std::string& unit) {
 // Bar, dot and the arrows that stand for what lies outside.
 std::string MarksHtml(const Estimate& estimate, const ChartRange& range, std::string_view color) {
   if (!std::isfinite(estimate.value)) return R"(<span class="none">no estimate</span>)";
-  const double half = std::isnan(estimate.std) ? 0.0 : kHalfInterval * estimate.std;
+  const double half = std::isnan(estimate.std) ? 0.0 : kStdsOf95 * estimate.std;
   const double left = Place(estimate.value - half, range);
   const double right = Place(estimate.value + half, range);
   const double dot = Place(estimate.value, range);
@@ -67,8 +68,8 @@ std::string HoverText(const Estimate& estimate, const std::string& unit) {
   std::string text = fmt::format("{}: {:.6g}", estimate.name, estimate.value);
   if (!std::isnan(estimate.std)) {
     text += fmt::format(", 95 % interval {:.6g} to {:.6g}",
-                        estimate.value - kHalfInterval * estimate.std,
-                        estimate.value + kHalfInterval * estimate.std);
+                        estimate.value - kStdsOf95 * estimate.std,
+                        estimate.value + kStdsOf95 * estimate.std);
   }
   return WithUnit(text, unit);
 }
@@ -81,7 +82,7 @@ ChartRange RangeOf(const ParameterPanel& panel) {
   for (const Estimate& estimate : panel.estimates) {
     if (!std::isfinite(estimate.value)) continue;
     values.push_back(estimate.value);
-    if (std::isfinite(estimate.std)) halves.push_back(kHalfInterval * estimate.std);
+    if (std::isfinite(estimate.std)) halves.push_back(kStdsOf95 * estimate.std);
   }
   if (panel.reference) values.push_back(*panel.reference);
   if (values.empty()) return {};
@@ -102,8 +103,8 @@ ChartRange RangeOf(const ParameterPanel& panel) {
     if (!std::isfinite(estimate.value)) continue;
     include(estimate.value);
     if (!std::isfinite(estimate.std)) continue;
-    include(estimate.value - kHalfInterval * estimate.std);
-    include(estimate.value + kHalfInterval * estimate.std);
+    include(estimate.value - kStdsOf95 * estimate.std);
+    include(estimate.value + kStdsOf95 * estimate.std);
   }
   if (panel.reference) include(*panel.reference);
 

@@ -11,9 +11,6 @@
 
 namespace fathom {
 
-// Half the width of a 95 % interval of a normal distribution, in standard deviations.
-inline constexpr double kHalfInterval = 1.96;
-
 // The stretch of numbers that a chart of estimates shows.
 struct ChartRange {
   double from = 0.0;

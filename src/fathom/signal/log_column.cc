@@ -53,6 +53,10 @@ HeldCommand CommandOf(const Log& log, Dof dof) {
   return {log.command->time, *values};
 }
 
+std::string CommandUnitOf(const Log& log, Dof dof) {
+  return log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
+}
+
 std::string RemarkOnEarlyEnd(const HeldCommand& command,
                              const std::vector<double>& time,
                              double longest_gap) {

@@ -22,6 +22,9 @@ std::string PoseFileOf(const Log& log);
 // The command of one DOF. Throws InputError, saying what the log has instead, if there is none.
 HeldCommand CommandOf(const Log& log, Dof dof);
 
+// The unit of the commands along one DOF: the log's command_unit, or "N" or "N m".
+std::string CommandUnitOf(const Log& log, Dof dof);
+
 // What to say of a command that ends more than `longest_gap` [s] before the motion at `time`; empty
 // if it does not.
 std::string RemarkOnEarlyEnd(const HeldCommand& command,

@@ -3,6 +3,7 @@
 
 #include "fathom/signal/sanity.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
 #include "fathom/signal/autoregression.h"
 #include "fathom/signal/integral.h"
@@ -86,7 +87,7 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
                    "of over a quarter period, or the vehicle is driven from outside.",
                    mean,
                    unit,
-                   1.96 * error),
+                   kStdsOf95 * error),
        findings);
 }
 
@@ -132,7 +133,7 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
                    "{:.2g} +- {:.1g} (correlation {:.2f}). Check the sign of the force and the "
                    "clocks.",
                    slope,
-                   1.96 * error,
+                   kStdsOf95 * error,
                    correlation),
        findings);
 }

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/signal/filter_window.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/mean_attitude.h"
 #include "fathom/signal/pose_velocity.h"
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,78 +22,29 @@
 namespace fathom {
 namespace {
 
-// The default window lies between these, docs/signal.md (4).
-constexpr double kShortestWindow = 1.0;  // [s]
-constexpr double kFewestSteps = 10.5;    // 11 samples
-constexpr double kLongestWindow = 20.0;  // [s]
-constexpr double kLongestShare = 0.1;    // of the data's duration
+void Require(bool holds, std::string_view what) {
+  if (!holds) throw InputError(fmt::format("SignalsOptions: {}", what));
+}
 
-// Samples begin to end - 1 of the motion stream.
-struct Stretch {
-  size_t begin = 0;
-  size_t end = 0;
-  bool held_out = false;
-
-  size_t size() const { return end - begin; }
-};
-
-bool IsHeldOut(const Log& log, double t) {
-  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
-    return interval.Contains(t);
-  });
+void RequireUsable(const SignalsOptions& options) {
+  Require(options.longest_gap > 0.0,
+          fmt::format("longest_gap is {} s, expected more than 0.", options.longest_gap));
+  Require(
+      options.window >= 0.0 && std::isfinite(options.window),
+      fmt::format("window is {} s, expected 0 (chosen from the data) or more.", options.window));
+  Require(options.order >= 1 && options.order <= 9,
+          fmt::format("order is {}, expected 1 to 9.", options.order));
 }
 
 size_t FewestSamples(const SignalsOptions& options) {
   return std::max<size_t>(10, options.order + 2);
 }
 
-std::vector<Stretch> Split(const Log& log,
-                           const std::vector<double>& time,
-                           size_t first,
-                           const SignalsOptions& options,
-                           std::vector<std::string>* remarks) {
-  std::vector<Stretch> stretches;
-  int num_silences = 0;
-  for (size_t i = first; i < time.size(); ++i) {
-    const bool held_out = options.split_held_out && IsHeldOut(log, time[i]);
-    const bool silence = i > first && time[i] - time[i - 1] > options.longest_gap;
-    if (silence) ++num_silences;
-    if (stretches.empty() || silence || stretches.back().held_out != held_out) {
-      stretches.push_back({i, i, held_out});
-    }
-    stretches.back().end = i + 1;
-  }
-  if (num_silences > 0) {
-    remarks->push_back(
-        fmt::format("The motion is silent for over {:g} s {} time{}: each starts a "
-                    "new segment.",
-                    options.longest_gap,
-                    num_silences,
-                    num_silences == 1 ? "" : "s"));
-  }
-  const size_t fewest = FewestSamples(options);
-  size_t num_short = 0, num_samples = 0;
-  std::erase_if(stretches, [&](const Stretch& stretch) {
-    if (stretch.size() >= fewest) return false;
-    ++num_short;
-    num_samples += stretch.size();
-    return true;
-  });
-  if (num_short > 0) {
-    remarks->push_back(fmt::format("Left out: {} segment{} of fewer than {} samples ({} samples).",
-                                   num_short,
-                                   num_short == 1 ? "" : "s",
-                                   fewest,
-                                   num_samples));
-  }
-  return stretches;
-}
-
-// Why no stretch of the motion is long enough: too little of it, another clock, or all in pieces.
-std::string WhyNoStretch(const Log& log,
-                         const Stream& stream,
-                         size_t first,
-                         const SignalsOptions& options) {
+// Why no range of the motion is long enough: too little of it, another clock, or all in pieces.
+std::string WhyNoRange(const Log& log,
+                       const Stream& stream,
+                       size_t first,
+                       const SignalsOptions& options) {
   const bool is_camera = options.source == Source::kCamera;
   const std::string file = is_camera ? PoseFileOf(log) : FileOf(log, "velocity.csv");
   const size_t fewest = FewestSamples(options), num = stream.time.size();
@@ -119,35 +71,100 @@ std::string WhyNoStretch(const Log& log,
       what);
 }
 
-// Chosen on the longest stretch to train on (or, without one, the longest there is).
-double WindowFor(std::span<const double> time,
-                 std::span<const double> values,
-                 const std::vector<Stretch>& stretches,
-                 const SignalsOptions& options) {
-  const Stretch& longest =
-      *std::max_element(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) {
-        if (a.held_out != b.held_out) return a.held_out;
-        return a.size() < b.size();
-      });
-  time = time.subspan(longest.begin, longest.size());
-  values = values.subspan(longest.begin, longest.size());
-  const double shortest = std::max(kShortestWindow, kFewestSteps * MedianStep(time));
-  const double most = std::min(kLongestWindow, kLongestShare * (time.back() - time.front()));
-  return ChooseWindow(time, values, options.order, shortest, std::max(shortest, most));
+// Ranges of the motion stream, and what is to be said of the cutting.
+struct Cut {
+  std::vector<SampleRange> ranges;
+  std::vector<std::string> remarks;
+};
+
+// From the first command on. Throws InputError if no range is long enough.
+Cut CutMotion(const Log& log,
+              const Stream& stream,
+              const HeldCommand& command,
+              const SignalsOptions& options) {
+  const std::vector<double>& time = stream.time;
+  const size_t first =
+      std::lower_bound(time.begin(), time.end(), command.time.front()) - time.begin();
+  Cut cut;
+  if (first > 0) {
+    cut.remarks.push_back(fmt::format(
+        "Left out: {} motion sample{} before the first command.", first, first == 1 ? "" : "s"));
+  }
+  if (const auto remark = RemarkOnEarlyEnd(command, time, options.longest_gap); !remark.empty()) {
+    cut.remarks.push_back(remark);
+  }
+  const auto held_out = options.split_held_out ? log.held_out : std::vector<TimeInterval>();
+  const auto ranges = SplitAtGaps(time, held_out, first, options.longest_gap);
+  const auto num_silences = std::count_if(
+      ranges.begin(), ranges.end(), [](const SampleRange& range) { return range.is_after_gap; });
+  if (num_silences > 0) {
+    cut.remarks.push_back(
+        fmt::format("The motion is silent for over {:g} s {} time{}: each starts a new segment.",
+                    options.longest_gap,
+                    num_silences,
+                    num_silences == 1 ? "" : "s"));
+  }
+  const size_t fewest = FewestSamples(options);
+  LongRanges kept = WithoutShort(ranges, fewest);
+  if (kept.num_short > 0) {
+    cut.remarks.push_back(
+        fmt::format("Left out: {} segment{} of fewer than {} samples ({} samples).",
+                    kept.num_short,
+                    kept.num_short == 1 ? "" : "s",
+                    fewest,
+                    kept.num_samples_in_short));
+  }
+  if (kept.ranges.empty()) throw InputError(WhyNoRange(log, stream, first, options));
+  cut.ranges = std::move(kept.ranges);
+  return cut;
 }
 
-void Require(bool holds, std::string_view what) {
-  if (!holds) throw InputError(fmt::format("SignalsOptions: {}", what));
+// What a source measures along one DOF, and what is to be said of it.
+struct Measured {
+  Poses poses;                   // of the source camera only
+  std::vector<double> observed;  // its displacement; of the other source the velocity
+  std::vector<std::string> remarks;
+};
+
+Measured MeasuredAlong(Dof dof, const Stream& stream, Source source) {
+  Measured measured;
+  if (source == Source::kPoseEstimator) {
+    measured.observed = *stream.Find(VelocityColumn(dof));
+    return measured;
+  }
+  measured.poses = PosesOf(stream);
+  measured.observed = DisplacementAlong(dof, measured.poses);
+  const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, measured.poses.world_from_body);
+  if (turn > kLargestAxisTurn) {
+    measured.remarks.push_back(fmt::format(
+        "The {} axis turns by {:.2f} rad RMS: the position is taken along its mean, which is "
+        "short of the way.",
+        Name(dof),
+        turn));
+  }
+  if (const int flips = CountRotationFlips(measured.poses); flips > 0) {
+    measured.remarks.push_back(fmt::format(
+        "{} rotation step{} that the neighbours do not support: a single square has two "
+        "solutions, and the pose may have flipped between them.",
+        flips,
+        flips == 1 ? "" : "s"));
+  }
+  return measured;
 }
 
-void RequireUsable(const SignalsOptions& options) {
-  Require(options.longest_gap > 0.0,
-          fmt::format("longest_gap is {} s, expected more than 0.", options.longest_gap));
-  Require(
-      options.window >= 0.0 && std::isfinite(options.window),
-      fmt::format("window is {} s, expected 0 (chosen from the data) or more.", options.window));
-  Require(options.order >= 1 && options.order <= 9,
-          fmt::format("order is {}, expected 1 to 9.", options.order));
+// The motion within a range, under its command.
+Motion MotionIn(const SampleRange& range,
+                Dof dof,
+                const Stream& stream,
+                const Measured& measured,
+                const HeldCommand& command,
+                const SavitzkyGolayOptions& filter) {
+  if (measured.poses.size() == 0) return MotionFromVelocity(stream, dof, range.begin, range.end);
+  const auto observed = measured.observed.begin();
+  const std::vector<double> position(observed + static_cast<std::ptrdiff_t>(range.begin),
+                                     observed + static_cast<std::ptrdiff_t>(range.end));
+  return MotionFromPoses(
+      measured.poses.Between(range.begin, range.end), dof, position, command, filter);
 }
 
 std::string WindowRemark(double window, const SignalsOptions& options, double step) {
@@ -158,74 +175,38 @@ std::string WindowRemark(double window, const SignalsOptions& options, double st
                      options.window > 0.0 ? "as given" : "chosen by cross-validation");
 }
 
+void AddTo(std::vector<std::string>* remarks, const std::vector<std::string>& more) {
+  remarks->insert(remarks->end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   RequireUsable(options);
-  const bool camera = options.source == Source::kCamera;
   const Stream& stream = MotionStream(log, dof, options.source);
+  const std::vector<double>& time = stream.time;
   const HeldCommand command = CommandOf(log, dof);
+  const Cut cut = CutMotion(log, stream, command, options);
+  const Measured measured = MeasuredAlong(dof, stream, options.source);
+  const double window = options.window > 0.0
+                            ? options.window
+                            : FilterWindowFor(time, measured.observed, cut.ranges, options.order);
+  const SavitzkyGolayOptions filter = {.window = window, .order = options.order};
   Signals signals;
   signals.dof = dof;
   signals.source = options.source;
-  signals.force_unit = log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
-
-  const std::vector<double>& time = stream.time;
-  const size_t first =
-      std::lower_bound(time.begin(), time.end(), command.time.front()) - time.begin();
-  if (first > 0) {
-    signals.remarks.push_back(fmt::format(
-        "Left out: {} motion sample{} before the first command.", first, first == 1 ? "" : "s"));
-  }
-  if (const auto remark = RemarkOnEarlyEnd(command, time, options.longest_gap); !remark.empty()) {
-    signals.remarks.push_back(remark);
-  }
-  const std::vector<Stretch> stretches = Split(log, time, first, options, &signals.remarks);
-  if (stretches.empty()) throw InputError(WhyNoStretch(log, stream, first, options));
-
-  Poses poses;
-  std::vector<double> displacement;
-  if (camera) {
-    poses = PosesOf(stream);
-    displacement = DisplacementAlong(dof, poses);
-    const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, poses.world_from_body);
-    if (turn > kLargestAxisTurn) {
-      signals.remarks.push_back(fmt::format(
-          "The {} axis turns by {:.2f} rad RMS: the position is taken along its mean, which is "
-          "short of the way.",
-          Name(dof),
-          turn));
-    }
-    if (const int flips = CountRotationFlips(poses); flips > 0) {
-      signals.remarks.push_back(fmt::format(
-          "{} rotation step{} that the neighbours do not support: a single square has two "
-          "solutions, and the pose may have flipped between them.",
-          flips,
-          flips == 1 ? "" : "s"));
-    }
-  }
-  const std::vector<double>& observed = camera ? displacement : *stream.Find(VelocityColumn(dof));
-  const double window =
-      options.window > 0.0 ? options.window : WindowFor(time, observed, stretches, options);
-  const SavitzkyGolayOptions filter = {.window = window, .order = options.order};
+  signals.force_unit = CommandUnitOf(log, dof);
+  AddTo(&signals.remarks, cut.remarks);
+  AddTo(&signals.remarks, measured.remarks);
   signals.remarks.push_back(WindowRemark(window, options, MedianStep(time)));
 
   size_t num_dropped = 0;
-  for (const Stretch& stretch : stretches) {
-    HeldCommand own = command.Between(time[stretch.begin], time[stretch.end - 1]);
-    Motion motion;
-    if (camera) {
-      const std::vector<double> position(
-          observed.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
-          observed.begin() + static_cast<std::ptrdiff_t>(stretch.end));
-      motion =
-          MotionFromPoses(poses.Between(stretch.begin, stretch.end), dof, position, own, filter);
-      num_dropped += stretch.size() - motion.time.size();
-      if (motion.time.size() < 2) continue;
-    } else {
-      motion = MotionFromVelocity(stream, dof, stretch.begin, stretch.end);
-    }
-    auto& to = stretch.held_out ? signals.held_out : signals.train;
+  for (const SampleRange& range : cut.ranges) {
+    HeldCommand own = command.Between(time[range.begin], time[range.end - 1]);
+    Motion motion = MotionIn(range, dof, stream, measured, own, filter);
+    num_dropped += range.size() - motion.time.size();
+    if (motion.time.size() < 2) continue;
+    auto& to = range.is_held_out ? signals.held_out : signals.train;
     to.push_back(SegmentOf(std::move(motion), std::move(own), filter));
   }
   if (num_dropped > 0) {
@@ -240,15 +221,6 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
 
 bool IsAllHeldOut(const Signals& signals) {
   return signals.train.empty() && !signals.held_out.empty();
-}
-
-void Append(const Signals& more, Signals* signals) {
-  const auto append = [](auto* to, const auto& from) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
-  append(&signals->train, more.train);
-  append(&signals->held_out, more.held_out);
-  append(&signals->remarks, more.remarks);
 }
 
 }  // namespace fathom

@@ -7,6 +7,7 @@
 #include "fathom/log/log.h"
 #include "fathom/signal/segment.h"
 #include "fathom/signal/source.h"
+#include "fathom/signal/split_at_gaps.h"
 
 #include <string>
 #include <string_view>
@@ -28,7 +29,7 @@ struct SignalsOptions {
   Source source = Source::kPoseEstimator;
 
   // A silence of the motion stream longer than this starts a new segment [s]. Above 0.
-  double longest_gap = 30.0;
+  double longest_gap = kLongestGap;
 
   // Savitzky-Golay: window [s] (0: chosen from the data's rate) and order of the polynomial.
   double window = 0.0;
@@ -45,8 +46,5 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options = {});
 inline constexpr std::string_view kAllIsHeldOut =
     "nothing is left to train on: the held-out intervals take all of the data.";
 bool IsAllHeldOut(const Signals& signals);
-
-// Adds the segments and remarks of another log, of the same DOF, source and unit.
-void Append(const Signals& more, Signals* signals);
 
 }  // namespace fathom

@@ -9,22 +9,6 @@
 
 namespace fathom {
 
-std::vector<Segment> SegmentsAtEveryStamp(const std::vector<double>& time,
-                                          const std::vector<double>& velocity,
-                                          const HeldCommand& command,
-                                          double longest_gap) {
-  std::vector<Segment> segments;
-  for (size_t i = 0; i < time.size(); ++i) {
-    if (i == 0 || time[i] - time[i - 1] > longest_gap) {
-      segments.emplace_back();
-      segments.back().command = command;
-    }
-    segments.back().time.push_back(time[i]);
-    segments.back().velocity.push_back(velocity[i]);
-  }
-  return segments;
-}
-
 std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
                                                    const Segment& segment,
                                                    double initial_velocity) {

@@ -13,13 +13,6 @@
 
 namespace fathom {
 
-// A velocity stream as segments at every one of its stamps: a silence of over `longest_gap` [s]
-// starts a new one. For predictions; an identifier's segments come from SignalsOf().
-std::vector<Segment> SegmentsAtEveryStamp(const std::vector<double>& time,
-                                          const std::vector<double>& velocity,
-                                          const HeldCommand& command,
-                                          double longest_gap);
-
 // The velocity that `model` predicts at the stamps of `segment` from its command alone, started
 // from `initial_velocity` [m/s] or [rad/s]: a free run, the measurement never enters. Nothing if
 // the simulation diverges.

@@ -188,7 +188,6 @@ TEST_P(ChosenGains, FindTheInertiaInOnePass) {
     const std::vector<Segment> segments = {RunOf(experiment, seed)};
     const auto summary = FitAdaptive(segments);
     ASSERT_TRUE(summary.IsUsable()) << summary.message;
-    EXPECT_TRUE(summary.gains_were_chosen);
     EXPECT_TRUE(summary.gains.Problems().empty());
     // 60 seeds spread by 1.2 % rms, 2.7 % at most.
     EXPECT_NEAR(summary.model.inertia, experiment.truth.inertia, 0.05 * experiment.truth.inertia)
@@ -238,17 +237,11 @@ TEST(RuleOfThumbGains, BringTheInertiaWithinATenth) {
   }
 }
 
-TEST(FitAdaptive, TellsItsHistoryAndWhatItsIntervalIs) {
+TEST(FitAdaptive, TellsWhatItsIntervalIs) {
   const std::vector<Segment> segments = {RunOf(FlatFishSurge(), 4)};
   const auto summary = FitAdaptive(segments, {.gains = RuleOfThumbGains(40.0, 0.15, 21.0)});
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  EXPECT_FALSE(summary.gains_were_chosen);
   EXPECT_EQ(summary.num_samples, 3001);
-  EXPECT_LE(summary.history.size(), 1001u);
-  EXPECT_GE(summary.history.size(), 500u);
-  EXPECT_EQ(summary.history.front().time, 0.0);
-  EXPECT_EQ(summary.history.back().time, 300.0);
-  EXPECT_EQ(summary.history.back().model.inertia, summary.model.inertia);
   EXPECT_GT(summary.covariance(kInertia, kInertia), 0.0);
   EXPECT_THAT(summary.caveats, Contains(HasSubstr("do not cover")));
 }

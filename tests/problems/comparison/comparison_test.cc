@@ -15,9 +15,7 @@
 namespace fathom {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 constexpr UncoupledModel<double> kTruth = {
     .inertia = 40.0, .quadratic_damping = 30.0, .linear_damping = 5.0, .buoyancy = 1.0};
@@ -161,14 +159,6 @@ TEST(Compare, RefusesAJointRefinementWithoutCornersOrCamera) {
   EXPECT_THAT(RefusalOf(KnownRun(), options), HasSubstr("holds no detections.csv"));
   options.sources = {Source::kPoseEstimator};
   EXPECT_THAT(RefusalOf(KnownRun(), options), HasSubstr("source camera"));
-}
-
-TEST(SourcesOf, PutsTheVelocityBeforeThePoses) {
-  Log log = KnownRun();
-  EXPECT_THAT(SourcesOf(log, Dof::kSurge), ElementsAre(Source::kPoseEstimator, Source::kCamera));
-  EXPECT_THAT(SourcesOf(log, Dof::kHeave), ElementsAre(Source::kCamera));
-  log.pose.reset();
-  EXPECT_THAT(SourcesOf(log, Dof::kHeave), IsEmpty());
 }
 
 // Nothing moves: there is nothing to learn, and no family may claim to have learnt it.

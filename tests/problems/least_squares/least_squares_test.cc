@@ -64,7 +64,6 @@ TEST(LeastSquares, RecoversTheTruthFromPerfectData) {
   EXPECT_NEAR(summary.model.linear_damping, kTruth.linear_damping, 1e-9);
   EXPECT_NEAR(summary.model.buoyancy, kTruth.buoyancy, 1e-9);
   EXPECT_EQ(summary.num_samples, 2000);
-  EXPECT_LT(summary.relative_error, 1e-12);
   EXPECT_THAT(summary.caveats, Contains(HasSubstr("do not cover")));
 }
 
@@ -100,11 +99,6 @@ TEST(LeastSquares, AgreesWithTheReferenceOnARealLog) {
   EXPECT_NEAR(summary.model.quadratic_damping, 0.6234309693453235, 1e-9);
   EXPECT_NEAR(summary.model.linear_damping, 3.5822795422605975, 1e-9);
   EXPECT_NEAR(summary.model.buoyancy, -0.006051181354342848, 1e-9);
-  EXPECT_NEAR(summary.relative_error, 0.5757533016553719, 1e-9);
-  EXPECT_NEAR(summary.singular_values[0], 41.88475216582868, 1e-9);
-  EXPECT_NEAR(summary.singular_values[1], 8.732809065733576, 1e-9);
-  EXPECT_NEAR(summary.singular_values[2], 0.5810700764084951, 1e-9);
-  EXPECT_NEAR(summary.singular_values[3], 0.03234198186727159, 1e-9);
 }
 
 // The reported covariance is a promise about the spread over repeated runs. Noise of the

@@ -30,15 +30,6 @@ TEST(PredictVelocity, RunsFreeFromTheGivenStart) {
   EXPECT_DOUBLE_EQ((*predicted)[2], 2.5);
 }
 
-TEST(SegmentsAtEveryStamp, StartAnewAfterASilenceAndKeepEveryStamp) {
-  const auto segments =
-      SegmentsAtEveryStamp({0.0, 1.0, 31.0, 61.5, 62.0}, {1, 2, 3, 4, 5}, {{0.5}, {7.0}}, 30.0);
-  ASSERT_EQ(segments.size(), 2u);
-  EXPECT_EQ(segments[0].time, (std::vector<double>{0.0, 1.0, 31.0}));
-  EXPECT_EQ(segments[1].velocity, (std::vector<double>{4, 5}));
-  EXPECT_EQ(segments[1].command.value, (std::vector<double>{7.0}));
-}
-
 TEST(InitialVelocity, IsSmoothedWhereTheSegmentKnowsHow) {
   Segment segment = SegmentWith({0.5, 2.0, 2.0});
   EXPECT_EQ(InitialVelocity(segment), 0.5);

@@ -22,7 +22,24 @@ DEFINE_string(log,
               "",
               "Log folder, or a single CSV with columns t, tau, v (then --dof is needed).");
 DEFINE_string(velocity, "", "Read this CSV as the velocity stream instead of the log's.");
+
 namespace fathom {
+namespace {
+
+void RequireDifferentData(const std::vector<Log>& logs) {
+  std::map<std::string, std::string> path_of;
+  for (const Log& log : logs) {
+    const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());
+    if (is_new) continue;
+    throw InputError(fmt::format(
+        "--log: {} and {} hold the same data, expected each run once: it would count as twice as "
+        "much as it is.",
+        other->second,
+        log.path.string()));
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> SplitAtCommas(const std::string& text) {
   std::vector<std::string> parts;
@@ -55,19 +72,6 @@ std::vector<std::string> LogPathsFromFlags() {
   return paths;
 }
 
-void RequireDifferentData(const std::vector<Log>& logs) {
-  std::map<std::string, std::string> path_of;
-  for (const Log& log : logs) {
-    const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());
-    if (is_new) continue;
-    throw InputError(fmt::format(
-        "--log: {} and {} hold the same data, expected each run once: it would count as twice as "
-        "much as it is.",
-        other->second,
-        log.path.string()));
-  }
-}
-
 std::vector<std::string> InputsFromFlags() {
   std::vector<std::string> inputs = LogPathsFromFlags();
   if (!FLAGS_velocity.empty()) inputs.push_back(FLAGS_velocity);
@@ -94,6 +98,19 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
   for (const std::string& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
   if (!may_lack_motion && !log.velocity) AddCameraSource(&log);
   return log;
+}
+
+std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion) {
+  const std::vector<std::string> paths = LogPathsFromFlags();
+  if (!FLAGS_velocity.empty() && paths.size() > 1) {
+    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  }
+  std::vector<Log> logs;
+  for (const std::string& path : paths) {
+    logs.push_back(ReadLogFromFlags(path, dof, may_lack_motion));
+  }
+  RequireDifferentData(logs);
+  return logs;
 }
 
 void AddCameraSource(Log* log) {

@@ -37,10 +37,6 @@ auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
 // data twice would count as twice as much.
 std::vector<std::string> LogPathsFromFlags();
 
-// Throws InputError if two of the logs hold the same data, whatever their names: a copy, or a log
-// and what fathom_track made of it.
-void RequireDifferentData(const std::vector<Log>& logs);
-
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
 
@@ -49,6 +45,11 @@ std::vector<std::string> InputsFromFlags();
 // poses are made (AddCameraSource).
 // `may_lack_motion` as in ReadLogOptions; detections then stay what they are.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
+
+// The same of every log that --log names. Throws InputError if two hold the same data, whatever
+// their names (a copy, or a log and what fathom_track made of it), or if there are several and
+// --velocity, which belongs to one.
+std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion = false);
 
 // Makes the source `camera` of a log that holds detections but no poses, and prints what was lost
 // on the way to stderr. Throws InputError as TrackDetections does.

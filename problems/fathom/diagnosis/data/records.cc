@@ -4,16 +4,15 @@
 #include "fathom/diagnosis/data/records.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/diagnosis/data/log_channels.h"
 #include "fathom/diagnosis/data/log_names.h"
-#include "fathom/diagnosis/data/pose_coordinate.h"
 #include "fathom/diagnosis/data/uneven_noise.h"
-#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/log_column.h"
+#include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,15 +20,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestGap = 30.0;   // [s], as in SignalsOptions
 constexpr size_t kFewestSamples = 20;  // of a record's leading channel
 constexpr double kStartWindow = 2.0;   // [s] of samples behind the guess of the start
-
-bool IsHeldOut(const Log& log, double t) {
-  return std::any_of(log.held_out.begin(), log.held_out.end(), [t](const TimeInterval& interval) {
-    return interval.Contains(t);
-  });
-}
 
 // Value and slope at the first sample, by a straight line over the first two seconds.
 std::pair<double, double> StartOf(std::span<const double> time, std::span<const double> value) {
@@ -47,31 +39,55 @@ std::pair<double, double> StartOf(std::span<const double> time, std::span<const 
   return {(sy - slope * st) / n, slope};
 }
 
-void Append(const SampledSignal& channel, double from, double to, SampledSignal* out) {
+// The samples from `from` to `to` [s], both included.
+SampledSignal Between(const SampledSignal& channel, double from, double to) {
   const auto begin = std::lower_bound(channel.time.begin(), channel.time.end(), from);
   const auto end = std::upper_bound(channel.time.begin(), channel.time.end(), to);
-  out->time.assign(begin, end);
   const auto offset = begin - channel.time.begin();
-  out->value.assign(channel.value.begin() + offset,
-                    channel.value.begin() + (end - channel.time.begin()));
+  return {{begin, end},
+          {channel.value.begin() + offset, channel.value.begin() + (end - channel.time.begin())}};
 }
 
-struct LogChannels {
-  const Log* log;
-  std::string name;
-  std::optional<SampledSignal> velocity, displacement;
-};
+// The way from sample `first` on to each sample, along the measured velocity.
+std::vector<double> WayAlong(const SampledSignal& velocity, size_t first) {
+  const auto& [time, value] = velocity;
+  std::vector<double> way(time.size(), 0.0);
+  for (size_t i = first + 1; i < time.size(); ++i) {
+    way[i] = way[i - 1] + 0.5 * (time[i] - time[i - 1]) * (value[i - 1] + value[i]);
+  }
+  return way;
+}
 
-// The stretches of one log, cut at silences and at the ends of held-out intervals.
-void AppendRecords(const LogChannels& channels,
-                   Dof dof,
-                   bool use_velocity,
-                   bool use_displacement,
-                   Records* records) {
-  const Log& log = *channels.log;
-  auto inputs = std::make_shared<EffectInputs>(MeasuredInputsOf(log, dof));
+// A record of what all logs measure, from `from` to `to` [s]. `position`: where it starts if
+// nothing measures that.
+Record RecordBetween(
+    double from, double to, double position, const LogChannels& channels, const Records& records) {
+  Record record;
+  record.log = channels.name;
+  record.stamps.start = from;
+  record.initial.position = position;
+  if (records.has_velocity) {
+    SampledSignal part = Between(*channels.velocity, from, to);
+    record.stamps.velocity = std::move(part.time);
+    record.velocity = std::move(part.value);
+  }
+  if (records.has_displacement) {
+    SampledSignal part = Between(*channels.displacement, from, to);
+    record.stamps.displacement = std::move(part.time);
+    record.displacement = std::move(part.value);
+    record.displacement_variance =
+        VarianceOverUsual(record.stamps.displacement, record.displacement);
+  }
+  RestartAt(from, &record);
+  return record;
+}
+
+// Adds the records of one log, cut at silences and at the ends of held-out intervals.
+void AddRecordsOf(const LogChannels& channels, Dof dof, Records* records) {
+  auto inputs = std::make_shared<EffectInputs>(MeasuredInputsOf(*channels.log, dof));
   inputs->log = channels.name;
-  const SampledSignal& leading = use_velocity ? *channels.velocity : *channels.displacement;
+  const SampledSignal& leading =
+      records->has_velocity ? *channels.velocity : *channels.displacement;
   const std::vector<double>& time = leading.time;
   const size_t first =
       std::lower_bound(time.begin(), time.end(), inputs->command.time.front()) - time.begin();
@@ -82,55 +98,41 @@ void AppendRecords(const LogChannels& channels,
   if (const auto remark = RemarkOnEarlyEnd(inputs->command, time, kLongestGap); !remark.empty()) {
     records->remarks.push_back(channels.name + ": " + remark);
   }
-  // Without poses the position counts from the first sample, along the measured velocity.
-  std::vector<double> way(time.size(), 0.0);
-  for (size_t i = first + 1; i < time.size() && !use_displacement; ++i) {
-    way[i] = way[i - 1] + 0.5 * (time[i] - time[i - 1]) * (leading.value[i - 1] + leading.value[i]);
+  const std::vector<double> way =
+      records->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading, first);
+  const LongRanges kept =
+      WithoutShort(SplitAtGaps(time, channels.log->held_out, first), kFewestSamples);
+  for (const SampleRange& range : kept.ranges) {
+    Record record =
+        RecordBetween(time[range.begin], time[range.end - 1], way[range.begin], channels, *records);
+    record.is_held_out = range.is_held_out;
+    record.inputs = inputs;
+    records->all.push_back(std::move(record));
   }
-  size_t num_short = 0, num_short_samples = 0;
-  for (size_t begin = first; begin < time.size();) {
-    const bool held_out = IsHeldOut(log, time[begin]);
-    size_t end = begin + 1;
-    while (end < time.size() && time[end] - time[end - 1] <= kLongestGap &&
-           IsHeldOut(log, time[end]) == held_out) {
-      ++end;
-    }
-    if (end - begin < kFewestSamples) {
-      ++num_short;
-      num_short_samples += end - begin;
-    } else {
-      Record record;
-      record.log = channels.name;
-      record.is_held_out = held_out;
-      record.inputs = inputs;
-      record.stamps.start = time[begin];
-      record.initial.position = way[begin];
-      SampledSignal part;
-      if (use_velocity) {
-        Append(*channels.velocity, time[begin], time[end - 1], &part);
-        record.stamps.velocity = std::move(part.time);
-        record.velocity = std::move(part.value);
-      }
-      if (use_displacement) {
-        Append(*channels.displacement, time[begin], time[end - 1], &part);
-        record.stamps.displacement = std::move(part.time);
-        record.displacement = std::move(part.value);
-        record.displacement_variance =
-            VarianceOverUsual(record.stamps.displacement, record.displacement);
-      }
-      RestartAt(time[begin], &record);
-      records->all.push_back(std::move(record));
-    }
-    begin = end;
-  }
-  if (num_short > 0) {
+  if (kept.num_short > 0) {
     records->remarks.push_back(
         fmt::format("{}: left out: {} segments of fewer than {} samples ({} samples).",
                     channels.name,
-                    num_short,
+                    kept.num_short,
                     kFewestSamples,
-                    num_short_samples));
+                    kept.num_samples_in_short));
   }
+}
+
+// Other DOFs whose velocity is measured, and changes, in every record.
+std::vector<Dof> PartnersIn(std::span<const Record> records, Dof dof) {
+  std::vector<Dof> partners;
+  for (const Dof other : kAllDofs) {
+    const bool everywhere =
+        other != dof && std::all_of(records.begin(), records.end(), [&](const Record& record) {
+          const auto& signal = record.inputs->velocity[Index(other)].value;
+          if (signal.empty()) return false;
+          const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
+          return *most > *least;
+        });
+    if (everywhere) partners.push_back(other);
+  }
+  return partners;
 }
 
 }  // namespace
@@ -145,54 +147,27 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
   if (logs.empty()) throw InputError("A diagnosis needs at least one log.");
   Records records;
   records.logs = DistinctNames(logs);
-  std::vector<LogChannels> channels;
-  bool every_velocity = true, every_displacement = true;
-  for (size_t k = 0; k < logs.size(); ++k) {
-    const Log& log = logs[k];
-    const std::string unit =
-        log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit;
-    if (!records.force_unit.empty() && unit != records.force_unit) {
-      throw InputError(
-          fmt::format("{}: its commands are in {}, those of {} in {}: expected logs of one unit.",
-                      records.logs[k],
-                      unit,
-                      records.logs.front(),
-                      records.force_unit));
-    }
-    records.force_unit = unit;
-    LogChannels own = {&log, records.logs[k], std::nullopt, std::nullopt};
-    if (log.velocity) {
-      if (const auto* column = log.velocity->Find(VelocityColumn(dof))) {
-        own.velocity = SampledSignal{log.velocity->time, *column};
-      }
-    }
-    own.displacement = PoseCoordinate(log, own.name, dof, &records.remarks);
-    records.poses_lose_motion =
-        records.poses_lose_motion ||
-        (own.displacement && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion));
-    if (!own.velocity && !own.displacement) {
-      if (log.pose && !log.velocity) throw InputError(records.remarks.back());
-      MotionStream(log, dof, Source::kPoseEstimator);
-    }
-    every_velocity = every_velocity && own.velocity.has_value();
-    every_displacement = every_displacement && own.displacement.has_value();
-    channels.push_back(std::move(own));
+  const std::vector<LogChannels> channels = ChannelsOf(logs, records.logs, dof);
+  records.force_unit = CommandUnitOf(logs.front(), dof);
+  records.has_velocity = std::ranges::all_of(
+      channels, [](const LogChannels& own) { return own.velocity.has_value(); });
+  records.has_displacement = std::ranges::all_of(
+      channels, [](const LogChannels& own) { return own.displacement.has_value(); });
+  for (const LogChannels& own : channels) {
+    records.poses_lose_motion = records.poses_lose_motion || LosesMotion(own);
+    records.remarks.insert(records.remarks.end(), own.remarks.begin(), own.remarks.end());
   }
-  if (!every_velocity && !every_displacement) {
+  if (!records.has_velocity && !records.has_displacement) {
     throw InputError(
         "Some of the logs have velocities only and some have poses only: expected "
         "velocities in all of them or poses in all of them.");
   }
-  records.has_velocity = every_velocity;
-  records.has_displacement = every_displacement;
-  if (every_velocity && every_displacement && records.poses_lose_motion) {
+  if (records.has_velocity && records.has_displacement && records.poses_lose_motion) {
     records.remarks.push_back(
         "Not tried: pose_scale. The poses themselves may be short of motion, as their remark says: "
         "with several markers, or one seen at an angle, a wrong size can be told.");
   }
-  for (const LogChannels& own : channels) {
-    AppendRecords(own, dof, every_velocity, every_displacement, &records);
-  }
+  for (const LogChannels& own : channels) AddRecordsOf(own, dof, &records);
   const bool has_train = std::any_of(
       records.all.begin(), records.all.end(), [](const Record& r) { return !r.is_held_out; });
   if (!has_train) {
@@ -202,16 +177,7 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
                     logs.front().name,
                     kFewestSamples));
   }
-  for (const Dof other : kAllDofs) {
-    const bool everywhere =
-        other != dof && std::all_of(records.all.begin(), records.all.end(), [&](const Record& r) {
-          const auto& signal = r.inputs->velocity[Index(other)].value;
-          if (signal.empty()) return false;
-          const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
-          return *most > *least;
-        });
-    if (everywhere) records.partners.push_back(other);
-  }
+  records.partners = PartnersIn(records.all, dof);
   return records;
 }
 

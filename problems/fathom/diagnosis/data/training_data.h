@@ -7,7 +7,7 @@
 #include "fathom/diagnosis/data/records.h"
 #include "fathom/noise/noise_model.h"
 #include "fathom/noise/whitener.h"
-#include "fathom/signal/excitation.h"
+#include "fathom/signal/dominant_tone.h"
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/vehicle/extended_model.h"
 
@@ -31,7 +31,6 @@ class TrainingData {
                         double least_inertia = 0.0);
 
   const std::vector<Record>& records() const { return records_; }
-  const std::vector<EffectSimulation>& simulations() const { return simulations_; }
   const Bins& bins() const { return bins_; }
 
   // Of the bins, with their damping factors.

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/report/cause_text.h"
 
-#include "fathom/diagnosis/report/with_interval.h"
+#include "fathom/report/format_value.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/model_file.h"
 

@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/diagnosis/report/with_interval.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/model_file.h"
 

@@ -3,7 +3,8 @@
 
 #include "fathom/diagnosis/report/moved_parameter.h"
 
-#include "fathom/diagnosis/report/with_interval.h"
+#include "fathom/base/interval95.h"
+#include "fathom/report/format_value.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ std::string WhatMoves(const Diagnosis& diagnosis) {
   double most_force = 0.0;
   for (int i = 0; i < kNumParameters; ++i) {
     const double way = std::abs(after[i] - before[i]);
-    if (!(way > kDeviationsOf95 * std_of(diagnosis.extended, i))) continue;
+    if (!(way > kStdsOf95 * std_of(diagnosis.extended, i))) continue;
     if (way * loads[i] > most_force) {
       most = i;
       most_force = way * loads[i];
@@ -66,8 +67,7 @@ std::string WhatMoves(const Diagnosis& diagnosis) {
   if (most < 0) return "";
   // No finer than a thousandth: what counts is how far it moves.
   const double finest = 1e-3 * std::max(std::abs(before[most]), std::abs(after[most]));
-  const int decimals =
-      DecimalsFor(std::max(kDeviationsOf95 * std_of(diagnosis.extended, most), finest));
+  const int decimals = DecimalsFor(std::max(kStdsOf95 * std_of(diagnosis.extended, most), finest));
   std::string name(kParameterInfo[most].name);
   std::replace(name.begin(), name.end(), '_', ' ');
   return fmt::format("the {} moves from {} to {} {}",

@@ -3,51 +3,61 @@
 
 #include "fathom/joint_refinement/logs/camera_runs.h"
 
+#include "fathom/signal/split_at_gaps.h"
+
 #include <algorithm>
 
 namespace fathom {
 
-CameraRuns CutIntoRuns(std::span<const Detection> detections,
-                       const MarkerTrack& track,
-                       double start,
-                       std::span<const TimeInterval> held_out) {
-  const auto is_held_out = [&](double t) {
-    return std::any_of(held_out.begin(), held_out.end(), [t](const TimeInterval& interval) {
-      return interval.Contains(t);
-    });
-  };
-  CameraRuns cut;
-  std::vector<CameraRun>& runs = cut.runs;
-  bool was_held_out = false;
-  double last = 0.0;
-  for (std::size_t k = 0; k < track.world_from_body.size(); ++k) {
+namespace {
+
+CameraRun RunIn(const SampleRange& range,
+                std::span<const Detection> detections,
+                const MarkerTrack& track) {
+  CameraRun run;
+  for (std::size_t k = range.begin; k < range.end; ++k) {
     const TrackedView& view = track.pnp.views[k];
-    if (view.time < start) {
-      ++cut.num_early;
-      continue;
-    }
-    const bool is_silent = !runs.empty() && view.time - last > CameraRuns::kLongestGap;
-    if (is_silent) ++cut.num_silences;
-    last = view.time;
-    if (is_held_out(view.time)) {
-      ++cut.num_held_out;
-      was_held_out = true;
-      continue;
-    }
-    if (runs.empty() || is_silent || was_held_out) runs.emplace_back();
-    was_held_out = false;
-    CameraRun& run = runs.back();
     run.time.push_back(view.time);
     run.world_from_body.push_back(track.world_from_body[k].pose);
     auto& seen = run.detections.emplace_back();
     for (const int i : view.detections) seen.push_back(detections[i]);
   }
-  std::erase_if(runs, [&](const CameraRun& run) {
-    if (run.time.size() >= CameraRuns::kFewestFrames) return false;
-    ++cut.num_short_runs;
-    cut.num_in_short_runs += static_cast<int>(run.time.size());
-    return true;
+  return run;
+}
+
+// Silences between the frames that may be refined; none counts before the first of them.
+int CountSilences(std::span<const SampleRange> ranges) {
+  auto range = std::ranges::find(ranges, false, &SampleRange::is_held_out);
+  if (range != ranges.end()) ++range;
+  return static_cast<int>(
+      std::count_if(range, ranges.end(), [](const SampleRange& r) { return r.is_after_gap; }));
+}
+
+}  // namespace
+
+CameraRuns CutIntoRuns(std::span<const Detection> detections,
+                       const MarkerTrack& track,
+                       double start,
+                       std::span<const TimeInterval> held_out) {
+  std::vector<double> time;
+  for (std::size_t k = 0; k < track.world_from_body.size(); ++k) {
+    time.push_back(track.pnp.views[k].time);
+  }
+  const auto first = std::lower_bound(time.begin(), time.end(), start) - time.begin();
+  std::vector<SampleRange> ranges = SplitAtGaps(time, held_out, first);
+  CameraRuns cut;
+  cut.num_early = static_cast<int>(first);
+  cut.num_silences = CountSilences(ranges);
+  std::erase_if(ranges, [&](const SampleRange& range) {
+    if (range.is_held_out) cut.num_held_out += static_cast<int>(range.size());
+    return range.is_held_out;
   });
+  const LongRanges kept = WithoutShort(ranges, CameraRuns::kFewestFrames);
+  cut.num_short_runs = static_cast<int>(kept.num_short);
+  cut.num_in_short_runs = static_cast<int>(kept.num_samples_in_short);
+  for (const SampleRange& range : kept.ranges) {
+    cut.runs.push_back(RunIn(range, detections, track));
+  }
   return cut;
 }
 

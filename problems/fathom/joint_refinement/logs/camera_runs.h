@@ -16,7 +16,6 @@ namespace fathom {
 
 // The frames of a track in runs, and what became of those that are in none.
 struct CameraRuns {
-  static constexpr double kLongestGap = 30.0;       // [s], as SignalsOptions::longest_gap
   static constexpr std::size_t kFewestFrames = 10;  // of a run
 
   std::vector<CameraRun> runs;  // without a command

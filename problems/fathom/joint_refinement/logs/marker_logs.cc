@@ -12,6 +12,7 @@
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/signals.h"
+#include "fathom/signal/split_at_gaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ void Describe(const CameraRuns& cut, std::vector<std::string>* remarks) {
   }
   if (cut.num_silences > 0) {
     remarks->push_back(fmt::format("No frame has a pose for over {:g} s {}: each starts a new run.",
-                                   CameraRuns::kLongestGap,
+                                   kLongestGap,
                                    Plural(cut.num_silences, "time")));
   }
   if (cut.num_short_runs > 0) {

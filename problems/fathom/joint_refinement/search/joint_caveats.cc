@@ -3,6 +3,7 @@
 
 #include "fathom/joint_refinement/search/joint_caveats.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/joint_refinement/motion/global_columns.h"
 #include "fathom/joint_refinement/problem/linear_joint.h"
 #include "fathom/output_error/caveats.h"
@@ -18,7 +19,7 @@
 namespace fathom {
 namespace {
 
-double HalfWidth(double variance) { return 1.96 * std::sqrt(variance); }  // of a 95 % interval
+double HalfWidth(double variance) { return kStdsOf95 * std::sqrt(variance); }  // of a 95 % interval
 
 // How far the excited motion goes off the mean axis of its DOF [rad], by what the other
 // translations do along with it; 0 for an angle.

@@ -3,7 +3,6 @@
 
 #include "fathom/base/files/yaml_file.h"
 
-#include "fathom/base/files/input_file.h"
 #include "fathom/base/files/yaml_tree.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
@@ -237,10 +236,6 @@ void YamlMap::Fail(std::string_view key, std::string_view problem) const {
 }
 
 void YamlMap::Fail(std::string_view problem) const { FailAt(*document_, *node_, problem); }
-
-YamlMap ReadYamlFile(const std::filesystem::path& path) {
-  return ParseYaml(path.string(), ReadFile(path));
-}
 
 YamlMap ParseYaml(const std::string& name, const std::string& text) {
   auto document = ParseYamlTree(name, text);

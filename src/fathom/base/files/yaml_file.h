@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +18,7 @@ struct YamlNode;
 // One map of a YAML file, read key by key. Whatever does not fit throws InputError that names file,
 // line and key ("thrusters[1].coefficient.forward"), what was found and what was expected.
 //
-//   const YamlMap file = ReadYamlFile("vehicle.yaml");
+//   const YamlMap file = ParseYaml("vehicle.yaml", ReadFile("vehicle.yaml"));
 //   const std::string name = file.String("name");                 // must be there
 //   const double mass = file.Number("mass");
 //   const double volume = file.Number("volume", mass / 1000.0);   // may be missing
@@ -89,11 +88,9 @@ class YamlMap {
   const YamlNode* node_;  // owned by the document
 };
 
-// Reads a file whose top level is a map. Throws InputError if it cannot be read, is empty, is not
-// UTF-8, breaks YAML's syntax, nests deeper than 32 levels or is not a map.
-YamlMap ReadYamlFile(const std::filesystem::path& path);
-
-// The same from memory; `name` stands for the file in messages.
+// From the text of a file whose top level is a map; `name` stands for the file in messages. Throws
+// InputError if it is empty, is not UTF-8, breaks YAML's syntax, nests deeper than 32 levels or is
+// not a map.
 YamlMap ParseYaml(const std::string& name, const std::string& text);
 
 }  // namespace fathom

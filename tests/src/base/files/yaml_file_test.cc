@@ -222,12 +222,5 @@ TEST(YamlFile, RefusesHugeNestingWithoutOverflowingTheStack) {
   EXPECT_THAT(ParseError(maps + std::string(20000, '}')), HasSubstr("nest deeper than 32 levels"));
 }
 
-TEST(YamlFile, NamesAFileThatCannotBeRead) {
-  EXPECT_EQ(ErrorFrom([] { ReadYamlFile("no/such.yaml"); }),
-            "no/such.yaml: there is no such file. Check the path.");
-  EXPECT_EQ(ErrorFrom([] { ReadYamlFile(FATHOM_SCRATCH_DIR); }),
-            FATHOM_SCRATCH_DIR ": is a folder, expected a file.");
-}
-
 }  // namespace
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/signal/excitation.h"
+#include "fathom/signal/dominant_tone.h"
 
 #include <cmath>
 #include <functional>
@@ -11,29 +11,6 @@
 
 namespace fathom {
 namespace {
-
-TEST(Excitation, MeasuresTheAngleBetweenColumnsWhateverTheirUnits) {
-  Eigen::MatrixXd S(3, 2);
-  // 60 degrees apart: sine 0.866; singular values sqrt(1 +- cos).
-  S << 1000.0, 0.5e-3, 0.0, std::sqrt(3.0) / 2.0 * 1e-3, 0.0, 0.0;
-  const Excitation excitation = ExcitationOf(S, {"a", "b"});
-  EXPECT_NEAR(excitation.condition_number, std::sqrt(1.5 / 0.5), 1e-12);
-  ASSERT_EQ(excitation.parameters.size(), 2u);
-  EXPECT_EQ(excitation.parameters[1].name, "b");
-  EXPECT_NEAR(excitation.parameters[0].surviving_share, std::sqrt(3.0) / 2.0, 1e-12);
-  EXPECT_NEAR(excitation.parameters[1].surviving_share, std::sqrt(3.0) / 2.0, 1e-12);
-}
-
-TEST(Excitation, FindsTheColumnsThatAreOneAndLeavesTheOther) {
-  Eigen::MatrixXd S(4, 4);
-  S << 1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 3, 0, 0, 0, 4, 0;
-  const Excitation excitation = ExcitationOf(S, {"a", "twice a", "c", "nothing"});
-  EXPECT_TRUE(std::isinf(excitation.condition_number));
-  EXPECT_NEAR(excitation.parameters[0].surviving_share, 0.0, 1e-12);
-  EXPECT_NEAR(excitation.parameters[1].surviving_share, 0.0, 1e-12);
-  EXPECT_NEAR(excitation.parameters[2].surviving_share, 1.0, 1e-12);
-  EXPECT_TRUE(std::isnan(excitation.parameters[3].surviving_share));
-}
 
 HeldCommand IrregularCommand(double duration, const std::function<double(double)>& value) {
   std::mt19937 generator(1);

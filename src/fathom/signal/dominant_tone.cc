@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/signal/excitation.h"
+#include "fathom/signal/dominant_tone.h"
 
 #include "fathom/signal/integral.h"
 
@@ -9,9 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <glog/logging.h>
 
 namespace fathom {
@@ -19,7 +17,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kMostBins = 2048;
-constexpr double kRankThreshold = 1e-12;
 
 // The command's means over equal bins, less their mean.
 struct Bins {
@@ -73,35 +70,6 @@ double ShareAt(const Bins& bins, double frequency) {
 }
 
 }  // namespace
-
-Excitation ExcitationOf(const Eigen::MatrixXd& sensitivity, const std::vector<std::string>& names) {
-  const Eigen::Index k = sensitivity.cols();
-  CHECK_EQ(static_cast<size_t>(k), names.size());
-  CHECK_GE(sensitivity.rows(), k);
-  Eigen::VectorXd length = sensitivity.colwise().norm();
-  const Eigen::VectorXd scale = length.unaryExpr([](double x) { return x > 0.0 ? 1.0 / x : 0.0; });
-  // The triangle of a QR decomposition has the angles between the columns, in k rows.
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(sensitivity * scale.asDiagonal());
-  const Eigen::MatrixXd R = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
-  const Eigen::VectorXd S = Eigen::JacobiSVD<Eigen::MatrixXd>(R).singularValues();
-
-  Excitation excitation;
-  excitation.condition_number =
-      S[k - 1] > kRankThreshold * S[0] ? S[0] / S[k - 1] : std::numeric_limits<double>::infinity();
-  for (Eigen::Index j = 0; j < k; ++j) {
-    ParameterExcitation parameter = {.name = names[j]};
-    if (length[j] > 0.0) {
-      Eigen::MatrixXd others = R;
-      others.col(j).setZero();
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> projection(others);
-      projection.setThreshold(kRankThreshold);
-      const Eigen::VectorXd left = R.col(j) - others * projection.solve(R.col(j));
-      parameter.surviving_share = left.norm();
-    }
-    excitation.parameters.push_back(parameter);
-  }
-  return excitation;
-}
 
 Tone DominantTone(const HeldCommand& command, double duration) {
   CHECK(!command.time.empty());

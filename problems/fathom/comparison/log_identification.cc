@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/comparison/log_identification.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/comparison/joint_identification.h"
+#include "fathom/signal/joined_signals.h"
+#include "fathom/signal/log_column.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+std::vector<std::string> LogIdentificationOptions::Problems() const {
+  std::vector<std::string> problems;
+  if (family == Family::kJoint && source == Source::kPoseEstimator) {
+    problems.emplace_back(
+        "source: is 'pose_estimator', expected camera: the family joint takes the corners that a "
+        "camera saw");
+  }
+  return problems;
+}
+
+LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificationOptions& options) {
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError(problems.front() + ".");
+  }
+  if (logs.empty()) throw InputError("An identification needs at least one log.");
+  const bool is_joint = options.family == Family::kJoint;
+  LogIdentification identified;
+  identified.signals =
+      JoinSignals(logs, options.dof, is_joint ? Source::kCamera : options.source).all;
+  const Signals& signals = identified.signals;
+  if (IsAllHeldOut(signals)) {
+    throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
+  }
+  identified.findings = CheckSanity(signals);
+  identified.result =
+      is_joint ? IdentifyJointly(
+                     std::move(logs), signals, options.identification.joint, &identified.remarks)
+               : Identify(signals, signals, options.family, options.identification);
+  return identified;
+}
+
+}  // namespace fathom

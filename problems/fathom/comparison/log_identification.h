@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/comparison/family.h"
+#include "fathom/comparison/identification.h"
+#include "fathom/log/log.h"
+#include "fathom/signal/sanity.h"
+#include "fathom/signal/signals.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct LogIdentificationOptions {
+  std::optional<Dof> dof = {};        // absent: the only one that each log names
+  std::optional<Source> source = {};  // absent: the best that each log has, for kJoint kCamera
+  Family family = Family::kOutputError;
+  IdentificationOptions identification = {};
+
+  // Every broken rule, a sentence each, by the name of the field; empty if there is none.
+  std::vector<std::string> Problems() const;
+};
+
+// One family's model of one DOF, and what is to be said of the data behind it.
+struct LogIdentification {
+  Signals signals;  // of all logs
+  std::vector<Finding> findings;
+  std::vector<std::string> remarks;  // of the joint refinement, a sentence each
+  Identification result;
+};
+
+// Fits one family to several logs together, each with an initial state of its own, and scores it on
+// the same signals. kJoint takes the logs' detections and their calibration, and needs their poses
+// for the score: TrackDetections() makes them.
+//
+// A fit that does not work does not throw: see the result. Throws InputError for options that break
+// their rules, and if the logs lack what is asked for, differ in DOF, source or command unit, or
+// hold out all of their data.
+LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificationOptions& options);
+
+}  // namespace fathom

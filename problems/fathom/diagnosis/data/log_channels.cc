@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/data/log_channels.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/diagnosis/data/pose_coordinate.h"
+#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/signal/log_column.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Throws InputError if nothing is.
+LogChannels ChannelsOf(const Log& log, const std::string& name, Dof dof) {
+  LogChannels channels = {&log, name, std::nullopt, std::nullopt, {}};
+  if (log.velocity) {
+    if (const auto* column = log.velocity->Find(VelocityColumn(dof))) {
+      channels.velocity = SampledSignal{log.velocity->time, *column};
+    }
+  }
+  channels.displacement = PoseCoordinate(log, name, dof, &channels.remarks);
+  if (!channels.velocity && !channels.displacement) {
+    if (log.pose && !log.velocity) throw InputError(channels.remarks.back());
+    MotionStream(log, dof, Source::kPoseEstimator);
+  }
+  return channels;
+}
+
+}  // namespace
+
+std::vector<LogChannels> ChannelsOf(std::span<const Log> logs,
+                                    const std::vector<std::string>& names,
+                                    Dof dof) {
+  std::vector<LogChannels> channels;
+  const std::string first_unit = CommandUnitOf(logs.front(), dof);
+  for (size_t k = 0; k < logs.size(); ++k) {
+    if (const std::string unit = CommandUnitOf(logs[k], dof); unit != first_unit) {
+      throw InputError(
+          fmt::format("{}: its commands are in {}, those of {} in {}: expected logs of one unit.",
+                      names[k],
+                      unit,
+                      names.front(),
+                      first_unit));
+    }
+    channels.push_back(ChannelsOf(logs[k], names[k], dof));
+  }
+  return channels;
+}
+
+bool LosesMotion(const LogChannels& channels) {
+  const std::vector<std::string>& remarks = channels.log->remarks;
+  return channels.displacement && std::any_of(remarks.begin(), remarks.end(), IsOnLostMotion);
+}
+
+}  // namespace fathom

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/signal/joined_signals.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/signal/dof_of_log.h"
+#include "fathom/signal/sources_of_log.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+void RequireAlike(const Log& log, const Signals& signals, const Signals& first) {
+  if (signals.dof != first.dof) {
+    throw InputError(
+        fmt::format("{}: its DOF is {}, expected {} as in the first log; say which with --dof.",
+                    log.path.string(),
+                    Name(signals.dof),
+                    Name(first.dof)));
+  }
+  if (signals.force_unit != first.force_unit || signals.source != first.source) {
+    throw InputError(fmt::format(
+        "{}: its command unit or source differs from the first log's ({} from {}, expected {} "
+        "from {}).",
+        log.path.string(),
+        signals.force_unit,
+        Name(signals.source),
+        first.force_unit,
+        Name(first.source)));
+  }
+}
+
+template <typename T>
+void MoveInto(std::vector<T>* to, std::vector<T> from) {
+  for (T& one : from) to->push_back(std::move(one));
+}
+
+}  // namespace
+
+JoinedSignals JoinSignals(std::span<const Log> logs,
+                          std::optional<Dof> dof,
+                          std::optional<Source> source) {
+  JoinedSignals joined;
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    const Dof own_dof = DofOf(logs[k], dof);
+    const Source own_source = source ? *source : BestSourceOf(logs[k], own_dof);
+    Signals own = SignalsOf(logs[k], own_dof, {.source = own_source});
+    if (k == 0) {
+      joined.all = std::move(own);
+    } else {
+      RequireAlike(logs[k], own, joined.all);
+      MoveInto(&joined.all.train, std::move(own.train));
+      MoveInto(&joined.all.held_out, std::move(own.held_out));
+      MoveInto(&joined.all.remarks, std::move(own.remarks));
+    }
+    joined.log_of_train.resize(joined.all.train.size(), k);
+    joined.log_of_held_out.resize(joined.all.held_out.size(), k);
+  }
+  return joined;
+}
+
+}  // namespace fathom

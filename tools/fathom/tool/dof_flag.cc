@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/dof_flag.h"
+
+#include "fathom/tool/log_flags.h"
+
+#include <gflags/gflags.h>
+
+DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+
+namespace fathom {
+
+std::optional<Dof> DofFromFlag() {
+  if (FLAGS_dof.empty()) return std::nullopt;
+  return ParseFlag("dof", FLAGS_dof, ParseDof);
+}
+
+}  // namespace fathom
