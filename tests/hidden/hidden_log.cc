@@ -196,7 +196,7 @@ HiddenLog DrawHiddenLog(const LogPlan& plan, std::uint64_t master_seed) {
 
   // How large: on the log in which nothing is hidden.
   hidden.log = Synthesize(setup.vehicle, experiment, seed);
-  const EffectInputs inputs = EffectInputsOf(hidden.log, cast.dof);
+  const EffectInputs inputs = UnsmoothedInputsOf(hidden.log, cast.dof);
   const RunScales scales = ScalesOfRun(inputs, cast.dof, truth.train_to);
   if (!effects.empty()) {
     KnownRun run(hidden.log, cast.dof, truth.train_from, truth.train_to, truth.noise);
