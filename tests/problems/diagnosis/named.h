@@ -20,7 +20,7 @@ struct NamedGroup {
 
 inline std::string LabelOf(const ActiveEffect& active) {
   std::string label(active.effect->info().name);
-  if (active.effect->info().has_partner) {
+  if (active.effect->info().has_partner()) {
     label += "(" + std::string(Name(active.setting.partner)) + ")";
   }
   return label;
