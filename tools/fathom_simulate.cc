@@ -8,8 +8,8 @@
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
-#include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
+#include "fathom/simulate/run_start.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/tool.h"
@@ -95,12 +95,14 @@ std::vector<std::string> LeaveOutRunEffects(const Log& log, FittedModel* fitted)
 class FreeRuns {
  public:
   FreeRuns(const FittedModel& fitted, const Log& log)
-      : model_(fitted.Extended()), segments_(SegmentsOf(log, fitted.dof)) {
+      : model_(fitted.Extended()),
+        segments_(SegmentsOf(log, fitted.dof)),
+        positions_(segments_.size(), 0.0) {
     if (model_.effects.empty()) return;
     inputs_ = EffectInputsOf(log, fitted.dof);
     RequirePartners(model_, inputs_, log);
-    for (const Segment& segment : segments_) {
-      positions_.push_back(PositionAt(log, fitted.dof, segment.time.front()));
+    for (std::size_t k = 0; k < segments_.size(); ++k) {
+      positions_[k] = PositionAt(log, fitted.dof, segments_[k].time.front());
     }
     is_measured_ = std::isfinite(segments_.front().velocity.back());
   }
@@ -111,17 +113,13 @@ class FreeRuns {
   std::optional<std::vector<double>> Predict(size_t k) const {
     const Segment& segment = segments_[k];
     const double first = segment.velocity.front();
-    if (model_.effects.empty()) return PredictVelocity(model_.baseline, segment, first);
-    const auto start = is_measured_ ? StartOf(model_, inputs_, segment, first, positions_[k])
+    const auto start = is_measured_ ? StartOf(model_, segment, first, positions_[k], &inputs_)
                                     : InitialState{first, positions_[k]};
     if (!start) return std::nullopt;
-    return PredictReadings(model_, inputs_, segment.time, *start);
+    return fathom::Predict(model_, segment, *start, &inputs_);
   }
 
-  FitFigures Figures() const {
-    return model_.effects.empty() ? FiguresOf(model_.baseline, segments_)
-                                  : FiguresOf(model_, inputs_, segments_, positions_);
-  }
+  FitFigures Figures() const { return FiguresOf(model_, segments_, positions_, &inputs_); }
 
  private:
   const ExtendedModel model_;
