@@ -28,7 +28,7 @@ constexpr double kAuthorShift = 2.2;  // [s]
 
 double HeldOutNmae(const UncoupledModel<double>& model, Log log, double shift) {
   for (double& t : log.command->time) t += shift;
-  return FiguresOf(model, SignalsOf(log, Dof::kSurge).held_out).nmae;
+  return FiguresOf({model}, SignalsOf(log, Dof::kSurge).held_out).nmae;
 }
 
 int Run(const std::filesystem::path& folder) {

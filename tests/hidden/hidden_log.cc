@@ -66,7 +66,7 @@ Cast DrawCast(const std::vector<const Effect*>& hidden,
   for (const Effect* effect : hidden)
     cast.needs_pose = cast.needs_pose || effect->info().needs_pose;
   const auto with_partner = std::find_if(
-      hidden.begin(), hidden.end(), [](const Effect* e) { return e->info().has_partner; });
+      hidden.begin(), hidden.end(), [](const Effect* e) { return e->info().has_partner(); });
   std::vector<Dof> partners;
   Dof partner = Dof::kYaw;
   if (with_partner != hidden.end()) {
@@ -163,8 +163,8 @@ void AddOutliers(Dof dof, double speed, std::uint64_t seed, HiddenLog* hidden) {
 
 std::string LabelOf(const ActiveEffect& effect) {
   const EffectInfo& info = effect.effect->info();
-  return info.has_partner ? fmt::format("{}({})", info.name, Name(effect.setting.partner))
-                          : std::string(info.name);
+  return info.has_partner() ? fmt::format("{}({})", info.name, Name(effect.setting.partner))
+                            : std::string(info.name);
 }
 
 std::string LogPlan::Name() const {
@@ -196,7 +196,7 @@ HiddenLog DrawHiddenLog(const LogPlan& plan, std::uint64_t master_seed) {
 
   // How large: on the log in which nothing is hidden.
   hidden.log = Synthesize(setup.vehicle, experiment, seed);
-  const EffectInputs inputs = EffectInputsOf(hidden.log, cast.dof);
+  const EffectInputs inputs = UnsmoothedInputsOf(hidden.log, cast.dof);
   const RunScales scales = ScalesOfRun(inputs, cast.dof, truth.train_to);
   if (!effects.empty()) {
     KnownRun run(hidden.log, cast.dof, truth.train_from, truth.train_to, truth.noise);

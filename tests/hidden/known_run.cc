@@ -25,7 +25,7 @@ double MeanOfFirst(const std::vector<double>& values, std::size_t count) {
 
 }  // namespace
 
-EffectInputs EffectInputsOf(const Log& log, Dof dof) {
+EffectInputs UnsmoothedInputsOf(const Log& log, Dof dof) {
   EffectInputs inputs;
   inputs.dof = dof;
   for (const Dof other : kAllDofs) {
@@ -42,7 +42,7 @@ EffectInputs EffectInputsOf(const Log& log, Dof dof) {
 }
 
 KnownRun::KnownRun(const Log& log, Dof dof, double from, double to, const KnownNoise& noise)
-    : inputs_(std::make_unique<EffectInputs>(EffectInputsOf(log, dof))) {
+    : inputs_(std::make_unique<EffectInputs>(UnsmoothedInputsOf(log, dof))) {
   OutputStamps stamps;
   std::vector<double> velocities, displacements;
   const std::vector<double>& velocity = *log.velocity->Find(VelocityColumn(dof));

@@ -82,7 +82,7 @@ class KnownRun {
   InitialState first_guess_;
 };
 
-// Streams of a log as simulations with effects take them.
-EffectInputs EffectInputsOf(const Log& log, Dof dof);
+// Streams of a log as simulations with effects take them, as they were measured.
+EffectInputs UnsmoothedInputsOf(const Log& log, Dof dof);
 
 }  // namespace fathom::hidden

@@ -19,7 +19,7 @@ bool CanStandTogether(const EffectInfo& a, const EffectInfo& b) {
   const auto turns = [](const EffectInfo& info) {
     return info.name == "lever_arm" || info.name == "coriolis_coupling";
   };
-  return a.name != b.name && !(a.has_partner && b.has_partner) && !(turns(a) && b.needs_pose) &&
+  return a.name != b.name && !(a.has_partner() && b.has_partner()) && !(turns(a) && b.needs_pose) &&
          !(turns(b) && a.needs_pose);
 }
 

@@ -83,7 +83,7 @@ class Oracle {
         rival.setting = {hidden_.dof, partner, scales_.force[Index(hidden_.dof)]};
         const bool is_true = std::any_of(truth.begin(), truth.end(), [&](const ActiveEffect& t) {
           return t.effect == effect &&
-                 (!effect->info().has_partner || t.setting.partner == partner);
+                 (!effect->info().has_partner() || t.setting.partner == partner);
         });
         if (is_true || !answer_.IsSeparable()) continue;
         Try(fitted, rival);
@@ -111,7 +111,7 @@ class Oracle {
 
   // Those that move; any one if it has none.
   std::vector<Dof> PartnersOf(const EffectInfo& info) const {
-    if (!info.has_partner) return {Dof::kYaw};
+    if (!info.has_partner()) return {Dof::kYaw};
     const bool turns = scales_.speed[Index(Dof::kYaw)] > 0.0 && hidden_.dof != Dof::kYaw;
     std::vector<Dof> partners;
     for (const Dof partner : kAllDofs) {

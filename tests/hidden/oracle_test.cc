@@ -36,7 +36,7 @@ TEST(Oracle, SeesNothingButNoiseAtTheTruth) {
     const double chi2 = FitWithKnownNoise(run, hidden.truth.model, run.FirstGuess(), options).chi2;
     const double n = run.num_samples();
     // A partner's reading is noisy, too, which the dynamics pass on: 10 % more.
-    const double more = effect->info().has_partner ? 0.1 * n : 0.0;
+    const double more = effect->info().has_partner() ? 0.1 * n : 0.0;
     EXPECT_NEAR(chi2, n, 4.5 * std::sqrt(2.0 * n) + more) << hidden.truth.setup;
   }
   EXPECT_GT(num_logs, 10);

@@ -4,7 +4,7 @@
 #include "fathom/adaptive/pass.h"
 
 #include "fathom/signal/integral.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 

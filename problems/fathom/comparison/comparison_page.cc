@@ -6,6 +6,7 @@
 #include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 #include "fathom/simulate/prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <array>
@@ -236,7 +237,7 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
       auto& values = panel.responses[response++].values;
-      const auto predicted = PredictVelocity(row.fitted.model, *segment, InitialVelocity(*segment));
+      const auto predicted = Predict({row.fitted.model}, *segment, {InitialVelocity(*segment)});
       if (predicted) {
         values.insert(values.end(), predicted->begin(), predicted->end());
       } else {

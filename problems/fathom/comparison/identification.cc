@@ -28,8 +28,8 @@ void TakeOver(const Summary& summary, Identification* identification) {
 
 // A model that misses almost all of the motion is no model, whatever its intervals say.
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
-  fitted->train = FiguresOf(fitted->model, scored.train);
-  fitted->held_out = FiguresOf(fitted->model, scored.held_out);
+  fitted->train = FiguresOf({fitted->model}, scored.train);
+  fitted->held_out = FiguresOf({fitted->model}, scored.held_out);
   constexpr double kExplainsLittle = 0.8;
   const double nmae = fitted->train.nmae;
   if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {

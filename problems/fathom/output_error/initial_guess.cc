@@ -49,10 +49,10 @@ UncoupledModel<double> RoughGuess(std::span<const Segment> segments) {
 
 InitialGuess ChooseInitialGuess(std::span<const Segment> segments) {
   InitialGuess best = {RoughGuess(segments), "rough"};
-  double best_nmae = FiguresOf(best.model, segments).nmae;
+  double best_nmae = FiguresOf({best.model}, segments).nmae;
   const auto consider = [&](const UncoupledModel<double>& model, const std::string& family) {
     const UncoupledModel<double> physical = MadePhysical(model);
-    const double nmae = FiguresOf(physical, segments).nmae;
+    const double nmae = FiguresOf({physical}, segments).nmae;
     if (!std::isfinite(nmae) || nmae >= best_nmae) return;
     best = {physical, family};
     best_nmae = nmae;

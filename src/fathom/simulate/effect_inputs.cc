@@ -7,7 +7,7 @@
 #include "fathom/base/median.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/extended_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,23 +33,6 @@ std::vector<SampledSignal> VelocitiesFromPoses(const Stream& stream) {
     }
   }
   return signals;
-}
-
-// A generic instant: no effect is silent in it by chance.
-Instant<double> GenericInstant() { return {3.7, {0.37, 0.23, 11.0}}; }
-
-// Everything an effect does at one instant, in one number.
-double ResponseAt(const ActiveEffect& active, const Instant<double>& now) {
-  const EffectLaws& laws = active.effect->laws();
-  const EffectLaw<double>& law = laws.In<double>();
-  const double* const p = active.values.data();
-  double sum = 0.0;
-  if (laws.has.thrust) sum += law.Thrust(p, active.setting, 7.3, now);
-  if (laws.has.resistance) {
-    sum += law.Resistance(p, active.setting, {0.31, 0.29, 0.53, 0.17, 2.0, 3.0}, now);
-  }
-  if (laws.has.reading) sum += law.Reading(p, active.setting, 0.31, now);
-  return sum;
 }
 
 }  // namespace
@@ -98,24 +81,10 @@ EffectInputs EffectInputsOf(const Log& log, Dof dof) {
   return inputs;
 }
 
-PartnerNeeds NeedsOf(const ActiveEffect& effect) {
-  PartnerNeeds needs;
-  if (!effect.effect->info().has_partner) return needs;
-  const double response = ResponseAt(effect, GenericInstant());
-  const auto changes_with = [&](double PartnerReading<double>::*measurement) {
-    Instant<double> now = GenericInstant();
-    now.partner.*measurement *= 1.61;
-    return ResponseAt(effect, now) != response;
-  };
-  needs.velocity = changes_with(&PartnerReading<double>::velocity);
-  needs.yaw_rate = changes_with(&PartnerReading<double>::yaw_rate);
-  needs.force = changes_with(&PartnerReading<double>::force);
-  return needs;
-}
-
 void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, const Log& log) {
   for (const ActiveEffect& active : model.effects) {
-    const PartnerNeeds needs = NeedsOf(active);
+    if (!active.effect->info().partner) continue;
+    const PartnerInfo& reads = *active.effect->info().partner;
     const std::string label = LabelOf(active.effect->info(), active.setting);
     const auto require_velocity = [&](Dof dof) {
       if (!inputs.velocity[Index(dof)].time.empty()) return;
@@ -127,9 +96,9 @@ void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, con
                       Name(dof),
                       VelocityColumn(dof)));
     };
-    if (needs.velocity) require_velocity(active.setting.partner);
-    if (needs.yaw_rate) require_velocity(Dof::kYaw);
-    if (needs.force && inputs.force[Index(active.setting.partner)].time.empty()) {
+    if (reads.velocity) require_velocity(active.setting.partner);
+    if (reads.yaw_rate) require_velocity(Dof::kYaw);
+    if (reads.force && inputs.force[Index(active.setting.partner)].time.empty()) {
       throw InputError(
           fmt::format("{}: the model's {} needs the command of {}, expected column '{}' in "
                       "command.csv.",

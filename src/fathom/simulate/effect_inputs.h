@@ -35,14 +35,6 @@ EffectInputs MeasuredInputsOf(const Log& log, Dof dof);
 // The same, with the poses' derivatives where velocity.csv has none.
 EffectInputs EffectInputsOf(const Log& log, Dof dof);
 
-// Which of a partner's measurements an effect really uses, found by asking its equation.
-struct PartnerNeeds {
-  bool velocity = false;
-  bool yaw_rate = false;
-  bool force = false;
-};
-PartnerNeeds NeedsOf(const ActiveEffect& effect);
-
 // Throws InputError, saying which effect misses what, unless `inputs` hold what the effects of
 // `model` need of their partners. `log` as messages name it.
 void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, const Log& log);

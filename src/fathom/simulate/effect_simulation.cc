@@ -38,23 +38,20 @@ ScalarModel<T> InScalars(const ExtendedModel& model,
                       Seeded<T>(model.baseline.buoyancy, kBuoyancy)};
   scalars.initial_velocity = Seeded<T>(initial.velocity, EffectSimulation::kInitialVelocityColumn);
   scalars.initial_position = Seeded<T>(initial.position, EffectSimulation::kInitialPositionColumn);
+  std::vector<StackedEffect<T>> effects;
   int column = EffectSimulation::kFirstEffectColumn;
   for (const ActiveEffect& active : model.effects) {
     if (!active.setting.ActsIn(log)) {
       column += static_cast<int>(active.values.size());
       continue;
     }
-    ScalarEffect<T> effect = {&active.effect->laws(),
-                              &active.effect->laws().In<T>(),
-                              active.setting,
-                              active.effect->info().has_partner,
-                              {}};
-    CHECK_EQ(active.values.size(), active.effect->info().parameters.size());
-    for (const double value : active.values) {
-      effect.parameters.push_back(Seeded<T>(value, column++));
-    }
-    scalars.effects.push_back(std::move(effect));
+    const EffectInfo& info = active.effect->info();
+    CHECK_EQ(active.values.size(), info.parameters.size());
+    StackedEffect<T> effect = {&active.effect->law<T>(), active.setting, info.has_partner(), {}};
+    for (const double value : active.values) effect.values.push_back(Seeded<T>(value, column++));
+    effects.push_back(std::move(effect));
   }
+  scalars.effects = EffectStack<T>(std::move(effects));
   for (const Excess excess : EffectSimulation::ExcessesOf(model)) {
     (excess == &InitialState::reading_excess ? scalars.initial_reading_excess
                                              : scalars.initial_memory_excess) =
@@ -69,7 +66,7 @@ bool RunIn(const EffectInputs& inputs,
            const ExtendedModel& model,
            const InitialState& initial,
            EffectOutputs* outputs) {
-  CHECK_LE(model.effects.size(), EffectSimulation::kMostEffects);
+  CHECK_LE(model.effects.size(), kMostEffects);
   outputs->velocity.resize(stamps.velocity.size());
   outputs->displacement.resize(stamps.displacement.size());
   if constexpr (!std::is_same_v<T, double>) {
@@ -88,8 +85,10 @@ bool RunIn(const EffectInputs& inputs,
       matrix->row(i) = value.v.head(matrix->cols()).transpose();
     }
   };
-  EffectRun<T> run(inputs, InScalars<T>(model, initial, inputs.log), stamps);
-  return run.Integrate(
+  return RunEffects(
+      inputs,
+      InScalars<T>(model, initial, inputs.log),
+      stamps,
       [&](size_t row, const T& value) {
         store(value, row, &outputs->velocity, &outputs->velocity_sensitivity);
       },
@@ -113,7 +112,7 @@ int EffectSimulation::NumParameters(const ExtendedModel& model) {
 
 bool EffectSimulation::HasReadingMemory(const ExtendedModel& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const ActiveEffect& active) {
-    return active.effect->laws().has.follow_reading;
+    return active.effect->law<double>().follow_reading != nullptr;
   });
 }
 
@@ -122,7 +121,7 @@ std::vector<Excess> EffectSimulation::ExcessesOf(const ExtendedModel& model) {
   if (HasReadingMemory(model)) excesses.push_back(&InitialState::reading_excess);
   const bool has_memory =
       std::any_of(model.effects.begin(), model.effects.end(), [](const ActiveEffect& active) {
-        return active.effect->laws().has.memory_rate;
+        return active.effect->law<double>().memory_rate != nullptr;
       });
   if (has_memory) excesses.push_back(&InitialState::memory_excess);
   return excesses;

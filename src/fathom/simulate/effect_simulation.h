@@ -49,8 +49,6 @@ class EffectSimulation {
   static constexpr int kInitialVelocityColumn = 4;
   static constexpr int kInitialPositionColumn = 5;
 
-  static constexpr size_t kMostEffects = 6;
-
   // The most parameters that all effects of a model may have together, excesses counted along.
   static constexpr int kMostEffectParameters = 10;
 

@@ -8,8 +8,8 @@
 #include "fathom/signal/signals.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
-#include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include <cmath>
 #include <cstddef>
@@ -64,20 +64,6 @@ std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
   return {segment};
 }
 
-// What a model with effects shows over a segment of the log.
-std::optional<std::vector<double>> ReadingsOver(const Segment& segment,
-                                                const ExtendedModel& model,
-                                                const EffectInputs& inputs,
-                                                const Log& log,
-                                                bool is_measured) {
-  const double first = segment.velocity.front();
-  const double position = PositionAt(log, inputs.dof, segment.time.front());
-  const auto start = is_measured ? StartOf(model, inputs, segment, first, position)
-                                 : InitialState{first, position};
-  if (!start) return std::nullopt;
-  return PredictReadings(model, inputs, segment.time, *start);
-}
-
 }  // namespace
 
 std::optional<LogPrediction> PredictLog(const FittedModel& fitted, const Log& log) {
@@ -93,9 +79,12 @@ std::optional<LogPrediction> PredictLog(const FittedModel& fitted, const Log& lo
   }
   FigureSums sums;
   for (const Segment& segment : prediction.segments) {
-    auto velocity = model.effects.empty()
-                        ? PredictVelocity(model.baseline, segment, segment.velocity.front())
-                        : ReadingsOver(segment, model, inputs, log, is_measured);
+    const double first = segment.velocity.front();
+    const double position = PositionAt(log, fitted.dof, segment.time.front());
+    const auto start = is_measured ? StartOf(model, segment, first, position, &inputs)
+                                   : InitialState{first, position};
+    if (!start) return std::nullopt;
+    auto velocity = Predict(model, segment, *start, &inputs);
     if (!velocity) return std::nullopt;
     sums.Add(segment.time, segment.velocity, *velocity);
     prediction.velocity.push_back(std::move(*velocity));

@@ -3,24 +3,32 @@
 
 #include "fathom/simulate/prediction.h"
 
-#include "fathom/simulate/simulate.h"
+#include "fathom/simulate/effect_simulation.h"
+#include "fathom/simulate/run_start.h"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <glog/logging.h>
 
 namespace fathom {
 
-std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
-                                                   const Segment& segment,
-                                                   double initial_velocity) {
-  std::vector<double> velocity(segment.time.size());
-  const Simulation simulation(segment.command, segment.time);
-  if (!simulation.Run(model, {initial_velocity, 0.0}, velocity, {})) return std::nullopt;
-  return velocity;
-}
-
-double InitialVelocity(const Segment& segment) {
-  return std::isfinite(segment.initial_velocity) ? segment.initial_velocity
-                                                 : segment.velocity.front();
+std::optional<std::vector<double>> Predict(const ExtendedModel& model,
+                                           const Segment& segment,
+                                           const InitialState& initial,
+                                           const EffectInputs* inputs) {
+  if (model.effects.empty()) {
+    std::vector<double> velocity(segment.time.size());
+    const Simulation simulation(segment.command, segment.time);
+    if (!simulation.Run(model.baseline, initial, velocity, {})) return std::nullopt;
+    return velocity;
+  }
+  CHECK(inputs != nullptr);
+  EffectOutputs outputs;
+  const EffectSimulation simulation(inputs, {segment.time.front(), segment.time, {}});
+  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
+  return std::move(outputs.velocity);
 }
 
 void FigureSums::Add(std::span<const double> time,
@@ -45,10 +53,17 @@ FitFigures FigureSums::Figures() const {
   return figures;
 }
 
-FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments) {
+FitFigures FiguresOf(const ExtendedModel& model,
+                     std::span<const Segment> segments,
+                     std::span<const double> positions,
+                     const EffectInputs* inputs) {
+  CHECK(positions.empty() || positions.size() == segments.size());
   FigureSums sums;
-  for (const Segment& segment : segments) {
-    const auto predicted = PredictVelocity(model, segment, InitialVelocity(segment));
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Segment& segment = segments[k];
+    const double position = positions.empty() ? 0.0 : positions[k];
+    const auto start = StartOf(model, segment, InitialVelocity(segment), position, inputs);
+    const auto predicted = start ? Predict(model, segment, *start, inputs) : std::nullopt;
     if (!predicted) return {};
     sums.Add(segment.time, segment.velocity, *predicted);
   }

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "fathom/signal/signals.h"
+#include "fathom/simulate/effect_inputs.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
-#include "fathom/vehicle/uncoupled_model.h"
 
 #include <optional>
 #include <span>
@@ -13,16 +15,15 @@
 
 namespace fathom {
 
-// The velocity that `model` predicts at the stamps of `segment` from its command alone, started
-// from `initial_velocity` [m/s] or [rad/s]: a free run, the measurement never enters. Nothing if
-// the simulation diverges.
-std::optional<std::vector<double>> PredictVelocity(const UncoupledModel<double>& model,
-                                                   const Segment& segment,
-                                                   double initial_velocity);
-
-// Where a free run over a segment starts: its initial_velocity, or where that is not known its
-// first measured velocity.
-double InitialVelocity(const Segment& segment);
+// What the velocity sensor shows at the stamps of `segment` in a free run from `initial`, which
+// holds at the first stamp: the measurement never enters. Nothing if the simulation diverges.
+//
+// Without effects the velocity is integrated from the segment's command alone (Simulation);
+// `inputs` may then be null. With effects, EffectSimulation takes the log's.
+std::optional<std::vector<double>> Predict(const ExtendedModel& model,
+                                           const Segment& segment,
+                                           const InitialState& initial,
+                                           const EffectInputs* inputs = nullptr);
 
 // MAE and NMAE over several runs together (paper Eqs. 10 and 11).
 class FigureSums {
@@ -40,8 +41,12 @@ class FigureSums {
   int num_samples_ = 0;
 };
 
-// Of the free runs over all `segments`, each started from its InitialVelocity(). All NaN if a run
-// diverges.
-FitFigures FiguresOf(const UncoupledModel<double>& model, std::span<const Segment> segments);
+// Of the free runs over all `segments`, each from the StartOf() its InitialVelocity() and the
+// position of the same index; `positions` may be empty, and `inputs` null, where the model has no
+// effects. All NaN if a run diverges.
+FitFigures FiguresOf(const ExtendedModel& model,
+                     std::span<const Segment> segments,
+                     std::span<const double> positions = {},
+                     const EffectInputs* inputs = nullptr);
 
 }  // namespace fathom

@@ -90,7 +90,7 @@ std::array<Turbulence, 6> TurbulenceOf(const Experiment& experiment,
   std::array<Turbulence, 6> turbulence;
   for (const Drive& drive : experiment.drives) {
     // To the last command, see LastCommand().
-    const double ahead = std::max(0.0, -EffectChain(drive.dof, effects).Delay());
+    const double ahead = std::max(0.0, -HiddenIn(drive.dof, effects).Delay());
     turbulence[Index(drive.dof)] =
         Turbulence(drive.turbulence,
                    experiment.duration + ahead,
@@ -150,7 +150,7 @@ Log Synthesize(const Vehicle& vehicle,
     RequireUsable(*log.velocity, "velocity.csv", experiment);
   }
   if (experiment.pose && experiment.pose->is_logged) {
-    log.pose = PoseStream(motion, truth, experiment, effects, seed, log);
+    log.pose = PoseStream(motion, truth, experiment, seed, log);
     RequireUsable(*log.pose, "pose.csv", experiment);
   }
   return log;
@@ -169,7 +169,7 @@ Stream ShownPoses(const Vehicle& vehicle,
   Experiment seen_by_camera = experiment;
   seen_by_camera.pose = PoseSensor{.sampling = sampling};
   Log remarks;
-  return PoseStream(motion, truth, seen_by_camera, effects, seed, remarks);
+  return PoseStream(motion, truth, seen_by_camera, seed, remarks);
 }
 
 std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,

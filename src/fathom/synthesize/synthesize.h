@@ -4,9 +4,9 @@
 #pragma once
 
 #include "fathom/log/log.h"
-#include "fathom/synthesize/effects/scales.h"
 #include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/scales.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <array>

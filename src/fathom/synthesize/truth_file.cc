@@ -41,8 +41,8 @@ Json EffectOfTruth(const ActiveEffect& active) {
                {"place", Name(info.place)},
                {"in_catalogue", FindEffect(info.name) == active.effect},
                {"parameters", parameters}};
-  if (info.has_partner) json["partner"] = Name(active.setting.partner);
-  if (info.name == "thrust_curve") json["reference_force"] = active.setting.reference_force;
+  if (info.has_partner()) json["partner"] = Name(active.setting.partner);
+  if (info.uses_reference_force) json["reference_force"] = active.setting.reference_force;
   return json;
 }
 

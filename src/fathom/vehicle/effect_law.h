@@ -53,105 +53,43 @@ struct WaterState {
   T linear_damping{0.0};
 };
 
-// An effect's equation in one scalar: every hook is the identity unless the effect has it. `p` are
-// its parameters in the order of EffectInfo. Call through these only where `has` says so.
+// An effect's equation in one scalar, as the hooks that it has; null: it leaves things there as
+// they are. `p` are its parameters in the order of EffectInfo. EffectStack calls them.
 template <typename T>
-class EffectLaw {
- public:
-  virtual ~EffectLaw() = default;
-
+struct EffectLaw {
   // Actuator, in the order of the catalogue. Delay [s]: f(t) = tau(t - delay).
-  virtual T Delay(const T* /*p*/) const { return T(0.0); }
+  T (*delay)(const T* p) = nullptr;
   // Force from force, without memory.
-  virtual T Thrust(const T* /*p*/,
-                   const EffectSetting& /*setting*/,
-                   const T& force,
-                   const Instant<T>& /*now*/) const {
-    return force;
-  }
+  T(*thrust)
+  (const T* p, const EffectSetting& setting, const T& force, const Instant<T>& now) = nullptr;
   // A force that follows `target`, held for `duration`, with a memory of its own: advances `state`
   // (the force reached) and returns the mean force over that time.
-  virtual T Follow(const T* /*p*/, const T& target, const T& /*duration*/, T* state) const {
-    *state = target;
-    return target;
-  }
+  T (*follow)(const T* p, const T& target, const T& duration, T* state) = nullptr;
   // Force from force and speed.
-  virtual T ThrustAtSpeed(const T* /*p*/, const T& force, const T& /*speed*/) const {
-    return force;
-  }
+  T (*thrust_at_speed)(const T* p, const T& force, const T& speed) = nullptr;
 
   // Water. Speed through the water, from the speed over ground.
-  virtual T RelativeSpeed(const T* /*p*/, const T& speed) const { return speed; }
+  T (*relative_speed)(const T* p, const T& speed) = nullptr;
   // What is added to the left-hand side of docs/models.md (1) [N] or [N m].
-  virtual T Resistance(const T* /*p*/,
-                       const EffectSetting& /*setting*/,
-                       const WaterState<T>& /*water*/,
-                       const Instant<T>& /*now*/) const {
-    return T(0.0);
-  }
+  T (*resistance)(const T* p, const WaterState<T>& water, const Instant<T>& now) = nullptr;
   // Rate of the effect's own state. Where it starts, InitialState says.
-  virtual T MemoryRate(const T* /*p*/, const T& /*memory*/, const T& /*speed*/) const {
-    return T(0.0);
-  }
+  T (*memory_rate)(const T* p, const T& memory, const T& speed) = nullptr;
 
-  // Sensor, in the order of the catalogue. What the velocity sensor shows.
-  virtual T Reading(const T* /*p*/,
-                    const EffectSetting& /*setting*/,
-                    const T& reading,
-                    const Instant<T>& /*now*/) const {
-    return reading;
-  }
+  // Sensor, in the order of the catalogue. What the velocity sensor shows, where the partner's
+  // velocity is known as it was measured.
+  T(*reading)
+  (const T* p, const EffectSetting& setting, const T& reading, const Instant<T>& now) = nullptr;
+  // The same of a sensor that turns the partner's reading too, from the truth of both.
+  void (*both_readings)(const T* p, T* reading, T* partner_reading) = nullptr;
   // A reading that follows one which goes from `begin` to `end` in a straight line over `duration`:
   // advances `state`, the reading shown. Where it starts, InitialState says.
-  virtual void FollowReading(
-      const T* /*p*/, const T& /*begin*/, const T& end, const T& /*duration*/, T* state) const {
-    *state = end;
-  }
+  void (*follow_reading)(const T* p, const T& begin, const T& end, const T& duration, T* state) =
+      nullptr;
   // Pose stamp = true time + this [s].
-  virtual T PoseDelay(const T* /*p*/) const { return T(0.0); }
+  T (*pose_delay)(const T* p) = nullptr;
   // What the pose's displacement shows at true time `now` [m] or [rad]; `displacement` from the
   // start.
-  virtual T Displacement(const T* /*p*/, const T& displacement, const Instant<T>& /*now*/) const {
-    return displacement;
-  }
+  T (*displacement)(const T* p, const T& displacement, const Instant<T>& now) = nullptr;
 };
-
-// Which hooks an effect has.
-struct EffectHooks {
-  bool delay = false;
-  bool thrust = false;
-  bool follow = false;
-  bool thrust_at_speed = false;
-  bool relative_speed = false;
-  bool resistance = false;
-  bool memory_rate = false;
-  bool reading = false;
-  bool follow_reading = false;
-  bool pose_delay = false;
-  bool displacement = false;
-};
-
-struct EffectLaws {
-  EffectHooks has;
-  const EffectLaw<double>* plain = nullptr;
-  const EffectLaw<SmallJet>* small_jet = nullptr;
-  const EffectLaw<LargeJet>* large_jet = nullptr;
-
-  template <typename T>
-  const EffectLaw<T>& In() const;
-};
-
-template <>
-inline const EffectLaw<double>& EffectLaws::In<double>() const {
-  return *plain;
-}
-template <>
-inline const EffectLaw<SmallJet>& EffectLaws::In<SmallJet>() const {
-  return *small_jet;
-}
-template <>
-inline const EffectLaw<LargeJet>& EffectLaws::In<LargeJet>() const {
-  return *large_jet;
-}
 
 }  // namespace fathom

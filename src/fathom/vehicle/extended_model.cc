@@ -8,23 +8,39 @@
 #include <algorithm>
 #include <utility>
 
-namespace fathom {
-namespace {
+#include <fmt/format.h>
 
-// Where an effect acts: its place, then its turn in the catalogue.
-std::pair<int, size_t> TurnOf(const Effect* effect) {
-  const auto catalogue = EffectCatalogue();
-  const auto found = std::find(catalogue.begin(), catalogue.end(), effect);
-  return {static_cast<int>(effect->info().place), static_cast<size_t>(found - catalogue.begin())};
+namespace fathom {
+
+std::string LabelOf(const EffectInfo& info, const EffectSetting& setting) {
+  std::string within = info.has_partner() ? std::string(Name(setting.partner)) : "";
+  if (!setting.log.empty()) within += (within.empty() ? "" : ", ") + setting.log;
+  return within.empty() ? std::string(info.name) : fmt::format("{}({})", info.name, within);
 }
 
-}  // namespace
+std::string ProblemWith(const std::vector<ActiveEffect>& effects) {
+  if (effects.size() > kMostEffects) {
+    return fmt::format("lists {} effects, expected at most {}", effects.size(), kMostEffects);
+  }
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const std::string label = LabelOf(effects[i].effect->info(), effects[i].setting);
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::string before = LabelOf(effects[j].effect->info(), effects[j].setting);
+      if (label == before) return fmt::format("lists {} twice", label);
+      if (!ActsBefore(effects[i].effect, effects[j].effect)) continue;
+      return fmt::format(
+          "lists {} before {}, expected the order in which they act: the other way round",
+          before,
+          label);
+    }
+  }
+  return "";
+}
 
 ExtendedModel WithEffect(ExtendedModel model, ActiveEffect effect) {
-  const auto turn = TurnOf(effect.effect);
   const auto place =
       std::find_if(model.effects.begin(), model.effects.end(), [&](const ActiveEffect& other) {
-        return turn < TurnOf(other.effect);
+        return ActsBefore(effect.effect, other.effect);
       });
   model.effects.insert(place, std::move(effect));
   return model;

@@ -25,7 +25,7 @@ Json FormatFigures(const FitFigures& figures) {
 Json FormatEffect(const ActiveEffect& active) {
   const EffectInfo& info = active.effect->info();
   Json json = {{"effect", info.name}};
-  if (info.has_partner) json["partner"] = Name(active.setting.partner);
+  if (info.has_partner()) json["partner"] = Name(active.setting.partner);
   if (active.setting.reference_force != 1.0) {
     json["reference_force"] = active.setting.reference_force;
   }
@@ -34,12 +34,6 @@ Json FormatEffect(const ActiveEffect& active) {
 }
 
 }  // namespace
-
-std::string LabelOf(const EffectInfo& info, const EffectSetting& setting) {
-  std::string within = info.has_partner ? std::string(Name(setting.partner)) : "";
-  if (!setting.log.empty()) within += (within.empty() ? "" : ", ") + setting.log;
-  return within.empty() ? std::string(info.name) : fmt::format("{}({})", info.name, within);
-}
 
 std::string KeyOf(const ActiveEffect& active, const EffectParameter& parameter) {
   return fmt::format("{}.{}", LabelOf(active.effect->info(), active.setting), parameter.name);

@@ -12,10 +12,6 @@
 
 namespace fathom {
 
-// An effect as people and files tell it from others of its kind: "thruster_lag",
-// "velocity_coupling(sway)", "buoyancy_step(dive_2)" where it acts in one of several logs alone.
-std::string LabelOf(const EffectInfo& info, const EffectSetting& setting);
-
 // A parameter of an effect as files name it: "thruster_lag.time_constant",
 // "velocity_coupling(sway).coefficient".
 std::string KeyOf(const ActiveEffect& active, const EffectParameter& parameter);

@@ -25,7 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDeepestNesting = 16;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostEffects = 6;  // that a simulation takes
 
 // Walks a parsed file and complains in the words of docs/file_formats.md.
 class Reader {
@@ -99,12 +98,6 @@ FitFigures ReadFigures(const Reader& reader, const Json& json, const char* key) 
   return figures;
 }
 
-// Its place among those that can act.
-std::ptrdiff_t RankOf(const ActiveEffect& active) {
-  const auto catalogue = EffectCatalogue();
-  return std::find(catalogue.begin(), catalogue.end(), active.effect) - catalogue.begin();
-}
-
 // One entry of structure.effects or causes, without its values.
 ActiveEffect ReadEffect(const Reader& reader, const Json& json, Dof dof) {
   const std::string name = reader.Text(json, "effect");
@@ -120,7 +113,7 @@ ActiveEffect ReadEffect(const Reader& reader, const Json& json, Dof dof) {
                     fmt::join(names, ", ")));
   }
   active.setting.dof = dof;
-  if (active.effect->info().has_partner) {
+  if (active.effect->info().has_partner()) {
     const std::string partner = reader.Text(json, "partner");
     const auto partner_dof = DofFromName(partner);
     if (!partner_dof || *partner_dof == dof) {
@@ -145,27 +138,6 @@ ActiveEffect ReadEffect(const Reader& reader, const Json& json, Dof dof) {
   return active;
 }
 
-void RequireOrder(const Reader& reader, const std::vector<ActiveEffect>& effects) {
-  if (effects.size() > kMostEffects) {
-    reader.Fail("effects",
-                fmt::format("lists {} effects, expected at most {}", effects.size(), kMostEffects));
-  }
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    const std::string label = LabelOf(effects[i].effect->info(), effects[i].setting);
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::string before = LabelOf(effects[j].effect->info(), effects[j].setting);
-      if (label == before) reader.Fail("effects", fmt::format("lists {} twice", label));
-      if (RankOf(effects[j]) > RankOf(effects[i])) {
-        reader.Fail("effects",
-                    fmt::format("lists {} before {}, expected the order in which they act: the "
-                                "other way round",
-                                before,
-                                label));
-      }
-    }
-  }
-}
-
 // The effects of a model (of a verdict: of what it holds under "extended") without their values.
 // Where a verdict does not say, they are its causes; `values` then holds what these say.
 std::vector<ActiveEffect> ReadEffects(const Reader& reader,
@@ -188,10 +160,11 @@ std::vector<ActiveEffect> ReadEffects(const Reader& reader,
       }
     }
     std::stable_sort(effects.begin(), effects.end(), [](const auto& a, const auto& b) {
-      return RankOf(a) < RankOf(b);
+      return ActsBefore(a.effect, b.effect);
     });
   }
-  RequireOrder(reader, effects);
+  const std::string problem = ProblemWith(effects);
+  if (!problem.empty()) reader.Fail("effects", problem);
   return effects;
 }
 

@@ -36,7 +36,7 @@ double TrueNmae(const UncoupledModel<double>& model, const SyntheticCameraRun& r
   segment.time = run.input.runs[0].time;
   segment.velocity = run.true_velocity;
   segment.command = run.input.runs[0].command;
-  const auto v = PredictVelocity(model, segment, v0);
+  const auto v = Predict({model}, segment, {v0});
   if (!v) return JointTrial::kNone;
   FigureSums sums;
   sums.Add(segment.time, segment.velocity, *v);

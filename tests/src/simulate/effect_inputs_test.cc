@@ -65,20 +65,6 @@ TEST(EffectInputs, TakeFromThePosesWhatTheVelocitiesLack) {
   EXPECT_EQ(inputs.velocity[Index(Dof::kYaw)].value, (std::vector<double>{0.3, 0.4}));
 }
 
-TEST(PartnerNeeds, AreWhatTheEquationsOfTheCatalogueUse) {
-  const auto needs_of = [](const char* name) {
-    const PartnerNeeds needs = NeedsOf(WithPartner(name, Dof::kSway, 0.4));
-    return std::string(needs.velocity ? "v" : "-") + (needs.yaw_rate ? "r" : "-") +
-           (needs.force ? "f" : "-");
-  };
-  EXPECT_EQ(needs_of("velocity_coupling"), "v--");
-  EXPECT_EQ(needs_of("coriolis_coupling"), "vr-");
-  EXPECT_EQ(needs_of("thrust_crosstalk"), "--f");
-  EXPECT_EQ(needs_of("sensor_misalignment"), "v--");
-  EXPECT_EQ(needs_of("lever_arm"), "v--");
-  EXPECT_EQ(needs_of("thruster_lag"), "---");
-}
-
 TEST(RequirePartners, SaysWhichEffectMissesWhat) {
   const Log log = VelocityLog();
   EXPECT_EQ(ErrorOf(WithPartner("velocity_coupling", Dof::kYaw, 2.0), log), "no error");

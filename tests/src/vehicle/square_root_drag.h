@@ -4,15 +4,14 @@
 #pragma once
 
 #include "fathom/vehicle/effect_of.h"
+#include "fathom/vehicle/effects/bounds.h"
+#include "fathom/vehicle/effects/natural_units.h"
 
 #include <cmath>
-#include <limits>
 
 #include <ceres/jet.h>
 
 namespace fathom {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // An effect of a user's own, as docs/adding_an_effect.md shows it.
 struct SquareRootDrag {
@@ -24,18 +23,18 @@ struct SquareRootDrag {
                             .quantity = {"N s/m", "N m s/rad", 1, -1, 0},
                             .null = 0.0,
                             .lower = 0.0,
-                            .upper = kInfinity}},
+                            .upper = kInfinity,
+                            .drawn = {0.1, 1.0, natural::LinearDrag}}},
             .cause = "the drag has a part that grows with the root of the speed",
             .advice = "Keep it."};
   }
   template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    using std::sqrt;
-    const T size = sqrt(water.speed * water.speed + 1e-4);
-    return p[0] * water.speed / sqrt(size);
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
+      using std::sqrt;
+      const T size = sqrt(water.speed * water.speed + 1e-4);
+      return p[0] * water.speed / sqrt(size);
+    }};
   }
 };
 

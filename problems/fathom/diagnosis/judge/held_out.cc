@@ -4,8 +4,8 @@
 #include "fathom/diagnosis/judge/held_out.h"
 
 #include "fathom/base/random_stream.h"
-#include "fathom/simulate/extended_prediction.h"
 #include "fathom/simulate/prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <cmath>

@@ -53,7 +53,7 @@ Json FormatParameters(const Diagnosis& diagnosis,
 Json FormatEffect(const Effect& effect, const EffectSetting& setting) {
   const EffectInfo& info = effect.info();
   Json json = {{"effect", info.name}, {"place", Name(info.place)}};
-  if (info.has_partner) json["partner"] = Name(setting.partner);
+  if (info.has_partner()) json["partner"] = Name(setting.partner);
   if (setting.reference_force != 1.0) json["reference_force"] = setting.reference_force;
   if (!setting.log.empty()) json["log"] = setting.log;
   return json;

@@ -155,8 +155,8 @@ std::vector<double> WithOneAmount(const Trial& trial, const EffectInfo& info, in
   return values;
 }
 
-bool IsForceInWater(const EffectHooks& has) {
-  return has.resistance && !has.memory_rate && !has.relative_speed;
+bool IsForceInWater(const EffectLaw<double>& law) {
+  return law.resistance && !law.memory_rate && !law.relative_speed;
 }
 
 // What an effect's resistance is along the run of the fitted model, as a force.
@@ -176,7 +176,7 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
       record = point.record;
       acts = suspect.setting.ActsIn(data.records()[record].log);
       const EffectInputs& inputs = *data.records()[record].inputs;
-      if (suspect.effect->info().has_partner) partner = PartnerSignals(inputs, suspect.setting);
+      if (suspect.effect->info().has_partner()) partner = PartnerSignals(inputs, suspect.setting);
       time_zero = inputs.command.time.front();
     }
     if (!acts) {
@@ -192,8 +192,7 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
                                       point.velocity,
                                       fit.model.baseline.quadratic_damping,
                                       fit.model.baseline.linear_damping};
-    force.push_back(-suspect.effect->laws().In<double>().Resistance(
-        values.data(), suspect.setting, water, now));
+    force.push_back(-suspect.effect->law<double>().resistance(values.data(), water, now));
   }
   return force;
 }
@@ -216,7 +215,7 @@ void AppendSignatures(const TrainingData& data,
     for (int k = 0; k < trial.num_columns; ++k) {
       const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
       auto column = columns.col(trial.first_column + k);
-      if (IsForceInWater(suspect.effect->laws().has)) {
+      if (IsForceInWater(suspect.effect->law<double>())) {
         column = response.Outputs(ForceAlongRun(data, response, fit, suspect, values));
         continue;
       }

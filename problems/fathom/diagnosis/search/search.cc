@@ -200,7 +200,7 @@ class Searcher {
     for (const Trial& trial : trials_->trials) {
       num_amounts[trial.suspect] = trial.num_columns;
       const bool is_searched = trial.values.size() > trial.amounts.size();
-      const bool has_partner = suspects_[trial.suspect].effect->info().has_partner;
+      const bool has_partner = suspects_[trial.suspect].effect->info().has_partner();
       caution[trial.suspect] = kCautionOfLearnedNoise *
                                (is_searched ? kCautionBetweenTheGrid : 1.0) *
                                (has_partner ? kCautionWithAPartner : 1.0);

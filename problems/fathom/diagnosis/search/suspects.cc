@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/search/suspects.h"
 
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/extended_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +36,12 @@ bool IsCommanded(const Records& records, Dof dof) {
   });
 }
 
-bool IsHorizontal(Dof dof) { return dof == Dof::kSurge || dof == Dof::kSway; }
-
 // Whether an effect on poses leaves a trace. What is wrong with all of them alike, a scale or a
 // clock, shows beside velocities only; what changes at a time shows by itself, since no vehicle
 // jumps. Poses that are short of motion themselves would pass for another scale.
 bool CanShowInPoses(const Records& records, const EffectInfo& info) {
   if (!records.has_displacement) return false;
-  if (info.name == "pose_scale" && records.poses_lose_motion) return false;
+  if (info.is_like_lost_motion && records.poses_lose_motion) return false;
   return records.has_velocity ||
          std::any_of(
              info.parameters.begin(), info.parameters.end(), [](const EffectParameter& parameter) {
@@ -64,19 +62,11 @@ std::vector<std::string> LogsFor(const Records& records, const EffectInfo& info)
 }
 
 // Whether `partner` can be what the effect acts through, and these records show it.
-bool CanPartner(const Records& records, Dof dof, Dof partner, std::string_view effect) {
-  if (partner == dof) return false;
-  if (effect == "thrust_crosstalk") return IsCommanded(records, partner);
-  if (!Moves(records, partner)) return false;
-  if (effect == "coriolis_coupling") {
-    return IsHorizontal(dof) && IsHorizontal(partner) && Moves(records, Dof::kYaw);
-  }
-  if (effect == "sensor_misalignment") return IsAngular(dof) == IsAngular(partner);
-  if (effect == "lever_arm") {
-    if (IsHorizontal(dof)) return partner == Dof::kYaw;
-    return dof == Dof::kHeave && (partner == Dof::kRoll || partner == Dof::kPitch);
-  }
-  return true;
+bool CanTakePart(const Records& records, const EffectInfo& info, Dof dof, Dof partner) {
+  if (!CanBePartner(info, dof, partner)) return false;
+  if (info.partner->force && !IsCommanded(records, partner)) return false;
+  if (info.partner->velocity && !Moves(records, partner)) return false;
+  return !info.partner->yaw_rate || Moves(records, Dof::kYaw);
 }
 
 }  // namespace
@@ -89,15 +79,16 @@ std::vector<Suspect> SuspectsFor(const Records& records,
   for (const Effect* effect : effects) {
     const EffectInfo& info = effect->info();
     if (info.needs_pose && !CanShowInPoses(records, info)) continue;
-    const bool reads_velocity = effect->laws().has.reading || effect->laws().has.follow_reading;
+    const EffectLaw<double>& law = effect->law<double>();
+    const bool reads_velocity = law.reading || law.follow_reading;
     if (reads_velocity && !records.has_velocity) continue;
     for (const std::string& log : LogsFor(records, info)) {
-      if (!info.has_partner) {
+      if (!info.has_partner()) {
         suspects.push_back({effect, {dof, dof, reference_force, log}});
         continue;
       }
       for (const Dof partner : kAllDofs) {
-        if (CanPartner(records, dof, partner, info.name)) {
+        if (CanTakePart(records, info, dof, partner)) {
           suspects.push_back({effect, {dof, partner, reference_force, log}});
         }
       }

@@ -5,17 +5,17 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/random_stream.h"
-#include "fathom/synthesize/effects/scales.h"
 #include "fathom/vehicle/effect.h"
+#include "fathom/vehicle/scales.h"
 
 #include <array>
 #include <vector>
 
 namespace fathom {
 
-// Values for an effect between just visible and large: even in their logarithm over a range that
-// is stated for each parameter, in units of the experiment's own RMS command, RMS speed and
-// duration; with a random sign where both are physical. `scales` by Index(Dof), as ScalesOf().
+// Values for an effect between just visible and large: even in their logarithm over the range of
+// each parameter (EffectParameter::drawn; NaN without one), in units of the experiment's own
+// scales; with a random sign where both are physical. `scales` by Index(Dof), as ScalesOf().
 std::vector<double> DrawSizes(const Effect& effect,
                               Dof dof,
                               Dof partner,

@@ -5,13 +5,13 @@
 
 #include "fathom/synthesize/effects/random_wave.h"
 #include "fathom/vehicle/effect_of.h"
+#include "fathom/vehicle/effects/bounds.h"
+#include "fathom/vehicle/effects/natural_units.h"
 #include "fathom/vehicle/effects/quantities.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,7 +20,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Quantity kPowerDrag = {"N (s/m)^1.5", "N m (s/rad)^1.5", 1, -1.5, 0};
 constexpr Quantity kWashDrag = {"s^2/m^2", "s^2/rad^2", 0, -2, 0};
 constexpr Quantity kPerForce = {"1/N", "1/(N m)", -1, 0, 0};
@@ -31,8 +30,16 @@ double Plain(const J& x) {
   return x.a;
 }
 
-EffectParameter Parameter(std::string_view name, const Quantity& quantity, double null) {
-  return {.name = name, .quantity = quantity, .null = null, .lower = 0.0, .upper = kInfinity};
+EffectParameter Parameter(std::string_view name,
+                          const Quantity& quantity,
+                          double null,
+                          const SizeRange& drawn) {
+  return {.name = name,
+          .quantity = quantity,
+          .null = null,
+          .lower = 0.0,
+          .upper = kInfinity,
+          .drawn = drawn};
 }
 
 EffectParameter EitherSign(EffectParameter parameter) {
@@ -53,74 +60,86 @@ EffectInfo Unlisted(std::string_view name, Place place, std::vector<EffectParame
 // it.
 struct ThrustBacklash {
   static EffectInfo Info() {
-    return Unlisted(
-        "unlisted.thrust_backlash", Place::kActuator, {Parameter("width", kForce, 0.0)});
+    return Unlisted("unlisted.thrust_backlash",
+                    Place::kActuator,
+                    {Parameter("width", kForce, 0.0, {0.1, 0.6, natural::Force})});
   }
   template <typename T>
-  static T Follow(const T* p, const T& target, const T&, T* state) {
-    if (target - *state > p[0]) *state = target - p[0];
-    if (*state - target > p[0]) *state = target + p[0];
-    return *state;
+  static EffectLaw<T> Law() {
+    return {.follow = [](const T* p, const T& target, const T&, T* state) {
+      if (target - *state > p[0]) *state = target - p[0];
+      if (*state - target > p[0]) *state = target + p[0];
+      return *state;
+    }};
   }
 };
 
 // Thrust in steps of `step`: a coarse speed setting.
 struct ThrustLevels {
   static EffectInfo Info() {
-    return Unlisted("unlisted.thrust_levels", Place::kActuator, {Parameter("step", kForce, 0.0)});
+    return Unlisted("unlisted.thrust_levels",
+                    Place::kActuator,
+                    {Parameter("step", kForce, 0.0, {0.3, 1.5, natural::Force})});
   }
   template <typename T>
-  static T Thrust(const T* p, const EffectSetting&, const T& force, const Instant<T>&) {
-    return p[0] == T(0.0) ? force : T(p[0] * std::round(Plain(force) / Plain(p[0])));
+  static EffectLaw<T> Law() {
+    return {.thrust = [](const T* p, const EffectSetting&, const T& force, const Instant<T>&) {
+      return p[0] == T(0.0) ? force : T(p[0] * std::round(Plain(force) / Plain(p[0])));
+    }};
   }
 };
 
 // Motors that get warm give less: tau (1 - a H), T dH/dt = |tau| - H.
 struct ThrusterHeat {
   static EffectInfo Info() {
-    return Unlisted(
-        "unlisted.thruster_heat",
-        Place::kActuator,
-        {Parameter("loss", kPerForce, 0.0), Parameter("time_constant", kDuration, 30.0)});
+    return Unlisted("unlisted.thruster_heat",
+                    Place::kActuator,
+                    {Parameter("loss", kPerForce, 0.0, {0.1, 0.6, natural::PerForce}),
+                     Parameter("time_constant", kDuration, 30.0, {10.0, 60.0, natural::One})});
   }
   template <typename T>
-  static T Follow(const T* p, const T& target, const T& duration, T* state) {
-    using std::abs;
-    using std::exp;
-    const T before = *state;
-    *state = abs(target) + (before - abs(target)) * exp(-duration / p[1]);
-    return target * (1.0 - p[0] * 0.5 * (before + *state));
+  static EffectLaw<T> Law() {
+    return {.follow = [](const T* p, const T& target, const T& duration, T* state) {
+      using std::abs;
+      using std::exp;
+      const T before = *state;
+      *state = abs(target) + (before - abs(target)) * exp(-duration / p[1]);
+      return target * (1.0 - p[0] * 0.5 * (before + *state));
+    }};
   }
 };
 
 // The wash of running thrusters adds drag: f - c |f| v |v|.
 struct ThrustWashDrag {
   static EffectInfo Info() {
-    return Unlisted(
-        "unlisted.thrust_wash_drag", Place::kActuator, {Parameter("coefficient", kWashDrag, 0.0)});
+    return Unlisted("unlisted.thrust_wash_drag",
+                    Place::kActuator,
+                    {Parameter("coefficient", kWashDrag, 0.0, {0.1, 0.5, natural::WashDrag})});
   }
   template <typename T>
-  static T ThrustAtSpeed(const T* p, const T& force, const T& speed) {
-    using std::abs;
-    return force - p[0] * abs(force) * speed * abs(speed);
+  static EffectLaw<T> Law() {
+    return {.thrust_at_speed = [](const T* p, const T& force, const T& speed) {
+      using std::abs;
+      return force - p[0] * abs(force) * speed * abs(speed);
+    }};
   }
 };
 
 // d v sqrt(|v|): between linear and quadratic.
 struct PowerDamping {
   static EffectInfo Info() {
-    return Unlisted(
-        "unlisted.power_damping", Place::kWater, {Parameter("coefficient", kPowerDrag, 0.0)});
+    return Unlisted("unlisted.power_damping",
+                    Place::kWater,
+                    {Parameter("coefficient", kPowerDrag, 0.0, {0.2, 2.0, natural::PowerDrag})});
   }
   template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    using std::abs;
-    using std::sqrt;
-    const T& v = water.relative_speed;
-    return v == T(0.0) ? T(0.0) : T(p[0] * v * sqrt(abs(v)));
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
+      using std::abs;
+      using std::sqrt;
+      const T& v = water.relative_speed;
+      return v == T(0.0) ? T(0.0) : T(p[0] * v * sqrt(abs(v)));
+    }};
   }
 };
 
@@ -129,35 +148,33 @@ struct PlaceBump {
   static EffectInfo Info() {
     return Unlisted("unlisted.place_bump",
                     Place::kWater,
-                    {EitherSign(Parameter("force", kForce, 0.0)),
-                     EitherSign(Parameter("place", kLength, 0.0)),
-                     Parameter("width", kLength, 1.0)});
+                    {EitherSign(Parameter("force", kForce, 0.0, {0.2, 1.0, natural::Force, true})),
+                     EitherSign(Parameter("place", kLength, 0.0, {0.7, 1.2, natural::Place})),
+                     Parameter("width", kLength, 1.0, {0.2, 0.8, natural::Length})});
   }
   template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    using std::exp;
-    const T s = (water.position - p[1]) / p[2];
-    return p[0] * exp(-0.5 * s * s);
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
+      using std::exp;
+      const T s = (water.position - p[1]) / p[2];
+      return p[0] * exp(-0.5 * s * s);
+    }};
   }
 };
 
 // A tether that is slack up to `length` and pulls back beyond, on one side only.
 struct SlackTether {
   static EffectInfo Info() {
-    return Unlisted(
-        "unlisted.slack_tether",
-        Place::kWater,
-        {Parameter("stiffness", kStiffness, 0.0), EitherSign(Parameter("length", kLength, 0.0))});
+    return Unlisted("unlisted.slack_tether",
+                    Place::kWater,
+                    {Parameter("stiffness", kStiffness, 0.0, {0.3, 2.0, natural::Stiffness}),
+                     EitherSign(Parameter("length", kLength, 0.0, {0.1, 0.8, natural::Length}))});
   }
   template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>&) {
-    return water.position > p[1] ? T(p[0] * (water.position - p[1])) : T(0.0);
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
+      return water.position > p[1] ? T(p[0] * (water.position - p[1])) : T(0.0);
+    }};
   }
 };
 
@@ -166,18 +183,18 @@ struct WanderingCurrent {
   static EffectInfo Info() {
     return Unlisted("unlisted.wandering_current",
                     Place::kWater,
-                    {Parameter("speed", kSpeed, 0.0),
-                     Parameter("correlation_time", kDuration, 20.0),
-                     Parameter("realisation", kRatio, 1.0)});
+                    {Parameter("speed", kSpeed, 0.0, {0.1, 0.6, natural::Speed}),
+                     Parameter("correlation_time", kDuration, 20.0, {5.0, 40.0, natural::One}),
+                     Parameter("realisation", kRatio, 1.0, {1.0, 1e6, natural::One})});
   }
   template <typename T>
-  static T Resistance(const T* p,
-                      const EffectSetting&,
-                      const WaterState<T>& water,
-                      const Instant<T>& now) {
-    const T current =
-        p[0] * RandomWaveAt(static_cast<std::uint64_t>(Plain(p[2])), Plain(now.time) / Plain(p[1]));
-    return Damping(water, T(water.relative_speed - current)) - Damping(water, water.relative_speed);
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>& now) {
+      const T current = p[0] * RandomWaveAt(static_cast<std::uint64_t>(Plain(p[2])),
+                                            Plain(now.time) / Plain(p[1]));
+      return Damping(water, T(water.relative_speed - current)) -
+             Damping(water, water.relative_speed);
+    }};
   }
   template <typename T>
   static T Damping(const WaterState<T>& water, const T& speed) {
@@ -186,26 +203,30 @@ struct WanderingCurrent {
   }
 };
 
+// A line for each.
+const std::vector<Effect>& Effects() {
+  static const std::vector<Effect> effects = {
+      EffectOf<ThrustBacklash>(),
+      EffectOf<ThrustLevels>(),
+      EffectOf<ThrusterHeat>(),
+      EffectOf<ThrustWashDrag>(),
+      EffectOf<PowerDamping>(),
+      EffectOf<PlaceBump>(),
+      EffectOf<SlackTether>(),
+      EffectOf<WanderingCurrent>(),
+  };
+  return effects;
+}
+
 }  // namespace
 
 std::span<const Effect* const> UnlistedEffects() {
-  static const EffectOf<ThrustBacklash> backlash;
-  static const EffectOf<ThrustLevels> levels;
-  static const EffectOf<ThrusterHeat> heat;
-  static const EffectOf<ThrustWashDrag> wash_drag;
-  static const EffectOf<PowerDamping> power_damping;
-  static const EffectOf<PlaceBump> place_bump;
-  static const EffectOf<SlackTether> slack_tether;
-  static const EffectOf<WanderingCurrent> wandering_current;
-  static const std::array<const Effect*, 8> effects = {&backlash,
-                                                       &levels,
-                                                       &heat,
-                                                       &wash_drag,
-                                                       &power_damping,
-                                                       &place_bump,
-                                                       &slack_tether,
-                                                       &wandering_current};
-  return effects;
+  static const std::vector<const Effect*> unlisted = [] {
+    std::vector<const Effect*> pointers;
+    for (const Effect& effect : Effects()) pointers.push_back(&effect);
+    return pointers;
+  }();
+  return unlisted;
 }
 
 const Effect* FindUnlistedEffect(std::string_view name) {

@@ -24,7 +24,7 @@ class Driver {
          const Drive& drive,
          std::uint64_t seed)
       : dof_(drive.dof),
-        chain_(motion.chain(drive.dof)),
+        hidden_(motion.hidden(drive.dof)),
         input_(drive.input),
         resolution_(experiment.command_resolution),
         measurement_(seed, "control." + std::string(Name(dof_))) {
@@ -37,13 +37,13 @@ class Driver {
   }
 
   // [s]
-  double Delay() const { return chain_.Delay(); }
+  double Delay() const { return hidden_.Delay(); }
 
   // The command stamped `stamp`, from the state now.
   double Force(double stamp, const MotionState& state, const Surroundings& now) {
     const double value = Value(input_, stamp);
     if (!pid_) return RoundTo(value, resolution_);
-    const double shown = chain_.Displacement(state.travel[Index(dof_)], now);
+    const double shown = hidden_.Displacement(state.travel[Index(dof_)], InstantsOf(hidden_, now));
     return RoundTo(pid_->Force(value, shown + noise_ * measurement_.Normal()), resolution_);
   }
 
@@ -53,7 +53,7 @@ class Driver {
 
  private:
   Dof dof_;
-  const EffectChain& chain_;
+  const HiddenEffects& hidden_;
   InputSignal input_;
   double resolution_;
   double noise_ = 0.0;
@@ -82,7 +82,7 @@ std::vector<double> TimesOfChange(const TrueRun& run,
 double LastCommand(const VehicleMotion& motion, const Experiment& experiment) {
   double end = experiment.duration;
   for (const Drive& drive : experiment.drives) {
-    end = std::max(end, experiment.duration - motion.chain(drive.dof).Delay());
+    end = std::max(end, experiment.duration - motion.hidden(drive.dof).Delay());
   }
   return end;
 }

@@ -56,9 +56,9 @@ VehicleMotion::VehicleMotion(const Vehicle& vehicle,
   for (const Dof dof : driven) {
     CHECK(vehicle.models[Index(dof)]) << Name(dof);
     models_[Index(dof)] = *vehicle.models[Index(dof)];
-    chains_[Index(dof)] = EffectChain(dof, effects);
+    hidden_[Index(dof)] = HiddenIn(dof, effects);
     first_effect_[Index(dof)] = num_effects_;
-    num_effects_ += static_cast<int>(chains_[Index(dof)].effects().size());
+    num_effects_ += static_cast<int>(hidden_[Index(dof)].size());
   }
   CHECK_EQ(static_cast<std::size_t>(num_effects_), effects.size());
   CHECK_LE(num_effects_, EffectStates::MaxRowsAtCompileTime);
@@ -71,7 +71,8 @@ MotionState VehicleMotion::Start(const std::array<double, 6>& speed) const {
   for (const Dof dof : driven_) {
     const int i = Index(dof);
     state.velocity[i] = speed[i];
-    state.memory.segment(first_effect_[i], chains_[i].effects().size()).setConstant(speed[i]);
+    state.memory.segment(first_effect_[i], static_cast<Eigen::Index>(hidden_[i].size()))
+        .setConstant(speed[i]);
   }
   return state;
 }
@@ -83,20 +84,21 @@ double VehicleMotion::Acceleration(Dof dof,
                                    double force,
                                    double time) const {
   const int i = Index(dof);
-  const EffectChain& chain = chains_[i];
+  const HiddenEffects& hidden = hidden_[i];
   const double random_force = turbulence_[i].empty() ? 0.0 : turbulence_[i].At(time);
-  if (chain.empty()) return models_[i].Acceleration(speed, force + random_force);
-  const double relative_speed = chain.RelativeSpeed(speed);
-  const WaterState<double> water = {speed,
-                                    relative_speed,
-                                    now.travel[i],
-                                    0.0,
-                                    models_[i].quadratic_damping,
-                                    models_[i].linear_damping};
-  const double resistance = chain.Resistance(
-      water, {time, now.velocity, held.sent}, now.memory.data() + first_effect_[i]);
+  if (hidden.empty()) return models_[i].Acceleration(speed, force + random_force);
+  const double relative_speed = hidden.RelativeSpeed(speed);
+  WaterState<double> water = {speed,
+                              relative_speed,
+                              now.travel[i],
+                              0.0,
+                              models_[i].quadratic_damping,
+                              models_[i].linear_damping};
+  const Surroundings surroundings = {time, now.velocity, held.sent};
+  const double resistance = hidden.Resistance(
+      &water, now.memory.data() + first_effect_[i], InstantsOf(hidden, surroundings));
   return models_[i].Acceleration(relative_speed,
-                                 chain.ForceAtSpeed(force, speed) - resistance + random_force);
+                                 hidden.ForceAtSpeed(force, speed) - resistance + random_force);
 }
 
 MotionState VehicleMotion::Slope(const MotionState& now,
@@ -108,7 +110,7 @@ MotionState VehicleMotion::Slope(const MotionState& now,
   for (const Dof dof : driven_) {
     const int i = Index(dof);
     rate.velocity[i] = Acceleration(dof, now.velocity[i], now, held, force[i], time);
-    chains_[i].MemoryRates(now.memory.data() + first_effect_[i],
+    hidden_[i].MemoryRates(now.memory.data() + first_effect_[i],
                            now.velocity[i],
                            rate.memory.data() + first_effect_[i]);
   }
@@ -128,10 +130,10 @@ double VehicleMotion::LongestStep(const MotionState& now,
   for (const Dof dof : driven_) {
     const int i = Index(dof);
     const auto& model = models_[i];
-    const double speed = chains_[i].RelativeSpeed(now.velocity[i]);
+    const double speed = hidden_[i].RelativeSpeed(now.velocity[i]);
     const double damping = model.linear_damping + 2.0 * model.quadratic_damping * std::abs(speed);
     step = std::min(step, 0.05 * model.inertia / damping);  // inf if there is no damping
-    if (chains_[i].empty()) continue;
+    if (hidden_[i].empty()) continue;
     // What effects add, by differences: at this speed, and at rest, where friction turns.
     for (const double at : {now.velocity[i], 0.0}) {
       const auto acceleration = [&](double v) {
@@ -166,9 +168,10 @@ MotionState VehicleMotion::After(const MotionState& state,
     std::array<double, 6> force = held.arrived;
     for (const Dof dof : driven_) {
       const int i = Index(dof);
-      force[i] = chains_[i].MeanForce(force[i],
-                                      {time + 0.5 * step, now.velocity, held.sent},
+      const Surroundings surroundings = {time + 0.5 * step, now.velocity, held.sent};
+      force[i] = hidden_[i].MeanForce(force[i],
                                       step,
+                                      InstantsOf(hidden_[i], surroundings),
                                       now.thrust.data() + first_effect_[i]);
     }
     now = RungeKuttaStep(now, step, [&](const MotionState& at, double since) {

@@ -5,7 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/synthesize/experiment/turbulence.h"
-#include "fathom/synthesize/motion/effect_chain.h"
+#include "fathom/synthesize/motion/hidden_effects.h"
 #include "fathom/vehicle/vehicle_file.h"
 
 #include <array>
@@ -64,7 +64,7 @@ class VehicleMotion {
                     double start,
                     double duration) const;
 
-  const EffectChain& chain(Dof dof) const { return chains_[Index(dof)]; }
+  const HiddenEffects& hidden(Dof dof) const { return hidden_[Index(dof)]; }
 
  private:
   MotionState Slope(const MotionState& now,
@@ -82,7 +82,7 @@ class VehicleMotion {
   std::string vehicle_name_;
   std::vector<Dof> driven_;
   std::array<UncoupledModel<double>, 6> models_;
-  std::array<EffectChain, 6> chains_;
+  std::array<HiddenEffects, 6> hidden_;
   std::array<int, 6> first_effect_{};  // of each DOF, in EffectStates
   int num_effects_ = 0;
   std::array<Turbulence, 6> turbulence_;

@@ -62,12 +62,9 @@ Eigen::Vector3d Normal3(Source& source) {
 }
 
 // How much later than the truth the poses are stamped [s].
-double PoseDelay(std::span<const ActiveEffect> effects) {
+double PoseDelay(const VehicleMotion& motion) {
   double delay = 0.0;
-  for (const ActiveEffect& active : effects) {
-    if (!active.effect->laws().has.pose_delay) continue;
-    delay += active.effect->laws().In<double>().PoseDelay(active.values.data());
-  }
+  for (const Dof dof : kAllDofs) delay += motion.hidden(dof).PoseDelay();
   return delay;
 }
 
@@ -79,18 +76,21 @@ MotionState ShownPose(const VehicleMotion& motion,
                       const std::vector<Drive>& drives) {
   const Surroundings now = {t, state.velocity, held.sent};
   for (const Drive& drive : drives) {
-    const EffectChain& chain = motion.chain(drive.dof);
+    const HiddenEffects& hidden = motion.hidden(drive.dof);
+    const auto shown = [&](double displacement) {
+      return hidden.Displacement(displacement, InstantsOf(hidden, now));
+    };
     const int i = Index(drive.dof);
     if (!IsAngular(drive.dof)) {
-      state.body_in_world[i] = chain.Displacement(state.body_in_world[i], now);
+      state.body_in_world[i] = shown(state.body_in_world[i]);
       continue;
     }
-    const double turn = chain.Displacement(state.travel[i], now) - state.travel[i];
+    const double turn = shown(state.travel[i]) - state.travel[i];
     if (turn == 0.0) continue;
     const Eigen::Map<Eigen::Quaterniond> world_from_body(state.world_from_body.data());
-    const Eigen::Quaterniond shown(Eigen::Quaterniond(world_from_body) *
-                                   Eigen::AngleAxisd(turn, Eigen::Vector3d::Unit(i - 3)));
-    state.world_from_body = shown.coeffs();
+    const Eigen::Quaterniond turned(Eigen::Quaterniond(world_from_body) *
+                                    Eigen::AngleAxisd(turn, Eigen::Vector3d::Unit(i - 3)));
+    state.world_from_body = turned.coeffs();
   }
   return state;
 }
@@ -148,11 +148,10 @@ Stream VelocityStream(const VehicleMotion& motion,
 Stream PoseStream(const VehicleMotion& motion,
                   const TrueRun& truth,
                   const Experiment& experiment,
-                  std::span<const ActiveEffect> effects,
                   std::uint64_t seed,
                   Log& log) {
   const PoseSensor& sensor = *experiment.pose;
-  const double delay = PoseDelay(effects);
+  const double delay = PoseDelay(motion);
   const SampleTimes samples = DrawSampleTimes(sensor.sampling, experiment.duration, seed, "pose");
   RemarkOnDropOuts(samples, "pose.csv", log);
   RandomStream position_noise(seed, "pose.noise.position");

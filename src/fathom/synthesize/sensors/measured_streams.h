@@ -7,10 +7,8 @@
 #include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/synthesize/motion/true_run.h"
 #include "fathom/synthesize/motion/vehicle_motion.h"
-#include "fathom/vehicle/extended_model.h"
 
 #include <cstdint>
-#include <span>
 
 namespace fathom {
 
@@ -26,11 +24,10 @@ Stream VelocityStream(const VehicleMotion& motion,
                       std::uint64_t seed,
                       Log& log);
 
-// The experiment has a pose sensor. Clock offsets among `effects` add up: a pose has one stamp.
+// The experiment has a pose sensor. Hidden clock offsets add up: a pose has one stamp.
 Stream PoseStream(const VehicleMotion& motion,
                   const TrueRun& truth,
                   const Experiment& experiment,
-                  std::span<const ActiveEffect> effects,
                   std::uint64_t seed,
                   Log& log);
 

@@ -4,7 +4,7 @@
 #include "fathom/synthesize/sensors/shown_velocity.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace fathom {
 namespace {
@@ -16,15 +16,9 @@ constexpr double kLongestStep = 5e-3;  // [s]
 ShownVelocity::ShownVelocity(const VehicleMotion& motion, const TrueRun& run)
     : motion_(motion), run_(run) {
   for (const Dof dof : kAllDofs) {
-    for (const ActiveEffect& active : motion.chain(dof).effects()) {
-      const EffectHooks& has = active.effect->laws().has;
-      if (active.effect->info().name == "sensor_misalignment") {
-        turned_.push_back(active);
-      } else if (has.reading) {
-        reading_.push_back(active);
-      }
-      if (has.follow_reading) following_.push_back(active);
-    }
+    std::tie(turning_[Index(dof)], others_[Index(dof)]) =
+        motion.hidden(dof).SplitBy(&EffectLaw<double>::both_readings);
+    if (motion.hidden(dof).Has(&EffectLaw<double>::follow_reading)) following_.push_back(dof);
   }
   last_ = ReadingsOf(run.states.front(), run.held.front(), 0.0);
   shown_ = last_;
@@ -36,19 +30,10 @@ ShownVelocity::Readings ShownVelocity::ReadingsOf(const MotionState& state,
   Readings readings;
   std::copy(state.velocity.begin(), state.velocity.end(), readings.begin());
   const Surroundings now = {t, state.velocity, held.sent};
-  // A turned sensor shows both of its axes turned.
-  for (const ActiveEffect& active : turned_) {
-    const double angle = active.values[0];
-    double& v = readings[Index(active.setting.dof)];
-    double& v_j = readings[Index(active.setting.partner)];
-    const double y = v * std::cos(angle) + v_j * std::sin(angle);
-    v_j = v_j * std::cos(angle) - v * std::sin(angle);
-    v = y;
-  }
-  for (const ActiveEffect& active : reading_) {
-    double& reading = readings[Index(active.setting.dof)];
-    reading = active.effect->laws().In<double>().Reading(
-        active.values.data(), active.setting, reading, InstantOf(active, now));
+  for (const HiddenEffects& turning : turning_) turning.TurnReadings(readings.data());
+  for (const Dof dof : kAllDofs) {
+    const HiddenEffects& others = others_[Index(dof)];
+    readings[Index(dof)] = others.Reading(readings[Index(dof)], InstantsOf(others, now));
   }
   return readings;
 }
@@ -56,13 +41,11 @@ ShownVelocity::Readings ShownVelocity::ReadingsOf(const MotionState& state,
 // Moves the lagging sensors on to `t`, where `readings` are without lag.
 void ShownVelocity::Follow(const Readings& readings, double t) {
   if (t > time_) {
-    Readings begin = last_, end = readings;
     Readings shown = readings;
-    for (const ActiveEffect& active : following_) {
-      const int i = Index(active.setting.dof);
+    for (const Dof dof : following_) {
+      const int i = Index(dof);
       shown[i] = shown_[i];
-      active.effect->laws().In<double>().FollowReading(
-          active.values.data(), begin[i], end[i], t - time_, &shown[i]);
+      motion_.hidden(dof).FollowReading(last_[i], readings[i], t - time_, &shown[i]);
     }
     shown_ = shown;
   }

@@ -29,10 +29,11 @@ class ShownVelocity {
 
   const VehicleMotion& motion_;
   const TrueRun& run_;
-  std::vector<ActiveEffect> turned_;     // sensor_misalignment
-  std::vector<ActiveEffect> reading_;    // those with a reading of their own, in order
-  std::vector<ActiveEffect> following_;  // those that lag
-  std::size_t place_ = 0;                // in run_
+  // By Index(Dof): what turns the readings of two DOFs, and the rest.
+  std::array<HiddenEffects, 6> turning_;
+  std::array<HiddenEffects, 6> others_;
+  std::vector<Dof> following_;  // where the sensor lags
+  std::size_t place_ = 0;       // in run_
   double time_ = 0.0;
   Readings last_;  // readings at time_, before any lag
   Readings shown_;

@@ -16,4 +16,8 @@ std::span<const Effect* const> EffectCatalogue();
 // Null if the catalogue holds no effect of this name.
 const Effect* FindEffect(std::string_view name);
 
+// Whether `a` acts before `b`: in an earlier place, or earlier in the catalogue. An effect from
+// outside the catalogue comes last of its place.
+bool ActsBefore(const Effect* a, const Effect* b);
+
 }  // namespace fathom

@@ -17,13 +17,13 @@ namespace fathom {
 namespace {
 
 const EffectLaw<double>& Law(const std::string& name) {
-  return FindUnlistedEffect(name)->laws().In<double>();
+  return FindUnlistedEffect(name)->law<double>();
 }
 
 // Resistance at a place and speed, with d_Q = 7 and d_L = 3, at t = 11.
 double Resistance(const std::string& name, std::vector<double> p, double speed, double position) {
   const WaterState<double> water = {speed, speed, position, 0.0, 7.0, 3.0};
-  return Law(name).Resistance(p.data(), {}, water, {.time = 11.0, .partner = {}});
+  return Law(name).resistance(p.data(), water, {.time = 11.0, .partner = {}});
 }
 
 TEST(UnlistedEffects, AreNotInTheCatalogue) {
@@ -45,7 +45,7 @@ TEST(UnlistedEffects, BacklashDragsTheThrustBehindTheCommand) {
   const std::vector<std::pair<double, double>> expected = {
       {1.5, 0.0}, {5.0, 3.0}, {4.0, 3.0}, {1.5, 3.0}, {0.5, 2.5}, {-6.0, -4.0}, {-3.0, -4.0}};
   for (const auto& [command, force] : expected) {
-    EXPECT_EQ(Law("unlisted.thrust_backlash").Follow(&width, command, 0.1, &thrust), force);
+    EXPECT_EQ(Law("unlisted.thrust_backlash").follow(&width, command, 0.1, &thrust), force);
     EXPECT_EQ(thrust, force);
   }
 }
@@ -53,7 +53,7 @@ TEST(UnlistedEffects, BacklashDragsTheThrustBehindTheCommand) {
 TEST(UnlistedEffects, LevelsRoundTheThrust) {
   const double step = 2.5;
   const auto thrust = [&](double force) {
-    return Law("unlisted.thrust_levels").Thrust(&step, {}, force, {});
+    return Law("unlisted.thrust_levels").thrust(&step, {}, force, {});
   };
   EXPECT_EQ(thrust(1.2), 0.0);
   EXPECT_EQ(thrust(1.3), 2.5);
@@ -64,10 +64,10 @@ TEST(UnlistedEffects, HeatTakesThrustInTime) {
   const double p[] = {0.01, 20.0};
   double heat = 0.0;
   // 30 N for a time constant: heat 30 (1 - 1/e); 1 % of thrust for each newton.
-  EXPECT_NEAR(Law("unlisted.thruster_heat").Follow(p, -30.0, 1e-9, &heat), -30.0, 1e-9);
-  Law("unlisted.thruster_heat").Follow(p, -30.0, 20.0, &heat);
+  EXPECT_NEAR(Law("unlisted.thruster_heat").follow(p, -30.0, 1e-9, &heat), -30.0, 1e-9);
+  Law("unlisted.thruster_heat").follow(p, -30.0, 20.0, &heat);
   EXPECT_NEAR(heat, 30.0 * (1.0 - std::exp(-1.0)), 1e-6);
-  EXPECT_NEAR(Law("unlisted.thruster_heat").Follow(p, -30.0, 1e-9, &heat),
+  EXPECT_NEAR(Law("unlisted.thruster_heat").follow(p, -30.0, 1e-9, &heat),
               -30.0 * (1.0 - 0.01 * heat),
               1e-9);
 }
@@ -75,9 +75,9 @@ TEST(UnlistedEffects, HeatTakesThrustInTime) {
 TEST(UnlistedEffects, WashAddsDragWhileThrustersRun) {
   const double c = 0.4;
   const EffectLaw<double>& law = Law("unlisted.thrust_wash_drag");
-  EXPECT_DOUBLE_EQ(law.ThrustAtSpeed(&c, 5.0, 0.3), 5.0 - 0.4 * 5.0 * 0.09);
-  EXPECT_DOUBLE_EQ(law.ThrustAtSpeed(&c, -5.0, 0.3), -5.0 - 0.4 * 5.0 * 0.09);
-  EXPECT_DOUBLE_EQ(law.ThrustAtSpeed(&c, 5.0, -0.3), 5.0 + 0.4 * 5.0 * 0.09);
+  EXPECT_DOUBLE_EQ(law.thrust_at_speed(&c, 5.0, 0.3), 5.0 - 0.4 * 5.0 * 0.09);
+  EXPECT_DOUBLE_EQ(law.thrust_at_speed(&c, -5.0, 0.3), -5.0 - 0.4 * 5.0 * 0.09);
+  EXPECT_DOUBLE_EQ(law.thrust_at_speed(&c, 5.0, -0.3), 5.0 + 0.4 * 5.0 * 0.09);
 }
 
 TEST(UnlistedEffects, DragGrowsWithThePowerOneAndAHalf) {

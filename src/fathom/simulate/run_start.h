@@ -6,25 +6,20 @@
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
-#include "fathom/simulate/effect_simulation.h"
+#include "fathom/simulate/effect_inputs.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/extended_model.h"
-#include "fathom/vehicle/fitted_model.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace fathom {
 
-// As prediction.h, for a model with effects: what the velocity sensor shows in a free run.
+// Where a free run starts, from what was measured.
 
-// At `time` [s], from `initial`, which holds at its first stamp. Nothing if the simulation
-// diverges.
-std::optional<std::vector<double>> PredictReadings(const ExtendedModel& model,
-                                                   const EffectInputs& inputs,
-                                                   const std::vector<double>& time,
-                                                   const InitialState& initial);
+// What a segment shows at first: its initial_velocity, or where that is not known its first
+// measured velocity.
+double InitialVelocity(const Segment& segment);
 
 // The velocity at `time` at which the model's sensor shows `reading`: what it shows is affine in
 // the velocity, so two probes tell. NaN if it shows the same at every velocity.
@@ -45,22 +40,16 @@ std::optional<InitialState> StateBehind(const ExtendedModel& model,
                                         const std::vector<double>& readings,
                                         const InitialState& guess);
 
-// Where a free run over a measured segment starts: the InitialVelocity() behind its `reading`, or
-// StateBehind() of its first readings. Nothing if there is none.
+// Where a free run over a measured segment starts: the velocity behind its first `reading`, or
+// StateBehind() of its first readings; without effects the reading itself, and `inputs` may be
+// null. Nothing if there is none.
 std::optional<InitialState> StartOf(const ExtendedModel& model,
-                                    const EffectInputs& inputs,
                                     const Segment& segment,
                                     double reading,
-                                    double position);
+                                    double position = 0.0,
+                                    const EffectInputs* inputs = nullptr);
 
 // The displacement along `dof` at `time` where the log has poses, in line between them; else 0.
 double PositionAt(const Log& log, Dof dof, double time);
-
-// MAE and NMAE of free runs over `segments`, each from its StartOf() about its InitialVelocity()
-// and the position of the same index. NaN as FiguresOf() of the baseline.
-FitFigures FiguresOf(const ExtendedModel& model,
-                     const EffectInputs& inputs,
-                     std::span<const Segment> segments,
-                     std::span<const double> positions);
 
 }  // namespace fathom

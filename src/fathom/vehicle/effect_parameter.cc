@@ -1,21 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/vehicle/effect.h"
+#include "fathom/vehicle/effect_parameter.h"
 
 namespace fathom {
-
-std::string_view Name(Place place) {
-  switch (place) {
-    case Place::kActuator:
-      return "actuator";
-    case Place::kWater:
-      return "water";
-    case Place::kSensor:
-      return "sensor";
-  }
-  return "";
-}
 
 std::string UnitOf(const Quantity& quantity, Dof dof, const std::string& force_unit) {
   std::string unit(IsAngular(dof) ? quantity.angular_unit : quantity.linear_unit);

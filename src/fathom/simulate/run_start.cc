@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/simulate/extended_prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include "fathom/signal/pose_velocity.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/effect_simulation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/Dense>
@@ -15,14 +16,9 @@
 
 namespace fathom {
 
-std::optional<std::vector<double>> PredictReadings(const ExtendedModel& model,
-                                                   const EffectInputs& inputs,
-                                                   const std::vector<double>& time,
-                                                   const InitialState& initial) {
-  EffectOutputs outputs;
-  const EffectSimulation simulation(&inputs, {time.front(), time, {}});
-  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
-  return outputs.velocity;
+double InitialVelocity(const Segment& segment) {
+  return std::isfinite(segment.initial_velocity) ? segment.initial_velocity
+                                                 : segment.velocity.front();
 }
 
 double VelocityBehind(const ExtendedModel& model,
@@ -33,10 +29,11 @@ double VelocityBehind(const ExtendedModel& model,
   // Near the reading, where a run that diverges from afar does not.
   const double probes[] = {reading, reading + 0.1};
   double shown[2];
+  const EffectSimulation simulation(&inputs, {time, {time}, {}});
+  EffectOutputs outputs;
   for (int k = 0; k < 2; ++k) {
-    const auto run = PredictReadings(model, inputs, {time}, {probes[k], 0.0});
-    if (!run) return kNone;
-    shown[k] = run->front();
+    if (!simulation.Run(model, {probes[k], 0.0}, &outputs)) return kNone;
+    shown[k] = outputs.velocity.front();
   }
   const double slope = (shown[1] - shown[0]) / (probes[1] - probes[0]);
   return slope == 0.0 ? kNone : probes[0] + (reading - shown[0]) / slope;
@@ -72,15 +69,17 @@ std::optional<InitialState> StateBehind(const ExtendedModel& model,
 }
 
 std::optional<InitialState> StartOf(const ExtendedModel& model,
-                                    const EffectInputs& inputs,
                                     const Segment& segment,
                                     double reading,
-                                    double position) {
-  const double velocity = VelocityBehind(model, inputs, segment.time.front(), reading);
+                                    double position,
+                                    const EffectInputs* inputs) {
+  if (model.effects.empty()) return InitialState{reading, position};
+  CHECK(inputs != nullptr);
+  const double velocity = VelocityBehind(model, *inputs, segment.time.front(), reading);
   if (!std::isfinite(velocity)) return std::nullopt;
   const InitialState start = {velocity, position};
   if (!EffectSimulation::HasReadingMemory(model)) return start;
-  return StateBehind(model, inputs, segment.time.front(), segment.time, segment.velocity, start);
+  return StateBehind(model, *inputs, segment.time.front(), segment.time, segment.velocity, start);
 }
 
 double PositionAt(const Log& log, Dof dof, double time) {
@@ -93,23 +92,6 @@ double PositionAt(const Log& log, Dof dof, double time) {
   const auto i = static_cast<std::size_t>(next - poses.time.begin());
   const double share = (time - poses.time[i - 1]) / (poses.time[i] - poses.time[i - 1]);
   return position[i - 1] + share * (position[i] - position[i - 1]);
-}
-
-FitFigures FiguresOf(const ExtendedModel& model,
-                     const EffectInputs& inputs,
-                     std::span<const Segment> segments,
-                     std::span<const double> positions) {
-  CHECK_EQ(segments.size(), positions.size());
-  FigureSums sums;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Segment& segment = segments[k];
-    const auto start = StartOf(model, inputs, segment, InitialVelocity(segment), positions[k]);
-    if (!start) return {};
-    const auto shown = PredictReadings(model, inputs, segment.time, *start);
-    if (!shown) return {};
-    sums.Add(segment.time, segment.velocity, *shown);
-  }
-  return sums.Figures();
 }
 
 }  // namespace fathom

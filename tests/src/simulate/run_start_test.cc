@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/simulate/extended_prediction.h"
+#include "fathom/simulate/run_start.h"
 
 #include "fathom/simulate/prediction.h"
 #include "fathom/vehicle/effects/catalogue.h"
@@ -28,25 +28,12 @@ ExtendedModel With(const char* name, std::vector<double> values) {
   return {kModel, {{FindEffect(name), {.dof = Dof::kSurge, .partner = Dof::kYaw}, values}}};
 }
 
-TEST(PredictReadings, WithoutEffectsIsTheBaselinesPrediction) {
+TEST(InitialVelocity, IsSmoothedWhereTheSegmentKnowsHow) {
   Segment segment;
-  segment.time = {1.0, 1.5, 2.0};
-  segment.velocity = {0.1, 0.2, 0.3};
-  segment.command = PushedInputs().command;
-  const auto readings =
-      PredictReadings({{3.0, 7.0, 5.0, 1.0}, {}}, PushedInputs(), segment.time, {0.5, 0.0});
-  const auto expected = PredictVelocity({3.0, 7.0, 5.0, 1.0}, segment, 0.5);
-  ASSERT_TRUE(readings && expected);
-  // Two simulations with steps of their own, at most 0.1 s: (0.1 s / 0.2 s)^5 / 120 of 0.3 m/s.
-  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR((*readings)[i], (*expected)[i], 1e-4);
-}
-
-TEST(PredictReadings, ShowWhatTheSensorAddsToTheVelocity) {
-  const auto readings =
-      PredictReadings(With("sensor_bias", {0.3}), PushedInputs(), {1.0, 1.5}, {0.5, 0.0});
-  ASSERT_TRUE(readings);
-  EXPECT_NEAR((*readings)[0], 0.8, 1e-12);
-  EXPECT_NEAR((*readings)[1], 1.8, 1e-12);
+  segment.velocity = {0.5, 2.0, 2.0};
+  EXPECT_EQ(InitialVelocity(segment), 0.5);
+  segment.initial_velocity = 0.4;
+  EXPECT_EQ(InitialVelocity(segment), 0.4);
 }
 
 TEST(VelocityBehind, UndoesWhatTheSensorDoes) {
@@ -80,7 +67,7 @@ TEST(StateBehind, ShowsTheFirstReadingsOfALaggingSensorUnderWay) {
   EXPECT_EQ(state->position, 3.0);
   // The free run from there shows every reading.
   const std::vector<double> positions = {0.0};
-  EXPECT_NEAR(FiguresOf(model, inputs, std::vector{segment}, positions).mae, 0.0, 1e-9);
+  EXPECT_NEAR(FiguresOf(model, std::vector{segment}, positions, &inputs).mae, 0.0, 1e-9);
 }
 
 TEST(StateBehind, TakesWhatASingleReadingTells) {
@@ -91,28 +78,14 @@ TEST(StateBehind, TakesWhatASingleReadingTells) {
   EXPECT_NEAR(state->reading_excess, 0.0, 1e-12);
 }
 
-TEST(FiguresOfExtendedModels, CountFromWhereTheReadingStarts) {
+TEST(StartOf, IsTheReadingItselfWithoutEffects) {
   Segment segment;
-  segment.time = {1.0, 1.5, 2.0};
-  segment.velocity = {0.5, 2.0, 2.0};  // predicted 0.5, 1.5, 2.5
-  const std::vector<Segment> segments = {segment};
-  const std::vector<double> positions = {0.0};
-  const FitFigures figures =
-      FiguresOf(With("sensor_bias", {0.3}), PushedInputs(), segments, positions);
-  EXPECT_NEAR(figures.mae, 1.0 / 3.0, 1e-12);
-  EXPECT_NEAR(figures.nmae, 1.0 / 4.5, 1e-12);
-  EXPECT_EQ(figures.num_samples, 3);
-}
-
-// A spring of 8 N/m on 2 kg, held at 0.5 m from its rest by 4 N: nothing moves; from 0 it does.
-TEST(PredictReadings, StartAtThePositionTheyAreGiven) {
-  const ExtendedModel spring = With("position_stiffness", {8.0});
-  const auto at_rest = PredictReadings(spring, PushedInputs(), {1.0, 2.0}, {0.0, 0.5});
-  const auto pulled = PredictReadings(spring, PushedInputs(), {1.0, 2.0}, {0.0, 0.0});
-  ASSERT_TRUE(at_rest && pulled);
-  EXPECT_NEAR((*at_rest)[1], 0.0, 1e-9);
-  // v = x0 w sin(w t), w = 2 rad/s.
-  EXPECT_NEAR((*pulled)[1], 0.5 * 2.0 * std::sin(2.0), 1e-4);
+  segment.time = {1.0, 1.5};
+  segment.velocity = {0.1, 0.2};
+  const auto start = StartOf({kModel}, segment, 0.5, 3.0);
+  ASSERT_TRUE(start);
+  EXPECT_EQ(start->velocity, 0.5);
+  EXPECT_EQ(start->position, 3.0);
 }
 
 TEST(PositionAt, LiesBetweenThePosesAndIsZeroWithout) {

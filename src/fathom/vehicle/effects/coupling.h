@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/effect_info.h"
+#include "fathom/vehicle/effect_law.h"
+#include "fathom/vehicle/effects/bounds.h"
+#include "fathom/vehicle/effects/natural_units.h"
+#include "fathom/vehicle/effects/quantities.h"
+
+// What another DOF does to this one. Equations: docs/effects.md.
+namespace fathom {
+
+// Turning about z couples surge and sway.
+struct CoriolisCoupling {
+  static EffectInfo Info() {
+    return {.name = "coriolis_coupling",
+            .place = Place::kWater,
+            .scope = Scope::kVehicle,
+            .parameters = {{.name = "coefficient",
+                            .quantity = kMass,
+                            .null = 0.0,
+                            .lower = -kInfinity,
+                            .upper = kInfinity,
+                            .drawn = {0.1, 0.8, natural::Coriolis, true}}},
+            .partner = PartnerInfo{.rule = IsHorizontalPair, .velocity = true, .yaw_rate = true},
+            .cause = "turning while moving pushes the vehicle sideways",
+            .advice = "Use a model of coupled DOFs, or identify without turning."};
+  }
+  static bool IsHorizontalPair(Dof dof, Dof partner) {
+    return Index(dof) <= Index(Dof::kSway) && Index(partner) <= Index(Dof::kSway);
+  }
+  template <typename T>
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>&, const Instant<T>& now) {
+      return p[0] * now.partner.velocity * now.partner.yaw_rate;
+    }};
+  }
+};
+
+struct VelocityCoupling {
+  static EffectInfo Info() {
+    return {.name = "velocity_coupling",
+            .place = Place::kWater,
+            .scope = Scope::kVehicle,
+            .parameters = {{.name = "coefficient",
+                            .quantity = kLinearDrag,
+                            .null = 0.0,
+                            .lower = -kInfinity,
+                            .upper = kInfinity,
+                            .drawn = {0.05, 0.6, natural::Coupling, true}}},
+            .partner = PartnerInfo{.velocity = true},
+            .cause = "motion along another DOF drags this one along",
+            .advice = "Add the damping between the two DOFs to the model."};
+  }
+  template <typename T>
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>&, const Instant<T>& now) {
+      return p[0] * now.partner.velocity;
+    }};
+  }
+};
+
+struct ThrustCrosstalk {
+  static EffectInfo Info() {
+    return {.name = "thrust_crosstalk",
+            .place = Place::kWater,
+            .scope = Scope::kVehicle,
+            .parameters = {{.name = "gain",
+                            .quantity = kRatio,
+                            .null = 0.0,
+                            .lower = -kInfinity,
+                            .upper = kInfinity,
+                            .drawn = {0.05, 0.6, natural::Crosstalk, true}}},
+            .partner = PartnerInfo{.force = true},
+            .cause = "another DOF's command pushes this one too",
+            .advice = "Check the thrusters' directions and the allocation."};
+  }
+  template <typename T>
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>&, const Instant<T>& now) {
+      return -p[0] * now.partner.force;
+    }};
+  }
+};
+
+}  // namespace fathom
