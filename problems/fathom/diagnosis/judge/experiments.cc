@@ -16,6 +16,7 @@ namespace {
 struct Decision {
   std::string_view a, b;  // effects, in either order
   std::string_view experiment;
+  bool decides = true;  // DecidingRun::decides
 };
 
 // Steps of one size would leave the ramp open.
@@ -27,7 +28,8 @@ constexpr std::string_view kSteps =
 constexpr std::array kDecisions = {
     Decision{"sensor_bias",
              "steady_current",
-             "No velocity log alone can: the two are identical at every speed. Log poses too."},
+             "No velocity log alone can: the two are identical at every speed. Log poses too.",
+             false},
     Decision{"thruster_lag", "time_offset", kSteps},
     Decision{
         "thruster_lag",
@@ -61,9 +63,10 @@ constexpr std::array kDecisions = {
 
 }  // namespace
 
-std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>& rivals) {
+DecidingRun DecidingExperiment(const Suspect& cause, const std::vector<Suspect>& rivals) {
   const std::string_view name = cause.effect->info().name;
   std::vector<std::string_view> experiments;
+  bool any_decides = true;  // as the first of them says
   for (const Decision& decision : kDecisions) {
     const bool decides = std::any_of(rivals.begin(), rivals.end(), [&](const Suspect& rival) {
       const std::string_view other = rival.effect->info().name;
@@ -72,16 +75,21 @@ std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>&
     });
     const bool is_new =
         std::find(experiments.begin(), experiments.end(), decision.experiment) == experiments.end();
-    if (decides && is_new) experiments.push_back(decision.experiment);
+    if (!decides || !is_new) continue;
+    if (experiments.empty()) any_decides = decision.decides;
+    experiments.push_back(decision.experiment);
   }
-  if (!experiments.empty()) return fmt::format("{}", fmt::join(experiments, " "));
+  if (!experiments.empty()) {
+    return {fmt::format("{}", fmt::join(experiments, " ")), any_decides};
+  }
   const bool has_partner = cause.effect->info().has_partner ||
                            std::any_of(rivals.begin(), rivals.end(), [](const Suspect& rival) {
                              return rival.effect->info().has_partner;
                            });
   if (has_partner) {
-    return "A run in which the other DOF moves without being commanded, and is commanded without "
-           "this one.";
+    return {
+        "A run in which the other DOF moves without being commanded, and is commanded without "
+        "this one."};
   }
   // Of a run and of the vehicle: the same run again tells. Among rivals of the vehicle it does not,
   // and any other run rids of those of this run too.
@@ -89,10 +97,11 @@ std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>&
     return suspect.effect->info().scope == Scope::kRun;
   };
   if (is_of_run(cause) || std::all_of(rivals.begin(), rivals.end(), is_of_run)) {
-    return "The same run again: what belonged to this run alone will be gone.";
+    return {"The same run again: what belonged to this run alone will be gone."};
   }
-  return "A multisine from slow to fast with steps of several sizes both ways (10 s square wave, "
-         "0.1 to 1.5 rad/s).";
+  return {
+      "A multisine from slow to fast with steps of several sizes both ways (10 s square wave, "
+      "0.1 to 1.5 rad/s)."};
 }
 
 }  // namespace fathom
