@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fathom::hidden {
 namespace {
@@ -29,7 +30,11 @@ std::vector<Reported> ReportedCauses(const Diagnosis& diagnosis) {
   std::vector<Reported> causes;
   for (const Cause& cause : diagnosis.causes) {
     const auto& effect = diagnosis.extended.model.effects.at(cause.effect_index);
-    causes.push_back({LabelOf(effect), cause.alternatives});
+    Reported reported = {LabelOf(effect), {}};
+    for (const Alternative& other : cause.alternatives) {
+      reported.alternatives.push_back(other.label);
+    }
+    causes.push_back(std::move(reported));
   }
   return causes;
 }

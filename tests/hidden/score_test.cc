@@ -49,7 +49,7 @@ Diagnosis Naming(Verdict verdict, const std::vector<Named>& named) {
   for (const Named& one : named) {
     Cause cause;
     cause.effect_index = static_cast<int>(diagnosis.causes.size());
-    cause.alternatives = one.alternatives;
+    for (const std::string& label : one.alternatives) cause.alternatives.push_back({{}, {}, label});
     diagnosis.causes.push_back(cause);
     diagnosis.extended.model.effects.push_back(one.effect);
     size += static_cast<Eigen::Index>(one.effect.values.size());

@@ -27,7 +27,7 @@ enum class Verdict {
 // "consistent", "explained", "ambiguous" or "unexplained".
 std::string_view Name(Verdict verdict);
 
-// A model fitted to the training data by generalised least squares.
+// A model of the training data.
 struct DiagnosedModel {
   static constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
@@ -40,7 +40,9 @@ struct DiagnosedModel {
   FitFigures held_out;  // on data that no fit has seen; where every block was left out in turn,
                         // over the blocks
 
-  double log_likelihood = kNotComputed;  // with the noise learned along with the model
+  // Of the fit by which causes are weighed, generalised least squares with the noise learned along.
+  // That is the extended model's own; the baseline, which is output error's, has another.
+  double weighed_log_likelihood = kNotComputed;
 };
 
 // One effect (with its partner, if it has one, and its log, if it belongs to one of several) that
@@ -60,14 +62,27 @@ struct Candidate {
   std::string why;  // kept or dropped, and why: a sentence
 };
 
+// What logs cannot tell from a cause.
+struct Alternative {
+  const Effect* effect = nullptr;
+  EffectSetting setting;
+  std::string label;  // as Candidate's
+};
+
+// The experiment that would tell a cause from its alternatives.
+struct DecidingRun {
+  std::string text;     // a sentence; empty if there are no alternatives
+  bool decides = true;  // false: none of this kind can, and the text says what could
+};
+
 // A cause that the data call for.
 struct Cause {
   int effect_index = 0;  // in Diagnosis::extended.model.effects
   double p_value = 1.0;
-  double delta_bic = 0.0;                 // lost when this cause alone is taken out again
-  double held_out_gain = 0.0;             // 1 - NMAE with / NMAE without it
-  std::vector<std::string> alternatives;  // labels of what these logs cannot tell from it
-  std::string experiment;                 // that would decide between them; empty if there are none
+  double delta_bic = 0.0;      // lost when this cause alone is taken out again
+  double held_out_gain = 0.0;  // 1 - NMAE with / NMAE without it
+  std::vector<Alternative> alternatives;
+  DecidingRun experiment;
 };
 
 // What the baseline's free run misses, as a force in time; with its standard deviation.

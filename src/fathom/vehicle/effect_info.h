@@ -36,6 +36,7 @@ struct PartnerInfo {
 // Effects that are easily mistaken for one another have a confusion in common, the same object.
 struct Confusion {
   std::string_view experiment;  // that tells them apart, a sentence
+  bool decides = true;          // false: no experiment of this kind can, and the sentence says so
 };
 
 // What people and files need to know about an effect.

@@ -284,7 +284,8 @@ TEST(AWrongThrustUnit, ScalesTheModelAndChangesNoVerdict) {
     for (double& force : log.command->values[0]) force *= k;
     const Diagnosis scaled = Diagnose(std::vector{log}, Dof::kSurge);
     EXPECT_EQ(TextOf(scaled), TextOf(in_newton));
-    EXPECT_NEAR(scaled.extended.log_likelihood, in_newton.extended.log_likelihood, 0.1);
+    EXPECT_NEAR(
+        scaled.extended.weighed_log_likelihood, in_newton.extended.weighed_log_likelihood, 0.1);
     EXPECT_NEAR(scaled.held_out_gain, in_newton.held_out_gain, 0.01);
     for (const auto& [small, large] : {std::pair(&scaled.baseline, &in_newton.baseline),
                                        std::pair(&scaled.extended, &in_newton.extended)}) {

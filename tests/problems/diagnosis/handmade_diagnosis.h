@@ -50,7 +50,7 @@ inline Diagnosis ConsistentDiagnosis() {
   diagnosis.baseline.covariance = Diagonal({13.0, 4.0, 8.1, 0.23});
   diagnosis.baseline.train = {.mae = 0.0115, .nmae = 0.1147, .num_samples = 2400, .duration = 240};
   diagnosis.baseline.held_out = {.mae = 0.0117, .nmae = 0.1169, .num_samples = 600, .duration = 60};
-  diagnosis.baseline.log_likelihood = 1234.5;
+  diagnosis.baseline.weighed_log_likelihood = 1234.5;
   diagnosis.extended = diagnosis.baseline;
   diagnosis.structure_share = 0.0;
   diagnosis.remaining_p_value = 0.6;
@@ -130,6 +130,12 @@ inline Diagnosis ExplainedDiagnosis() {
   return diagnosis;
 }
 
+inline std::vector<Alternative> AlternativesNamed(std::initializer_list<const char*> effects) {
+  std::vector<Alternative> alternatives;
+  for (const char* effect : effects) alternatives.push_back({FindEffect(effect), {}, effect});
+  return alternatives;
+}
+
 // A lag of 0.4963 s in the thrusters or in the sensor.
 inline Diagnosis AmbiguousDiagnosis() {
   Diagnosis diagnosis = ExplainedDiagnosis();
@@ -138,8 +144,8 @@ inline Diagnosis AmbiguousDiagnosis() {
   diagnosis.extended.model.effects.clear();
   diagnosis.extended.covariance = Diagonal({5.9, 3.0, 0.83, 0.010});
   AddCause("sensor_lag", {0.4963}, {0.0077}, &diagnosis);
-  diagnosis.causes[0].alternatives = {"thruster_lag"};
-  diagnosis.causes[0].experiment =
+  diagnosis.causes[0].alternatives = AlternativesNamed({"thruster_lag"});
+  diagnosis.causes[0].experiment.text =
       "Large steps, to speeds where quadratic drag matters: in linear drag lags commute.";
   return diagnosis;
 }

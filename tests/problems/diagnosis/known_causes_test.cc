@@ -47,7 +47,9 @@ const Cause* FindCause(const Diagnosis& diagnosis, const std::string& effect) {
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = diagnosis.extended.model.effects[cause.effect_index];
     if (active.effect->info().name == effect) return &cause;
-    if (std::count(cause.alternatives.begin(), cause.alternatives.end(), effect)) return &cause;
+    for (const Alternative& other : cause.alternatives) {
+      if (other.label == effect) return &cause;
+    }
   }
   return nullptr;
 }
@@ -101,10 +103,10 @@ TEST_P(KnownCauses, ALagOfHalfASecondIsNamedAndTheLinearDampingPutRight) {
   ASSERT_NE(cause, nullptr);
   ASSERT_EQ(cause->alternatives.size(), 1u);
   const ActiveEffect& active = diagnosis.extended.model.effects[cause->effect_index];
-  EXPECT_THAT((std::array{std::string(active.effect->info().name), cause->alternatives[0]}),
+  EXPECT_THAT((std::array{std::string(active.effect->info().name), cause->alternatives[0].label}),
               UnorderedElementsAre("sensor_lag", "thruster_lag"));
   EXPECT_EQ(diagnosis.verdict, Verdict::kAmbiguous);
-  EXPECT_FALSE(cause->experiment.empty());
+  EXPECT_FALSE(cause->experiment.text.empty());
   ExpectNoOtherCertainCause(diagnosis, cause);
   const double std = StdOf(diagnosis, *cause);
   EXPECT_NEAR(active.values[0], 0.5, 4.0 * std);

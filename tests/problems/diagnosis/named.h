@@ -20,7 +20,7 @@ struct NamedGroup {
 
 inline std::string LabelOf(const ActiveEffect& active) {
   std::string label(active.effect->info().name);
-  if (active.effect->info().has_partner) {
+  if (active.effect->info().has_partner()) {
     label += "(" + std::string(Name(active.setting.partner)) + ")";
   }
   return label;
@@ -31,9 +31,9 @@ inline std::vector<NamedGroup> GroupsOf(const Diagnosis& diagnosis) {
   for (const Cause& cause : diagnosis.causes) {
     NamedGroup group;
     group.cause = LabelOf(diagnosis.extended.model.effects.at(cause.effect_index));
-    group.members.insert(cause.alternatives.begin(), cause.alternatives.end());
+    for (const Alternative& other : cause.alternatives) group.members.insert(other.label);
     group.members.insert(group.cause);
-    group.experiment = cause.experiment;
+    group.experiment = cause.experiment.text;
     groups.push_back(group);
   }
   return groups;

@@ -43,8 +43,8 @@ std::vector<double> NumbersOf(const Diagnosis& d) {
                                  d.held_out_gain,
                                  d.held_out_gain_low,
                                  d.held_out_gain_high,
-                                 d.extended.log_likelihood,
-                                 d.baseline.log_likelihood,
+                                 d.extended.weighed_log_likelihood,
+                                 d.baseline.weighed_log_likelihood,
                                  d.extended.model.baseline.inertia};
   for (const ActiveEffect& active : d.extended.model.effects) {
     numbers.insert(numbers.end(), active.values.begin(), active.values.end());
@@ -71,7 +71,7 @@ TEST(Diagnose, AnswersTheSameToTheLastBitFromAnyNumberOfThreads) {
 void ExpectSame(const Diagnosis& a, const Diagnosis& b) {
   EXPECT_EQ(TextOf(a), TextOf(b));
   ASSERT_EQ(a.extended.covariance.rows(), b.extended.covariance.rows());
-  EXPECT_NEAR(a.extended.log_likelihood, b.extended.log_likelihood, 0.5);
+  EXPECT_NEAR(a.extended.weighed_log_likelihood, b.extended.weighed_log_likelihood, 0.5);
   int i = 0;
   const auto expect_near = [&](double x, double y) {
     EXPECT_NEAR(x, y, 0.2 * std::sqrt(a.extended.covariance(i, i))) << i;

@@ -8,7 +8,6 @@
 #include "fathom/vehicle/extended_model.h"
 
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,7 @@
 
 namespace fathom {
 
-// A model where its generalised squared error is least.
+// A model where its generalised squared error is least. All members belong to this one fit.
 struct StructureFit {
   bool converged = false;
   ExtendedModel model;
@@ -34,16 +33,11 @@ struct StructureFit {
   Eigen::MatrixXd covariance;
   std::vector<bool> is_on_bound;  // of the same
 
-  // By how much chi squared falls because sensor and water may remember anything at the start, to
-  // first order, record by record: (excess / its standard deviation)^2, one for each of
-  // ExcessesOf() the model.
-  std::vector<double> start_gains;
-};
+  std::vector<double> start_gains;  // StartGainsOf() it
 
-// What its free starts take from a model's log-likelihood ratio (2 log L): each as little as BIC
-// asks, which is its gain where it had better not be there, else the logarithm of the number of
-// data. A model thus pays for what its records' starts need, and for nothing where they need none.
-double PriceOfStarts(const TrainingData& data, const StructureFit& fit);
+  // False where the model cannot be simulated: then there is no Jacobian either.
+  bool IsSimulated() const { return jacobian.size() > 0; }
+};
 
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds
 // (inertia at least data.least_inertia(), dampings at least 0, the effects' own). Levenberg and
@@ -57,34 +51,10 @@ StructureFit FitStructure(const TrainingData& data,
                           const Whitener& whitener,
                           double smallest_share = 0.0);
 
-// The same with the noise learned along: fit and noise in turns, from `noise`.
-StructureFit FitStructureAndNoise(const TrainingData& data,
-                                  const ExtendedModel& start,
-                                  std::span<const InitialState> initial,
-                                  const NoiseModel& noise);
-
-// The same on from a fit whose residual and Jacobian are those of its model, the noise from that.
-StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start);
-
-// The baseline from a start near its optimum, with its noise.
-StructureFit FitBaseline(const TrainingData& data,
-                         const ExtendedModel& start,
-                         std::span<const InitialState> initial);
-
-// A given model from the states that fit it best, each channel weighed by what the model misses of
-// it: residual and Jacobian alone, no likelihood. No Jacobian if it cannot be simulated.
-StructureFit FitStates(const TrainingData& data,
-                       const ExtendedModel& model,
-                       std::span<const InitialState> initial);
-
-// As if all of a residual were white: its RMS, channel by channel; at least 1e-12.
-NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual);
-
-// The noise of a fit's residual, of which nothing else is known.
-NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit);
-
-// White noise as a sensor alone would have it, from the residual's second differences, which
-// structure hardly reaches: under it nothing that is missing passes for a disturbance.
-NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& residual);
+// The same on from a fit whose residual and Jacobian are those of its model.
+StructureFit FitStructure(const TrainingData& data,
+                          StructureFit start,
+                          const Whitener& whitener,
+                          double smallest_share = 0.0);
 
 }  // namespace fathom

@@ -3,15 +3,14 @@
 
 #pragma once
 
-#include "fathom/diagnosis/search/screen.h"
+#include "fathom/diagnosis/result.h"
+#include "fathom/diagnosis/search/suspect.h"
 
-#include <string>
 #include <vector>
 
 namespace fathom {
 
-// The experiment that would tell a cause from its rivals, as a sentence; EFFECTS.md's "What cannot
-// be told apart". Where no experiment of this kind can, it says what could.
-std::string DecidingExperiment(const Suspect& cause, const std::vector<Suspect>& rivals);
+// The experiment that would tell a cause from its rivals; EFFECTS.md's "What cannot be told apart".
+DecidingRun DecidingExperiment(const Suspect& cause, const std::vector<Suspect>& rivals);
 
 }  // namespace fathom

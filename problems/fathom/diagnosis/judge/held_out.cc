@@ -196,10 +196,10 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std
           .high = gains[kNumResamples - 1 - kNumResamples / 40]};
 }
 
-void Score(const std::vector<Record>& records,
-           const ExtendedModel& before,
-           const ExtendedModel& after,
-           Scored* scored) {
+Scored Score(const std::vector<Record>& records,
+             const ExtendedModel& before,
+             const ExtendedModel& after) {
+  Scored scored;
   for (const Record& record : records) {
     const auto outputs_of = [&](const ExtendedModel& model) -> std::optional<EffectOutputs> {
       const auto start = StartOver(record, model);
@@ -209,12 +209,13 @@ void Score(const std::vector<Record>& records,
     auto outputs_before = outputs_of(before), outputs_after = outputs_of(after);
     if (!outputs_before || !outputs_after) continue;
     if (!record.velocity.empty() && !record.displacement.empty()) {
-      scored->poses_before.push_back(PosesByBlock(record, *outputs_before));
-      scored->poses_after.push_back(PosesByBlock(record, *outputs_after));
+      scored.poses_before.push_back(PosesByBlock(record, *outputs_before));
+      scored.poses_after.push_back(PosesByBlock(record, *outputs_after));
     }
-    scored->before.push_back(RunOf(record, std::move(*outputs_before)));
-    scored->after.push_back(RunOf(record, std::move(*outputs_after)));
+    scored.before.push_back(RunOf(record, std::move(*outputs_before)));
+    scored.after.push_back(RunOf(record, std::move(*outputs_after)));
   }
+  return scored;
 }
 
 Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed) {

@@ -59,10 +59,9 @@ struct Scored {
 // poses, where there are both.
 Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
 
-// Adds the runs over the records that both models can run over.
-void Score(const std::vector<Record>& records,
-           const ExtendedModel& before,
-           const ExtendedModel& after,
-           Scored* scored);
+// The runs over the records that both models can run over.
+Scored Score(const std::vector<Record>& records,
+             const ExtendedModel& before,
+             const ExtendedModel& after);
 
 }  // namespace fathom

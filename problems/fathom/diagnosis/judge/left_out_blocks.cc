@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -42,6 +43,13 @@ double PositionAt(const Record& record, double time) {
     position += 0.5 * (t[i] - t[i - 1]) * (record.velocity[i - 1] + record.velocity[i]);
   }
   return position;
+}
+
+void Append(Scored part, Scored* all) {
+  for (const auto runs :
+       {&Scored::before, &Scored::after, &Scored::poses_before, &Scored::poses_after}) {
+    std::move((part.*runs).begin(), (part.*runs).end(), std::back_inserter(all->*runs));
+  }
 }
 
 }  // namespace
@@ -90,7 +98,7 @@ Scored LeaveBlocksOut(const TrainingData& data,
     const Whitener whitener(extended.noise, rest.samples());
     const auto before = FindRobustStart(rest.records());
     const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
-    Score(left_out, before ? before->model : baseline, after.model, &scored);
+    Append(Score(left_out, before ? before->model : baseline, after.model), &scored);
   }
   return scored;
 }

@@ -20,11 +20,8 @@ double RmsOf(const Eigen::VectorXd& values) {
                    std::max<double>(1.0, static_cast<double>(values.size())));
 }
 
-// Noise with a disturbance strong enough to carry what the baseline misses.
-NoiseModel WithDisturbance(const NoiseModel& sensor,
-                           double damping_rate,
-                           const StructureFit& baseline) {
-  NoiseModel noise = sensor;
+// With a disturbance strong enough to carry what the baseline misses.
+NoiseModel WithDisturbance(NoiseModel noise, double damping_rate, const StartedModel& baseline) {
   noise.damping_rate = damping_rate;
   noise.disturbance.time = 1.5;
   const double missed = std::max(RmsOf(baseline.residual), 1e-9);
@@ -35,19 +32,20 @@ NoiseModel WithDisturbance(const NoiseModel& sensor,
 }  // namespace
 
 MissingForce FindMissingForce(const TrainingData& data,
-                              const StructureFit& baseline,
-                              const StructureFit& extended,
+                              const StartedModel& baseline,
+                              const StartedModel& extended,
+                              const NoiseModel& noise,
                               const std::vector<Dof>& partners) {
   MissingForce missing;
   const auto& samples = data.samples();
   const double inertia = baseline.model.baseline.inertia;
-  const NoiseModel noise =
-      WithDisturbance(extended.noise, data.DampingRate(baseline.model.baseline), baseline);
+  const NoiseModel wandering =
+      WithDisturbance(noise, data.DampingRate(baseline.model.baseline), baseline);
   const SmoothedDisturbance smoothed = SmoothDisturbance(
-      noise, samples, std::span(baseline.residual.data(), baseline.residual.size()));
+      wandering, samples, std::span(baseline.residual.data(), baseline.residual.size()));
   const Eigen::VectorXd added = baseline.residual - extended.residual;
   const SmoothedDisturbance explained =
-      SmoothDisturbance(noise, samples, std::span(added.data(), added.size()));
+      SmoothDisturbance(wandering, samples, std::span(added.data(), added.size()));
   for (const Dof partner : partners) missing.partner_names.emplace_back(Name(partner));
   missing.partner_velocities.resize(partners.size());
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/structure_fit.h"
+#include "fathom/diagnosis/fit/started_model.h"
 #include "fathom/diagnosis/judge/held_out.h"
 #include "fathom/diagnosis/result.h"
 
@@ -13,11 +13,12 @@
 namespace fathom {
 
 // The force that the baseline misses: a force that wanders (Ornstein-Uhlenbeck), smoothed from the
-// baseline's residual under sensor noise alone; beside it what the extended model adds, and what it
-// may depend on. Of all records of `data`, at their bins. docs/diagnosis.md (9).
+// baseline's residual under the sensors' part of `noise`; beside it what the extended model adds,
+// and what it may depend on. Of all records of `data`, at their bins. docs/diagnosis.md (9).
 MissingForce FindMissingForce(const TrainingData& data,
-                              const StructureFit& baseline,
-                              const StructureFit& extended,
+                              const StartedModel& baseline,
+                              const StartedModel& extended,
+                              const NoiseModel& noise,
                               const std::vector<Dof>& partners);
 
 // Measured against both models' free runs over one record; a run that diverged is left out.

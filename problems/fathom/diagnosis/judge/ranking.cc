@@ -5,11 +5,12 @@
 
 #include "fathom/diagnosis/judge/experiments.h"
 #include "fathom/diagnosis/search/suspects.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,42 +52,64 @@ std::string WhyOf(
   return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
 }
 
-std::vector<bool> RivalsOf(const SearchResult& search, size_t num_suspects) {
-  std::vector<bool> is_rival(num_suspects, false);
-  const auto& kept = search.tried[search.best].suspects;
-  for (const int index : search.rivals) {
-    for (const int suspect : search.tried[index].suspects) {
-      if (std::count(kept.begin(), kept.end(), suspect) == 0) is_rival[suspect] = true;
+// What stands in for a cause in the rivals that are without it: by suspect, as often as it does.
+std::vector<int> StandingIn(const HypothesisBook& book, const Judgement& judgement, int cause) {
+  const Hypothesis& best = book[judgement.choice.chosen];
+  std::vector<int> standing_in;
+  for (const int rival : judgement.rivals) {
+    if (book[rival].Has(cause)) continue;
+    for (const int suspect : book[rival].suspects) {
+      if (!best.Has(suspect)) standing_in.push_back(suspect);
     }
   }
-  return is_rival;
+  return standing_in;
+}
+
+// True of a suspect that stands in for any cause.
+bool IsRival(const HypothesisBook& book, const Judgement& judgement, int suspect) {
+  const auto& rivals = judgement.rivals;
+  return !book[judgement.choice.chosen].Has(suspect) &&
+         std::any_of(
+             rivals.begin(), rivals.end(), [&](int rival) { return book[rival].Has(suspect); });
+}
+
+// What came of a suspect by itself; nothing of the rest of the judgement.
+Candidate CandidateOf(const Suspect& suspect, double score, const StructureFit* alone) {
+  Candidate candidate;
+  candidate.effect = suspect.effect;
+  candidate.setting = suspect.setting;
+  candidate.label = LabelOf(suspect);
+  candidate.score = score;
+  candidate.gain = std::numeric_limits<double>::quiet_NaN();
+  if (alone == nullptr) return candidate;
+  candidate.values = alone->model.effects[0].values;
+  for (size_t i = 0; i < candidate.values.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(kNumParameters + i);
+    candidate.stds.push_back(std::sqrt(alone->covariance(at, at)));
+  }
+  return candidate;
 }
 
 }  // namespace
 
-std::vector<Cause> CausesOf(const SearchResult& search, const std::vector<Suspect>& suspects) {
-  const Hypothesis& best = search.tried[search.best];
+std::vector<Cause> CausesOf(const HypothesisBook& book,
+                            const Judgement& judgement,
+                            const std::vector<Suspect>& suspects) {
+  const int chosen = judgement.choice.chosen;
+  const Hypothesis& best = book[chosen];
   std::vector<Cause> causes;
   for (const int suspect : best.suspects) {
     Cause cause;
-    cause.effect_index = PlaceIn(best.fit.model, suspects[suspect]);
-    if (const Hypothesis* without = FindWithout(search, search.best, suspect)) {
-      const double own_gain = best.gain - without->gain;
-      cause.delta_bic = best.delta_bic - without->delta_bic;
-      cause.p_value = search.significance.FamilyWisePValue(suspect, own_gain);
-    } else {
-      cause.delta_bic = best.delta_bic;
-      cause.p_value = search.significance.FamilyWisePValue(suspect, best.gain);
-    }
+    cause.effect_index = PlaceIn(judgement.choice.fit().model, suspects[suspect]);
+    const int without = book.IndexWithout(chosen, suspect);
+    const double own_gain = without < 0 ? best.gain : best.gain - book[without].gain;
+    cause.delta_bic = without < 0 ? best.delta_bic : best.delta_bic - book[without].delta_bic;
+    cause.p_value = book.calibration().significance.FamilyWisePValue(suspect, own_gain);
     std::vector<Suspect> rivals;
-    for (const int index : search.rivals) {
-      const auto& other = search.tried[index].suspects;
-      if (std::count(other.begin(), other.end(), suspect) > 0) continue;
-      for (const int replacing : other) {
-        if (std::count(best.suspects.begin(), best.suspects.end(), replacing) > 0) continue;
-        cause.alternatives.push_back(LabelOf(suspects[replacing]));
-        rivals.push_back(suspects[replacing]);
-      }
+    for (const int index : StandingIn(book, judgement, suspect)) {
+      rivals.push_back(suspects[index]);
+      const auto& [effect, setting] = suspects[index];
+      cause.alternatives.push_back({effect, setting, LabelOf(suspects[index])});
     }
     if (!rivals.empty()) cause.experiment = DecidingExperiment(suspects[suspect], rivals);
     causes.push_back(std::move(cause));
@@ -98,36 +121,27 @@ std::vector<Cause> CausesOf(const SearchResult& search, const std::vector<Suspec
 }
 
 std::vector<Candidate> RankCandidates(const SearchResult& search,
+                                      const Judgement& judgement,
                                       const std::vector<Suspect>& suspects) {
-  const Hypothesis& best = search.tried[search.best];
-  const std::vector<bool> is_rival = RivalsOf(search, suspects.size());
+  const HypothesisBook& book = search.book;
+  const Significance& significance = book.calibration().significance;
   std::vector<Candidate> candidates;
-  for (size_t k = 0; k < suspects.size(); ++k) {
-    Candidate candidate;
-    candidate.effect = suspects[k].effect;
-    candidate.setting = suspects[k].setting;
-    candidate.label = LabelOf(suspects[k]);
-    candidate.score = search.scores[k];
-    candidate.gain = std::numeric_limits<double>::quiet_NaN();
-    const int index = static_cast<int>(k);
-    if (const Hypothesis* alone = FindHypothesis(search, {index})) {
-      candidate.gain = alone->gain;
-      candidate.delta_bic = alone->delta_bic;
-      const ActiveEffect& active = alone->fit.model.effects[0];
-      candidate.values = active.values;
-      for (size_t i = 0; i < active.values.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(kNumParameters + i);
-        candidate.stds.push_back(std::sqrt(alone->fit.covariance(at, at)));
-      }
+  for (int k = 0; k < static_cast<int>(suspects.size()); ++k) {
+    const int alone = book.IndexOf({k});
+    Candidate candidate = CandidateOf(
+        suspects[k], search.scores[k], alone < 0 ? nullptr : &FitOf(book, judgement.choice, alone));
+    if (alone >= 0) {
+      candidate.gain = book[alone].gain;
+      candidate.delta_bic = book[alone].delta_bic;
     }
     const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
-    candidate.p_value = search.significance.FamilyWisePValue(index, gain);
-    candidate.is_kept = std::count(best.suspects.begin(), best.suspects.end(), index) > 0;
+    candidate.p_value = significance.FamilyWisePValue(k, gain);
+    candidate.is_kept = book[judgement.choice.chosen].Has(k);
     candidate.why = WhyOf(candidate,
-                          search.significance.Threshold(index),
-                          search.failed_alone[k],
-                          is_rival[k],
-                          search.best != 0);
+                          significance.Threshold(k),
+                          book.HasFailed({k}),
+                          IsRival(book, judgement, k),
+                          judgement.choice.chosen != 0);
     candidates.push_back(std::move(candidate));
   }
   const auto worth = [](const Candidate& candidate) {
@@ -140,16 +154,17 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
   return candidates;
 }
 
-ExtendedModel WithoutCause(const SearchResult& search,
+ExtendedModel WithoutCause(const HypothesisBook& book,
+                           const Choice& choice,
                            const std::vector<Suspect>& suspects,
                            const Cause& cause) {
-  const Hypothesis& best = search.tried[search.best];
-  for (const int suspect : best.suspects) {
-    if (PlaceIn(best.fit.model, suspects[suspect]) != cause.effect_index) continue;
-    const Hypothesis* without = FindWithout(search, search.best, suspect);
-    if (without != nullptr) return without->fit.model;
+  const ExtendedModel& model = choice.fit().model;
+  for (const int suspect : book[choice.chosen].suspects) {
+    if (PlaceIn(model, suspects[suspect]) != cause.effect_index) continue;
+    const int without = book.IndexWithout(choice.chosen, suspect);
+    if (without >= 0) return FitOf(book, choice, without).model;
   }
-  return WithoutEffect(best.fit.model, cause.effect_index);
+  return WithoutEffect(model, cause.effect_index);
 }
 
 }  // namespace fathom

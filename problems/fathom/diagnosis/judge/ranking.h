@@ -3,24 +3,27 @@
 
 #pragma once
 
+#include "fathom/diagnosis/judge/judgement.h"
 #include "fathom/diagnosis/result.h"
-#include "fathom/diagnosis/search/search_result.h"
-#include "fathom/diagnosis/search/suspects.h"
 
 #include <vector>
 
 namespace fathom {
 
-// The causes of the best hypothesis, in the order of its model's effects, each with what these
-// records cannot tell from it and the experiment that would.
-std::vector<Cause> CausesOf(const SearchResult& search, const std::vector<Suspect>& suspects);
+// The causes that are named, in the order of their model's effects, each with what these records
+// cannot tell from it and the experiment that would; their held-out gains are left at 0.
+std::vector<Cause> CausesOf(const HypothesisBook& book,
+                            const Judgement& judgement,
+                            const std::vector<Suspect>& suspects);
 
 // Every suspect with what became of it, the best first.
 std::vector<Candidate> RankCandidates(const SearchResult& search,
+                                      const Judgement& judgement,
                                       const std::vector<Suspect>& suspects);
 
-// The best hypothesis's model without one of its causes, refitted if it was tried so.
-ExtendedModel WithoutCause(const SearchResult& search,
+// The model that is named without one of its causes, refitted if it was tried so.
+ExtendedModel WithoutCause(const HypothesisBook& book,
+                           const Choice& choice,
                            const std::vector<Suspect>& suspects,
                            const Cause& cause);
 

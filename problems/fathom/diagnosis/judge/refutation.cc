@@ -7,8 +7,7 @@
 
 #include <algorithm>
 #include <set>
-
-#include <fmt/format.h>
+#include <utility>
 
 namespace fathom {
 namespace {
@@ -25,22 +24,63 @@ bool IsLoss(const Gain& gain, double trace) {
   return gain.high < -trace || gain.value < -kLossTooMuch;
 }
 
+// Whether the held-out data refuse a cause, from the runs without it and with it.
+bool IsRefused(const Scored& scored, bool acts_on_poses_alone, Burden burden, std::uint64_t seed) {
+  const Gain in_velocities = GainOf(scored, false, seed);
+  const Gain gain = GainOf(scored, acts_on_poses_alone, seed);
+  const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
+  if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) return true;
+  return burden == Burden::kToGain && !(gain.low > 0.0);
+}
+
 // The best hypothesis of at most so many causes without any of some suspects.
-int BestWithout(const std::set<int>& left_out, size_t most_causes, const SearchResult& search) {
+int BestWithout(const std::set<int>& left_out, size_t most_causes, const HypothesisBook& book) {
   int best = 0;
-  for (size_t i = 0; i < search.tried.size(); ++i) {
-    const Hypothesis& other = search.tried[i];
-    const bool has_one = std::any_of(other.suspects.begin(),
-                                     other.suspects.end(),
-                                     [&](int suspect) { return left_out.contains(suspect); });
-    if (has_one || other.suspects.size() > most_causes) continue;
-    if (!IsPhysical(other) || !(other.gain > ThresholdOf(search, other.suspects))) continue;
-    if (other.delta_bic > search.tried[best].delta_bic) best = static_cast<int>(i);
+  for (int i = 0; i < book.size(); ++i) {
+    const std::vector<int>& causes = book[i].suspects;
+    const bool has_one = std::any_of(
+        causes.begin(), causes.end(), [&](int suspect) { return left_out.contains(suspect); });
+    if (has_one || causes.size() > most_causes || !IsPhysical(book[i])) continue;
+    if (!(book[i].gain > book.calibration().ThresholdOf(causes))) continue;
+    if (book[i].delta_bic > book[best].delta_bic) best = i;
   }
   return best;
 }
 
 }  // namespace
+
+Sifted LeaveOutTheRefuted(const TrainingData& data,
+                          const std::vector<Record>& held_out,
+                          const std::vector<Suspect>& suspects,
+                          const HypothesisBook& book,
+                          Burden burden,
+                          std::uint64_t seed,
+                          Choice choice) {
+  Sifted sifted = {std::move(choice), {}};
+  const auto is_refused = [&](int suspect) {
+    const int without = book.IndexWithout(sifted.choice.chosen, suspect);
+    if (without < 0) return false;
+    const ExtendedModel& before = FitOf(book, sifted.choice, without).model;
+    const Scored scored = Score(held_out, before, sifted.choice.fit().model);
+    return IsRefused(scored, ActOnPosesAlone({suspect}, suspects), burden, seed);
+  };
+  std::set<int> left_out;
+  const size_t fewest = burden == Burden::kToGain ? 0 : 1;
+  while (book[sifted.choice.chosen].suspects.size() > fewest) {
+    const std::vector<int>& causes = book[sifted.choice.chosen].suspects;
+    const auto refused = std::find_if(causes.begin(), causes.end(), is_refused);
+    if (refused == causes.end()) break;
+    left_out.insert(*refused);
+    const int next = BestWithout(left_out, causes.size() - 1, book);
+    sifted.choice = WithChosen(data, book, next, std::move(sifted.choice));
+    sifted.refusals.push_back({.reason = burden == Burden::kToGain
+                                             ? Refusal::Reason::kGainsNothing
+                                             : Refusal::Reason::kLosesBesideOthers,
+                               .refused = {*refused},
+                               .kept = book[sifted.choice.chosen].suspects});
+  }
+  return sifted;
+}
 
 std::optional<Gain> RefutingGain(const Scored& scored,
                                  bool acts_on_poses_alone,
@@ -51,57 +91,6 @@ std::optional<Gain> RefutingGain(const Scored& scored,
   const Gain in_velocities = GainOf(scored, false, seed);
   if (IsLoss(in_velocities, kTraceInVelocities)) return in_velocities;
   return std::nullopt;
-}
-
-void LeaveOutTheRefuted(const TrainingData& data,
-                        const std::vector<Record>& held_out,
-                        const std::vector<Suspect>& suspects,
-                        const DiagnosisOptions& options,
-                        Burden burden,
-                        SearchResult* search,
-                        std::vector<std::string>* remarks) {
-  const auto refuted = [&]() -> int {
-    const Hypothesis& best = search->tried[search->best];
-    for (const int suspect : best.suspects) {
-      const Hypothesis* without = FindWithout(*search, search->best, suspect);
-      if (without == nullptr) continue;
-      Scored scored;
-      Score(held_out, without->fit.model, best.fit.model, &scored);
-      const Gain in_velocities = GainOf(scored, false, options.seed);
-      const Gain gain = GainOf(scored, ActOnPosesAlone({suspect}, suspects), options.seed);
-      const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
-      if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) {
-        return suspect;
-      }
-      if (burden == Burden::kToGain && !(gain.low > 0.0)) return suspect;
-    }
-    return -1;
-  };
-  std::set<int> left_out;
-  const size_t fewest = burden == Burden::kToGain ? 0 : 1;
-  while (search->tried[search->best].suspects.size() > fewest) {
-    const int suspect = refuted();
-    if (suspect < 0) return;
-    left_out.insert(suspect);
-    search->best = BestWithout(left_out, search->tried[search->best].suspects.size() - 1, *search);
-    if (search->best != 0) {
-      StructureFit& fit = search->tried[search->best].fit;  // of thinned data until now
-      fit = FitStructureAndNoise(
-          data, ExtendedModel(fit.model), std::vector(fit.initial), NoiseModel(fit.noise));
-      if (fit.jacobian.size() == 0) search->best = 0;
-    }
-    search->rivals = FindRivals(data, *search, options.separation);
-    const std::string kept = LabelsOf(search->tried[search->best].suspects, suspects);
-    remarks->push_back(fmt::format(
-        "Not named{}{}: {}. {}.",
-        kept.empty() ? "" : " beside ",
-        kept,
-        LabelOf(suspects[suspect]),
-        burden == Burden::kToGain
-            ? "It fits the training data, but gains nothing for certain on data that no "
-              "fit has seen, and there is more that nothing explains"
-            : "With it the error grows on data that no fit has seen"));
-  }
 }
 
 }  // namespace fathom

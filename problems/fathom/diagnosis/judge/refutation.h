@@ -3,23 +3,53 @@
 
 #pragma once
 
+#include "fathom/diagnosis/judge/confirmation.h"
 #include "fathom/diagnosis/judge/held_out.h"
-#include "fathom/diagnosis/options.h"
-#include "fathom/diagnosis/search/search_result.h"
-#include "fathom/diagnosis/search/suspects.h"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace fathom {
 
+// Suspects that fit the training data and are not named, and why.
+struct Refusal {
+  enum class Reason {
+    kLosesBesideOthers,  // with it the error grows on data that no fit has seen
+    kGainsNothing,       // it gains nothing for certain on them, and there is more to explain
+    kLosesOnUnseenData,  // all that was chosen: `loss`
+    kLosesInTraining,    // the same on the training data: `nmae_before`, `nmae_after`
+  };
+  Reason reason = Reason::kLosesBesideOthers;
+  std::vector<int> refused = {};  // indices of suspects
+  std::vector<int> kept = {};     // beside which they are refused
+  Gain loss = {};                 // below 0
+  double nmae_before = 0.0, nmae_after = 0.0;
+};
+
 // What the held-out data may ask of a cause.
 enum class Burden {
-  kNotToLose,  // that they do not speak against it, as IsRefuted() has it
+  kNotToLose,  // that they do not speak against it
   kToGain,     // that they gain by it for certain (95 %)
 };
+
+// A choice, and what was refused on the way to it.
+struct Sifted {
+  Choice choice;
+  std::vector<Refusal> refusals;
+};
+
+// Leaves out of a choice every cause that does not bear its burden on the held-out records, one at
+// a time (what acts on the poses alone and does not gain 5 % in them for certain must not lose in
+// the velocities either): the best hypothesis of fewer causes without it takes the place. Where
+// causes need only not to lose, the last one stays: Judge() asks all data of it.
+Sifted LeaveOutTheRefuted(const TrainingData& data,
+                          const std::vector<Record>& held_out,
+                          const std::vector<Suspect>& suspects,
+                          const HypothesisBook& book,
+                          Burden burden,
+                          std::uint64_t seed,
+                          Choice choice);
 
 // The gain by which data that no fit has seen speak against what is named, where that is all there
 // is: for certain, or as far as they go by so much (5 %) that it should not be built on. Nothing if
@@ -29,18 +59,5 @@ enum class Burden {
 std::optional<Gain> RefutingGain(const Scored& scored,
                                  bool acts_on_poses_alone,
                                  std::uint64_t seed);
-
-// Leaves out of the best hypothesis every cause that does not bear its burden on the held-out
-// records, one at a time (what acts on the poses alone and does not gain 5 % in them for certain
-// must not lose in the velocities either): the best hypothesis of fewer causes without it takes the
-// place. Where causes need only not to lose, the last one stays: Diagnose() asks all data of it. A
-// remark for each that goes.
-void LeaveOutTheRefuted(const TrainingData& data,
-                        const std::vector<Record>& held_out,
-                        const std::vector<Suspect>& suspects,
-                        const DiagnosisOptions& options,
-                        Burden burden,
-                        SearchResult* search,
-                        std::vector<std::string>* remarks);
 
 }  // namespace fathom

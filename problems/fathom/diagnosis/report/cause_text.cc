@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/report/cause_text.h"
 
 #include "fathom/report/format_value.h"
-#include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <algorithm>
@@ -43,10 +42,9 @@ std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
   return fmt::format("{}", fmt::join(sizes, ", "));
 }
 
-// "the propellers take time to reach their speed (thruster_lag)" for a label of an alternative.
-std::string Told(const std::string& label) {
-  const Effect* effect = FindEffect(label.substr(0, label.find('(')));
-  return effect == nullptr ? label : fmt::format("{} ({})", effect->info().cause, label);
+// "the propellers take time to reach their speed (thruster_lag)".
+std::string Told(const Alternative& alternative) {
+  return fmt::format("{} ({})", alternative.effect->info().cause, alternative.label);
 }
 
 }  // namespace
@@ -69,11 +67,21 @@ std::vector<double> EffectStds(const DiagnosedModel& model, int effect_index) {
   return stds;
 }
 
-std::vector<std::string> AlternativesOf(const Cause& cause) {
-  std::vector<std::string> labels;
-  for (const std::string& label : cause.alternatives) {
-    if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+std::vector<Alternative> AlternativesOf(const Cause& cause) {
+  std::vector<Alternative> alternatives;
+  for (const Alternative& alternative : cause.alternatives) {
+    const bool is_new =
+        std::none_of(alternatives.begin(), alternatives.end(), [&](const Alternative& other) {
+          return other.label == alternative.label;
+        });
+    if (is_new) alternatives.push_back(alternative);
   }
+  return alternatives;
+}
+
+std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives) {
+  std::vector<std::string> labels;
+  for (const Alternative& alternative : alternatives) labels.push_back(alternative.label);
   return labels;
 }
 
@@ -82,15 +90,18 @@ std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause) {
   const EffectInfo& info = active.effect->info();
   std::string reason = fmt::format(
       "{} ({}), {}", info.cause, LabelOf(info, active.setting), Sizes(diagnosis, cause));
-  const std::vector<std::string> alternatives = AlternativesOf(cause);
+  const std::vector<Alternative> alternatives = AlternativesOf(cause);
   if (alternatives.empty()) return reason;
   if (alternatives.size() > kMostListed) {
     return fmt::format("{}, or because of one of {} others", reason, alternatives.size());
   }
   if (alternatives.size() > kMostTold) {
-    return fmt::format("{}, or because of one of {}", reason, fmt::join(alternatives, ", "));
+    return fmt::format(
+        "{}, or because of one of {}", reason, fmt::join(LabelsOf(alternatives), ", "));
   }
-  for (const std::string& label : alternatives) reason += ", or because " + Told(label);
+  for (const Alternative& alternative : alternatives) {
+    reason += ", or because " + Told(alternative);
+  }
   return reason;
 }
 
@@ -100,8 +111,8 @@ std::string AnyOf(const std::vector<std::string>& labels) {
 }
 
 std::string ToDecide(const Cause& cause) {
-  std::string experiment = cause.experiment;
-  if (experiment.empty() || experiment.starts_with("No ")) return experiment;
+  std::string experiment = cause.experiment.text;
+  if (experiment.empty() || !cause.experiment.decides) return experiment;
   while (experiment.back() == '.') experiment.pop_back();
   if (experiment.size() > 1 && std::islower(static_cast<unsigned char>(experiment[1])) != 0) {
     experiment[0] = static_cast<char>(std::tolower(experiment[0]));

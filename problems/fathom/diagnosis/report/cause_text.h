@@ -16,8 +16,10 @@ const ActiveEffect& EffectOfCause(const Diagnosis& diagnosis, const Cause& cause
 // Standard deviations of the parameters of one effect of a model; NaN where not known.
 std::vector<double> EffectStds(const DiagnosedModel& model, int effect_index);
 
-// Labels of what the logs cannot tell from a cause, each once, in their order.
-std::vector<std::string> AlternativesOf(const Cause& cause);
+// What the logs cannot tell from a cause, each once, in their order.
+std::vector<Alternative> AlternativesOf(const Cause& cause);
+
+std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives);
 
 // What a cause is and how large, and what it may be instead, after "because": "small commands give
 // no thrust (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N)".
@@ -26,8 +28,8 @@ std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause);
 // "a or b"; "any of a, b, c, d, e" of more than four.
 std::string AnyOf(const std::vector<std::string>& labels);
 
-// The experiment that decides, as a sentence: "To decide: the same run again, longer." What no
-// experiment can decide says so itself ("No ..."); empty where nothing is open.
+// The experiment that decides, as a sentence: "To decide: the same run again, longer." Where none
+// can, what says so; empty where nothing is open.
 std::string ToDecide(const Cause& cause);
 
 }  // namespace fathom

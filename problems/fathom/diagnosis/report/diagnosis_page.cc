@@ -112,7 +112,7 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
 std::string LabelsOf(const Diagnosis& diagnosis, const Cause& cause) {
   const ActiveEffect& active = EffectOfCause(diagnosis, cause);
   const std::string label = LabelOf(active.effect->info(), active.setting);
-  const std::vector<std::string> alternatives = AlternativesOf(cause);
+  const std::vector<std::string> alternatives = LabelsOf(AlternativesOf(cause));
   if (alternatives.empty()) return label;
   if (alternatives.size() > 2) {
     return fmt::format("{} or one of {} others", label, alternatives.size());

@@ -54,6 +54,7 @@ Table CauseTable(const Diagnosis& diagnosis) {
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     const std::vector<double> stds = EffectStds(diagnosis.extended, cause.effect_index);
+    const std::vector<std::string> alternatives = LabelsOf(cause.alternatives);
     for (std::size_t k = 0; k < active.values.size(); ++k) {
       const EffectParameter& parameter = active.effect->info().parameters[k];
       const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
@@ -70,8 +71,7 @@ Table CauseTable(const Diagnosis& diagnosis) {
             Probability(cause.p_value),
             Figure(cause.delta_bic, "{:.0f}"),
             Figure(std::round(100.0 * cause.held_out_gain) + 0.0, "{:.0f} %"),  // no -0
-            cause.alternatives.empty() ? "-"
-                                       : fmt::format("{}", fmt::join(cause.alternatives, ", "))}});
+            alternatives.empty() ? "-" : fmt::format("{}", fmt::join(alternatives, ", "))}});
     }
   }
   return table;

@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/report/next_steps.h"
 
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/model_file.h"
 
 #include <fmt/format.h>
@@ -30,21 +29,20 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     const EffectInfo& info = active.effect->info();
     const std::string label = LabelOf(info, active.setting);
-    const std::vector<std::string> alternatives = AlternativesOf(cause);
+    const std::vector<Alternative> alternatives = AlternativesOf(cause);
     if (alternatives.empty()) {
       steps.push_back(fmt::format("{}: {}", label, info.advice));
     } else {
       steps.push_back(fmt::format("Find out first whether it is {} or {}. {}",
                                   label,
-                                  AnyOf(alternatives),
+                                  AnyOf(LabelsOf(alternatives)),
                                   ToDecide(cause)));
     }
     if (!alternatives.empty() && alternatives.size() <= kMostAdvised) {
       steps.push_back(fmt::format("If it is {}: {}", label, info.advice));
-      for (const std::string& alternative : alternatives) {
-        const Effect* effect = FindEffect(alternative.substr(0, alternative.find('(')));
-        if (effect == nullptr) continue;
-        steps.push_back(fmt::format("If it is {}: {}", alternative, effect->info().advice));
+      for (const Alternative& alternative : alternatives) {
+        steps.push_back(
+            fmt::format("If it is {}: {}", alternative.label, alternative.effect->info().advice));
       }
     }
     if (info.scope == Scope::kRun) {

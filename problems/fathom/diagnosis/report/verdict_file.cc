@@ -31,7 +31,7 @@ Json FormatDiagnosedModel(const Diagnosis& diagnosis, const DiagnosedModel& mode
           {"heldout_nmae", model.held_out.nmae},
           {"structure", file.at("structure")},
           {"covariance", file.at("covariance")},
-          {"log_likelihood", model.log_likelihood}};
+          {"log_likelihood", model.weighed_log_likelihood}};
 }
 
 // An effect's parameters under their own names.
@@ -69,8 +69,8 @@ Json FormatCause(const Diagnosis& diagnosis, const Cause& cause) {
   json["p_value"] = cause.p_value;
   json["delta_bic"] = cause.delta_bic;
   json["heldout_gain"] = cause.held_out_gain;
-  json["alternatives"] = cause.alternatives;
-  json["experiment"] = cause.experiment;
+  json["alternatives"] = LabelsOf(cause.alternatives);
+  json["experiment"] = cause.experiment.text;
   json["scope"] = info.scope == Scope::kRun ? "run" : "vehicle";
   json["because"] = info.cause;
   json["advice"] = info.advice;

@@ -63,7 +63,7 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
 std::string WhatIsOpen(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences, experiments;
   for (const Cause& cause : diagnosis.causes) {
-    const std::vector<std::string> alternatives = AlternativesOf(cause);
+    const std::vector<std::string> alternatives = LabelsOf(AlternativesOf(cause));
     if (alternatives.empty()) continue;
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     sentences.push_back(fmt::format("{} cannot tell {} from {}.",

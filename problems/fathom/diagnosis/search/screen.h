@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/fit/structure_fit.h"
+#include "fathom/diagnosis/search/trials.h"
 #include "fathom/noise/whitener.h"
 
 #include <cstdint>
@@ -13,52 +14,11 @@
 
 namespace fathom {
 
-// What is tried: an effect with its partner, and the log that it acts in alone, if so.
-struct Suspect {
-  const Effect* effect = nullptr;
-  EffectSetting setting;
-};
-
-// An effect at certain values, and what it adds to the outputs. An effect of several amounts (the
-// two of `periodic_force`) has a column for each.
-struct Trial {
-  int suspect = 0;             // index
-  std::vector<double> values;  // all the effect's parameters; amounts at their probes
-  std::vector<int> amounts;    // which parameter each column probes
-  bool any_sign = false;       // true: the amount may as well be negative
-  int first_column = 0;
-  int num_columns = 1;
-};
-
-// Every suspect at every trial about one fitted model, by simulation or, for forces in the water,
-// by the linearised response.
-struct Trials {
-  std::vector<Trial> trials;
-  RowMajorMatrix signatures;  // rows: bins
-};
-
-Trials TrialsAbout(const TrainingData& data,
-                   const StructureFit& fit,
-                   const std::vector<Suspect>& suspects);
-
-// True if the effect has a frequency of the run and it is that of a single tone which the command
-// is: then it cannot be told from an answer that comes early or late, and nothing is to be said
-// of it.
-bool IsAtTheCommandsTone(const TrainingData& data,
-                         const EffectInfo& info,
-                         const std::vector<double>& values);
-
-// The trial's suspect at times of the run between this trial's and its neighbours'; none if it has
-// no such time.
-Trials TrialsNear(const TrainingData& data,
-                  const StructureFit& fit,
-                  const std::vector<Suspect>& suspects,
-                  const Trial& trial);
-
-// The same columns under one noise: whitened, cleared of what the fitted model can imitate, and of
-// length 1 (orthogonal within a trial); docs/diagnosis.md (4).
+// The columns of trials under one noise: whitened, cleared of what the fitted model can imitate,
+// and of length 1 (orthogonal within a trial); docs/diagnosis.md (4).
 class Screen {
  public:
+  // `trials` must outlive this.
   Screen(const StructureFit& fit, const Trials* trials, const Whitener& whitener);
 
   // By how much chi squared would fall, linearly, for each trial; 0 where the sign is wrong.

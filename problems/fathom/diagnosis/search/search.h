@@ -3,19 +3,26 @@
 
 #pragma once
 
-#include "fathom/diagnosis/options.h"
-#include "fathom/diagnosis/search/search_result.h"
-#include "fathom/diagnosis/search/suspects.h"
+#include "fathom/diagnosis/search/challenge.h"
 
 #include <vector>
 
 namespace fathom {
 
-// Searches the sets of up to options.most_causes suspects for the one that the data call for.
-// docs/diagnosis.md (6).
+// What came of a search.
+struct SearchResult {
+  HypothesisBook book;         // all that was tried, with what a suspect must gain
+  int best = 0;                // in the book
+  std::vector<double> scores;  // by suspect: the best one on the baseline's own screen
+};
+
+// Searches the sets of up to wanted.most_causes suspects for the one that the data call for: they
+// are screened linearly about the hypotheses at hand, the best of them refitted, the best
+// hypothesis challenged cause by cause. docs/diagnosis.md (6).
 SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
-                          const DiagnosisOptions& options);
+                          const DiagnosisOptions& wanted,
+                          const SearchOptions& options = {});
 
 }  // namespace fathom

@@ -75,7 +75,8 @@ double Significance::ThresholdAt(int suspect, double rate) const {
 }
 
 double Significance::PValue(int suspect, double gain) const {
-  if (num_tests_[suspect] == 0.0) return 1.0;  // it leaves no trace on these logs
+  // It leaves no trace on these logs.
+  if (num_tests_.empty() || num_tests_[suspect] == 0.0) return 1.0;
   return AnyOf(Tail(num_amounts_[suspect], gain), num_tests_[suspect]);
 }
 

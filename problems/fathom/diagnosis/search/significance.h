@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,13 +32,19 @@ class Significance {
   double FamilyWisePValue(int suspect, double gain) const;
 
   // Gain of this suspect at which the family-wise p-value is the false alarm rate.
-  double Threshold(int suspect) const { return thresholds_[suspect]; }
+  double Threshold(int suspect) const {
+    return thresholds_.empty() ? kNever : thresholds_[suspect];
+  }
 
   // The same for a cause named beside others: it must be five times as rare. One effect that is not
   // quite of its catalogue's form should not bring in a second.
-  double ThresholdBeside(int suspect) const { return thresholds_beside_[suspect]; }
+  double ThresholdBeside(int suspect) const {
+    return thresholds_beside_.empty() ? kNever : thresholds_beside_[suspect];
+  }
 
  private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
   // Gain of the suspect at which its p-value among all is `rate`.
   double ThresholdAt(int suspect, double rate) const;
 

@@ -6,23 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fathom {
 
 Starts::Starts(const TrainingData& data,
-               const StructureFit& fit,
                const std::vector<Suspect>& suspects,
-               const Trials& trials,
+               std::shared_ptr<const FitAndTrials> about,
                const Whitener& whitener)
-    : data_(data),
-      fit_(fit),
-      suspects_(suspects),
-      trials_(trials),
+    : data_(&data),
+      suspects_(&suspects),
+      about_(std::move(about)),
       whitener_(whitener),
-      screen_(fit, &trials, whitener),
+      screen_(about_->fit, &about_->trials, whitener),
       by_suspect_(suspects.size()) {
-  for (size_t t = 0; t < trials.trials.size(); ++t) {
-    by_suspect_[trials.trials[t].suspect].push_back(static_cast<int>(t));
+  const std::vector<Trial>& trials = about_->trials.trials;
+  for (size_t t = 0; t < trials.size(); ++t) {
+    by_suspect_[trials[t].suspect].push_back(static_cast<int>(t));
   }
   for (auto& own : by_suspect_) {
     std::stable_sort(own.begin(), own.end(), [&](int a, int b) {
@@ -56,7 +56,7 @@ std::vector<Start> Starts::Of(int suspect, int most) const {
 }
 
 Start Starts::StartAt(const Trial& trial, double score, const std::vector<double>& amounts) const {
-  const Suspect& suspect = suspects_[trial.suspect];
+  const Suspect& suspect = (*suspects_)[trial.suspect];
   const EffectInfo& info = suspect.effect->info();
   std::vector<double> values = trial.values;
   for (size_t k = 0; k < trial.amounts.size(); ++k) {
@@ -71,10 +71,11 @@ Start Starts::StartAt(const Trial& trial, double score, const std::vector<double
 }
 
 Start Starts::NarrowedDown(int trial) const {
-  Start start = StartAt(trials_.trials[trial], screen_.scores()[trial], screen_.amounts()[trial]);
-  const Trials nearby = TrialsNear(data_, fit_, suspects_, trials_.trials[trial]);
+  const Trial& from = about_->trials.trials[trial];
+  Start start = StartAt(from, screen_.scores()[trial], screen_.amounts()[trial]);
+  const Trials nearby = TrialsNear(*data_, about_->fit, *suspects_, from);
   if (!nearby.trials.empty()) {
-    const Screen screen(fit_, &nearby, whitener_);
+    const Screen screen(about_->fit, &nearby, whitener_);
     for (size_t t = 0; t < nearby.trials.size(); ++t) {
       if (screen.scores()[t] <= start.score) continue;
       start = StartAt(nearby.trials[t], screen.scores()[t], screen.amounts()[t]);

@@ -3,13 +3,20 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/structure_fit.h"
 #include "fathom/diagnosis/search/screen.h"
 #include "fathom/noise/whitener.h"
 
+#include <memory>
 #include <vector>
 
 namespace fathom {
+
+// A fitted model and every suspect at every trial about it: what screens under several noises
+// share.
+struct FitAndTrials {
+  StructureFit fit;
+  Trials trials;
+};
 
 // Where the refit of one suspect may start: a trial with the amounts that the linear screen finds.
 struct Start {
@@ -18,16 +25,15 @@ struct Start {
   ActiveEffect effect;
 };
 
-// The suspects beside a fitted model, as they look under one noise. Holds references: data,
-// suspects and trials outlive it.
+// The suspects beside a fitted model, as they look under one noise. Data and suspects outlive it.
 class Starts {
  public:
   Starts(const TrainingData& data,
-         const StructureFit& fit,
          const std::vector<Suspect>& suspects,
-         const Trials& trials,
+         std::shared_ptr<const FitAndTrials> about,
          const Whitener& whitener);
 
+  const Trials& trials() const { return about_->trials; }
   const Screen& screen() const { return screen_; }
   const Whitener& whitener() const { return whitener_; }
 
@@ -47,10 +53,9 @@ class Starts {
   Start StartAt(const Trial& trial, double score, const std::vector<double>& amounts) const;
   Start NarrowedDown(int trial) const;
 
-  const TrainingData& data_;
-  const StructureFit& fit_;
-  const std::vector<Suspect>& suspects_;
-  const Trials& trials_;
+  const TrainingData* data_;
+  const std::vector<Suspect>* suspects_;
+  std::shared_ptr<const FitAndTrials> about_;
   Whitener whitener_;
   Screen screen_;
   std::vector<std::vector<int>> by_suspect_;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/data/records.h"
-#include "fathom/diagnosis/search/screen.h"
+#include "fathom/diagnosis/search/suspect.h"
 
 #include <span>
 #include <string>

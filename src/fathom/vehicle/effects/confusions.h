@@ -22,7 +22,7 @@ inline constexpr Confusion kWhichLag = {
     "quadratic drag matters: in linear drag lags commute."};
 
 inline constexpr Confusion kSpeedAtRest = {
-    "No velocity log alone can: the two are identical at every speed. Log poses too."};
+    "No velocity log alone can: the two are identical at every speed. Log poses too.", false};
 
 inline constexpr Confusion kSmallCommands = {
     "Small commands of both signs while the vehicle still coasts either way."};

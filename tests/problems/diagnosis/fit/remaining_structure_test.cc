@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/fit/remaining_structure.h"
 
+#include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/synthesize/effects/unlisted_effects.h"
 
 #include <string>

@@ -3,7 +3,8 @@
 
 #include "fathom/diagnosis/fit/structure_fit.h"
 
-#include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/start_price.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -165,7 +166,7 @@ TEST(FitStructure, PaysForAFreeStartWhereItIsNeeded) {
   const StructureFit needed = FitLag(LaggingData(30.0, 3));
   ASSERT_EQ(needed.start_gains.size(), 2u);
   EXPECT_GT(std::min(needed.start_gains[0], needed.start_gains[1]), log_n);
-  EXPECT_NEAR(PriceOfStarts(LaggingData(30.0, 3), needed), 2.0 * log_n, 1e-9);
+  EXPECT_NEAR(PriceOfStarts(LaggingData(30.0, 3), needed.start_gains), 2.0 * log_n, 1e-9);
 }
 
 // From rest it starts at what it reads: the excess is noise, chi squared of one degree of freedom.
@@ -178,14 +179,14 @@ TEST(FitStructure, PaysNextToNothingWhereTheSensorStartsAtRest) {
     ASSERT_EQ(fit.start_gains.size(), 2u);
     const double log_n = std::log(static_cast<double>(data.bins().size()));
     sum += fit.start_gains[0];
-    EXPECT_NEAR(PriceOfStarts(data, fit),
+    EXPECT_NEAR(PriceOfStarts(data, fit.start_gains),
                 std::min(fit.start_gains[0], log_n) + std::min(fit.start_gains[1], log_n),
                 1e-9);
     // Nothing but a sensor's memory has a start to pay for.
     StructureFit quick =
         FitStructure(data, {kSurgeTruth, {}}, StatesOf(data), Whitener(Coloured(), data.samples()));
     EXPECT_TRUE(quick.start_gains.empty());
-    EXPECT_EQ(PriceOfStarts(data, quick), 0.0);
+    EXPECT_EQ(PriceOfStarts(data, quick.start_gains), 0.0);
     EXPECT_EQ(quick.initial[0].reading_excess, 0.0);
   }
   // Mean 1, variance 2: four standard deviations of the sum.

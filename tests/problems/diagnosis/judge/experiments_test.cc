@@ -17,7 +17,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 
 std::string Deciding(const char* cause, const char* rival) {
-  return DecidingExperiment({FindEffect(cause), {}}, {{FindEffect(rival), {}}});
+  return DecidingExperiment({FindEffect(cause), {}}, {{FindEffect(rival), {}}}).text;
 }
 
 // EFFECTS.md, "What cannot be told apart": pair by pair what decides.
@@ -47,6 +47,9 @@ TEST(DecidingExperiment, IsThatOfEffectsPage) {
 TEST(DecidingExperiment, SaysWhereNoVelocityLogDecides) {
   EXPECT_THAT(Deciding("sensor_bias", "steady_current"),
               testing::AllOf(HasSubstr("No velocity log alone can"), HasSubstr("poses")));
+  EXPECT_FALSE(
+      DecidingExperiment({FindEffect("sensor_bias"), {}}, {{FindEffect("steady_current"), {}}})
+          .decides);
 }
 
 // What belongs to the run goes with any other run; among causes of the vehicle it must be one that
@@ -55,19 +58,20 @@ TEST(DecidingExperiment, IsNotTheSameRunAgainWhereThatLeavesRivals) {
   const Suspect dead_zone = {FindEffect("thrust_dead_zone"), {}};
   const Suspect curve = {FindEffect("thrust_curve"), {}};
   const Suspect wave = {FindEffect("periodic_force"), {}};
-  EXPECT_THAT(DecidingExperiment(dead_zone, {wave}), HasSubstr("same run again"));
-  EXPECT_THAT(DecidingExperiment(wave, {dead_zone}), HasSubstr("same run again"));
-  EXPECT_THAT(DecidingExperiment(dead_zone, {wave, curve}), HasSubstr("steps of several sizes"));
+  EXPECT_THAT(DecidingExperiment(dead_zone, {wave}).text, HasSubstr("same run again"));
+  EXPECT_THAT(DecidingExperiment(wave, {dead_zone}).text, HasSubstr("same run again"));
+  EXPECT_THAT(DecidingExperiment(dead_zone, {wave, curve}).text,
+              HasSubstr("steps of several sizes"));
 }
 
 TEST(DecidingExperiment, SaysSomethingForEveryPairOfTheCatalogue) {
   for (const Effect* a : EffectCatalogue()) {
     for (const Effect* b : EffectCatalogue()) {
       if (a == b) continue;
-      const std::string text = DecidingExperiment({a, {}}, {{b, {}}});
+      const std::string text = DecidingExperiment({a, {}}, {{b, {}}}).text;
       ASSERT_FALSE(text.empty()) << a->info().name << ", " << b->info().name;
       EXPECT_EQ(text.back(), '.') << text;
-      EXPECT_EQ(text, DecidingExperiment({b, {}}, {{a, {}}}));
+      EXPECT_EQ(text, DecidingExperiment({b, {}}, {{a, {}}}).text);
     }
   }
 }

@@ -89,8 +89,7 @@ TEST(GainOf, IsInThePosesWhereThePosesAloneAreWrong) {
   ASSERT_EQ(records.all.size(), 2u);
   const ExtendedModel without = {kSurgeTruth, {}};
   const ExtendedModel with = {kSurgeTruth, {{FindEffect("pose_scale"), {}, {0.05}}}};
-  Scored scored;
-  Score({records.all[1]}, without, with, &scored);
+  Scored scored = Score({records.all[1]}, without, with);
 
   const Gain in_velocities = GainOf(scored, false, 1);
   EXPECT_FALSE(in_velocities.is_in_poses);

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/judge/missing_force.h"
 
+#include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
@@ -62,11 +63,16 @@ std::vector<double> TrueMissingForce(const Made& made, const std::vector<double>
   return force;
 }
 
+MissingForce MissingForceOf(const Made& made) {
+  return FindMissingForce(
+      *made.data, StartedFrom(made.baseline), StartedFrom(made.extended), made.extended.noise, {});
+}
+
 TEST(MissingForce, HoldsTheTrueForceInItsBand) {
   int held = 0, held_by_half = 0, n = 0;
   for (int seed = 0; seed < 8; ++seed) {
     const Made made = WithAStep(seed);
-    const MissingForce missing = FindMissingForce(*made.data, made.baseline, made.extended, {});
+    const MissingForce missing = MissingForceOf(made);
     const std::vector<double> truth = TrueMissingForce(made, missing.time);
     ASSERT_EQ(truth.size(), missing.mean.size());
     for (size_t i = 0; i < truth.size(); ++i) {
@@ -89,7 +95,7 @@ TEST(MissingForce, HoldsTheTrueForceInItsBand) {
 // Before and after the jump it is a step of the true size, and the extended model accounts for it.
 TEST(MissingForce, ShowsTheStepAndWhatExplainsIt) {
   const Made made = WithAStep(1);
-  const MissingForce missing = FindMissingForce(*made.data, made.baseline, made.extended, {});
+  const MissingForce missing = MissingForceOf(made);
   const auto change = [&](const std::vector<double>& force) {
     double before = 0.0, after = 0.0, n_before = 0.0, n_after = 0.0;
     for (size_t i = 0; i < force.size(); ++i) {

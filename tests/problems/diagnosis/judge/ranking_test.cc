@@ -4,7 +4,9 @@
 #include "fathom/diagnosis/judge/ranking.h"
 
 #include "fathom/base/random_stream.h"
+#include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -40,15 +42,10 @@ class RankCandidatesTest : public testing::Test {
     RandomStream random(1, "test");
     Eigen::MatrixXd maxima(512, n);
     for (double& number : maxima.reshaped()) number = std::pow(random.Normal(), 2);
-    search_.significance =
+    Calibration calibration;
+    calibration.significance =
         Significance(maxima, std::vector<int>(n, 1), std::vector<double>(n, 1.0), 0.05);
-    for (int k = 0; k < n; ++k) {
-      search_.thresholds.push_back(search_.significance.Threshold(k));
-      search_.thresholds_beside.push_back(search_.significance.ThresholdBeside(k));
-    }
-    search_.scores.assign(n, 0.0);
-    search_.failed_alone.assign(n, false);
-    Try({}, 0.0);
+    search_ = {HypothesisBook({}, calibration), 0, std::vector<double>(n, 0.0)};
   }
 
   void Try(const std::vector<int>& suspects, double gain) {
@@ -60,28 +57,29 @@ class RankCandidatesTest : public testing::Test {
     for (const int suspect : suspects) {
       const auto size = suspects_[suspect].effect->info().parameters.size();
       hypothesis.fit.model.effects.push_back(
-          {suspects_[suspect].effect, {}, std::vector<double>(size, 0.5)});
+          {suspects_[suspect].effect, suspects_[suspect].setting, std::vector<double>(size, 0.5)});
       num_parameters += static_cast<Eigen::Index>(size);
     }
     hypothesis.fit.covariance = Eigen::MatrixXd::Identity(num_parameters, num_parameters);
-    search_.tried.push_back(std::move(hypothesis));
+    search_.book.Add(std::move(hypothesis));
   }
 
   std::map<std::string, Candidate> Ranked() const {
     std::map<std::string, Candidate> by_label;
-    for (Candidate& candidate : RankCandidates(search_, suspects_)) {
+    for (Candidate& candidate : RankCandidates(search_, judgement_, suspects_)) {
       by_label[candidate.label] = std::move(candidate);
     }
     return by_label;
   }
 
   std::vector<Suspect> suspects_;
-  SearchResult search_;
+  SearchResult search_ = {HypothesisBook({}, {}), 0, {}};
+  Judgement judgement_;
 };
 
 TEST_F(RankCandidatesTest, SayWhyAScoreHasNoRefit) {
   search_.scores = {40.9, 2.0, 300.0, 0.0, 0.0, 0.0};
-  search_.failed_alone[2] = true;
+  search_.book.AddAttempt({2});
   auto ranked = Ranked();
   // Far above noise, and not among the ten that were refitted.
   EXPECT_LT(ranked["thruster_lag"].p_value, 1e-6);
@@ -110,18 +108,18 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
   Try({1}, 3.0);
   Try({2}, 88.0);  // index 3: a rival
   Try({3}, 60.0);
-  search_.best = 1;
-  search_.rivals = {3};
+  judgement_.choice.chosen = 1;
+  judgement_.rivals = {3};
   auto ranked = Ranked();
   EXPECT_TRUE(ranked["thruster_lag"].is_kept);
   EXPECT_THAT(ranked["thruster_lag"].why, StartsWith("kept: gains 90"));
   EXPECT_THAT(ranked["thrust_dead_zone"].why, StartsWith("dropped: gains 3.0, noise alone"));
   EXPECT_EQ(ranked["time_offset"].why, "cannot be told from a kept cause on these logs");
   EXPECT_EQ(ranked["thrust_curve"].why, "dropped: gains 60 alone, nothing beside the kept causes");
-  EXPECT_EQ(RankCandidates(search_, suspects_).front().label, "thruster_lag");
+  EXPECT_EQ(RankCandidates(search_, judgement_, suspects_).front().label, "thruster_lag");
 
-  search_.best = 0;
-  search_.rivals.clear();
+  judgement_.choice.chosen = 0;
+  judgement_.rivals.clear();
   EXPECT_EQ(Ranked()["thrust_curve"].why,
             "dropped: gains 60, but what fits best fails on data that no fit has seen");
 }
@@ -131,10 +129,9 @@ TEST_F(RankCandidatesTest, TellTheLogsOfOneEffectApart) {
   suspects_[0] = {FindEffect("buoyancy_step"), {.log = "first"}};
   suspects_[1] = {FindEffect("buoyancy_step"), {.log = "second"}};
   Try({1}, 90.0);
-  search_.tried.back().fit.model.effects[0].setting.log = "second";
-  search_.best = 1;
-  EXPECT_EQ(PlaceIn(search_.tried[1].fit.model, suspects_[0]), -1);
-  EXPECT_EQ(PlaceIn(search_.tried[1].fit.model, suspects_[1]), 0);
+  judgement_.choice.chosen = 1;
+  EXPECT_EQ(PlaceIn(search_.book[1].fit.model, suspects_[0]), -1);
+  EXPECT_EQ(PlaceIn(search_.book[1].fit.model, suspects_[1]), 0);
   const auto ranked = Ranked();
   EXPECT_FALSE(ranked.at("buoyancy_step(first)").is_kept);
   EXPECT_TRUE(ranked.at("buoyancy_step(second)").is_kept);

@@ -46,7 +46,7 @@ TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
 // A group must not hide what can never be decided behind "To decide:".
 TEST(NextSteps, AdmitThatNoExperimentDecides) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
-  diagnosis.causes[0].experiment = "No velocity log alone can: the two are identical.";
+  diagnosis.causes[0].experiment = {"No velocity log alone can: the two are identical.", false};
   EXPECT_EQ(NextSteps(diagnosis).front(),
             "Find out first whether it is sensor_lag or thruster_lag. No velocity log alone can: "
             "the two are identical.");
@@ -55,8 +55,8 @@ TEST(NextSteps, AdmitThatNoExperimentDecides) {
 // Advice on a dozen effects helps nobody: the experiment comes first.
 TEST(NextSteps, LeaveTheAdviceOutWhereAlternativesAreMany) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
-  diagnosis.causes[0].alternatives = {
-      "thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"};
+  diagnosis.causes[0].alternatives = AlternativesNamed(
+      {"thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"});
   EXPECT_THAT(NextSteps(diagnosis),
               ElementsAre("Find out first whether it is sensor_lag or any of thruster_lag, "
                           "time_offset, thrust_curve, fluid_memory, thrust_fade. To decide: large "

@@ -64,7 +64,7 @@ TEST(VerdictFile, HoldsEachCause) {
   EXPECT_EQ(cause["delta_bic"], 277.0);
   EXPECT_EQ(cause["heldout_gain"], 0.316);
   EXPECT_EQ(cause["alternatives"], json({"thruster_lag"}));
-  EXPECT_EQ(cause["experiment"], AmbiguousDiagnosis().causes[0].experiment);
+  EXPECT_EQ(cause["experiment"], AmbiguousDiagnosis().causes[0].experiment.text);
 }
 
 TEST(VerdictFile, HoldsEveryCandidate) {

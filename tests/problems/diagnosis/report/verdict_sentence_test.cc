@@ -94,7 +94,7 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
                  "commands give no thrust (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); and "
                  "because "));
   EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in, NMAE"));
-  diagnosis.causes[0].alternatives = {"thrust_curve"};
+  diagnosis.causes[0].alternatives = AlternativesNamed({"thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("These 2 logs cannot tell thrust_dead_zone from thrust_curve."));
   Diagnosis consistent = ConsistentDiagnosis();
@@ -104,11 +104,12 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
 
 TEST(VerdictSentence, ListsManyAlternativesOnce) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
-  diagnosis.causes[0].alternatives = {"thruster_lag", "time_offset", "thrust_curve"};
+  diagnosis.causes[0].alternatives =
+      AlternativesNamed({"thruster_lag", "time_offset", "thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr(", or because of one of thruster_lag, time_offset, thrust_curve."));
-  diagnosis.causes[0].alternatives = {
-      "thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"};
+  diagnosis.causes[0].alternatives = AlternativesNamed(
+      {"thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"});
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr(", or because of one of 5 others. This log cannot tell sensor_lag from any "
                         "of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));

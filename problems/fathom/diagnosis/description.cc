@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/description.h"
+
+#include "fathom/diagnosis/judge/missing_force.h"
+#include "fathom/diagnosis/judge/ranking.h"
+#include "fathom/diagnosis/report/remarks.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+DiagnosedModel Described(const StartedModel& model,
+                         const FitFigures& train,
+                         const std::vector<FreeRun>& unseen,
+                         const StructureFit& weighed) {
+  return {.model = model.model,
+          .covariance = model.covariance,
+          .train = train,
+          .held_out = FiguresOfRuns(unseen),
+          .weighed_log_likelihood = weighed.log_likelihood};
+}
+
+// Share of the baseline's squared error that is more than noise.
+double StructureShare(const StartedModel& baseline, const StartedModel& extended) {
+  const double before = baseline.residual.squaredNorm();
+  return before > 0.0 ? std::clamp(1.0 - extended.residual.squaredNorm() / before, 0.0, 1.0) : 0.0;
+}
+
+// What a cause gains on the held-out data beside the others; where there are none, what all gain on
+// blocks left out in turn.
+double HeldOutGain(const Prepared& prepared,
+                   const std::vector<Suspect>& suspects,
+                   const HypothesisBook& book,
+                   const Judgement& judgement,
+                   const Cause& cause,
+                   std::uint64_t seed) {
+  if (prepared.held_out.empty()) return judgement.runs.gain.value;
+  const Choice& choice = judgement.choice;
+  const ExtendedModel& extended = choice.fit().model;
+  const ExtendedModel without = extended.effects.size() == 1
+                                    ? prepared.users.model
+                                    : WithoutCause(book, choice, suspects, cause);
+  const ActiveEffect& active = extended.effects[cause.effect_index];
+  const Scored scored = Score(prepared.held_out, without, extended);
+  return GainOf(scored, active.effect->info().needs_pose, seed).value;
+}
+
+// Over training data first, each record from where the fit starts it, then over those held out.
+std::vector<ResidualTrace> Traces(const Prepared& prepared, const StartedModel& extended) {
+  const StartedModel& users = prepared.users;
+  const std::vector<Record>& records = prepared.data.records();
+  std::vector<ResidualTrace> traces;
+  for (size_t r = 0; r < records.size(); ++r) {
+    traces.push_back(TraceOf(records[r],
+                             FreeRunOver(records[r], users.model, users.initial[r]),
+                             FreeRunOver(records[r], extended.model, extended.initial[r])));
+  }
+  for (const Record& record : prepared.held_out) {
+    traces.push_back(
+        TraceOf(record, FreeRunOver(record, users.model), FreeRunOver(record, extended.model)));
+  }
+  return traces;
+}
+
+// Whether a cause acts on the poses alone, or what is unexplained may.
+bool MayLieInPoses(Verdict verdict, const ExtendedModel& extended) {
+  if (verdict == Verdict::kUnexplained) return true;
+  return std::any_of(extended.effects.begin(),
+                     extended.effects.end(),
+                     [](const ActiveEffect& active) { return active.effect->info().needs_pose; });
+}
+
+std::vector<ResidualTrace> PoseTraces(const Records& records,
+                                      const ExtendedModel& users,
+                                      const ExtendedModel& extended) {
+  std::vector<ResidualTrace> traces;
+  if (!records.has_velocity || !records.has_displacement) return traces;
+  for (const Record& record : records.all) {
+    traces.push_back(TraceOf(record, PosesByBlock(record, users), PosesByBlock(record, extended)));
+  }
+  return traces;
+}
+
+}  // namespace
+
+Diagnosis Described(const Records& records,
+                    const Prepared& prepared,
+                    const std::vector<Suspect>& suspects,
+                    const SearchResult& search,
+                    const Judgement& judgement,
+                    std::uint64_t seed,
+                    Diagnosis diagnosis) {
+  const StartedModel& users = prepared.users;
+  const StructureFit& fit = judgement.choice.fit();
+  const StartedModel extended = judgement.choice.chosen == 0 ? users : StartedFrom(fit);
+  const auto& [train_before, train_after, unseen, gain] = judgement.runs;
+  diagnosis.verdict = judgement.verdict;
+  diagnosis.baseline = Described(users, train_before, unseen.before, prepared.baseline);
+  diagnosis.extended = Described(extended, train_after, unseen.after, fit);
+  diagnosis.causes = CausesOf(search.book, judgement, suspects);
+  for (Cause& cause : diagnosis.causes) {
+    cause.held_out_gain = HeldOutGain(prepared, suspects, search.book, judgement, cause, seed);
+  }
+  diagnosis.candidates = RankCandidates(search, judgement, suspects);
+
+  const double explained = search.book[judgement.choice.chosen].gain;
+  const double all_structure = explained + judgement.remaining.gain;
+  diagnosis.structure_share = StructureShare(users, extended);
+  diagnosis.explained_share = all_structure > 0.0 ? explained / all_structure : 0.0;
+  const bool is_noise = judgement.verdict == Verdict::kConsistent;
+  if (is_noise && !judgement.evidence.IsNegligible()) {
+    diagnosis.wander_ratio = WanderRatio(prepared.data, users.residual);
+  }
+  diagnosis.remaining_p_value = judgement.remaining.p_value;
+  diagnosis.held_out_gain = gain.value;
+  diagnosis.held_out_gain_low = gain.low;
+  diagnosis.held_out_gain_high = gain.high;
+  diagnosis.gain_is_in_poses = gain.is_in_poses;
+  diagnosis.by_left_out_blocks = prepared.held_out.empty();
+
+  diagnosis.missing_force =
+      FindMissingForce(prepared.data, users, extended, fit.noise, records.partners);
+  diagnosis.traces = Traces(prepared, extended);
+  if (MayLieInPoses(judgement.verdict, extended.model)) {
+    diagnosis.pose_traces = PoseTraces(records, users.model, extended.model);
+  }
+  for (std::string& remark : RemarksOnJudgement(judgement, suspects, records.has_velocity)) {
+    diagnosis.remarks.push_back(std::move(remark));
+  }
+  return diagnosis;
+}
+
+}  // namespace fathom

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/judge/judgement.h"
+#include "fathom/diagnosis/result.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace fathom {
+
+// Adds what is told of a judgement to `diagnosis`, which holds what is told of its data.
+Diagnosis Described(const Records& records,
+                    const Prepared& prepared,
+                    const std::vector<Suspect>& suspects,
+                    const SearchResult& search,
+                    const Judgement& judgement,
+                    std::uint64_t seed,
+                    Diagnosis diagnosis);
+
+}  // namespace fathom

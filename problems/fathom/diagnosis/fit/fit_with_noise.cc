@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/fit/fit_with_noise.h"
+
+#include "fathom/diagnosis/fit/residual_noise.h"
+#include "fathom/noise/fit_noise.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+// Of the log-likelihood. A finer search of the noise takes twice as long and ends no less often at
+// a maximum that is not the greatest.
+constexpr double kNoisePrecision = 0.005;
+constexpr int kMostTurns = 5;
+constexpr double kLeastGain = 0.1;  // of the log-likelihood, for another turn
+
+NoiseModel LearnNoise(const TrainingData& data,
+                      const StructureFit& fit,
+                      const std::optional<NoiseModel>& start) {
+  FitNoiseOptions options;
+  options.damping_rate = data.DampingRate(fit.model.baseline);
+  options.start = start;
+  options.precision = kNoisePrecision;
+  const NoiseFit learned = FitNoise(
+      data.samples(), std::span(fit.residual.data(), fit.residual.size()), fit.jacobian, options);
+  // Too few samples, or a channel without any error.
+  if (!std::isfinite(learned.log_likelihood)) return SensorNoiseOnly(data, fit.residual);
+  return learned.model;
+}
+
+// Learns noise and parameters in turn, from a fit under a first noise.
+StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel noise) {
+  double previous = -std::numeric_limits<double>::infinity();
+  for (int turn = 0; fit.IsSimulated(); ++turn) {
+    fit.noise = noise;
+    if (fit.log_likelihood < previous + kLeastGain || turn + 1 == kMostTurns) break;
+    previous = fit.log_likelihood;
+    noise = LearnNoise(data, fit, noise);
+    fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()));
+  }
+  return fit;
+}
+
+}  // namespace
+
+StructureFit FitStructureAndNoise(const TrainingData& data,
+                                  const ExtendedModel& start,
+                                  std::span<const InitialState> initial,
+                                  const NoiseModel& noise) {
+  return LearnOn(data, FitStructure(data, start, initial, Whitener(noise, data.samples())), noise);
+}
+
+StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start) {
+  const NoiseModel noise = FirstNoise(data, start);
+  return LearnOn(data, FitStructure(data, start, Whitener(noise, data.samples())), noise);
+}
+
+StructureFit FitBaseline(const TrainingData& data,
+                         const ExtendedModel& start,
+                         std::span<const InitialState> initial) {
+  const auto simulated = data.Simulate(start, initial);
+  if (!simulated) return {};
+  const Whitener sensor(SensorNoiseOnly(data, data.measured() - *simulated), data.samples());
+  const StructureFit first = FitStructure(data, start, initial, sensor);
+  if (!first.IsSimulated()) return first;
+  return FitStructureAndNoise(data, first);
+}
+
+NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {
+  return LearnNoise(data, fit, std::nullopt);
+}
+
+}  // namespace fathom

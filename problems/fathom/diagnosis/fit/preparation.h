@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/diagnosis/fit/started_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// The least inertia that a fit may try, of output error's. Far below the truth a run takes ever
+// more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
+inline constexpr double kLeastInertiaIfOpen = 0.01;
+
+// Records of which a diagnosis can be made.
+struct Prepared {
+  TrainingData data;
+  std::vector<Record> thinned;  // Thinned() of the same, for a search
+  std::vector<Record> held_out;
+
+  StructureFit baseline;  // FitBaseline(): what causes are weighed against
+  StartedModel users;     // UsersModel(), or the baseline: what free runs are judged against
+};
+
+struct Preparation {
+  int num_outliers = 0;              // single samples that were taken out of the training data
+  std::string message;               // why there can be no diagnosis; empty if there can
+  std::optional<Prepared> prepared;  // there if no message is
+};
+
+// Takes outliers out of what is not held out, fits the baseline to the rest along `dof`, and thins
+// it.
+Preparation Prepare(const Records& records, Dof dof);
+
+}  // namespace fathom

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/fit/preparation.h"
+#include "fathom/diagnosis/fit/remaining_structure.h"
+#include "fathom/diagnosis/judge/evidence.h"
+#include "fathom/diagnosis/judge/refutation.h"
+#include "fathom/diagnosis/options.h"
+#include "fathom/diagnosis/result.h"
+
+#include <vector>
+
+namespace fathom {
+
+// The user's model beside what is named (itself, where nothing is), by free runs.
+struct FreeRunComparison {
+  FitFigures train_before, train_after;
+  Scored unseen;  // on data that no fit has seen
+  Gain gain;      // of it
+};
+
+// What is named, what is refused, and what both rest on.
+struct Judgement {
+  Verdict verdict = Verdict::kConsistent;
+  Choice choice;                  // what is named: a hypothesis of the search, or the baseline
+  std::vector<int> rivals;        // FindRivals() of it
+  std::vector<Refusal> refusals;  // in the order in which they were made
+  Evidence evidence;
+  FreeRunComparison runs;
+  RemainingStructure remaining;  // that what is named leaves
+
+  // False where it was looked for and the data are too few.
+  bool IsRemainingTried() const { return evidence.IsNegligible() || remaining.num_columns > 0; }
+};
+
+// Confirms the best hypothesis of a search on all training data, asks the data that no fit has seen
+// for each of its causes and for all of them, and looks for what it leaves. docs/diagnosis.md,
+// "Verdict".
+Judgement Judge(const Prepared& prepared,
+                const std::vector<Suspect>& suspects,
+                const SearchResult& search,
+                const Evidence& evidence,
+                const DiagnosisOptions& options);
+
+}  // namespace fathom

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/remarks.h"
+
+#include "fathom/diagnosis/search/suspects.h"
+
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLossWorthAWord = 0.02;  // of held-out NMAE
+
+// Of one that is refused beside others, which may be none.
+std::string NotNamedBeside(const Refusal& refusal,
+                           const std::vector<Suspect>& suspects,
+                           const char* why) {
+  const std::string kept = LabelsOf(refusal.kept, suspects);
+  return fmt::format("Not named{}{}: {}. {}.",
+                     kept.empty() ? "" : " beside ",
+                     kept,
+                     LabelsOf(refusal.refused, suspects),
+                     why);
+}
+
+// Of all that was found.
+std::string NotNamed(const Refusal& refusal,
+                     const std::vector<Suspect>& suspects,
+                     const std::string& why) {
+  return fmt::format(
+      "Not named: {}. It is the likeliest, but {}.", LabelsOf(refusal.refused, suspects), why);
+}
+
+std::string RemarkOn(const Refusal& refusal, const std::vector<Suspect>& suspects) {
+  switch (refusal.reason) {
+    case Refusal::Reason::kLosesBesideOthers:
+      return NotNamedBeside(
+          refusal, suspects, "With it the error grows on data that no fit has seen");
+    case Refusal::Reason::kGainsNothing:
+      return NotNamedBeside(refusal,
+                            suspects,
+                            "It fits the training data, but gains nothing for certain on data that "
+                            "no fit has seen, and there is more that nothing explains");
+    case Refusal::Reason::kLosesOnUnseenData:
+      return NotNamed(
+          refusal,
+          suspects,
+          fmt::format("on data that no fit has seen the error grows by {:.0f} % ({:.0f} "
+                      "to {:.0f} %)",
+                      -100.0 * refusal.loss.value,
+                      -100.0 * refusal.loss.high,
+                      -100.0 * refusal.loss.low));
+    case Refusal::Reason::kLosesInTraining:
+      return NotNamed(refusal,
+                      suspects,
+                      fmt::format("with it NMAE on the training data themselves grows from {:.2g} "
+                                  "to {:.2g}",
+                                  refusal.nmae_before,
+                                  refusal.nmae_after));
+  }
+  return "";
+}
+
+// On how far the data carry what is said of them: a baseline that they do not determine, poses
+// alone, a command of one tone.
+std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
+                                           bool has_velocity,
+                                           bool has_causes) {
+  std::vector<std::string> remarks;
+  if (!(evidence.inertia_std < evidence.inertia)) {
+    remarks.push_back(
+        fmt::format("Without causes these logs do not determine the model: the inertia is {:.3g} "
+                    "with a standard deviation of {:.2g}. Take what is said here as a hint.",
+                    evidence.inertia,
+                    evidence.inertia_std));
+  }
+  if (!has_velocity) {
+    remarks.push_back(
+        "These poses have no velocities beside them. A wrong scale of theirs (marker size, "
+        "refraction) leaves no trace: one of 1 + e divides inertia and linear damping by 1 + e and "
+        "quadratic damping by its square. A clock of theirs that differs from the command's is the "
+        "same as a delay of the command (time_offset). A velocity sensor tells both.");
+  }
+  if (evidence.IsNegligible()) {
+    remarks.push_back(
+        fmt::format("Without any cause the model leaves {:.2g} % of the motion. Below {:.2g} % no "
+                    "cause is looked for.",
+                    100.0 * evidence.share_left,
+                    100.0 * Evidence::kNegligible));
+    return remarks;
+  }
+  const Tone& tone = evidence.command_tone;
+  if (tone.IsAlone() && has_causes) {
+    remarks.push_back(
+        fmt::format("The command is little more than a single sine of {:.2g} rad/s: one second is "
+                    "{:.0f} degrees of its phase, and any delay or lag of that phase looks nearly "
+                    "the same.",
+                    tone.frequency,
+                    tone.frequency * 180.0 / std::numbers::pi));
+  }
+  return remarks;
+}
+
+}  // namespace
+
+std::vector<std::string> RemarksOnData(const Records& records, int num_outliers) {
+  std::vector<std::string> remarks = records.remarks;
+  if (num_outliers > 0) {
+    remarks.push_back(fmt::format("Left out: {} single sample{} far from {} neighbours.",
+                                  num_outliers,
+                                  num_outliers == 1 ? "" : "s",
+                                  num_outliers == 1 ? "its" : "their"));
+  }
+  return remarks;
+}
+
+std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
+                                            const std::vector<Suspect>& suspects,
+                                            bool has_velocity) {
+  std::vector<std::string> remarks;
+  for (const Refusal& refusal : judgement.refusals) remarks.push_back(RemarkOn(refusal, suspects));
+  if (!judgement.IsRemainingTried()) {
+    remarks.push_back(
+        "Not looked for: structure that no effect of the catalogue accounts for. The training data "
+        "are too few for that.");
+  }
+  const bool has_causes = judgement.choice.chosen != 0;
+  for (std::string& remark : RemarksOnEvidence(judgement.evidence, has_velocity, has_causes)) {
+    remarks.push_back(std::move(remark));
+  }
+  if (has_causes && judgement.runs.gain.value < -kLossWorthAWord) {
+    remarks.push_back(
+        "Data that no fit has seen do not bear out what is named: the error on them grows. Do not "
+        "build on it before another run confirms it.");
+  }
+  return remarks;
+}
+
+}  // namespace fathom

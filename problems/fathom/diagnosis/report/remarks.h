@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/fit/preparation.h"
+#include "fathom/diagnosis/judge/judgement.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What is to be said of the data before anything is looked for: what was dropped, counted; what
+// could not be tried, and why.
+std::vector<std::string> RemarksOnData(const Records& records, int num_outliers);
+
+// What is to be said of a judgement: what was refused, and why; how far the data carry it.
+std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
+                                            const std::vector<Suspect>& suspects,
+                                            bool has_velocity);
+
+}  // namespace fathom

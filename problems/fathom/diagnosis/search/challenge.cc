@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/search/challenge.h"
+
+#include "fathom/diagnosis/search/refinement.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+constexpr double kBetter = 1e-9;  // worth by which one is better than another and not its equal
+
+std::vector<int> Others(const Hypothesis& hypothesis, int cause) {
+  std::vector<int> others = hypothesis.suspects;
+  std::erase(others, cause);
+  return others;
+}
+
+// The hypothesis without one of its causes, which are several, on from its own fit.
+std::optional<Hypothesis> Without(const SearchTask& task,
+                                  const Hypothesis& baseline,
+                                  const Hypothesis& hypothesis,
+                                  int cause) {
+  const StructureFit& fit = hypothesis.fit;
+  const StructureFit rough =
+      FitStructure(task.data,
+                   WithoutEffect(fit.model, EffectPlace(task, fit.model, cause)),
+                   fit.initial,
+                   Whitener(fit.noise, task.data.samples()),
+                   task.options.rough_share);
+  if (!rough.IsSimulated()) return std::nullopt;
+  return HypothesisFrom(task, baseline, Others(hypothesis, cause), rough);
+}
+
+// The book with what may stand in for one cause of a hypothesis beside the others, `base`.
+HypothesisBook WithRivals(const SearchTask& task,
+                          const Screens& screens,
+                          const Hypothesis& base,
+                          const Hypothesis& challenged,
+                          int cause,
+                          HypothesisBook book) {
+  const SearchOptions& options = task.options;
+  const double least = options.rival_share * screens.scores[cause] - options.rival_slack;
+  int num_refined = 0;
+  for (const int suspect : InOrder(screens.scores)) {
+    const double score = screens.scores[suspect];
+    if (score < least || score < options.worth_refining) break;
+    if (num_refined == options.most_refined) break;
+    if (challenged.Has(suspect)) continue;
+    ++num_refined;
+    book = Refined(task, screens, base, suspect, std::move(book));
+  }
+  return book;
+}
+
+// The book with a hypothesis refitted without one cause, and with what may stand in for it.
+HypothesisBook WithCauseReplaced(const SearchTask& task,
+                                 const std::shared_ptr<const FitAndTrials>& baseline,
+                                 const Hypothesis& challenged,
+                                 int cause,
+                                 HypothesisBook book) {
+  if (challenged.suspects.size() > 1) {
+    auto without = Without(task, book.baseline(), challenged, cause);
+    if (without) book.Add(std::move(*without));
+  }
+  const int index = book.IndexOf(Others(challenged, cause));
+  if (index < 0) return book;
+  const Hypothesis base = book[index];
+  // Under the noise that the challenged one leaves, rivals stand out as they should.
+  const Screens screens = ScreensAbout(task,
+                                       index == 0 ? baseline : WithTrials(task, base.fit),
+                                       challenged.fit.noise,
+                                       Sharpness::kOwn);
+  if (!screens.own) return book;
+  return WithRivals(task, screens, base, challenged, cause, std::move(book));
+}
+
+}  // namespace
+
+Standing Challenged(const SearchTask& task,
+                    const std::shared_ptr<const FitAndTrials>& baseline,
+                    Standing standing) {
+  for (int round = 0; round < task.options.most_rounds; ++round) {
+    const int challenged = standing.best;
+    const std::vector<int> causes = standing.book[challenged].suspects;
+    for (const int cause : causes) {
+      const Hypothesis hypothesis = standing.book[challenged];
+      standing.book =
+          WithCauseReplaced(task, baseline, hypothesis, cause, std::move(standing.book));
+    }
+    const int num_causes = static_cast<int>(causes.size());
+    for (int size = std::max(1, num_causes - 1); size <= num_causes; ++size) {
+      const std::vector<int> ranked = standing.book.RankedOfSize(size);
+      if (ranked.empty()) continue;
+      const HypothesisBook& book = standing.book;
+      if (book.Worth(ranked.front()) > book.Worth(standing.best) + kBetter) {
+        standing.best = ranked.front();
+      }
+    }
+    if (standing.best == challenged) break;
+  }
+  return standing;
+}
+
+}  // namespace fathom

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/search/refinement.h"
+
+#include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/start_price.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+int NumParameters(const Hypothesis& hypothesis) {
+  return static_cast<int>(hypothesis.fit.covariance.rows());
+}
+
+bool MeansSomething(const SearchTask& task, const StructureFit& fit) {
+  if (!fit.IsSimulated() || fit.is_on_bound[kInertia]) return false;
+  const double std = std::sqrt(fit.covariance(kInertia, kInertia));
+  if (!(std < task.options.open_inertia * fit.model.baseline.inertia)) return false;
+  const auto& effects = fit.model.effects;
+  return std::none_of(effects.begin(), effects.end(), [&](const ActiveEffect& active) {
+    return IsAtTheCommandsTone(task.data, active.effect->info(), active.values);
+  });
+}
+
+// The best of the cheap fits of `base` and one suspect more under one screen's noise.
+std::optional<StructureFit> RoughFit(const SearchTask& task,
+                                     const Starts& starts,
+                                     const Hypothesis& base,
+                                     int suspect) {
+  const auto& parameters = task.suspects[suspect].effect->info().parameters;
+  const bool amounts_alone = std::all_of(parameters.begin(), parameters.end(), [](const auto& p) {
+    return p.search == Search::kAmount;
+  });
+  std::optional<StructureFit> best;
+  for (const Start& start : starts.Of(suspect, amounts_alone ? 1 : task.options.most_starts)) {
+    StructureFit fit = FitStructure(task.data,
+                                    WithEffect(base.fit.model, start.effect),
+                                    base.fit.initial,
+                                    starts.whitener(),
+                                    task.options.rough_share);
+    if (!fit.IsSimulated()) continue;
+    if (!best || fit.chi_squared < best->chi_squared) best = std::move(fit);
+  }
+  return best;
+}
+
+// Whether a suspect shows beside `base` where `known`, which has both, does not have it.
+bool ShowsElsewhere(const SearchTask& task,
+                    const Starts& own,
+                    const Hypothesis& base,
+                    int suspect,
+                    const Hypothesis& known) {
+  if (own.Score(suspect) < known.gain - base.gain + task.options.worth_refining) return false;
+  const std::vector<Start> starts = own.Of(suspect, 1);
+  if (starts.empty()) return false;
+  const ExtendedModel& model = known.fit.model;
+  const ActiveEffect& effect = model.effects[EffectPlace(task, model, suspect)];
+  return IsElsewhere(effect, starts.front().effect, task.data.longest_duration());
+}
+
+// True if two fits differ by less than the noise lets one see.
+bool AreAlike(const SearchTask& task,
+              const Whitener& whitener,
+              const StructureFit& a,
+              const StructureFit& b) {
+  Eigen::VectorXd difference = a.residual - b.residual;
+  const std::span<double> values(difference.data(), difference.size());
+  whitener.Apply(values, values);
+  return difference.squaredNorm() < task.options.alike;
+}
+
+}  // namespace
+
+std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
+                                         const Hypothesis& baseline,
+                                         const std::vector<int>& suspects,
+                                         const StructureFit& rough) {
+  Hypothesis hypothesis;
+  hypothesis.suspects = suspects;
+  hypothesis.fit = FitStructureAndNoise(task.data, rough);
+  // Worse than with less: the search went astray under the noise it began with.
+  if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
+    ExtendedModel model = rough.model;
+    model.baseline = baseline.fit.model.baseline;
+    StructureFit again =
+        FitStructureAndNoise(task.data, model, baseline.fit.initial, baseline.fit.noise);
+    if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
+  }
+  if (!MeansSomething(task, hypothesis.fit)) return std::nullopt;
+  const double log_num_data = std::log(static_cast<double>(task.data.bins().size()));
+  hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
+                    PriceOfStarts(task.data, hypothesis.fit.start_gains);
+  hypothesis.delta_bic =
+      hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));
+  return hypothesis;
+}
+
+HypothesisBook Refined(const SearchTask& task,
+                       const Screens& screens,
+                       const Hypothesis& base,
+                       int suspect,
+                       HypothesisBook book) {
+  std::vector<int> suspects = base.suspects;
+  suspects.push_back(suspect);
+  std::sort(suspects.begin(), suspects.end());
+  const int known = book.IndexOf(suspects);
+  if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return book;
+  book.AddAttempt(suspects);
+  const auto add = [&](const StructureFit& rough) {
+    auto hypothesis = HypothesisFrom(task, book.baseline(), suspects, rough);
+    if (hypothesis) book.Add(std::move(*hypothesis));
+  };
+  std::optional<StructureFit> sharp, own = RoughFit(task, *screens.own, base, suspect);
+  if (screens.sharp) sharp = RoughFit(task, *screens.sharp, base, suspect);
+  if (sharp) add(*sharp);
+  if (own && !(sharp && AreAlike(task, screens.own->whitener(), *own, *sharp))) add(*own);
+  return book;
+}
+
+}  // namespace fathom

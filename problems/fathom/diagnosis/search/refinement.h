@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/search/hypothesis_book.h"
+
+#include <optional>
+#include <vector>
+
+namespace fathom {
+
+// The hypothesis of these suspects, from a rough fit of them: its noise is learned along. Nothing
+// if no model that means something comes of it: one that can be simulated, does not leave the
+// inertia open, and has no tone where the command has its own.
+std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
+                                         const Hypothesis& baseline,
+                                         const std::vector<int>& suspects,
+                                         const StructureFit& rough);
+
+// The book with `base`, one of its hypotheses, and one suspect more, from where each of the screens
+// about `base` shows it best. If that was tried before, only where it now shows elsewhere.
+HypothesisBook Refined(const SearchTask& task,
+                       const Screens& screens,
+                       const Hypothesis& base,
+                       int suspect,
+                       HypothesisBook book);
+
+}  // namespace fathom

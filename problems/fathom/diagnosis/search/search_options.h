@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace fathom {
+
+// How widely causes are searched. Scores and gains are twice a log-likelihood.
+struct SearchOptions {
+  // Draws of what noise alone reaches, behind the thresholds: quantiles of 0.9 have 50 beyond them.
+  int null_draws = 512;
+
+  // Hypotheses of each size that one more cause is added to: the true pair's halves may rank second
+  // and third alone.
+  int beam = 3;
+
+  // Suspects refitted about the baseline, and about a hypothesis with causes, of which there are
+  // `beam` for each size: a refit with its noise is what takes the time.
+  int most_refined = 10;
+  int most_refined_beside = 4;
+
+  // Starts of a suspect with more than amounts to look for, from which its error may end in
+  // different minima; one that has amounts alone has one minimum.
+  int most_starts = 2;
+
+  // Share of what is left of the error at which a first fit is near enough to choose from.
+  double rough_share = 1e-3;
+
+  // Of the best hypothesis's gain, below which one of a single cause, or of several, gets no more
+  // causes: those that are missing beside it would have to gain the rest.
+  double least_share = 0.3;
+  double least_share_of_several = 0.7;
+
+  // Score below which nothing can come of a refit: about what BIC asks for one parameter.
+  double worth_refining = 5.0;
+
+  // The same beside other causes, of the threshold: screens are linear and may fall short.
+  double worth_refining_beside = 0.6;
+
+  // The sharper screen is scaled to the strongest score of the other, or to this where that is
+  // less: its own scores count structure as certain.
+  double sharpest = 12.0;
+
+  // The draws know the noise. A fit learns it along, and finds more than they do: how much more is
+  // measured on logs with nothing hidden, docs/diagnosis.md (7).
+  double caution_of_learned_noise = 8.0;
+
+  // A fit finds the best time or frequency, not the best of the grid.
+  double caution_between_the_grid = 2.0;
+
+  // Another axis' columns are in every log, whether they have to do with this axis or not.
+  double caution_with_a_partner = 50.0;
+
+  // Two fits whose residuals differ by less chi squared are one: the noise lets nobody see it.
+  double alike = 0.1;
+
+  // Standard deviations of the inertia, in inertias, from which on a fit leaves it open.
+  double open_inertia = 3.0;
+
+  // Pairs that are refitted because they only together explain much, and trials of each suspect
+  // that they are made of, by each screen.
+  int most_pairs = 4;
+  int trials_in_pairs = 2;
+
+  // Chi squared that each cause must gain under the noise learned without it.
+  double least_under_the_baselines_noise = 4.0;
+
+  // Rounds in which the best hypothesis is challenged, unless it stands before.
+  int most_rounds = 3;
+
+  // Beside a challenged cause a rival is refitted that scores this share of it less the slack,
+  // which is for screens being linear.
+  double rival_share = 0.6;
+  double rival_slack = 40.0;
+};
+
+}  // namespace fathom

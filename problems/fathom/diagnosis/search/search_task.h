@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/data/training_data.h"
+#include "fathom/diagnosis/options.h"
+#include "fathom/diagnosis/search/search_options.h"
+#include "fathom/diagnosis/search/suspect.h"
+
+#include <vector>
+
+namespace fathom {
+
+// What a search is over, and how: the same in all its steps. Suspects go by their index in it.
+struct SearchTask {
+  const TrainingData& data;
+  const std::vector<Suspect>& suspects;
+  const DiagnosisOptions& wanted;
+  SearchOptions options;
+
+  int num_suspects() const { return static_cast<int>(suspects.size()); }
+};
+
+// Place of a suspect's effect in a model that has it.
+int EffectPlace(const SearchTask& task, const ExtendedModel& model, int suspect);
+
+}  // namespace fathom

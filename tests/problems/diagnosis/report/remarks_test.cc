@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/remarks.h"
+
+#include "fathom/vehicle/effects/catalogue.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+// One that leaves nothing to say.
+Judgement Plain() {
+  Judgement judgement;
+  judgement.evidence = {.inertia = 800.0, .inertia_std = 9.0, .share_left = 0.1};
+  judgement.remaining.num_columns = 3;
+  return judgement;
+}
+
+std::vector<std::string> RemarksOn(const Judgement& judgement, bool has_velocity = true) {
+  const std::vector<Suspect> suspects = {{FindEffect("thruster_lag"), {}},
+                                         {FindEffect("sensor_bias"), {}}};
+  return RemarksOnJudgement(judgement, suspects, has_velocity);
+}
+
+TEST(RemarksOnJudgement, AreNoneWhereThereIsNothingToSay) {
+  EXPECT_THAT(RemarksOn(Plain()), IsEmpty());
+}
+
+TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
+  Judgement judgement = Plain();
+  judgement.refusals = {
+      {.reason = Refusal::Reason::kLosesBesideOthers, .refused = {1}, .kept = {0}},
+      {.reason = Refusal::Reason::kGainsNothing, .refused = {0}},
+      {.reason = Refusal::Reason::kLosesOnUnseenData,
+       .refused = {0, 1},
+       .loss = {.value = -0.12, .low = -0.2, .high = -0.05}},
+      {.reason = Refusal::Reason::kLosesInTraining,
+       .refused = {0},
+       .nmae_before = 0.25,
+       .nmae_after = 0.31}};
+  EXPECT_THAT(
+      RemarksOn(judgement),
+      ElementsAre("Not named beside thruster_lag: sensor_bias. With it the error grows on data "
+                  "that no fit has seen.",
+                  StartsWith("Not named: thruster_lag. It fits the training data, but gains"),
+                  "Not named: thruster_lag with sensor_bias. It is the likeliest, but on data that "
+                  "no fit has seen the error grows by 12 % (5 to 20 %).",
+                  "Not named: thruster_lag. It is the likeliest, but with it NMAE on the training "
+                  "data themselves grows from 0.25 to 0.31."));
+}
+
+TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {
+  Judgement judgement = Plain();
+  judgement.evidence.inertia_std = 900.0;
+  judgement.remaining.num_columns = 0;
+  EXPECT_THAT(RemarksOn(judgement, false),
+              ElementsAre(HasSubstr("too few"),
+                          HasSubstr("inertia is 800 with a standard deviation of 9e+02"),
+                          HasSubstr("no velocities beside them")));
+  // Nothing is looked for where nothing is left: that it was not is no news.
+  judgement.evidence = {.inertia = 800.0, .inertia_std = 9.0, .share_left = 4e-4};
+  EXPECT_THAT(RemarksOn(judgement), ElementsAre(HasSubstr("leaves 0.04 % of the motion")));
+}
+
+TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
+  Judgement judgement = Plain();
+  judgement.runs.gain.value = -0.03;
+  EXPECT_THAT(RemarksOn(judgement), IsEmpty());
+  judgement.choice.chosen = 1;
+  EXPECT_THAT(RemarksOn(judgement), ElementsAre(StartsWith("Data that no fit has seen do not")));
+}
+
+TEST(RemarksOnData, CountTheSamplesLeftOut) {
+  Records records;
+  records.remarks = {"first"};
+  EXPECT_THAT(RemarksOnData(records, 0), ElementsAre("first"));
+  EXPECT_THAT(RemarksOnData(records, 1),
+              ElementsAre("first", "Left out: 1 single sample far from its neighbours."));
+  EXPECT_THAT(RemarksOnData(records, 2),
+              ElementsAre("first", "Left out: 2 single samples far from their neighbours."));
+}
+
+}  // namespace
+}  // namespace fathom
