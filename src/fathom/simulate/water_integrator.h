@@ -32,6 +32,7 @@ class WaterIntegrator {
   WaterIntegrator(const ScalarModel<T>& model, bool with_position, Instants<T>* instants)
       : model_(model),
         instants_(*instants),
+        acts_at_speed_(model.effects.Has(&EffectLaw<T>::thrust_at_speed)),
         acts_on_water_(model.effects.Has(&EffectLaw<T>::resistance) ||
                        model.effects.Has(&EffectLaw<T>::relative_speed)),
         with_position_(with_position || model.effects.Has(&EffectLaw<T>::resistance)) {
@@ -45,19 +46,16 @@ class WaterIntegrator {
 
   T Acceleration(const RunState<T>& at, const T& mean_force, const T& s) {
     const EffectStack<T>& effects = model_.effects;
-    if (!acts_on_water_) {
-      return model_.baseline.Acceleration(at.velocity,
-                                          T(effects.ForceAtSpeed(mean_force, at.velocity)));
-    }
+    const T force = acts_at_speed_ ? effects.ForceAtSpeed(mean_force, at.velocity) : mean_force;
+    if (!acts_on_water_) return model_.baseline.Acceleration(at.velocity, force);
     water_.speed = at.velocity;
     water_.relative_speed = effects.RelativeSpeed(at.velocity);
     water_.position = at.position;
     const auto instant = [&](std::size_t k) -> const Instant<T>& {
       return instants_.OnCommandClock(k, s);
     };
-    const T resistance =
-        effects.Resistance(&water_, at.memory.empty() ? nullptr : at.memory.data(), instant);
-    const T force = effects.ForceAtSpeed(mean_force, at.velocity);
+    const T* const memories = at.memory.empty() ? nullptr : at.memory.data();
+    const T resistance = effects.Resistance(&water_, memories, instant);
     return model_.baseline.Acceleration(water_.relative_speed, T(force - resistance));
   }
 
@@ -142,6 +140,7 @@ class WaterIntegrator {
 
   const ScalarModel<T>& model_;
   Instants<T>& instants_;
+  const bool acts_at_speed_;
   const bool acts_on_water_;
   const bool with_position_;  // for the outputs or for a force that may depend on it
 
