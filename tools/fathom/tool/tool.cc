@@ -26,13 +26,18 @@ namespace {
 
 using Flag = gflags::CommandLineFlagInfo;
 
-// The flags that are defined in the folder tools/, by name; not those of gflags and glog.
+// Whether a flag is defined in tools/ or in tools/fathom/tool/, not by gflags or glog.
+bool IsOwn(const Flag& flag) {
+  const auto folder = std::filesystem::path(flag.filename).parent_path();
+  return folder.filename() == "tools" ||
+         (folder.filename() == "tool" && folder.parent_path().filename() == "fathom");
+}
+
+// Our own flags, by name.
 std::vector<Flag> OwnFlags() {
   std::vector<Flag> flags;
   gflags::GetAllFlags(&flags);
-  std::erase_if(flags, [](const Flag& flag) {
-    return std::filesystem::path(flag.filename).parent_path().filename() != "tools";
-  });
+  std::erase_if(flags, [](const Flag& flag) { return !IsOwn(flag); });
   std::sort(
       flags.begin(), flags.end(), [](const Flag& a, const Flag& b) { return a.name < b.name; });
   return flags;
