@@ -12,7 +12,7 @@
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/joint_refinement/logs/one_marker_poses.h"
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/log/pose_remarks.h"
+#include "fathom/log/remark.h"
 #include "fathom/signal/signals.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
@@ -144,10 +144,8 @@ int Run() {
     return 2;
   }
   for (const Log& log : logs.all) {
-    for (const std::string& remark : log.remarks) {
-      if (remark.starts_with("detections.csv: ") || remark.starts_with(kPoseRemark)) {
-        diagnosis.remarks.push_back(remark);
-      }
+    for (const Remark& remark : log.remarks) {
+      if (remark.kind != RemarkKind::kGeneral) diagnosis.remarks.push_back(remark.text);
     }
   }
   if (!FLAGS_verdict.empty()) {

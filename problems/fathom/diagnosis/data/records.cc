@@ -7,7 +7,6 @@
 #include "fathom/diagnosis/data/log_names.h"
 #include "fathom/diagnosis/data/pose_coordinate.h"
 #include "fathom/diagnosis/data/uneven_noise.h"
-#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/simulate/effect_inputs.h"
 
@@ -167,9 +166,8 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
       }
     }
     own.displacement = PoseCoordinate(log, own.name, dof, &records.remarks);
-    records.poses_lose_motion =
-        records.poses_lose_motion ||
-        (own.displacement && std::any_of(log.remarks.begin(), log.remarks.end(), IsOnLostMotion));
+    records.poses_lose_motion = records.poses_lose_motion ||
+                                (own.displacement && Holds(log.remarks, RemarkKind::kLostMotion));
     if (!own.velocity && !own.displacement) {
       if (log.pose && !log.velocity) throw InputError(records.remarks.back());
       MotionStream(log, dof, Source::kPoseEstimator);

@@ -128,16 +128,17 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
   const MarkerTrack track =
       TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
   if (log.pose) remarks.push_back("pose.csv is not read: the poses come from detections.csv.");
-  remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
+  const std::vector<std::string> of_track = TextsOf(track.remarks);
+  remarks.insert(remarks.end(), of_track.begin(), of_track.end());
   if (track.world_from_body.size() < kFewestFrames) {
-    throw InputError(fmt::format(
-        "{}: {} of {} frames gave a pose, expected at least {}.{}{}",
-        FileOf(log, "detections.csv"),
-        track.world_from_body.size(),
-        track.pnp.num_frames,
-        kFewestFrames,
-        track.message.empty() ? "" : " " + track.message,
-        fmt::format("{}{}", track.remarks.empty() ? "" : " ", fmt::join(track.remarks, " "))));
+    throw InputError(
+        fmt::format("{}: {} of {} frames gave a pose, expected at least {}.{}{}",
+                    FileOf(log, "detections.csv"),
+                    track.world_from_body.size(),
+                    track.pnp.num_frames,
+                    kFewestFrames,
+                    track.message.empty() ? "" : " " + track.message,
+                    fmt::format("{}{}", of_track.empty() ? "" : " ", fmt::join(of_track, " "))));
   }
   remarks.push_back(fmt::format("{} of {} frames with markers gave a pose; corner sigma {:.3g} px.",
                                 track.world_from_body.size(),

@@ -9,7 +9,6 @@
 #include "fathom/camera/detections_file.h"
 #include "fathom/joint_refinement/joint_refinement.h"
 #include "fathom/joint_refinement/logs/camera_runs.h"
-#include "fathom/marker_trajectory/face_on.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 
@@ -82,7 +81,9 @@ Refined RefineTogether(Dof dof, const Log& log, const std::function<void(int, in
 }  // namespace
 
 void HoldOtherDofs(Dof dof, Log* log, const std::function<void(int, int)>& on_round) {
-  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), IsOnLostMotion);
+  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), [](const Remark& one) {
+    return one.kind == RemarkKind::kLostMotion;
+  });
   if (!log->detections || !log->pose || remark == log->remarks.end()) return;
   Refined refined;
   try {
@@ -92,17 +93,18 @@ void HoldOtherDofs(Dof dof, Log* log, const std::function<void(int, int)>& on_ro
   }
   if (!refined.why.empty()) {
     log->remarks.push_back(
-        fmt::format("detections.csv: The frames are not refined together: {}", refined.why));
+        {RemarkKind::kDetections,
+         fmt::format("detections.csv: The frames are not refined together: {}", refined.why)});
   }
   if (refined.poses.empty()) return;
   log->pose = PoseStreamOf(refined.poses);
-  *remark = fmt::format(
-      "detections.csv: {} of {} poses are refined together, with the DOFs other than {} taken to "
-      "be held: frame by frame the noise of the single marker's tilt would take away some of the "
-      "motion.",
-      refined.poses.size(),
-      refined.num_tracked,
-      Name(dof));
+  *remark = {RemarkKind::kDetections,
+             fmt::format("detections.csv: {} of {} poses are refined together, with the DOFs other "
+                         "than {} taken to be held: frame by frame the noise of the single "
+                         "marker's tilt would take away some of the motion.",
+                         refined.poses.size(),
+                         refined.num_tracked,
+                         Name(dof))};
 }
 
 }  // namespace fathom
