@@ -10,7 +10,7 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
-#include "fathom/joint_refinement/logs/one_marker_poses.h"
+#include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/remark.h"
 #include "fathom/signal/signals.h"
@@ -114,7 +114,7 @@ Logs LogsFromFlags() {
   const Dof diagnosed = DofFromFlagOrLog(logs.all.front());
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
-    HoldOtherDofs(diagnosed, &log, [&](int round, int most) { progress.Show(round, most); });
+    RefineFaceOnPoses(diagnosed, &log, [&](int round, int most) { progress.Show(round, most); });
   }
   return logs;
 }

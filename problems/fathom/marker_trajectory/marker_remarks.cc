@@ -3,7 +3,7 @@
 
 #include "fathom/marker_trajectory/marker_remarks.h"
 
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/marker_trajectory/lost_motion.h"
 #include "fathom/marker_trajectory/survey_misfit.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/marker_trajectory/lost_motion.h"
 
 #include <cmath>
 #include <cstddef>
