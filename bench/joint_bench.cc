@@ -40,7 +40,7 @@ double ProcessorSeconds() {
 double PlainSecondsPerIteration(const SyntheticCameraRun& run) {
   Truth truth = TruthOf(run);
   // From off the solution, so that there is something to iterate for.
-  for (auto& deviation : truth.unknowns.runs[0].deviation) {
+  for (auto& deviation : truth.unknowns.segments[0].deviation) {
     PoseVector::Map(deviation.data()) += PoseVector(0.03, -0.02, 0.02, 0.01, -0.01, 0.02);
   }
   ProcessSet processes;
@@ -66,10 +66,10 @@ void Measure(Dof dof, int num_frames) {
   const double megabytes = PeakMegabytes() - before;
   fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} | {:.4f} | {:.4f} | {:.0f} | {} |\n",
              Name(dof),
-             run.input.runs[0].time.size(),
+             run.input.segments[0].time.size(),
              seconds,
              processor_seconds,
-             1e3 * processor_seconds / static_cast<double>(run.input.runs[0].time.size()),
+             1e3 * processor_seconds / static_cast<double>(run.input.segments[0].time.size()),
              summary.num_rounds,
              summary.num_iterations,
              summary.seconds_per_iteration,

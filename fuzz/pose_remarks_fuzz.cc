@@ -14,7 +14,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  std::vector<std::string> remarks;
+  std::vector<fathom::Remark> remarks;
   try {
     remarks = fathom::ParsePoseRemarks("pose.yaml", text, 900);
   } catch (const fathom::InputError&) {

@@ -10,9 +10,9 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
-#include "fathom/joint_refinement/logs/one_marker_poses.h"
+#include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/log/pose_remarks.h"
+#include "fathom/log/remark.h"
 #include "fathom/signal/dof_of_log.h"
 #include "fathom/signal/sources_of_log.h"
 #include "fathom/tool/dof_flag.h"
@@ -101,7 +101,7 @@ Logs LogsFromFlags() {
   logs.dof = DofOf(logs.all.front(), dof);
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
-    HoldOtherDofs(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });
+    RefineFaceOnPoses(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });
   }
   return logs;
 }
@@ -131,10 +131,8 @@ int Run() {
     return 2;
   }
   for (const Log& log : logs.all) {
-    for (const std::string& remark : log.remarks) {
-      if (remark.starts_with("detections.csv: ") || remark.starts_with(kPoseRemark)) {
-        diagnosis.remarks.push_back(remark);
-      }
+    for (const Remark& remark : log.remarks) {
+      if (remark.kind != RemarkKind::kGeneral) diagnosis.remarks.push_back(remark.text);
     }
   }
   if (!FLAGS_verdict.empty()) {

@@ -101,12 +101,12 @@ void Print(const ImageComparison& images) {
 
 void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {
   std::vector<StampedPose> poses;
-  for (size_t r = 0; r < images.joint.runs.size(); ++r) {
-    const RefinedRun& run = images.joint.runs[r];
-    for (size_t k = 0; k < run.world_from_body.size(); ++k) {
-      poses.push_back({.time = logs.input.runs[r].time[k],
-                       .pose = run.world_from_body[k],
-                       .covariance = run.pose_covariance[k]});
+  for (size_t r = 0; r < images.joint.segments.size(); ++r) {
+    const RefinedSegment& segment = images.joint.segments[r];
+    for (size_t k = 0; k < segment.world_from_body.size(); ++k) {
+      poses.push_back({.time = logs.input.segments[r].time[k],
+                       .pose = segment.world_from_body[k],
+                       .covariance = segment.pose_covariance[k]});
     }
   }
   WriteStream(FLAGS_trajectory, PoseStreamOf(poses));

@@ -149,7 +149,7 @@ int Run() {
   PrintStream("command.csv", log.command);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
-  for (const std::string& remark : log.remarks) fmt::print("{}\n", remark);
+  for (const Remark& remark : log.remarks) fmt::print("{}\n", remark.text);
   return 0;
 }
 

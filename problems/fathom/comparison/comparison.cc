@@ -89,7 +89,7 @@ DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& opt
 Comparison Compare(const Log& log, const ComparisonOptions& options) {
   Comparison comparison;
   comparison.log_name = log.name;
-  comparison.remarks = log.remarks;
+  comparison.remarks = TextsOf(log.remarks);
   const std::vector<Dof>& dofs = options.dofs.empty() ? log.dofs : options.dofs;
   if (dofs.empty()) {
     throw InputError(

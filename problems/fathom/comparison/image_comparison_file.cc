@@ -14,12 +14,12 @@ using Json = nlohmann::ordered_json;
 
 Json ValueWithStd(double value, double std) { return {{"value", value}, {"std", std}}; }
 
-Json FormatRun(const RefinedRun& run) {
-  return {{"num_frames", run.world_from_body.size()},
-          {"num_outliers", run.num_outliers},
-          {"start_velocity", run.start.velocity},
-          {"start_position", run.start.position},
-          {"clock_offset", ValueWithStd(run.clock_offset, run.clock_offset_std)}};
+Json FormatSegment(const RefinedSegment& segment) {
+  return {{"num_frames", segment.world_from_body.size()},
+          {"num_outliers", segment.num_outliers},
+          {"start_velocity", segment.start.velocity},
+          {"start_position", segment.start.position},
+          {"clock_offset", ValueWithStd(segment.clock_offset, segment.clock_offset_std)}};
 }
 
 Json FormatJoint(const ImageComparison& comparison) {
@@ -50,7 +50,7 @@ Json FormatJoint(const ImageComparison& comparison) {
   }
   json["mount"] = mount;
   Json runs = Json::array();
-  for (const RefinedRun& run : joint.runs) runs.push_back(FormatRun(run));
+  for (const RefinedSegment& segment : joint.segments) runs.push_back(FormatSegment(segment));
   json["runs"] = runs;
   return json;
 }

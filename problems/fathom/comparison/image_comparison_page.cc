@@ -48,11 +48,11 @@ TimePanel PathPanel(const MarkerLogs& logs, const ImageComparison& comparison) {
     panel.title = fmt::format("{} logs, one behind the other", logs.logs.size());
   }
   double origin = 0.0, shift = 0.0;
-  for (size_t r = 0; r < comparison.joint.runs.size(); ++r) {
-    const CameraRun& before = logs.input.runs[r];
-    const RefinedRun& after = comparison.joint.runs[r];
+  for (size_t r = 0; r < comparison.joint.segments.size(); ++r) {
+    const CameraSegment& before = logs.input.segments[r];
+    const RefinedSegment& after = comparison.joint.segments[r];
     // Logs one behind the other: their clocks may start anew.
-    const bool is_new_log = r == 0 || logs.log_of_run[r] != logs.log_of_run[r - 1];
+    const bool is_new_log = r == 0 || logs.log_of_segment[r] != logs.log_of_segment[r - 1];
     if (is_new_log) {
       origin = before.time.front();
       shift = panel.time.empty() ? 0.0 : panel.time.back() + 1.0;
@@ -100,7 +100,7 @@ Table RefinementTable(const ImageComparison& comparison) {
     table.rows.push_back({{std::move(name), std::move(value), std::string(unit)}});
   };
   int num_outliers = 0;
-  for (const RefinedRun& run : joint.runs) num_outliers += run.num_outliers;
+  for (const RefinedSegment& segment : joint.segments) num_outliers += segment.num_outliers;
   add("detections", fmt::format("{}", joint.num_detections), "");
   add("outliers among them", fmt::format("{}", num_outliers), "");
   add("corner sigma", fmt::format("{:.3g}", joint.processes.corner_sigma), "px");
@@ -120,11 +120,11 @@ Table RefinementTable(const ImageComparison& comparison) {
   add(fmt::format("{} strays from the model, in {:.0f} s, by", Name(dof), kDrift),
       joint.processes.model_error > 0.0 ? fmt::format("{:.2g}", strays()) : "0",
       DisplacementUnit(dof));
-  for (size_t r = 0; r < joint.runs.size(); ++r) {
-    const RefinedRun& run = joint.runs[r];
-    if (run.clock_offset_std == 0.0) continue;
+  for (size_t r = 0; r < joint.segments.size(); ++r) {
+    const RefinedSegment& segment = joint.segments[r];
+    if (segment.clock_offset_std == 0.0) continue;
     add(fmt::format("clock offset of run {}", r + 1),
-        FormatValue(run.clock_offset, run.clock_offset_std),
+        FormatValue(segment.clock_offset, segment.clock_offset_std),
         "s");
   }
   if (joint.size_scale_std > 0.0) {

@@ -15,7 +15,7 @@
 namespace fathom {
 
 // One unbroken stretch of a log as the camera saw it: the frames in which it saw a marker.
-struct CameraRun {
+struct CameraSegment {
   std::vector<double> time;                        // of the frames [s], strictly increasing
   std::vector<std::vector<Detection>> detections;  // of each frame, at least one
   std::vector<Pose> world_from_body;               // of each frame, a first guess by PnP
@@ -28,7 +28,7 @@ struct JointInput {
   CameraModel camera;
   MarkerMap map;
   Pose body_from_camera;
-  std::vector<CameraRun> runs;
+  std::vector<CameraSegment> segments;
 };
 
 }  // namespace fathom

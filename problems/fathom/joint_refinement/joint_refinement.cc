@@ -5,7 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/joint_refinement/motion/global_columns.h"
-#include "fathom/joint_refinement/motion/run_frame.h"
+#include "fathom/joint_refinement/motion/segment_frame.h"
 #include "fathom/joint_refinement/problem/corner_rows.h"
 #include "fathom/joint_refinement/problem/linear_joint.h"
 #include "fathom/joint_refinement/problem/pose_spread.h"
@@ -28,18 +28,18 @@ void RequireUsable(const JointInput& input, const JointOptions& options) {
     throw InputError(fmt::format("The options of the joint refinement cannot be used: {}",
                                  fmt::join(problems, "; ")));
   }
-  if (input.runs.empty()) throw InputError("The joint refinement needs at least one run.");
-  for (const CameraRun& run : input.runs) {
-    const size_t n = run.time.size();
-    if (n < 10 || run.detections.size() != n || run.world_from_body.size() != n) {
+  if (input.segments.empty()) throw InputError("The joint refinement needs at least one run.");
+  for (const CameraSegment& segment : input.segments) {
+    const size_t n = segment.time.size();
+    if (n < 10 || segment.detections.size() != n || segment.world_from_body.size() != n) {
       throw InputError(
           fmt::format("A run has {} frames, {} lists of detections and {} poses, expected at least "
                       "10 of each and as many of one as of the other.",
                       n,
-                      run.detections.size(),
-                      run.world_from_body.size()));
+                      segment.detections.size(),
+                      segment.world_from_body.size()));
     }
-    for (const auto& detections : run.detections) {
+    for (const auto& detections : segment.detections) {
       for (const Detection& detection : detections) {
         const Marker* const marker = input.map.Find(detection.tag_id);
         if (marker != nullptr && marker->is_surveyed) continue;
@@ -55,15 +55,15 @@ void RequireUsable(const JointInput& input, const JointOptions& options) {
 int CountOutliers(const JointData& data,
                   const JointUnknowns& unknowns,
                   double corner_sigma,
-                  size_t run) {
+                  size_t segment) {
   int count = 0;
-  for (size_t k = 0; k < data.runs[run].detections.size(); ++k) {
-    const PoseVector eta = PoseAt(data.runs[run], unknowns.runs[run], k);
-    for (const Detection& detection : data.runs[run].detections[k]) {
+  for (size_t k = 0; k < data.segments[segment].detections.size(); ++k) {
+    const PoseVector eta = PoseAt(data.segments[segment], unknowns.segments[segment], k);
+    for (const Detection& detection : data.segments[segment].detections[k]) {
       CornerRows rows;
       const bool is_ahead = EvaluateCorners(data.setup,
                                             unknowns.setup,
-                                            *data.runs[run].map.Find(detection.tag_id),
+                                            *data.segments[segment].map.Find(detection.tag_id),
                                             detection,
                                             eta,
                                             corner_sigma,
@@ -85,40 +85,71 @@ double OwnStep(const LinearFrame& frame, const std::array<double, 6>& deviation,
   return -slope / information;
 }
 
-RefinedRun RefinedRunOf(const JointOptions& options,
-                        const JointStart& at,
-                        const LinearJoint& linear,
-                        const LinearRun& corners,
-                        const Pose& world_from_frame,
-                        size_t r) {
-  const RunUnknowns& own = at.unknowns.runs[r];
-  const PredictedMotion& motion = at.data.runs[r].motion;
+RefinedSegment RefinedSegmentOf(const JointOptions& options,
+                                const JointStart& at,
+                                const LinearJoint& linear,
+                                const LinearSegment& corners,
+                                const Pose& world_from_frame,
+                                size_t r) {
+  const SegmentUnknowns& own = at.unknowns.segments[r];
+  const PredictedMotion& motion = at.data.segments[r].motion;
   const int excited = at.data.excited;
   const auto eta_of = [&](size_t k) {
-    PoseVector eta = PoseAt(at.data.runs[r], own, k);
+    PoseVector eta = PoseAt(at.data.segments[r], own, k);
     if (options.moves_freely) eta[excited] += OwnStep(corners.frames[k], own.deviation[k], excited);
     return eta;
   };
-  RefinedRun run;
-  run.start = {own.start[0], own.start[1]};
+  RefinedSegment segment;
+  segment.start = {own.start[0], own.start[1]};
   for (int j = 0; j < kNumHeld; ++j) {
-    std::copy_n(own.response.begin() + j * kResponseTerms, kResponseTerms, run.response[j].begin());
+    std::copy_n(
+        own.response.begin() + j * kResponseTerms, kResponseTerms, segment.response[j].begin());
   }
-  run.clock_offset = own.clock_offset;
+  segment.clock_offset = own.clock_offset;
   if (options.clock_offset_std > 0.0) {
-    run.clock_offset_std = std::sqrt(linear.covariance(r)(kClockColumn, kClockColumn));
+    segment.clock_offset_std = std::sqrt(linear.covariance(r)(kClockColumn, kClockColumn));
   }
   for (size_t k = 0; k < motion.size(); ++k) {
-    run.world_from_body.push_back(world_from_frame * PoseFromVector(eta_of(k)));
-    run.displacement.push_back(motion.displacement(k));
-    run.velocity.push_back(motion.velocity(k));
+    segment.world_from_body.push_back(world_from_frame * PoseFromVector(eta_of(k)));
+    segment.displacement.push_back(motion.displacement(k));
+    segment.velocity.push_back(motion.velocity(k));
   }
-  run.pose_covariance = PoseSpread(linear, r, motion, world_from_frame.rotation, eta_of);
-  run.num_outliers = CountOutliers(at.data, at.unknowns, at.processes.corner_sigma, r);
-  return run;
+  segment.pose_covariance = PoseSpread(linear, r, motion, world_from_frame.rotation, eta_of);
+  segment.num_outliers = CountOutliers(at.data, at.unknowns, at.processes.corner_sigma, r);
+  return segment;
 }
 
-// The joint problem with every run in a frame of its own.
+int CountDetections(const JointInput& input) {
+  int count = 0;
+  for (const CameraSegment& segment : input.segments) {
+    for (const auto& detections : segment.detections) count += static_cast<int>(detections.size());
+  }
+  return count;
+}
+
+// The model, and the marker size and mount, with what is known of them.
+void TakeOverGlobals(const JointOptions& options,
+                     const JointUnknowns& unknowns,
+                     const LinearJoint& linear,
+                     JointSummary* summary) {
+  if (!options.moves_freely) {
+    summary->model = unknowns.Motion(0).Model();
+    Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
+    by_log[kInertia] = summary->model.inertia;
+    summary->covariance =
+        by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
+  }
+  summary->size_scale = unknowns.setup.size_scale;
+  summary->mount = unknowns.setup.mount;
+  const auto std_of = [&](int column) { return std::sqrt(linear.covariance(0)(column, column)); };
+  if (options.size_scale_std > 0.0) summary->size_scale_std = std_of(kSizeColumn);
+  for (int i = 0; i < 6; ++i) {
+    const bool is_free = (i < 3 ? options.mount_position_std : options.mount_angle_std) > 0.0;
+    if (is_free) summary->mount_std[i] = std_of(kMountColumns + i);
+  }
+}
+
+// The joint problem with every segment in a frame of its own.
 JointSummary FitInFrames(const JointInput& input,
                          const JointOptions& options,
                          const std::vector<Pose>& world_from_frame,
@@ -126,21 +157,17 @@ JointSummary FitInFrames(const JointInput& input,
   JointSummary summary;
   summary.num_rounds = summary.num_iterations = 0;
   JointStart at = StartOf(input, options, world_from_frame, frame_from_body);
-  for (const CameraRun& run : input.runs) {
-    for (const auto& detections : run.detections) {
-      summary.num_detections += static_cast<int>(detections.size());
-    }
-  }
+  summary.num_detections = CountDetections(input);
   SearchEnd end;
   if (!SearchJoint(options, &at, &end, &summary)) return summary;
 
-  std::vector<LinearRun> runs;
-  if (!Linearise(&at.data, at.unknowns, at.processes.corner_sigma, &runs)) {
+  std::vector<LinearSegment> segments;
+  if (!Linearise(&at.data, at.unknowns, at.processes.corner_sigma, &segments)) {
     summary.converged = false;
     summary.message = "the corners cannot be projected at the end of the search.";
     return summary;
   }
-  const LinearJoint linear(runs,
+  const LinearJoint linear(segments,
                            PriorsOf(options, at.unknowns, {}),
                            at.processes,
                            at.data.excited,
@@ -151,32 +178,20 @@ JointSummary FitInFrames(const JointInput& input,
     summary.message = "some unknown leaves no trace in the corners.";
     return summary;
   }
-  if (!options.moves_freely) {
-    summary.model = at.unknowns.Motion(0).Model();
-    Eigen::Vector4d by_log = Eigen::Vector4d::Ones();
-    by_log[kInertia] = summary.model.inertia;
-    summary.covariance =
-        by_log.asDiagonal() * linear.covariance(0).topLeftCorner<4, 4>() * by_log.asDiagonal();
-  }
-  summary.size_scale = at.unknowns.setup.size_scale;
-  summary.mount = at.unknowns.setup.mount;
-  const auto std_of = [&](int column) { return std::sqrt(linear.covariance(0)(column, column)); };
-  if (options.size_scale_std > 0.0) summary.size_scale_std = std_of(kSizeColumn);
-  for (int i = 0; i < 6; ++i) {
-    const bool is_free = (i < 3 ? options.mount_position_std : options.mount_angle_std) > 0.0;
-    if (is_free) summary.mount_std[i] = std_of(kMountColumns + i);
-  }
+  TakeOverGlobals(options, at.unknowns, linear, &summary);
   summary.processes = at.processes;
-  for (size_t r = 0; r < input.runs.size(); ++r) {
-    summary.runs.push_back(RefinedRunOf(options, at, linear, runs[r], world_from_frame[r], r));
+  for (size_t r = 0; r < input.segments.size(); ++r) {
+    summary.segments.push_back(
+        RefinedSegmentOf(options, at, linear, segments[r], world_from_frame[r], r));
   }
-  summary.caveats = CaveatsOn(input, options, at, end, runs, summary);
+  summary.caveats = CaveatsOn(input, options, at, end, segments, summary);
   return summary;
 }
 
 std::vector<Pose> FramesOf(Dof dof, const std::vector<std::vector<Pose>>& world_from_body) {
   std::vector<Pose> frames;
-  for (const std::vector<Pose>& poses : world_from_body) frames.push_back(RunFrameOf(dof, poses));
+  for (const std::vector<Pose>& poses : world_from_body)
+    frames.push_back(SegmentFrameOf(dof, poses));
   return frames;
 }
 
@@ -200,7 +215,8 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
   constexpr double kSmallTurn = 0.003;  // [rad]; its cosine is 1 to 5e-6
   JointOptions own = options;
   std::vector<std::vector<Pose>> world_from_body;
-  for (const CameraRun& run : input.runs) world_from_body.push_back(run.world_from_body);
+  for (const CameraSegment& segment : input.segments)
+    world_from_body.push_back(segment.world_from_body);
   for (int search = 1;; ++search) {
     const std::vector<Pose> frames = FramesOf(input.dof, world_from_body);
     std::vector<std::vector<Pose>> frame_from_body = world_from_body;
@@ -210,7 +226,7 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
     JointSummary summary = FitInFrames(input, own, frames, frame_from_body);
     if (!summary.IsUsable() || search == kMostSearches) return summary;
     for (size_t r = 0; r < frames.size(); ++r) {
-      world_from_body[r] = summary.runs[r].world_from_body;
+      world_from_body[r] = summary.segments[r].world_from_body;
     }
     if (LargestTurn(input.dof, frames, FramesOf(input.dof, world_from_body)) < kSmallTurn) {
       return summary;

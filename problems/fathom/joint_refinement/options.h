@@ -22,7 +22,7 @@ struct JointOptions {
   bool moves_freely = false;
 
   // Standard deviations of what is known beforehand; 0: not estimated. Infinite: nothing is known.
-  double clock_offset_std = 0.0;    // of each run [s]
+  double clock_offset_std = 0.0;    // of each segment [s]
   double size_scale_std = 0.0;      // of the markers' sides, no unit
   double mount_position_std = 0.0;  // of the camera in the body [m]
   double mount_angle_std = 0.0;     // [rad]

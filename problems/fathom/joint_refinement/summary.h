@@ -18,8 +18,8 @@
 
 namespace fathom {
 
-// A run as refined.
-struct RefinedRun {
+// A segment as refined.
+struct RefinedSegment {
   InitialState start;
   std::array<std::array<double, 4>, 5> response = {};  // see PredictedMotion
   double clock_offset = 0.0;                           // [s], with its standard deviation
@@ -63,7 +63,7 @@ struct JointSummary {
   std::array<double, 6> mount_std = {};
 
   ProcessSet processes;
-  std::vector<RefinedRun> runs;
+  std::vector<RefinedSegment> segments;
   int num_detections = 0;
 
   // What the reader must know beyond the intervals, a sentence each.

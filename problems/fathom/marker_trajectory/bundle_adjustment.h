@@ -6,57 +6,12 @@
 #include "fathom/camera/camera_model.h"
 #include "fathom/camera/detection.h"
 #include "fathom/camera/marker_map.h"
-#include "fathom/geometry/pose.h"
-#include "fathom/geometry/pose_increment.h"
+#include "fathom/marker_trajectory/bundle.h"
 
-#include <limits>
 #include <set>
 #include <span>
-#include <string>
-#include <vector>
-
-#include <Eigen/Core>
 
 namespace fathom {
-
-// One frame of a bundle adjustment: where its camera is thought to be, and what it saw.
-struct AdjustedFrame {
-  Pose world_from_camera;       // a start
-  std::vector<int> detections;  // indices among all; one at least
-};
-
-struct BundleAdjustmentOptions {
-  // Standard deviation of a corner's u and v [px], above 0: what residuals are divided by.
-  double corner_sigma = 1.0;
-
-  // A corner further off than so many corner sigmas counts linearly; infinity: never.
-  double huber = 3.0;
-
-  int max_num_iterations = 300;
-};
-
-struct BundleAdjustmentSummary {
-  bool is_usable = false;
-  std::string message;
-
-  std::vector<Pose> world_from_camera;  // one for each frame, as given
-  std::vector<PoseCovariance> pose_covariance;
-  MarkerMap map;  // with the free markers' new places
-
-  // Of the free markers, in rising order of their ids.
-  std::vector<int> free_ids;
-  std::vector<PoseCovariance> marker_covariance;
-
-  // From the residuals: sum of squares / (2 per corner - 6 per pose - 6 per free marker) [px]; the
-  // covariances are those of this sigma.
-  double corner_sigma = std::numeric_limits<double>::quiet_NaN();
-  double corner_sigma_std = std::numeric_limits<double>::quiet_NaN();
-
-  // Root mean square of all corners' distances from where they are drawn, per frame [px].
-  std::vector<double> frame_rms;
-
-  int num_iterations = 0;
-};
 
 // Poses of the camera, and of the markers in `free_ids`, that fit all corners best;
 // docs/marker_trajectory.md (1):

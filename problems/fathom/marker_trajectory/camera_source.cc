@@ -19,18 +19,20 @@ bool NeedsTracking(const Log& log) { return log.detections && !log.pose; }
 void TrackDetections(Log* log) {
   if (!NeedsTracking(*log)) return;
   const CameraRig rig = ReadCameraRig(log->path);
-  log->remarks.insert(log->remarks.end(), rig.remarks.begin(), rig.remarks.end());
+  for (const std::string& remark : rig.remarks) {
+    log->remarks.push_back({RemarkKind::kGeneral, remark});
+  }
   const std::vector<Detection> detections = DetectionsOf(*log->detections);
   MarkerTrajectoryOptions options;
   options.pose_track.name = (log->path / "detections.csv").string();
   const MarkerTrack track =
       TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
-  for (const std::string& remark : track.remarks) {
-    log->remarks.push_back("detections.csv: " + remark);
+  for (const Remark& remark : track.remarks) {
+    log->remarks.push_back({remark.kind, "detections.csv: " + remark.text});
   }
   if (track.world_from_body.size() < 2) {
     std::string losses;
-    for (const std::string& remark : track.remarks) losses += " " + remark;
+    for (const Remark& remark : track.remarks) losses += " " + remark.text;
     throw InputError(
         fmt::format("{}: {} of {} frames with detections gave a pose, expected at least two.{}{}",
                     (log->path / "detections.csv").string(),
@@ -41,12 +43,13 @@ void TrackDetections(Log* log) {
   }
   log->pose = PoseStreamOf(track.world_from_body);
   log->remarks.push_back(
-      fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames that show "
-                  "no marker are not "
-                  "listed there); corner sigma {:.3g} px.",
-                  track.world_from_body.size(),
-                  track.pnp.num_frames,
-                  track.corner_sigma));
+      {RemarkKind::kDetections,
+       fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames that show "
+                   "no marker are not "
+                   "listed there); corner sigma {:.3g} px.",
+                   track.world_from_body.size(),
+                   track.pnp.num_frames,
+                   track.corner_sigma)});
 }
 
 }  // namespace fathom

@@ -5,6 +5,7 @@
 
 #include "fathom/camera/marker_map.h"
 #include "fathom/geometry/stamped_pose.h"
+#include "fathom/log/remark.h"
 #include "fathom/track/pose_track.h"
 
 #include <limits>
@@ -43,8 +44,8 @@ struct MarkerTrack {
   // The PnP track behind it, with the account of every frame and detection.
   PoseTrack pnp;
 
-  // What was lost, and what was decided, a sentence each.
-  std::vector<std::string> remarks;
+  // What was lost, and what was decided, a sentence each; of kind kDetections or kLostMotion.
+  std::vector<Remark> remarks;
 
   bool IsUsable() const { return !world_from_camera.empty(); }
 };

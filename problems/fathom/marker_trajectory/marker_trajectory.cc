@@ -6,10 +6,9 @@
 #include "fathom/base/input_error.h"
 #include "fathom/marker_trajectory/bundle_adjustment.h"
 #include "fathom/marker_trajectory/corner_noise.h"
-#include "fathom/marker_trajectory/face_on.h"
-#include "fathom/marker_trajectory/marker_placement.h"
+#include "fathom/marker_trajectory/marker_remarks.h"
+#include "fathom/marker_trajectory/place_more_markers.h"
 #include "fathom/marker_trajectory/pose_bias.h"
-#include "fathom/marker_trajectory/survey_misfit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,47 +19,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
-
-// Gives a place to every marker that is seen together with markers that have one, from the views of
-// a track. Returns whether any was placed.
-bool PlaceMoreMarkers(std::span<const Detection> detections,
-                      const CameraModel& camera,
-                      const PoseTrack& track,
-                      MarkerMap* map) {
-  std::map<double, const TrackedView*> view_at;
-  for (const TrackedView& view : track.views) view_at[view.time] = &view;
-  // By marker: the frames that show it, with the known markers in them.
-  std::map<int, std::vector<std::vector<Detection>>> frames_of;
-  for (const RejectedDetection& one : track.rejected) {
-    if (one.reason != Rejection::kNotSurveyed) continue;
-    const Detection& detection = detections[one.index];
-    const auto view = view_at.find(detection.time);
-    if (view == view_at.end()) continue;
-    std::vector<Detection> frame = {detection};
-    for (const int i : view->second->detections) frame.push_back(detections[i]);
-    frames_of[detection.tag_id].push_back(std::move(frame));
-  }
-  MarkerMap placed = *map;
-  for (const auto& [id, frames] : frames_of) {
-    const std::optional<Pose> place = PlaceMarker(camera, *map, id, frames);
-    if (!place) continue;
-    for (Marker& marker : placed.markers) {
-      if (marker.id != id) continue;
-      marker.world_from_tag = *place;
-      marker.is_surveyed = true;
-    }
-  }
-  const auto is_placed = [&](const Marker& marker) {
-    return marker.is_surveyed && !map->Find(marker.id)->is_surveyed;
-  };
-  const bool any = std::any_of(placed.markers.begin(), placed.markers.end(), is_placed);
-  *map = std::move(placed);
-  return any;
-}
 
 // The surveyed marker seen most often.
 int ReferenceOf(std::span<const Detection> detections,
@@ -172,6 +133,37 @@ void TakeOver(const BundleAdjustmentSummary& summary,
   out->marker_covariance = summary.marker_covariance;
 }
 
+// The markers that the track looks for places for, and, where surveyed ones are among them, the one
+// that holds the world.
+struct FreeMarkers {
+  std::set<int> ids;
+  std::optional<int> reference = {};
+};
+
+FreeMarkers FreeMarkersOf(std::span<const Detection> detections,
+                          const PoseTrack& track,
+                          const MarkerMap& map,
+                          const MarkerTrajectoryOptions& options) {
+  FreeMarkers free;
+  for (const Marker& marker : map.markers) {
+    if (!marker.is_surveyed) free.ids.insert(marker.id);
+  }
+  if (!options.estimate_surveyed_markers || track.views.empty()) return free;
+  free.reference = ReferenceOf(detections, track, map, options);
+  for (const Marker& marker : map.markers) free.ids.insert(marker.id);
+  free.ids.erase(*free.reference);
+  return free;
+}
+
+// The markers that were seen and have no place.
+std::vector<int> UnplacedOf(std::span<const Detection> detections, const PoseTrack& track) {
+  std::set<int> unplaced;
+  for (const RejectedDetection& one : track.rejected) {
+    if (one.reason == Rejection::kNotSurveyed) unplaced.insert(detections[one.index].tag_id);
+  }
+  return {unplaced.begin(), unplaced.end()};
+}
+
 }  // namespace
 
 MarkerTrack TrackMarkers(std::span<const Detection> detections,
@@ -186,54 +178,21 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   while (PlaceMoreMarkers(detections, camera, result.pnp, &placed)) {
     result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
   }
-  std::set<int> free_ids;
-  for (const Marker& marker : map.markers) {
-    if (!marker.is_surveyed) free_ids.insert(marker.id);
-  }
-  if (options.estimate_surveyed_markers && !result.pnp.views.empty()) {
-    const int reference = ReferenceOf(detections, result.pnp, map, options);
-    for (const Marker& marker : map.markers) free_ids.insert(marker.id);
-    free_ids.erase(reference);
-    result.remarks.push_back(
-        fmt::format("Tag {} holds the world; the others are estimated.", reference));
-  }
-  BundleAdjustmentSummary summary =
-      Adjust(detections, camera, placed, free_ids, result.pnp, options.pose_track.huber);
+  const FreeMarkers free = FreeMarkersOf(detections, result.pnp, map, options);
+  const double huber = options.pose_track.huber;
+  BundleAdjustmentSummary summary = Adjust(detections, camera, placed, free.ids, result.pnp, huber);
   if (summary.is_usable && !summary.free_ids.empty()) {
     // With the markers in place the gate is as narrow as the corners allow: once more.
     placed = summary.map;
     result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
-    summary = Adjust(detections, camera, placed, free_ids, result.pnp, options.pose_track.huber);
+    summary = Adjust(detections, camera, placed, free.ids, result.pnp, huber);
   }
   result.map = placed;
   result.message = summary.message;
   if (summary.is_usable) TakeOver(summary, detections, camera, body_from_camera, &result);
   result.refuted_ids = TakeBackUnusedPlaces(map, result.estimated_ids, &result.map);
-  if (!result.refuted_ids.empty()) {
-    result.remarks.push_back(fmt::format(
-        "No place agrees with the frames that show them, and not used: tags {}. Did they "
-        "move?",
-        fmt::join(result.refuted_ids, ", ")));
-  }
-
-  std::set<int> unplaced;
-  for (const RejectedDetection& one : result.pnp.rejected) {
-    if (one.reason == Rejection::kNotSurveyed) unplaced.insert(detections[one.index].tag_id);
-  }
-  result.unplaced_ids.assign(unplaced.begin(), unplaced.end());
-  if (!unplaced.empty()) {
-    result.remarks.push_back(
-        fmt::format("Never seen together with a tag whose place is known, and not used: tags {}.",
-                    fmt::join(unplaced, ", ")));
-  }
-  const auto losses = RemarksOn(result.pnp, detections);
-  result.remarks.insert(result.remarks.end(), losses.begin(), losses.end());
-  if (std::string remark = RemarkOnSurveyMisfit(camera, detections, result); !remark.empty()) {
-    result.remarks.push_back(std::move(remark));
-  }
-  if (std::string remark = RemarkOnLostMotion(detections, result); !remark.empty()) {
-    result.remarks.push_back(std::move(remark));
-  }
+  result.unplaced_ids = UnplacedOf(detections, result.pnp);
+  result.remarks = RemarksOn(result, free.reference, detections, camera);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/time_interval.h"
+#include "fathom/log/remark.h"
 
 #include <filesystem>
 #include <optional>
@@ -45,7 +46,7 @@ struct Log {
 
   // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are
   // not read: ..."). Tools print them.
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;
 };
 
 }  // namespace fathom

@@ -19,8 +19,11 @@ namespace {
 
 // Moves the table's stream into the log, with the table's remark.
 void Keep(CsvTable table, std::optional<Stream>* stream, Log* log) {
-  const std::string remark = table.Remark();
-  if (!remark.empty()) log->remarks.push_back(remark);
+  const bool is_detections = stream == &log->detections;
+  const RemarkKind kind = is_detections ? RemarkKind::kDetections : RemarkKind::kGeneral;
+  if (const std::string remark = table.Remark(); !remark.empty()) {
+    log->remarks.push_back({kind, remark});
+  }
   *stream = std::move(table.stream);
 }
 
@@ -46,8 +49,11 @@ void RemarkOnEmptyHeldOut(Log* log) {
         HoldsASample(interval, log->detections)) {
       continue;
     }
-    log->remarks.push_back(fmt::format(
-        "log.yaml: held_out [{}, {}] holds no sample of the motion.", interval.from, interval.to));
+    log->remarks.push_back(
+        {RemarkKind::kGeneral,
+         fmt::format("log.yaml: held_out [{}, {}] holds no sample of the motion.",
+                     interval.from,
+                     interval.to)});
   }
 }
 
@@ -70,9 +76,9 @@ Log ParseLog(const LogText& text) {
   }
   if (text.pose) keep_motion(ParsePose(text.pose->name, text.pose->text), &log.pose);
   if (text.pose && text.pose_yaml) {
-    for (const std::string& remark :
+    for (const Remark& remark :
          ParsePoseRemarks(text.pose_yaml->name, text.pose_yaml->text, log.pose->time.size())) {
-      log.remarks.push_back(kPoseRemark + remark);
+      log.remarks.push_back({remark.kind, "pose.yaml: " + remark.text});
     }
   }
   if (text.detections) {
@@ -93,7 +99,9 @@ Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof) {
   log.path = name;
   log.name = log.path.stem().string();
   log.dofs = {dof};
-  if (const std::string remark = table.Remark(); !remark.empty()) log.remarks.push_back(remark);
+  if (const std::string remark = table.Remark(); !remark.empty()) {
+    log.remarks.push_back({RemarkKind::kGeneral, remark});
+  }
   log.command = Stream{.time = table.stream.time,
                        .columns = {std::string(ForceColumn(dof))},
                        .values = {*table.stream.Find("tau")}};

@@ -82,7 +82,8 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   if (has_own_velocity && !options.velocity.empty() &&
       !std::filesystem::equivalent(text.velocity->name, folder / "velocity.csv", error)) {
     log.remarks.push_back(
-        fmt::format("velocity.csv: not read, {} is in its place.", options.velocity.string()));
+        {RemarkKind::kGeneral,
+         fmt::format("velocity.csv: not read, {} is in its place.", options.velocity.string())});
   }
   return log;
 }

@@ -55,18 +55,14 @@ struct Prediction {
   State filtered_gain;  // P seen / variance
 };
 
-}  // namespace
-
-SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
-                                      std::span<const NoiseSample> samples,
-                                      std::span<const double> residual) {
-  CHECK_EQ(samples.size(), residual.size());
+// Forward: the Kalman filter, docs/residual_noise.md (7).
+std::vector<Prediction> Filter(const NoiseModel& model,
+                               std::span<const NoiseSample> samples,
+                               std::span<const double> residual) {
   const size_t n = samples.size();
   std::map<double, NoiseDynamics> regimes;  // by damping factor
   const NoiseDynamics& usual = regimes.try_emplace(1.0, model).first->second;
   std::vector<Prediction> predictions(n);
-
-  // Forward: the Kalman filter, docs/residual_noise.md (7).
   State mean = State::Zero();
   Matrix P = Matrix::Zero();
   for (size_t i = 0; i < n; ++i) {
@@ -99,9 +95,14 @@ SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
     mean += at.filtered_gain * at.innovation;
     P -= at.variance * at.filtered_gain * at.filtered_gain.transpose();
   }
+  return predictions;
+}
 
-  // Backward: what later samples add, docs/residual_noise.md (10). No covariance is inverted: that
-  // of x' is singular at its start.
+// Backward: what later samples add, docs/residual_noise.md (10). No covariance is inverted: that of
+// x' is singular at its start.
+SmoothedDisturbance Smooth(std::span<const NoiseSample> samples,
+                           const std::vector<Prediction>& predictions) {
+  const size_t n = samples.size();
   SmoothedDisturbance smoothed{std::vector<double>(n), std::vector<double>(n)};
   State r = State::Zero();
   Matrix N = Matrix::Zero();
@@ -125,6 +126,15 @@ SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
     smoothed.std[i] = std::sqrt(std::max(0.0, variance));
   }
   return smoothed;
+}
+
+}  // namespace
+
+SmoothedDisturbance SmoothDisturbance(const NoiseModel& model,
+                                      std::span<const NoiseSample> samples,
+                                      std::span<const double> residual) {
+  CHECK_EQ(samples.size(), residual.size());
+  return Smooth(samples, Filter(model, samples, residual));
 }
 
 }  // namespace fathom

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "fathom/noise/noise_model.h"
+#include "fathom/noise/whitening_step.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -49,26 +49,14 @@ class Whitener {
   std::vector<double> LogVariances() const;
 
  private:
-  // From one sample to the next. The state holds only what the model and the samples need of
-  // (w, v', x', coloured velocity noise, coloured displacement noise), in this order.
-  struct Step {
-    // Entries of the transition, all 0 at the start of a segment.
-    double w_from_w, v_from_w, v_from_v, x_from_w, x_from_v, x_from_x, velocity_c, displacement_c;
-    double inverse_std;          // of the innovation
-    std::array<double, 5> gain;  // of the state, on the whitened innovation
-    NoiseChannel channel;
-  };
-  template <int kDisturbance, bool kVelocityC, bool kDisplacementC>
-  struct Filter;  // in whitener.cc
-
   template <typename Function>
-  void WithFilter(const Function& function) const;
+  void WithStates(const Function& function) const;
 
   // How many of (w, v', x') are in the state (0, 2 or 3), and which coloured noises.
   int num_disturbance_states_ = 0;
   bool has_velocity_c_ = false, has_displacement_c_ = false;
-  std::vector<int> step_of_;  // of each sample, into:
-  std::vector<Step> steps_;   // the different ones; a stationary filter has few
+  std::vector<int> step_of_;          // of each sample, into:
+  std::vector<WhiteningStep> steps_;  // the different ones; a stationary filter has few
   double log_determinant_ = 0.0;
 };
 

@@ -78,84 +78,115 @@ double RejectionCost(const FrameCandidates& frame, const PoseChoiceOptions& opti
   return several_agree ? 4.0 * options.rejection : options.rejection;
 }
 
+// The frames with candidates, the only ones that can be left out, and what that costs.
+struct SeenFrames {
+  std::vector<int> index;  // among all
+
+  // [i]: the cost of leaving out the first i of them.
+  std::vector<double> left_out = {0.0};
+};
+
+SeenFrames SeenOf(std::span<const FrameCandidates> frames, const PoseChoiceOptions& options) {
+  SeenFrames seen;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].poses.empty()) continue;
+    seen.index.push_back(static_cast<int>(i));
+    seen.left_out.push_back(seen.left_out.back() + RejectionCost(frames[i], options));
+  }
+  return seen;
+}
+
+// The cheapest track that ends at a pose.
 struct Best {
   double cost = 0.0;
   int frame = -1;  // the chosen one before; -1: none
   int pose = -1;
 };
 
-}  // namespace
+// The cheapest track that ends at a pose of frame `i`, the pose's own cost apart: it begins here,
+// all before left out, or goes on from one of the frames before, those between left out. `far`: as
+// in BestTracks().
+Best BestBefore(std::span<const FrameCandidates> frames,
+                const SeenFrames& seen,
+                const std::vector<std::vector<Best>>& best,
+                const Best& far,
+                std::size_t i,
+                const ViewPose& pose,
+                const Speeds& speeds,
+                const PoseChoiceOptions& options) {
+  const std::vector<double>& left_out = seen.left_out;
+  Best own = {.cost = left_out[i], .frame = -1, .pose = -1};
+  const double from_far = far.cost + left_out[i] + options.most_step;
+  if (from_far < own.cost) own = {.cost = from_far, .frame = far.frame, .pose = far.pose};
+  const double time = frames[seen.index[i]].time;
+  const std::size_t first = i > kLongestSkip ? i - 1 - kLongestSkip : 0;
+  for (std::size_t j = first; j < i; ++j) {
+    const FrameCandidates& before = frames[seen.index[j]];
+    for (std::size_t k = 0; k < before.poses.size(); ++k) {
+      const double so_far = best[j][k].cost + left_out[i] - left_out[j + 1];
+      if (so_far >= own.cost) continue;
+      const double cost =
+          so_far + StepCost(before.poses[k], pose, time - before.time, speeds, options);
+      if (cost < own.cost) {
+        own = {.cost = cost, .frame = static_cast<int>(j), .pose = static_cast<int>(k)};
+      }
+    }
+  }
+  return own;
+}
 
-std::vector<std::optional<int>> ChoosePoses(std::span<const FrameCandidates> frames,
-                                            const PoseChoiceOptions& options) {
+// By dynamic programming, for each pose of each seen frame.
+std::vector<std::vector<Best>> BestTracks(std::span<const FrameCandidates> frames,
+                                          const SeenFrames& seen,
+                                          const PoseChoiceOptions& options) {
   const Speeds speeds = SpeedsOf(frames);
   const double variance = options.corner_sigma * options.corner_sigma;
-  // The frames with candidates, the only ones that can be left out.
-  std::vector<int> seen;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (!frames[i].poses.empty()) seen.push_back(static_cast<int>(i));
-  }
-  // left_out[i]: the cost of leaving out the first i of them.
-  std::vector<double> left_out = {0.0};
-  for (const int i : seen) left_out.push_back(left_out.back() + RejectionCost(frames[i], options));
-  std::vector<std::vector<Best>> best(seen.size());
+  std::vector<std::vector<Best>> best(seen.index.size());
   // The cheapest end of a track too far back to be looked at pose by pose; its cost as if every
   // frame from the first on had been left out behind it.
   Best far = {.cost = std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const FrameCandidates& frame = frames[seen[i]];
+  for (std::size_t i = 0; i < seen.index.size(); ++i) {
+    const FrameCandidates& frame = frames[seen.index[i]];
     if (i > kLongestSkip + 1) {
       const std::size_t j = i - kLongestSkip - 2;
       for (std::size_t k = 0; k < best[j].size(); ++k) {
-        const double cost = best[j][k].cost - left_out[j + 1];
+        const double cost = best[j][k].cost - seen.left_out[j + 1];
         if (cost < far.cost) far = {cost, static_cast<int>(j), static_cast<int>(k)};
       }
     }
     for (const ViewPose& pose : frame.poses) {
-      // The track begins here, all before left out, ...
-      Best own = {.cost = left_out[i], .frame = -1, .pose = -1};
-      // ... or goes on from one of the frames before, those between left out.
-      const double from_far = far.cost + left_out[i] + options.most_step;
-      if (from_far < own.cost) own = {.cost = from_far, .frame = far.frame, .pose = far.pose};
-      const std::size_t first = i > kLongestSkip ? i - 1 - kLongestSkip : 0;
-      for (std::size_t j = first; j < i; ++j) {
-        const FrameCandidates& before = frames[seen[j]];
-        for (std::size_t k = 0; k < before.poses.size(); ++k) {
-          const double so_far = best[j][k].cost + left_out[i] - left_out[j + 1];
-          if (so_far >= own.cost) continue;
-          const double cost =
-              so_far + StepCost(before.poses[k], pose, frame.time - before.time, speeds, options);
-          if (cost < own.cost) {
-            own = {.cost = cost, .frame = static_cast<int>(j), .pose = static_cast<int>(k)};
-          }
-        }
-      }
+      Best own = BestBefore(frames, seen, best, far, i, pose, speeds, options);
       own.cost += 0.5 * pose.squared_error / variance;
       const int num_left_out = frame.num_detections - static_cast<int>(pose.used.size());
       own.cost += options.rejection * num_left_out;
       best[i].push_back(own);
     }
   }
+  return best;
+}
 
-  // The cheapest end, all behind it left out; then back along the track.
-  std::vector<std::optional<int>> chosen(frames.size());
-  double least = left_out.back();
-  int i = -1, k = -1;
-  for (std::size_t end = 0; end < seen.size(); ++end) {
-    const double behind = left_out.back() - left_out[end + 1];
-    for (std::size_t pose = 0; pose < best[end].size(); ++pose) {
-      if (best[end][pose].cost + behind < least) {
-        least = best[end][pose].cost + behind;
-        i = static_cast<int>(end);
-        k = static_cast<int>(pose);
-      }
+// The cheapest end, all behind it left out; no frame if it is cheapest to leave out all.
+Best CheapestEnd(const SeenFrames& seen, const std::vector<std::vector<Best>>& best) {
+  Best end = {.cost = seen.left_out.back()};
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const double behind = seen.left_out.back() - seen.left_out[i + 1];
+    for (std::size_t k = 0; k < best[i].size(); ++k) {
+      const double cost = best[i][k].cost + behind;
+      if (cost < end.cost) end = {cost, static_cast<int>(i), static_cast<int>(k)};
     }
   }
-  while (i >= 0) {
-    chosen[seen[i]] = k;
-    const Best& step = best[i][k];
-    i = step.frame;
-    k = step.pose;
+  return end;
+}
+
+}  // namespace
+
+std::vector<std::optional<int>> ChoosePoses(std::span<const FrameCandidates> frames,
+                                            const PoseChoiceOptions& options) {
+  const SeenFrames seen = SeenOf(frames, options);
+  const std::vector<std::vector<Best>> best = BestTracks(frames, seen, options);
+  std::vector<std::optional<int>> chosen(frames.size());
+  for (Best at = CheapestEnd(seen, best); at.frame >= 0; at = best[at.frame][at.pose]) {
+    chosen[seen.index[at.frame]] = at.pose;
   }
   return chosen;
 }

@@ -24,7 +24,7 @@ ParameterVector CramerRaoStd(const CameraExperiment& experiment, const Synthetic
     // White noise through two lags a and b: (a d/dt + 1) (b d/dt + 1) n = w.
     constexpr double a = 3.0, b = 0.5;  // [s], as in camera_experiment.cc
     for (int j = 0; j < kNumHeld; ++j) {
-      const int coordinate = data.runs[0].motion.HeldCoordinate(j);
+      const int coordinate = data.segments[0].motion.HeldCoordinate(j);
       processes.wander[j] = {coordinate < 3 ? experiment.wander_position : experiment.wander_angle,
                              1.0 / std::sqrt(a * b),
                              0.5 * (1.0 / a + 1.0 / b) * std::sqrt(a * b)};
@@ -34,7 +34,7 @@ ParameterVector CramerRaoStd(const CameraExperiment& experiment, const Synthetic
   GlobalsPrior prior;
   prior.std[kClockColumn] = prior.std[kSizeColumn] = 0.0;
   for (int i = 0; i < 6; ++i) prior.std[kMountColumns + i] = 0.0;
-  std::vector<LinearRun> linear;
+  std::vector<LinearSegment> linear;
   CHECK(Linearise(&data, unknowns, processes.corner_sigma, &linear));
   const LinearJoint joint(linear, std::vector<GlobalsPrior>{prior}, processes, data.excited);
   CHECK(joint.is_usable());

@@ -28,10 +28,10 @@ struct Problem {
                         .rate = 5.0,
                         .clock_offset = clock_offset,
                         .seed = 3})) {
-    const CameraRun& camera = run.input.runs[0];
+    const CameraSegment& camera = run.input.segments[0];
     data.setup = {run.input.camera, run.input.body_from_camera};
     data.excited = Index(Dof::kHeave);
-    data.runs.push_back(
+    data.segments.push_back(
         {camera.detections,
          run.input.map,
          PredictedMotion(camera.command, camera.time, data.excited, {1.0, 0.3, 0.1})});
@@ -43,18 +43,18 @@ struct Problem {
 
   // From the poses of the frames and a guess of the model.
   JointUnknowns Start(const UncoupledModel<double>& guess) {
-    const CameraRun& camera = run.input.runs[0];
+    const CameraSegment& camera = run.input.segments[0];
     JointUnknowns unknowns;
     unknowns.model = {
         std::log(guess.inertia), guess.quadratic_damping, guess.linear_damping, guess.buoyancy};
-    unknowns.runs.resize(1);
-    EXPECT_TRUE(data.runs[0].motion.Update(unknowns.Motion(0)));
-    RunUnknowns& own = unknowns.runs[0];
+    unknowns.segments.resize(1);
+    EXPECT_TRUE(data.segments[0].motion.Update(unknowns.Motion(0)));
+    SegmentUnknowns& own = unknowns.segments[0];
     own.rate.resize(camera.time.size());
     for (size_t k = 0; k < camera.time.size(); ++k) {
       own.deviation.emplace_back();
       PoseVector::Map(own.deviation[k].data()) =
-          VectorFromPose(camera.world_from_body[k]) - data.runs[0].motion.Mean(k);
+          VectorFromPose(camera.world_from_body[k]) - data.segments[0].motion.Mean(k);
     }
     return unknowns;
   }

@@ -14,34 +14,12 @@
 
 #include "camera_experiment.h"
 #include "cramer_rao.h"
+#include "expect_found.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
-
-double PathError(const std::vector<Pose>& path, const SyntheticCameraRun& run) {
-  double sum = 0.0;
-  for (size_t k = 0; k < path.size(); ++k) {
-    sum += (path[k].translation - run.true_world_from_body[k].translation).squaredNorm();
-  }
-  return std::sqrt(sum / static_cast<double>(path.size()));
-}
-
-// The truth lies within four reported standard deviations (of 16 normal numbers in these tests, one
-// in a thousand seeds would not), and those are small.
-void ExpectFound(const JointSummary& summary, const SyntheticCameraRun& run, double largest_std) {
-  ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  const ParameterVector found = ToVector(summary.model), truth = ToVector(run.truth);
-  for (int i = 0; i < kNumParameters; ++i) {
-    const double std = std::sqrt(summary.covariance(i, i));
-    EXPECT_NEAR(found[i], truth[i], 4.0 * std) << kParameterInfo[i].name;
-  }
-  EXPECT_LT(std::sqrt(summary.covariance(kInertia, kInertia)), largest_std * run.truth.inertia);
-  EXPECT_NEAR(summary.model.inertia, run.truth.inertia, 4.0 * largest_std * run.truth.inertia);
-  EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
-            0.6 * PathError(run.input.runs[0].world_from_body, run));
-}
 
 TEST(JointRefinement, FindsSurgeFromOneMarker) {
   const SyntheticCameraRun run = Synthesize({.duration = 60.0});
@@ -74,10 +52,10 @@ TEST(JointRefinement, IsNotMisledByFlipsAndOutliers) {
     const SyntheticCameraRun run = Synthesize(experiment);
     const JointSummary summary = FitJoint(run.input);
     ExpectFound(summary, run, dof == Dof::kHeave ? 0.02 : 0.01);
-    EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
-              0.6 * PathError(clean.input.runs[0].world_from_body, clean));
-    EXPECT_GE(summary.runs[0].num_outliers, 5);  // 12 expected
-    EXPECT_LE(summary.runs[0].num_outliers, 30);
+    EXPECT_LT(PathError(summary.segments[0].world_from_body, run),
+              0.6 * PathError(clean.input.segments[0].world_from_body, clean));
+    EXPECT_GE(summary.segments[0].num_outliers, 5);  // 12 expected
+    EXPECT_LE(summary.segments[0].num_outliers, 30);
   }
 }
 
@@ -107,14 +85,14 @@ TEST(JointRefinement, FollowsAMotionTowardsTheMarkerWithoutAModel) {
   SyntheticCameraRun run = Synthesize(experiment);
   const double std = CramerRaoStd(experiment, run)[kInertia] / run.truth.inertia;
   EXPECT_LT(std, 0.001);
-  EXPECT_LT(share_of(ahead(run.input.runs[0].world_from_body), run.true_displacement), 0.997);
-  run.input.runs[0].command = {{0.0, 1.0}, {1e6, -1e6}};
+  EXPECT_LT(share_of(ahead(run.input.segments[0].world_from_body), run.true_displacement), 0.997);
+  run.input.segments[0].command = {{0.0, 1.0}, {1e6, -1e6}};
   const JointSummary summary = FitJoint(run.input, {.moves_freely = true});
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
   EXPECT_NEAR(
-      share_of(ahead(summary.runs[0].world_from_body), run.true_displacement), 1.0, 4.0 * std);
-  EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
-            0.3 * PathError(run.input.runs[0].world_from_body, run));
+      share_of(ahead(summary.segments[0].world_from_body), run.true_displacement), 1.0, 4.0 * std);
+  EXPECT_LT(PathError(summary.segments[0].world_from_body, run),
+            0.3 * PathError(run.input.segments[0].world_from_body, run));
   EXPECT_TRUE(std::isnan(summary.model.inertia));
   EXPECT_THROW(FitJoint(run.input, {.moves_freely = true, .clock_offset_std = 1.0}), InputError);
 }
@@ -175,7 +153,7 @@ TEST(JointRefinement, ReportsHowFarThePosesAreOff) {
   const SyntheticCameraRun run = Synthesize({.dof = Dof::kYaw, .duration = 120.0});
   const JointSummary summary = FitJoint(run.input);
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  const RefinedRun& refined = summary.runs[0];
+  const RefinedSegment& refined = summary.segments[0];
   ASSERT_EQ(refined.pose_covariance.size(), run.true_world_from_body.size());
   Eigen::Matrix<double, 6, 1> squares = Eigen::Matrix<double, 6, 1>::Zero();
   for (size_t k = 0; k < refined.pose_covariance.size(); ++k) {
@@ -249,8 +227,8 @@ TEST(JointRefinement, IsBetterThanWhatWorksOnPoses) {
     least_squares.push_back(error(FitLeastSquares(signals.train)));
     output_error.push_back(error(
         FitOutputError(signals.train, {.initial_guess = {}, .output = FittedOutput::kPosition})));
-    EXPECT_LT(PathError(summary.runs[0].world_from_body, run),
-              0.6 * PathError(run.input.runs[0].world_from_body, run));
+    EXPECT_LT(PathError(summary.segments[0].world_from_body, run),
+              0.6 * PathError(run.input.segments[0].world_from_body, run));
   }
   const auto median = [](std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -265,96 +243,11 @@ TEST(JointRefinement, FitsSeveralRunsTogether) {
   const JointSummary alone = FitJoint(run.input);
   const SyntheticCameraRun second =
       Synthesize({.dof = Dof::kYaw, .input = InputKind::kMultisine, .duration = 40.0, .seed = 2});
-  run.input.runs.push_back(second.input.runs[0]);
+  run.input.segments.push_back(second.input.segments[0]);
   const JointSummary together = FitJoint(run.input);
   ExpectFound(together, run, 0.02);
-  ASSERT_EQ(together.runs.size(), 2);
+  ASSERT_EQ(together.segments.size(), 2);
   EXPECT_LT(together.covariance(kInertia, kInertia), alone.covariance(kInertia, kInertia));
-}
-
-// The same run in another world: everything seen from a frame of this attitude.
-SyntheticCameraRun InTurnedWorld(SyntheticCameraRun run, const Eigen::Quaterniond& world_from_new) {
-  const Pose new_from_world = {world_from_new.conjugate(), Eigen::Vector3d::Zero()};
-  for (Marker& marker : run.input.map.markers) {
-    marker.world_from_tag = new_from_world * marker.world_from_tag;
-  }
-  for (Pose& pose : run.input.runs[0].world_from_body) pose = new_from_world * pose;
-  for (Pose& pose : run.true_world_from_body) pose = new_from_world * pose;
-  return run;
-}
-
-// What the world's axes are called must not matter: a wall that is not at right angles to them, or
-// a tag's own frame as the world, in which the vehicle's pitch is 90 degrees.
-TEST(JointRefinement, DoesNotDependOnTheWorldsAxes) {
-  for (const Dof dof : {Dof::kSurge, Dof::kHeave, Dof::kYaw}) {
-    SCOPED_TRACE(Name(dof));
-    const SyntheticCameraRun run =
-        Synthesize({.dof = dof, .input = InputKind::kMultisine, .duration = 40.0});
-    const JointSummary straight = FitJoint(run.input);
-    ASSERT_TRUE(straight.IsUsable()) << straight.message;
-    for (const Eigen::Quaterniond& turn :
-         {Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.2, 0.3, 1.0).normalized())),
-          Eigen::Quaterniond(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ())),
-          run.input.map.markers[0].world_from_tag.rotation}) {
-      const SyntheticCameraRun turned = InTurnedWorld(run, turn);
-      const JointSummary summary = FitJoint(turned.input);
-      ASSERT_TRUE(summary.IsUsable()) << summary.message;
-      const ParameterVector found = ToVector(summary.model), expected = ToVector(straight.model);
-      for (int i = 0; i < kNumParameters; ++i) {
-        const double std = std::sqrt(straight.covariance(i, i));
-        EXPECT_NEAR(found[i], expected[i], 0.2 * std) << kParameterInfo[i].name;
-        EXPECT_NEAR(std::sqrt(summary.covariance(i, i)), std, 0.05 * std);
-      }
-      EXPECT_NEAR(PathError(summary.runs[0].world_from_body, turned),
-                  PathError(straight.runs[0].world_from_body, run),
-                  0.05 * PathError(straight.runs[0].world_from_body, run));
-      const Eigen::Matrix3d R = turn.toRotationMatrix();
-      const Eigen::Matrix3d in_new = summary.runs[0].pose_covariance[7].topLeftCorner<3, 3>();
-      const Eigen::Matrix3d in_old = straight.runs[0].pose_covariance[7].topLeftCorner<3, 3>();
-      EXPECT_LT((R * in_new * R.transpose() - in_old).norm(), 0.05 * in_old.norm());
-    }
-  }
-}
-
-// Two runs towards walls that face each other: one model.
-TEST(JointRefinement, JoinsRunsOfOppositeHeadings) {
-  SyntheticCameraRun run = Synthesize({.duration = 40.0});
-  const JointSummary alone = FitJoint(run.input);
-  SyntheticCameraRun back =
-      InTurnedWorld(Synthesize({.input = InputKind::kMultisine, .duration = 40.0, .seed = 2}),
-                    Eigen::Quaterniond(Eigen::AngleAxisd(M_PI - 0.2, Eigen::Vector3d::UnitZ())));
-  for (Marker marker : back.input.map.markers) {
-    marker.id += 100;
-    run.input.map.markers.push_back(marker);
-  }
-  for (auto& detections : back.input.runs[0].detections) {
-    for (Detection& detection : detections) detection.tag_id += 100;
-  }
-  run.input.runs.push_back(back.input.runs[0]);
-  const JointSummary together = FitJoint(run.input);
-  ExpectFound(together, run, 0.005);
-  EXPECT_LT(together.covariance(kInertia, kInertia), alone.covariance(kInertia, kInertia));
-  EXPECT_LT(PathError(together.runs[1].world_from_body, back),
-            0.6 * PathError(back.input.runs[0].world_from_body, back));
-}
-
-// A camera that is mounted turned by 0.1 rad from what mount.yaml says makes the motion look
-// shorter by the cosine, half a percent, along an axis that it does not follow: that is said.
-TEST(JointRefinement, SaysThatTheMotionDoesNotFollowTheAxis) {
-  SyntheticCameraRun run = Synthesize({.input = InputKind::kMultisine, .duration = 120.0});
-  EXPECT_TRUE(FitJoint(run.input).caveats.empty());
-  const Pose body_from_turned = {
-      Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ())),
-      Eigen::Vector3d::Zero()};
-  run.input.body_from_camera = body_from_turned * run.input.body_from_camera;
-  for (Pose& pose : run.input.runs[0].world_from_body) pose = pose * body_from_turned.Inverse();
-  const JointSummary summary = FitJoint(run.input);
-  ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  const double std = std::sqrt(summary.covariance(kInertia, kInertia));
-  EXPECT_NEAR(summary.model.inertia, run.truth.inertia / std::cos(0.1), 4.0 * std);
-  EXPECT_GT(summary.model.inertia, run.truth.inertia + 4.0 * std);
-  ASSERT_EQ(summary.caveats.size(), 1u);
-  EXPECT_TRUE(summary.caveats[0].starts_with("The vehicle moves 5.")) << summary.caveats[0];
 }
 
 TEST(JointRefinement, FindsTheOffsetOfTheCamerasClock) {
@@ -365,19 +258,20 @@ TEST(JointRefinement, FindsTheOffsetOfTheCamerasClock) {
                                                .clock_offset = offset});
     const JointSummary summary = FitJoint(run.input, {.clock_offset_std = 1.0});
     ExpectFound(summary, run, 0.02);
-    EXPECT_NEAR(summary.runs[0].clock_offset, offset, 4.0 * summary.runs[0].clock_offset_std);
-    EXPECT_LT(summary.runs[0].clock_offset_std, 0.02);
-    EXPECT_GT(summary.runs[0].clock_offset_std, 0.0);
+    EXPECT_NEAR(
+        summary.segments[0].clock_offset, offset, 4.0 * summary.segments[0].clock_offset_std);
+    EXPECT_LT(summary.segments[0].clock_offset_std, 0.02);
+    EXPECT_GT(summary.segments[0].clock_offset_std, 0.0);
   }
 }
 
 TEST(JointRefinement, RefusesWhatItCannotUse) {
   SyntheticCameraRun run = Synthesize({.duration = 5.0});
   JointInput input = run.input;
-  input.runs[0].detections[0][0].tag_id = 77;
+  input.segments[0].detections[0][0].tag_id = 77;
   EXPECT_THROW(FitJoint(input), InputError);
   input = run.input;
-  input.runs[0].time.pop_back();
+  input.segments[0].time.pop_back();
   EXPECT_THROW(FitJoint(input), InputError);
   EXPECT_THROW(FitJoint(run.input, {.loss_limit = 0.0}), InputError);
 }

@@ -33,9 +33,9 @@ double PublishedLeastSquares(std::vector<Segment> segments, double truth) {
 // NMAE of the free run from the first velocity v0 against the true velocity.
 double TrueNmae(const UncoupledModel<double>& model, const SyntheticCameraRun& run, double v0) {
   Segment segment;
-  segment.time = run.input.runs[0].time;
+  segment.time = run.input.segments[0].time;
   segment.velocity = run.true_velocity;
-  segment.command = run.input.runs[0].command;
+  segment.command = run.input.segments[0].command;
   const auto v = Predict({model}, segment, {v0});
   if (!v) return JointTrial::kNone;
   FigureSums sums;
@@ -46,8 +46,8 @@ double TrueNmae(const UncoupledModel<double>& model, const SyntheticCameraRun& r
 // Of output error on a velocity sensor of 1 cm/s beside the camera.
 double SensorNmae(const CameraExperiment& experiment, const SyntheticCameraRun& run) {
   Segment sensor;
-  sensor.time = run.input.runs[0].time;
-  sensor.command = run.input.runs[0].command;
+  sensor.time = run.input.segments[0].time;
+  sensor.command = run.input.segments[0].command;
   std::mt19937 generator(experiment.seed);
   std::normal_distribution<double> normal;
   for (const double v : run.true_velocity) sensor.velocity.push_back(v + 0.01 * normal(generator));
@@ -59,11 +59,11 @@ double SensorNmae(const CameraExperiment& experiment, const SyntheticCameraRun& 
   return TrueNmae(fit.model, run, fit.initial_states[0].velocity);
 }
 
-void ComparePoses(const SyntheticCameraRun& run, const RefinedRun& refined, JointTrial* trial) {
+void ComparePoses(const SyntheticCameraRun& run, const RefinedSegment& refined, JointTrial* trial) {
   double position = 0.0, pnp_position = 0.0, attitude = 0.0, pnp_attitude = 0.0;
   for (size_t k = 0; k < run.true_world_from_body.size(); ++k) {
     const Pose& truth = run.true_world_from_body[k];
-    const Pose& pnp = run.input.runs[0].world_from_body[k];
+    const Pose& pnp = run.input.segments[0].world_from_body[k];
     const Pose& own = refined.world_from_body[k];
     position += (own.translation - truth.translation).squaredNorm();
     pnp_position += (pnp.translation - truth.translation).squaredNorm();
@@ -105,8 +105,8 @@ JointTrial RunJointTrial(const CameraExperiment& experiment) {
     const ParameterVector bound = CramerRaoStd(experiment, run);
     for (int i = 0; i < kNumParameters; ++i) trial.over_bound[i] = error[i] / bound[i];
   }
-  trial.nmae = TrueNmae(joint.model, run, joint.runs[0].start.velocity);
-  ComparePoses(run, joint.runs[0], &trial);
+  trial.nmae = TrueNmae(joint.model, run, joint.segments[0].start.velocity);
+  ComparePoses(run, joint.segments[0], &trial);
   return trial;
 }
 

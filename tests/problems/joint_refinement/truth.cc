@@ -10,21 +10,21 @@
 namespace fathom {
 
 Truth TruthOf(const SyntheticCameraRun& run) {
-  const CameraRun& camera = run.input.runs[0];
+  const CameraSegment& camera = run.input.segments[0];
   Truth truth;
   truth.data.setup = {run.input.camera, run.input.body_from_camera};
   truth.data.excited = Index(run.input.dof);
-  truth.data.runs.push_back(
+  truth.data.segments.push_back(
       {camera.detections,
        run.input.map,
        PredictedMotion(camera.command, camera.time, truth.data.excited, MotionScales())});
-  PredictedMotion& motion = truth.data.runs[0].motion;
+  PredictedMotion& motion = truth.data.segments[0].motion;
   truth.unknowns.model = {std::log(run.truth.inertia),
                           run.truth.quadratic_damping,
                           run.truth.linear_damping,
                           run.truth.buoyancy};
-  truth.unknowns.runs.resize(1);
-  RunUnknowns& own = truth.unknowns.runs[0];
+  truth.unknowns.segments.resize(1);
+  SegmentUnknowns& own = truth.unknowns.segments[0];
   own.start = {run.true_velocity[0], run.true_displacement[0]};
   CHECK(motion.Update(truth.unknowns.Motion(0)));
   const size_t n = camera.time.size();

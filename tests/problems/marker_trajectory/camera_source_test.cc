@@ -63,7 +63,8 @@ TEST(CameraSource, TurnsDetectionsIntoTheMotionOfTheBody) {
   ASSERT_TRUE(log.pose);
   EXPECT_FALSE(NeedsTracking(log));
   ASSERT_EQ(log.pose->time.size(), 600u);
-  EXPECT_THAT(log.remarks, Contains(HasSubstr("600 of 600 frames with detections gave a pose")));
+  EXPECT_THAT(TextsOf(log.remarks),
+              Contains(HasSubstr("600 of 600 frames with detections gave a pose")));
   const Signals signals = SignalsOf(log, Dof::kSurge, {.source = Source::kCamera});
   ASSERT_EQ(signals.train.size(), 1u);
   const Segment& segment = signals.train[0];

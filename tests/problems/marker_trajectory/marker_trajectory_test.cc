@@ -102,8 +102,8 @@ TEST(TrackMarkers, SaysWhichMarkersItCouldNotPlace) {
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
   ASSERT_TRUE(track.IsUsable()) << track.message;
   EXPECT_THAT(track.unplaced_ids, ElementsAre(3));
-  EXPECT_THAT(track.remarks, Contains(HasSubstr("Never seen together")));
-  EXPECT_THAT(track.remarks, Contains(HasSubstr("Set aside as not surveyed: ")));
+  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("Never seen together")));
+  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("Set aside as not surveyed: ")));
 }
 
 // A marker that hangs elsewhere in every frame has no place: what was tried for it is not written
@@ -126,7 +126,7 @@ TEST(TrackMarkers, TakesBackAPlaceThatNoFrameAgreesWith) {
   EXPECT_THAT(track.estimated_ids, Contains(2));
   EXPECT_THAT(track.refuted_ids, ElementsAre(3));
   EXPECT_FALSE(track.map.Find(3)->is_surveyed);
-  EXPECT_THAT(track.remarks, Contains(HasSubstr("and not used: tags 3. Did they move?")));
+  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("and not used: tags 3. Did they move?")));
 }
 
 // A survey that is wrong by centimetres and a degree: with one marker as the reference the others
@@ -171,7 +171,7 @@ TEST(TrackMarkers, IsNotUsableWithoutAnyKnownTag) {
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
   EXPECT_FALSE(track.IsUsable());
   EXPECT_EQ(track.message, "there is no frame with a pose.");
-  EXPECT_THAT(track.remarks,
+  EXPECT_THAT(TextsOf(track.remarks),
               Contains("Set aside as unknown id: 20 of 20 detections: tags 0 (20 times)."));
 }
 

@@ -28,7 +28,7 @@ class SurveyMisfit : public ::testing::Test {
     EXPECT_TRUE(track.IsUsable()) << track.message;
     const std::string remark = RemarkOnSurveyMisfit(camera, record_.detections, track);
     const bool is_told =
-        std::find(track.remarks.begin(), track.remarks.end(), remark) != track.remarks.end();
+        std::ranges::any_of(track.remarks, [&](const Remark& one) { return one.text == remark; });
     EXPECT_EQ(is_told, !remark.empty());
     return remark;
   }

@@ -87,7 +87,7 @@ TEST(ReadLog, ReadsAFolder) {
   EXPECT_THAT(*log.command->Find("tau_surge"), ElementsAre(1, 2, 0));
   EXPECT_THAT(*log.velocity->Find("u"), ElementsAre(0, 0.1, 0.2));
   EXPECT_THAT(*log.pose->Find("z"), ElementsAre(3, 3));
-  EXPECT_THAT(log.remarks, IsEmpty());
+  EXPECT_THAT(TextsOf(log.remarks), IsEmpty());
 }
 
 TEST(ReadLog, ReadsAListOfHeldOutIntervals) {
@@ -100,7 +100,7 @@ TEST(ReadLog, ReadsAListOfHeldOutIntervals) {
 TEST(ReadLog, RemarksOnHeldOutTimeWithoutMotion) {
   const Log log =
       ReadLog(Folder(With({{"log.yaml", "name: a\ndof: surge\nheld_out: [100, 200.5]\n"}})));
-  EXPECT_THAT(log.remarks,
+  EXPECT_THAT(TextsOf(log.remarks),
               ElementsAre("log.yaml: held_out [100, 200.5] holds no sample of the motion."));
 }
 
@@ -117,19 +117,41 @@ TEST(ReadLog, IgnoresOtherFilesAndRemarksOnOtherColumns) {
                             "t,x,y,z,qx,qy,qz,qw,sx,sy,sz,sroll,spitch,syaw\n"
                             "0.5,1,2,3,0,0,0,1,1,1,1,1,1,1\n0.6,1,2,3,0,0,0,1,1,1,1,1,1,1\n"}})));
   EXPECT_THAT(
-      log.remarks,
+      TextsOf(log.remarks),
       ElementsAre("pose.csv: 6 further columns are not read: sx, sy, sz, sroll, spitch, syaw."));
 }
 
 TEST(ReadLog, RepeatsWhatIsToBeSaidOfThePoses) {
-  const std::vector<std::string> remarks = {"2 poses: \"bad\", say.", "line\nbreak # [x]"};
+  const std::vector<Remark> remarks = {{RemarkKind::kPoses, "2 poses: \"bad\", say."},
+                                       {RemarkKind::kLostMotion, "line\nbreak # [x]"}};
   const std::string yaml = FormatPoseRemarks(remarks, 2);
   EXPECT_EQ(ParsePoseRemarks("pose.yaml", yaml, 2), remarks);
   const Log log = ReadLog(Folder(With({{"pose.csv", kPose}, {"pose.yaml", yaml}})));
-  EXPECT_THAT(log.remarks, ElementsAre("pose.yaml: " + remarks[0], "pose.yaml: " + remarks[1]));
+  EXPECT_THAT(TextsOf(log.remarks),
+              ElementsAre("pose.yaml: " + remarks[0].text, "pose.yaml: " + remarks[1].text));
+  EXPECT_EQ(log.remarks[1].kind, RemarkKind::kLostMotion);
   // Without poses there is nothing to say.
   EXPECT_THAT(ReadLog(Folder(With({{"pose.yaml", yaml}}))).remarks, IsEmpty());
   EXPECT_THROW(ParsePoseRemarks("pose.yaml", yaml, 3), InputError);
+}
+
+TEST(ReadLog, ReadsThePlainSentencesOnPosesOfBefore) {
+  const std::string lost =
+      "2 poses rest on a single marker whose tilt they know to 0.06 rad: noise of the tilt";
+  EXPECT_THAT(ParsePoseRemarks("pose.yaml", "poses: 2\nremarks: [a, '" + lost + "']\n", 2),
+              ElementsAre(Remark{RemarkKind::kPoses, "a"}, Remark{RemarkKind::kLostMotion, lost}));
+  EXPECT_THAT(ParsePoseRemarks("pose.yaml", "poses: 2\nremarks: []\n", 2), IsEmpty());
+}
+
+TEST(ReadLog, RefusesARemarkOfAnUnknownKind) {
+  const std::string yaml = "poses: 2\nremarks: [{kind: loud, text: a}]\n";
+  try {
+    ParsePoseRemarks("pose.yaml", yaml, 2);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "pose.yaml:2: key 'remarks[0].kind' is 'loud', expected poses or lost_motion.");
+  }
 }
 
 TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {
@@ -140,7 +162,7 @@ TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {
   EXPECT_THAT(log.command->time, ElementsAre(0, 0.1));
   EXPECT_THAT(*log.command->Find("tau_yaw"), ElementsAre(1, 2));
   EXPECT_THAT(*log.velocity->Find("r"), ElementsAre(0.5, 0.6));
-  EXPECT_THAT(log.remarks, ElementsAre("run.csv: 1 further column is not read: n."));
+  EXPECT_THAT(TextsOf(log.remarks), ElementsAre("run.csv: 1 further column is not read: n."));
 }
 
 TEST(ReadLog, NeedsTheDofOfASingleCsv) {
@@ -194,7 +216,7 @@ TEST(ReadLog, ReadsALogOfNothingButDetections) {
   EXPECT_FALSE(log.velocity || log.pose);
   EXPECT_THAT(log.detections->time, ElementsAre(0.5, 0.5, 0.6, 0.7, 0.7));
   EXPECT_THAT(*log.detections->Find("v3"), ElementsAre(8, 9, 10, 11, 12));
-  EXPECT_THAT(log.remarks, IsEmpty());
+  EXPECT_THAT(TextsOf(log.remarks), IsEmpty());
 }
 
 TEST(ReadLog, ReadsImagesOfALogWithoutCommand) {
@@ -344,7 +366,7 @@ TEST(ReadLog, ReadsAnotherFileAsTheVelocity) {
   const auto folder = Folder(With({{"author.csv", "t,v,extra\n0.5,3,0\n0.6,4,0\n"}}));
   const Log log = ReadLog(folder, {.dof = {}, .velocity = "author.csv"});
   EXPECT_THAT(*log.velocity->Find("v"), ElementsAre(3, 4));
-  EXPECT_THAT(log.remarks,
+  EXPECT_THAT(TextsOf(log.remarks),
               ElementsAre("author.csv: 1 further column is not read: extra.",
                           "velocity.csv: not read, author.csv is in its place."));
   const Log by_path = ReadLog(folder, {.dof = {}, .velocity = folder / "author.csv"});

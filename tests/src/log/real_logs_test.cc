@@ -41,7 +41,7 @@ TEST_F(RealLogs, LbvSurgeIsReadWithItsAuthorsVelocity) {
   EXPECT_THAT(log.velocity->columns, ElementsAre("u", "v", "w", "p", "q", "r"));
   EXPECT_EQ((*log.velocity->Find("u"))[1], -0.00773000542298773);
   EXPECT_THAT(
-      log.remarks,
+      TextsOf(log.remarks),
       ElementsAre(StartsWith("author_velocity.csv: 12 further columns are not read: du, dv, ")));
 }
 

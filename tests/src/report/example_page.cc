@@ -10,6 +10,8 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fathom {
 namespace {
@@ -31,15 +33,7 @@ std::vector<double> Simulate(const std::array<double, 4>& p, const std::vector<d
   return velocity;
 }
 
-PageSection ExampleSection(const std::string& dof,
-                           const std::string& unit,
-                           const std::array<double, 4>& truth,
-                           const std::array<std::string, 4>& units,
-                           double force_size,
-                           unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal;
-
+TimePanel CommandPanel(const std::string& dof, double force_size, unsigned seed) {
   TimePanel command;
   command.quantity = dof == "yaw" ? "torque" : "force";
   command.unit = dof == "yaw" ? "N m" : "N";
@@ -52,22 +46,95 @@ PageSection ExampleSection(const std::string& dof,
     command.time.push_back(t);
   }
   command.responses = {{"commanded", force, ""}};
+  return command;
+}
 
+double LargestOf(const std::vector<double>& velocity) {
+  double top = 0.0;
+  for (const double v : velocity) top = std::max(top, std::abs(v));
+  return top;
+}
+
+// With drift and noise of `top`, and without a stretch where the camera lost the markers.
+std::vector<double> Measured(std::vector<double> velocity, double top, std::mt19937* generator) {
+  std::normal_distribution<double> normal;
+  double drift = 0.0;
+  for (int i = 0; i < kNumStamps; ++i) {
+    drift += 0.02 * top * kStep * normal(*generator) - 0.05 * kStep * drift;
+    velocity[i] += drift + 0.02 * top * normal(*generator);
+    if (i > 1310 && i < 1370) velocity[i] = std::nan("");
+  }
+  return velocity;
+}
+
+double MeanError(const std::vector<double>& measured, const std::vector<double>& response) {
+  double mae = 0.0;
+  int n = 0;
+  for (int i = 0; i < kNumStamps; ++i) {
+    const double error = measured[i] - response[i];
+    if (std::isnan(error)) continue;
+    mae += std::abs(error);
+    ++n;
+  }
+  return mae / n;
+}
+
+// What one family found: in the table, the parameter panels and the plot of the motion.
+void AddFamily(std::size_t family,
+               bool is_unusable,
+               const std::array<double, 4>& truth,
+               const std::vector<double>& force,
+               double top,
+               std::mt19937* generator,
+               PageSection* section,
+               TimePanel* motion) {
+  const std::array<double, 4> spread = {0.06, 0.15, 0.02, 0.012};
+  std::normal_distribution<double> normal;
+  std::array<double, 4> p = truth;
+  for (int k = 0; k < 4; ++k) {
+    const double std = spread[family] * std::abs(truth[k]);
+    p[k] += std * normal(*generator);
+    const bool has_interval = family != 1;
+    section->parameter_panels[k].estimates.push_back(
+        {kFamilies[family],
+         is_unusable ? std::nan("") : (family == 0 && k == 2 ? 40.0 * p[k] : p[k]),
+         has_interval ? std : std::nan("")});
+  }
+  Series response{kFamilies[family], Simulate(p, force), ""};
+  const double mae = MeanError(motion->measured->values, response.values);
+  const std::string percent = FormatValue(100.0 * mae / top).substr(0, 4);
+  response.note = percent + " %";
+  const double inertia_std = family == 1 ? std::nan("") : spread[family] * truth[0];
+  section->tables.front().rows.push_back(
+      {{kFamilies[family],
+        is_unusable ? "-" : FormatValue(mae),
+        is_unusable ? "-" : percent,
+        is_unusable ? "-" : FormatValue(130.0 * mae / top).substr(0, 4),
+        is_unusable ? "-" : FormatValue(p[0], inertia_std),
+        family == 3 ? "camera" : "pose_estimator"},
+       is_unusable   ? RowFlag::kUnusable
+       : family == 2 ? RowFlag::kBest
+                     : RowFlag::kNone});
+  if (!is_unusable) motion->responses.push_back(std::move(response));
+}
+
+PageSection ExampleSection(const std::string& dof,
+                           const std::string& unit,
+                           const std::array<double, 4>& truth,
+                           const std::array<std::string, 4>& units,
+                           double force_size,
+                           unsigned seed) {
+  std::mt19937 generator(seed);
+  const TimePanel command = CommandPanel(dof, force_size, seed);
+  const std::vector<double>& force = command.responses.front().values;
+  const std::vector<double> true_velocity = Simulate(truth, force);
+  const double top = LargestOf(true_velocity);
   TimePanel motion;
   motion.quantity = dof + " velocity";
   motion.unit = unit;
   motion.time = command.time;
   motion.held_out = {{200.0, 245.0}};
-  motion.measured = Series{"measured", Simulate(truth, force), ""};
-  double top = 0.0;
-  for (const double v : motion.measured->values) top = std::max(top, std::abs(v));
-  double drift = 0.0;
-  for (int i = 0; i < kNumStamps; ++i) {
-    drift += 0.02 * top * kStep * normal(generator) - 0.05 * kStep * drift;
-    double& v = motion.measured->values[i];
-    v += drift + 0.02 * top * normal(generator);
-    if (i > 1310 && i < 1370) v = std::nan("");  // the camera lost the markers
-  }
+  motion.measured = Series{"measured", Measured(true_velocity, top, &generator), ""};
 
   PageSection section;
   section.heading = dof == "yaw" ? "Yaw" : dof == "heave" ? "Heave" : "Surge";
@@ -87,42 +154,9 @@ PageSection ExampleSection(const std::string& dof,
     section.parameter_panels[k].unit = units[k];
     section.parameter_panels[k].reference = truth[k];
   }
-  const std::array<double, 4> spread = {0.06, 0.15, 0.02, 0.012};
   for (std::size_t family = 0; family < kFamilies.size(); ++family) {
-    std::array<double, 4> p = truth;
     const bool is_unusable = dof == "yaw" && family == 1;
-    for (int k = 0; k < 4; ++k) {
-      const double std = spread[family] * std::abs(truth[k]);
-      p[k] += std * normal(generator);
-      const bool has_interval = family != 1;
-      section.parameter_panels[k].estimates.push_back(
-          {kFamilies[family],
-           is_unusable ? std::nan("") : (family == 0 && k == 2 ? 40.0 * p[k] : p[k]),
-           has_interval ? std : std::nan("")});
-    }
-    Series response{kFamilies[family], Simulate(p, force), ""};
-    double mae = 0.0;
-    int n = 0;
-    for (int i = 0; i < kNumStamps; ++i) {
-      const double error = motion.measured->values[i] - response.values[i];
-      if (std::isnan(error)) continue;
-      mae += std::abs(error);
-      ++n;
-    }
-    mae /= n;
-    const std::string percent = FormatValue(100.0 * mae / top).substr(0, 4);
-    response.note = percent + " %";
-    const double inertia_std = family == 1 ? std::nan("") : spread[family] * truth[0];
-    table.rows.push_back({{kFamilies[family],
-                           is_unusable ? "-" : FormatValue(mae),
-                           is_unusable ? "-" : percent,
-                           is_unusable ? "-" : FormatValue(130.0 * mae / top).substr(0, 4),
-                           is_unusable ? "-" : FormatValue(p[0], inertia_std),
-                           family == 3 ? "camera" : "pose_estimator"},
-                          is_unusable   ? RowFlag::kUnusable
-                          : family == 2 ? RowFlag::kBest
-                                        : RowFlag::kNone});
-    if (!is_unusable) motion.responses.push_back(std::move(response));
+    AddFamily(family, is_unusable, truth, force, top, &generator, &section, &motion);
   }
   section.time_panels = {motion, command};
   return section;

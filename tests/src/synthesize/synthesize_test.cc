@@ -214,7 +214,7 @@ TEST(Synthesize, LosesOnlyWholeSamplesInDropOuts) {
   const Log broken = Synthesize(Probe(), experiment, 1);
   EXPECT_LT(broken.velocity->time.size(), whole.velocity->time.size());
   ASSERT_THAT(broken.remarks, testing::SizeIs(1));
-  EXPECT_THAT(broken.remarks[0], HasSubstr("of 3000 samples"));
+  EXPECT_THAT(broken.remarks[0].text, HasSubstr("of 3000 samples"));
   std::size_t i = 0;
   for (std::size_t j = 0; j < broken.velocity->time.size(); ++j) {
     while (whole.velocity->time[i] < broken.velocity->time[j]) ++i;

@@ -95,7 +95,7 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
     }
     log.command = ForcesFromThrusters(*log.command, ReadVehicleFile(log.path / log.vehicle));
   }
-  for (const std::string& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  for (const Remark& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.text.c_str());
   if (!may_lack_motion && !log.velocity) AddCameraSource(&log);
   return log;
 }
@@ -117,7 +117,7 @@ void AddCameraSource(Log* log) {
   const size_t num_printed = log->remarks.size();
   TrackDetections(log);
   for (size_t i = num_printed; i < log->remarks.size(); ++i) {
-    std::fprintf(stderr, "%s\n", log->remarks[i].c_str());
+    std::fprintf(stderr, "%s\n", log->remarks[i].text.c_str());
   }
 }
 
@@ -125,8 +125,9 @@ void AddCameraSourceIfUsable(Log* log) {
   try {
     AddCameraSource(log);
   } catch (const InputError& error) {
-    log->remarks.push_back(std::string("The source camera is left out: ") + error.what());
-    std::fprintf(stderr, "%s\n", log->remarks.back().c_str());
+    log->remarks.push_back(
+        {RemarkKind::kGeneral, std::string("The source camera is left out: ") + error.what()});
+    std::fprintf(stderr, "%s\n", log->remarks.back().text.c_str());
   }
 }
 

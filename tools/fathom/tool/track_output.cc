@@ -36,9 +36,7 @@ void Copy(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-void WriteTrack(const fs::path& folder,
-                const MarkerTrack& track,
-                const std::vector<std::string>& remarks) {
+void WriteTrack(const fs::path& folder, const MarkerTrack& track, std::span<const Remark> remarks) {
   WriteStream(folder / "pose.csv", PoseStreamOf(track.world_from_body));
   if (remarks.empty()) {
     std::error_code error;

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "fathom/log/log.h"
+#include "fathom/log/remark.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <span>
 
 namespace fathom {
 
@@ -17,7 +17,7 @@ namespace fathom {
 // pose.csv with deviations and, if there is something to say of the poses, pose.yaml.
 void WriteTrack(const std::filesystem::path& folder,
                 const MarkerTrack& track,
-                const std::vector<std::string>& remarks);
+                std::span<const Remark> remarks);
 
 // Takes over into a new log what belongs to the track of `log` beside that: log.yaml, without a
 // video that is not in the new log, streams, vehicle, calibration, mount, and the markers: where

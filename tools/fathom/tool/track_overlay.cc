@@ -5,6 +5,7 @@
 
 #include "fathom/base/plural.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -35,6 +36,38 @@ void AddPredicted(const Detection& detection,
   frame->predicted.push_back(corners);
 }
 
+// The elements from `next` on whose stamps are not after `time`; `next` goes behind them.
+template <typename Stamped>
+std::span<const Stamped> TakeUpTo(double time, std::span<const Stamped> all, std::size_t* next) {
+  const std::size_t first = *next;
+  while (*next < all.size() && all[*next].time <= time) ++*next;
+  return all.subspan(first, *next - first);
+}
+
+std::string CaptionOf(double time,
+                      std::size_t num_tags,
+                      const MarkerTrack& track,
+                      const std::optional<std::size_t>& pose) {
+  std::string caption = fmt::format("t {:.2f} s, {}", time, Plural(num_tags, "tag"));
+  if (!pose) return caption + ", no pose";
+  const Eigen::Vector3d& p = track.world_from_body[*pose].pose.translation;
+  return caption + fmt::format(", x {:.2f} y {:.2f} z {:.2f} m, rms {:.2f} px",
+                               p.x(),
+                               p.y(),
+                               p.z(),
+                               track.frame_rms[*pose]);
+}
+
+// Where in the track the pose of a frame is, by their stamps.
+std::optional<std::size_t> PoseAt(double time, std::span<const StampedPose> poses) {
+  const auto found =
+      std::lower_bound(poses.begin(), poses.end(), time, [](const StampedPose& pose, double t) {
+        return pose.time < t;
+      });
+  if (found == poses.end() || found->time != time) return std::nullopt;
+  return static_cast<std::size_t>(found - poses.begin());
+}
+
 }  // namespace
 
 std::vector<std::string> DrawOverlay(FrameSource& frames,
@@ -48,64 +81,50 @@ std::vector<std::string> DrawOverlay(FrameSource& frames,
       images ? static_cast<int>(images->frame_times.size()) : frames.num_expected();
   std::map<int, Rejection> rejection_of;
   for (const RejectedDetection& it : track.pnp.rejected) rejection_of[it.index] = it.reason;
-  std::size_t next_detection = 0, next_unused = 0, next_pose = 0;
-  const auto& poses = track.world_from_camera;
-  int index = 0;
+  std::span<const UnusedSighting> unused;
+  if (images) unused = images->unused;
+  std::size_t next_detection = 0, next_unused = 0;
   std::vector<double> times_without_frame;  // of detections
+  int index = 0;
   for (ImageFrame image; frames.Next(&image); ++index) {
-    while (next_pose < poses.size() && poses[next_pose].time < image.time) ++next_pose;
-    const bool has_pose = next_pose < poses.size() && poses[next_pose].time == image.time;
     OverlayFrame frame;
     frame.image = &image.image;
-    for (; next_detection < detections.size() && detections[next_detection].time <= image.time;
-         ++next_detection) {
-      const Detection& detection = detections[next_detection];
+    const auto pose = PoseAt(image.time, track.world_from_camera);
+    auto detection_index = static_cast<int>(next_detection);
+    for (const Detection& detection : TakeUpTo(image.time, detections, &next_detection)) {
+      const auto rejection = rejection_of.find(detection_index++);
       if (detection.time != image.time) {
         times_without_frame.push_back(detection.time);
         continue;
       }
-      const auto rejection = rejection_of.find(static_cast<int>(next_detection));
       if (rejection == rejection_of.end()) {
         frame.detections.push_back(detection);
       } else {
         frame.rejected.push_back({detection, rejection->second});
       }
-      if (has_pose) AddPredicted(detection, camera, track.map, poses[next_pose].pose, &frame);
+      if (pose) {
+        AddPredicted(detection, camera, track.map, track.world_from_camera[*pose].pose, &frame);
+      }
     }
-    while (images && next_unused < images->unused.size() &&
-           images->unused[next_unused].time <= image.time) {
-      frame.unused.push_back(images->unused[next_unused++]);
-    }
-    frame.caption =
-        fmt::format("t {:.2f} s, {}", image.time, Plural(frame.detections.size(), "tag"));
-    if (has_pose) {
-      const Eigen::Vector3d& p = track.world_from_body[next_pose].pose.translation;
-      frame.caption += fmt::format(", x {:.2f} y {:.2f} z {:.2f} m, rms {:.2f} px",
-                                   p.x(),
-                                   p.y(),
-                                   p.z(),
-                                   track.frame_rms[next_pose]);
-    } else {
-      frame.caption += ", no pose";
-    }
+    const auto sightings = TakeUpTo(image.time, unused, &next_unused);
+    frame.unused.assign(sightings.begin(), sightings.end());
+    frame.caption = CaptionOf(image.time, frame.detections.size(), track, pose);
     if (overlay->Wants(index, num_frames)) overlay->Add(frame);
     progress(index + 1, num_frames);
   }
-  for (; next_detection < detections.size(); ++next_detection) {
-    times_without_frame.push_back(detections[next_detection].time);
+  for (const Detection& one : detections.subspan(next_detection)) {
+    times_without_frame.push_back(one.time);
   }
-
   std::vector<std::string> remarks;
   if (!images) remarks = frames.unreadable();
-  if (!times_without_frame.empty()) {
-    remarks.push_back(fmt::format(
-        "{}: {} of {} detections are not drawn, the first at t = {}: their stamps are of no frame "
-        "that can be read.",
-        frames.name(),
-        times_without_frame.size(),
-        detections.size(),
-        times_without_frame.front()));
-  }
+  if (times_without_frame.empty()) return remarks;
+  remarks.push_back(
+      fmt::format("{}: {} of {} detections are not drawn, the first at t = {}: their stamps are of "
+                  "no frame that can be read.",
+                  frames.name(),
+                  times_without_frame.size(),
+                  detections.size(),
+                  times_without_frame.front()));
   return remarks;
 }
 

@@ -45,6 +45,70 @@ std::vector<double> TimesOfFlips(const MarkerTrack& track, bool TrackedView::*wh
   return times;
 }
 
+Json FramesOf(const TrackSummary& summary, const MarkerTrack& track) {
+  Json frames;
+  frames["expected"] = NumExpected(summary);
+  frames["read"] = summary.num_frames;
+  frames["unreadable"] = summary.images ? summary.images->num_unreadable : 0;
+  // Detections alone do not list the frames that have none.
+  const std::vector<double> times_without_tags =
+      summary.images ? summary.images->times_without_tags : std::vector<double>{};
+  frames["without_tags"] = times_without_tags.size();
+  frames["times_without_tags"] = times_without_tags;
+  frames["times_with_unused_tags_only"] =
+      summary.images ? Json(summary.images->times_with_unused_only) : Json::array();
+  frames["with_pose"] = track.world_from_body.size();
+  frames["share_with_pose"] = NumberOrNull(summary.ShareWithPose(track));
+  frames["unreadable_ones"] =
+      summary.images ? Json(summary.images->unreadable) : Json(std::vector<std::string>{});
+  frames["times_without_pose"] = track.pnp.times_without_pose;
+  return frames;
+}
+
+Json DetectionsOf(const TrackSummary& summary,
+                  const MarkerTrack& track,
+                  std::span<const Detection> detections) {
+  Json found;
+  found["found"] = summary.num_detections;
+  // Not known of corners that were read.
+  found["sides_not_followed"] =
+      summary.images ? Json(summary.images->num_not_followed) : Json(nullptr);
+  found["rejected"] = track.pnp.rejected.size();
+  Json rejected = Json::array();
+  for (const RejectedDetection& it : track.pnp.rejected) {
+    const Detection& detection = detections[it.index];
+    rejected.push_back({{"t", detection.time},
+                        {"tag_id", detection.tag_id},
+                        {"reason", std::string(Name(it.reason))}});
+  }
+  found["rejected_ones"] = rejected;
+  Json unused = Json::array();
+  if (summary.images) {
+    for (const UnusedSighting& it : summary.images->unused) {
+      unused.push_back({{"t", it.time},
+                        {"family", it.sighting.family},
+                        {"tag_id", it.sighting.tag_id},
+                        {"hamming", it.sighting.hamming},
+                        {"reason", std::string(Describe(it.fault))}});
+    }
+  }
+  found["sightings_not_used"] = unused;
+  return found;
+}
+
+Json FitOf(const TrackSummary& summary, const MarkerTrack& track) {
+  Json fit;
+  fit["corner_sigma_px"] = NumberOrNull(track.corner_sigma);
+  fit["corner_noise_px"] = NumberOrNull(track.corner_noise);
+  fit["corner_sigma_std_px"] = NumberOrNull(track.corner_sigma_std);
+  fit["reprojection_median_px"] = NumberOrNull(Quantile(summary.corner_error, 0.5));
+  fit["reprojection_rms_px"] = NumberOrNull(Rms(summary.corner_error));
+  fit["reprojection_p95_px"] = NumberOrNull(Quantile(summary.corner_error, 0.95));
+  fit["times_of_resolved_flips"] = TimesOfFlips(track, &TrackedView::is_flip_resolved);
+  fit["times_left_ambiguous"] = TimesOfFlips(track, &TrackedView::is_ambiguous);
+  return fit;
+}
+
 }  // namespace
 
 double TrackSummary::ShareWithPose(const MarkerTrack& track) const {
@@ -63,7 +127,11 @@ TrackSummary Summarize(const std::string& log,
   summary.images = images;
   summary.num_detections = static_cast<int>(detections.size());
   summary.num_frames = track.pnp.num_frames;
-  if (images) summary.remarks = RemarksOn(*images, map);
+  if (images) {
+    for (const std::string& remark : RemarksOn(*images, map)) {
+      summary.remarks.push_back({RemarkKind::kDetections, remark});
+    }
+  }
   summary.remarks.insert(summary.remarks.end(), track.remarks.begin(), track.remarks.end());
 
   std::set<int> rejected;
@@ -144,63 +212,12 @@ std::string FormatJson(const TrackSummary& summary,
   json["log"] = summary.log;
   json["message"] = track.message;
   json["usable"] = track.IsUsable();
-
-  Json& frames = json["frames"];
-  frames["expected"] = NumExpected(summary);
-  frames["read"] = summary.num_frames;
-  frames["unreadable"] = summary.images ? summary.images->num_unreadable : 0;
-  // Detections alone do not list the frames that have none.
-  const std::vector<double> times_without_tags =
-      summary.images ? summary.images->times_without_tags : std::vector<double>{};
-  frames["without_tags"] = times_without_tags.size();
-  frames["times_without_tags"] = times_without_tags;
-  frames["times_with_unused_tags_only"] =
-      summary.images ? Json(summary.images->times_with_unused_only) : Json::array();
-  frames["with_pose"] = track.world_from_body.size();
-  frames["share_with_pose"] = NumberOrNull(summary.ShareWithPose(track));
-  frames["unreadable_ones"] =
-      summary.images ? Json(summary.images->unreadable) : Json(std::vector<std::string>{});
-  frames["times_without_pose"] = track.pnp.times_without_pose;
-
-  Json& found = json["detections"];
-  found["found"] = summary.num_detections;
-  // Not known of corners that were read.
-  found["sides_not_followed"] =
-      summary.images ? Json(summary.images->num_not_followed) : Json(nullptr);
-  found["rejected"] = track.pnp.rejected.size();
-  Json rejected = Json::array();
-  for (const RejectedDetection& it : track.pnp.rejected) {
-    const Detection& detection = detections[it.index];
-    rejected.push_back({{"t", detection.time},
-                        {"tag_id", detection.tag_id},
-                        {"reason", std::string(Name(it.reason))}});
-  }
-  found["rejected_ones"] = rejected;
-  Json unused = Json::array();
-  if (summary.images) {
-    for (const UnusedSighting& it : summary.images->unused) {
-      unused.push_back({{"t", it.time},
-                        {"family", it.sighting.family},
-                        {"tag_id", it.sighting.tag_id},
-                        {"hamming", it.sighting.hamming},
-                        {"reason", std::string(Describe(it.fault))}});
-    }
-  }
-  found["sightings_not_used"] = unused;
-
-  Json& fit = json["fit"];
-  fit["corner_sigma_px"] = NumberOrNull(track.corner_sigma);
-  fit["corner_noise_px"] = NumberOrNull(track.corner_noise);
-  fit["corner_sigma_std_px"] = NumberOrNull(track.corner_sigma_std);
-  fit["reprojection_median_px"] = NumberOrNull(Quantile(summary.corner_error, 0.5));
-  fit["reprojection_rms_px"] = NumberOrNull(Rms(summary.corner_error));
-  fit["reprojection_p95_px"] = NumberOrNull(Quantile(summary.corner_error, 0.95));
-  fit["times_of_resolved_flips"] = TimesOfFlips(track, &TrackedView::is_flip_resolved);
-  fit["times_left_ambiguous"] = TimesOfFlips(track, &TrackedView::is_ambiguous);
-
+  json["frames"] = FramesOf(summary, track);
+  json["detections"] = DetectionsOf(summary, track, detections);
+  json["fit"] = FitOf(summary, track);
   json["markers_estimated"] = track.estimated_ids;
   json["markers_not_placed"] = track.unplaced_ids;
-  json["remarks"] = summary.remarks;
+  json["remarks"] = TextsOf(summary.remarks);
   return json.dump(1) + "\n";
 }
 

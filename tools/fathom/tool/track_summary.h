@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/detect/detect_tags.h"
+#include "fathom/log/remark.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 
 #include <optional>
@@ -25,7 +26,7 @@ struct TrackSummary {
   std::vector<double> corner_error;  // of every used corner to where it is drawn [px], rising
 
   // What was lost on the way from the frames to the poses, and what was decided, a sentence each.
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;
 
   // Share of all frames that there should be, so also of the unreadable ones.
   double ShareWithPose(const MarkerTrack& track) const;

@@ -5,7 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/data/pose_coordinate.h"
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/log/remark.h"
 #include "fathom/signal/log_column.h"
 
 #include <algorithm>
@@ -53,8 +53,7 @@ std::vector<LogChannels> ChannelsOf(std::span<const Log> logs,
 }
 
 bool LosesMotion(const LogChannels& channels) {
-  const std::vector<std::string>& remarks = channels.log->remarks;
-  return channels.displacement && std::any_of(remarks.begin(), remarks.end(), IsOnLostMotion);
+  return channels.displacement && Holds(channels.log->remarks, RemarkKind::kLostMotion);
 }
 
 }  // namespace fathom

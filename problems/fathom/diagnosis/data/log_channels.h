@@ -28,7 +28,7 @@ std::vector<LogChannels> ChannelsOf(std::span<const Log> logs,
                                     const std::vector<std::string>& names,
                                     Dof dof);
 
-// Whether the displacement is short of the motion, as a remark of the log says (IsOnLostMotion()).
+// Whether the displacement is short of the motion, as a remark of the log says (kLostMotion).
 bool LosesMotion(const LogChannels& channels);
 
 }  // namespace fathom

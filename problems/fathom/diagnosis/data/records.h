@@ -35,7 +35,7 @@ struct Records {
   std::string force_unit;
   bool has_velocity = true;
   bool has_displacement = false;
-  bool poses_lose_motion = false;  // of some log, as its remark says (IsOnLostMotion())
+  bool poses_lose_motion = false;  // of some log, as its remark says (kLostMotion)
   std::vector<Dof> partners;       // other DOFs whose velocity is measured in every log
   std::vector<std::string> remarks;
 };

@@ -8,7 +8,7 @@
 #include "fathom/base/plural.h"
 #include "fathom/camera/camera_rig.h"
 #include "fathom/camera/detections_file.h"
-#include "fathom/joint_refinement/logs/camera_runs.h"
+#include "fathom/joint_refinement/logs/camera_segments.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 #include "fathom/signal/signals.h"
@@ -25,7 +25,7 @@
 namespace fathom {
 namespace {
 
-constexpr size_t kFewestFrames = CameraRuns::kFewestFrames;
+constexpr size_t kFewestFrames = CameraSegments::kFewestFrames;
 
 bool IsSame(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
@@ -81,7 +81,7 @@ int CountMissingFrames(const MarkerTrack& track, double* step) {
 }
 
 // What became of the frames that have a pose.
-void Describe(const CameraRuns& cut, std::vector<std::string>* remarks) {
+void Describe(const CameraSegments& cut, std::vector<std::string>* remarks) {
   if (cut.num_early > 0) {
     remarks->push_back(
         fmt::format("Left out: {} before the first command.", Plural(cut.num_early, "frame")));
@@ -95,11 +95,11 @@ void Describe(const CameraRuns& cut, std::vector<std::string>* remarks) {
                                    kLongestGap,
                                    Plural(cut.num_silences, "time")));
   }
-  if (cut.num_short_runs > 0) {
+  if (cut.num_short_segments > 0) {
     remarks->push_back(fmt::format("Left out: {} of fewer than {} frames ({}).",
-                                   Plural(cut.num_short_runs, "run"),
+                                   Plural(cut.num_short_segments, "run"),
                                    kFewestFrames,
-                                   Plural(cut.num_in_short_runs, "frame")));
+                                   Plural(cut.num_in_short_segments, "frame")));
   }
 }
 
@@ -119,7 +119,7 @@ struct LeftOut {
   std::vector<std::string> remarks;  // a sentence each, as in MarkerLogs
 };
 
-// Tracks one log and adds its runs.
+// Tracks one log and adds its segments.
 void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
   std::vector<std::string> remarks = rig.remarks;
   const HeldCommand command = CommandOf(log, result->dof);
@@ -129,16 +129,17 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
   const MarkerTrack track =
       TrackMarkers(detections, rig.camera, rig.map, rig.body_from_camera, options);
   if (log.pose) remarks.push_back("pose.csv is not read: the poses come from detections.csv.");
-  remarks.insert(remarks.end(), track.remarks.begin(), track.remarks.end());
+  const std::vector<std::string> of_track = TextsOf(track.remarks);
+  remarks.insert(remarks.end(), of_track.begin(), of_track.end());
   if (track.world_from_body.size() < kFewestFrames) {
-    throw InputError(fmt::format(
-        "{}: {} of {} frames gave a pose, expected at least {}.{}{}",
-        FileOf(log, "detections.csv"),
-        track.world_from_body.size(),
-        track.pnp.num_frames,
-        kFewestFrames,
-        track.message.empty() ? "" : " " + track.message,
-        fmt::format("{}{}", track.remarks.empty() ? "" : " ", fmt::join(track.remarks, " "))));
+    throw InputError(
+        fmt::format("{}: {} of {} frames gave a pose, expected at least {}.{}{}",
+                    FileOf(log, "detections.csv"),
+                    track.world_from_body.size(),
+                    track.pnp.num_frames,
+                    kFewestFrames,
+                    track.message.empty() ? "" : " " + track.message,
+                    fmt::format("{}{}", of_track.empty() ? "" : " ", fmt::join(of_track, " "))));
   }
   remarks.push_back(fmt::format("{} of {} frames with markers gave a pose; corner sigma {:.3g} px.",
                                 track.world_from_body.size(),
@@ -152,13 +153,14 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
                     missing == 1 ? "is" : "are",
                     step));
   }
-  CameraRuns cut = CutIntoRuns(detections, track, command.time.front(), log.held_out);
-  const bool is_held_out = cut.num_held_out > 0 && cut.runs.empty() && cut.num_short_runs == 0;
+  CameraSegments cut = CutIntoSegments(detections, track, command.time.front(), log.held_out);
+  const bool is_held_out =
+      cut.num_held_out > 0 && cut.segments.empty() && cut.num_short_segments == 0;
   left_out->is_all_held_out = left_out->is_all_held_out && is_held_out;
-  for (CameraRun& run : cut.runs) {
-    run.command = command;
-    result->input.runs.push_back(std::move(run));
-    result->log_of_run.push_back(result->logs.size());
+  for (CameraSegment& segment : cut.segments) {
+    segment.command = command;
+    result->input.segments.push_back(std::move(segment));
+    result->log_of_segment.push_back(result->logs.size());
   }
   const size_t num_before = remarks.size();
   Describe(cut, &remarks);
@@ -222,7 +224,7 @@ MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
     }
     Add(std::move(log), rig, &result, &left_out);
   }
-  if (result.input.runs.empty()) ThrowNothingIsLeft(result, left_out);
+  if (result.input.segments.empty()) ThrowNothingIsLeft(result, left_out);
   return result;
 }
 

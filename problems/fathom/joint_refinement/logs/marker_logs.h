@@ -18,17 +18,17 @@ struct MarkerLogs {
   // As read, but with the PnP poses of the detections as their pose stream.
   std::vector<Log> logs;
 
-  // What is trained on: a run for each unbroken stretch outside the held-out intervals.
+  // What is trained on: a segment for each unbroken stretch outside the held-out intervals.
   JointInput input;
-  std::vector<size_t> log_of_run;  // index into `logs`
+  std::vector<size_t> log_of_segment;  // index into `logs`
 
   // What was left out or decided on the way, counted, a sentence each.
   std::vector<std::string> remarks;
 };
 
-// Tracks the markers of each log (TrackMarkers) and cuts the frames with a pose into runs: at a
+// Tracks the markers of each log (TrackMarkers) and cuts the frames with a pose into segments: at a
 // silence of over 30 s, as SignalsOf() does, and at the held-out intervals. Frames before the first
-// command and runs of fewer than 10 frames are left out and counted.
+// command and segments of fewer than 10 frames are left out and counted.
 //
 // Throws InputError if a log lacks detections, a command or a calibration, if the logs differ in
 // camera, mount, markers or units, or if nothing is left to train on.

@@ -7,16 +7,16 @@
 
 namespace fathom {
 
-// The unknowns that every frame of a run depends on, side by side as columns:
+// The unknowns that every frame of a segment depends on, side by side as columns:
 //
-//   model     log inertia, quadratic damping, linear damping, buoyancy   shared by all runs
+//   model     log inertia, quadratic damping, linear damping, buoyancy   shared by all segments
 //   size      scale of every marker's side                               shared
 //   mount     small move of body_from_camera: translation [m] in the body frame, rotation vector
 //             [rad] in the camera's                                      shared
-//   start     velocity and position at the run's first frame             of the run
+//   start     velocity and position at the segment's first frame         of the segment
 //   response  of each held coordinate: its mean, and what it does per unit of the excited DOF's
-//             scaled displacement, velocity and acceleration             of the run
-//   clock     what is to be added to the camera's stamps [s]             of the run
+//             scaled displacement, velocity and acceleration             of the segment
+//   clock     what is to be added to the camera's stamps [s]             of the segment
 inline constexpr int kModelColumns = kNumParameters;
 inline constexpr int kSizeColumn = kModelColumns;
 inline constexpr int kMountColumns = kSizeColumn + 1;

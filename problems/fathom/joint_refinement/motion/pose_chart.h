@@ -12,10 +12,10 @@
 
 namespace fathom {
 
-// The coordinates eta in which the joint problem carries frame_from_body, with the run's own frame
-// in the world's place (run_frame.h): x, y, z of the body [m], then roll, pitch, yaw [rad] of
-// R = R_z(yaw) R_y(pitch) R_x(roll). Singular at a pitch of 90 degrees from the mean attitude,
-// which no held vehicle comes near.
+// The coordinates eta in which the joint problem carries frame_from_body, with the segment's own
+// frame in the world's place (segment_frame.h): x, y, z of the body [m], then roll, pitch, yaw
+// [rad] of R = R_z(yaw) R_y(pitch) R_x(roll). Singular at a pitch of 90 degrees from the mean
+// attitude, which no held vehicle comes near.
 using PoseVector = Eigen::Matrix<double, 6, 1>;
 
 template <typename T>

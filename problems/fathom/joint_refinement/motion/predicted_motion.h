@@ -22,7 +22,7 @@ struct MotionScales {
   double acceleration = 1.0;  // [m/s^2] or [rad/s^2]
 };
 
-// The unknowns that the mean motion of a run follows from, as Ceres carries them.
+// The unknowns that the mean motion of a segment follows from, as Ceres carries them.
 struct MotionUnknowns {
   std::array<double, kModelColumns> model = {};    // [0]: log inertia
   std::array<double, 2> start = {};                // velocity, position
@@ -32,8 +32,8 @@ struct MotionUnknowns {
   UncoupledModel<double> Model() const;
 };
 
-// Where all six coordinates are expected at each frame of a run: docs/joint_refinement.md (1) to
-// (3).
+// Where all six coordinates are expected at each frame of a segment: docs/joint_refinement.md (1)
+// to (3).
 //
 //   eta_e = x(t)                                                  excited
 //   eta_j = c_j0 + c_j1 (x - x_0)/X + c_j2 v/V + c_j3 a/A         held

@@ -10,121 +10,151 @@
 #include <Eigen/Dense>
 
 namespace fathom {
-namespace {
-
-struct CoordinateStep {
-  Eigen::Matrix2d here;   // Phi' Q^-1 Phi, on the state before
-  Eigen::Matrix2d there;  // Q^-1
-  double log_det_Q;
+struct ChainSmoother::Step {
+  struct OfCoordinate {
+    Eigen::Matrix2d here;   // Phi' Q^-1 Phi, on the state before
+    Eigen::Matrix2d there;  // Q^-1
+    double log_det_Q;
+  };
+  std::array<OfCoordinate, 6> of;
 };
 
-}  // namespace
+// What the frames so far leave for the next one: 1/2 s' A s + s' (B g + b).
+struct ChainSmoother::Equations {
+  Square A = Square::Zero();
+  Border B;
+  State b = State::Zero();
 
-ChainSmoother::ChainSmoother(const LinearRun& run,
+  explicit Equations(Eigen::Index num_columns) : B(Border::Zero(12, num_columns)) {}
+};
+
+ChainSmoother::ChainSmoother(const LinearSegment& segment,
                              const ProcessSet& processes,
                              int excited,
                              const std::vector<int>& columns)
-    : run_(run), num_columns_(static_cast<Eigen::Index>(columns.size())) {
+    : segment_(segment), num_columns_(static_cast<Eigen::Index>(columns.size())) {
   const double weight = 1.0 / (processes.corner_sigma * processes.corner_sigma);
   std::array<SecondOrderProcess, 6> process;
   for (int i = 0; i < 6; ++i) {
     process[i] = processes.Of(i, excited);
     is_present_[i] = process[i].IsPresent();
   }
-  std::vector<std::array<CoordinateStep, 6>> steps(run.durations.size());
+  const std::vector<Step> steps = LayOutSteps(process);
+  const size_t n = segment.frames.size();
+  eliminated_.resize(n);
+  V_.resize(12, static_cast<Eigen::Index>(n) * num_columns_);
+  H_ = weight * segment.JgJg(columns, columns);
+  b_ = weight * segment.Jgr(columns);
+  constant_ = 0.5 * weight * segment.rr;
+  Equations equations = BeforeFirst(process, excited);
+  Border W(12, num_columns_);
+  for (size_t k = 0; k < n; ++k) {
+    const bool is_last = k + 1 == n;
+    const Step* const step = is_last ? nullptr : &steps[segment.duration_after[k]];
+    AddFrame(segment.frames[k], weight, columns, step, &equations);
+    if (!Eliminate(equations, k, &W)) {
+      is_positive_definite_ = false;
+      return;
+    }
+    if (!is_last) LeaveToNext(k, *step, W, &equations);
+  }
+}
+
+std::vector<ChainSmoother::Step> ChainSmoother::LayOutSteps(
+    const std::array<SecondOrderProcess, 6>& process) {
+  std::vector<Step> steps(segment_.durations.size());
   couplings_.resize(steps.size());
   for (size_t s = 0; s < steps.size(); ++s) {
     for (int i = 0; i < 6; ++i) {
       if (!is_present_[i]) continue;
-      const Transition t = process[i].Over(run.durations[s]);
+      const Transition t = process[i].Over(segment_.durations[s]);
       const Eigen::Matrix2d WPhi = t.whitener * t.Phi;
-      steps[s][i] = {WPhi.transpose() * WPhi, t.whitener.transpose() * t.whitener, t.log_det_Q};
+      steps[s].of[i] = {WPhi.transpose() * WPhi, t.whitener.transpose() * t.whitener, t.log_det_Q};
       couplings_[s][i] = -WPhi.transpose() * t.whitener;  // -Phi' Q^-1
     }
   }
+  return steps;
+}
 
-  const size_t n = run.frames.size();
-  eliminated_.resize(n);
-  V_.resize(12, static_cast<Eigen::Index>(n) * num_columns_);
-  H_ = weight * run.JgJg(columns, columns);
-  b_ = weight * run.Jgr(columns);
-  constant_ = 0.5 * weight * run.rr;
-  // What the frames so far leave for the next one.
-  Square left_A = Square::Zero();
-  Border left_B = Border::Zero(12, num_columns_);
-  State left_b = State::Zero();
+ChainSmoother::Equations ChainSmoother::BeforeFirst(
+    const std::array<SecondOrderProcess, 6>& process, int excited) {
+  Equations equations(num_columns_);
   for (int i = 0; i < 6; ++i) {
     if (!is_present_[i]) continue;
     const Eigen::Matrix2d P0 =
         i == excited ? Eigen::Matrix2d(kStartStd * kStartStd * Eigen::Matrix2d::Identity())
                      : process[i].StationaryCovariance();
-    left_A.block<2, 2>(2 * i, 2 * i) = P0.inverse();
+    equations.A.block<2, 2>(2 * i, 2 * i) = P0.inverse();
     log_determinant_ += std::log(P0.determinant());
-    num_eliminated_ += 2 * static_cast<int>(n);
+    num_eliminated_ += 2 * static_cast<int>(segment_.frames.size());
   }
-  Border W(12, num_columns_);
-  Square U;  // S^-1 C
-  for (size_t k = 0; k < n; ++k) {
-    const LinearFrame& frame = run.frames[k];
-    const bool is_last = k + 1 == n;
-    const auto* const step = is_last ? nullptr : &steps[run.duration_after[k]];
-    const Coupling* const C = is_last ? nullptr : &couplings_[run.duration_after[k]];
-    Square A = left_A;
-    Border B = left_B;
-    State b = left_b;
-    for (int i = 0; i < 6; ++i) {
-      if (!is_present_[i]) {
-        A(2 * i, 2 * i) = A(2 * i + 1, 2 * i + 1) = 1.0;
-        continue;
-      }
-      for (int j = 0; j < 6; ++j) {
-        if (is_present_[j]) A(2 * i, 2 * j) += weight * frame.JdJd(i, j);
-      }
-      for (Eigen::Index c = 0; c < num_columns_; ++c) {
-        B(2 * i, c) += weight * frame.JdJg(i, columns[c]);
-      }
-      b[2 * i] += weight * frame.Jdr[i];
-      if (!is_last) A.block<2, 2>(2 * i, 2 * i) += (*step)[i].here;
+  return equations;
+}
+
+void ChainSmoother::AddFrame(const LinearFrame& frame,
+                             double weight,
+                             const std::vector<int>& columns,
+                             const Step* step,
+                             Equations* equations) const {
+  auto& [A, B, b] = *equations;
+  for (int i = 0; i < 6; ++i) {
+    if (!is_present_[i]) {
+      A(2 * i, 2 * i) = A(2 * i + 1, 2 * i + 1) = 1.0;
+      continue;
     }
-    const Eigen::LLT<Square> llt(A);
-    if (llt.info() != Eigen::Success) {
-      is_positive_definite_ = false;
-      return;
+    for (int j = 0; j < 6; ++j) {
+      if (is_present_[j]) A(2 * i, 2 * j) += weight * frame.JdJd(i, j);
     }
-    Eliminated& e = eliminated_[k];
-    for (int i = 0; i < 12; ++i) log_determinant_ += 2.0 * std::log(llt.matrixLLT()(i, i));
-    e.S_inverse.setIdentity();
-    llt.solveInPlace(e.S_inverse);
-    W.noalias() = e.S_inverse * B;
-    V_.middleCols(static_cast<Eigen::Index>(k) * num_columns_, num_columns_) = W;
-    e.y.noalias() = e.S_inverse * b;
-    H_.noalias() -= B.transpose() * W;
-    b_.noalias() -= B.transpose() * e.y;
-    constant_ -= 0.5 * b.dot(e.y);
-    U.setZero();
-    left_A.setZero();
-    left_B.setZero();
-    left_b.setZero();
-    if (is_last) continue;
-    for (int i = 0; i < 6; ++i) {
-      if (!is_present_[i]) continue;
-      U.middleCols<2>(2 * i).noalias() = e.S_inverse.middleCols<2>(2 * i) * (*C)[i];
-      log_determinant_ += (*step)[i].log_det_Q;
+    for (Eigen::Index c = 0; c < num_columns_; ++c) {
+      B(2 * i, c) += weight * frame.JdJg(i, columns[c]);
     }
-    for (int i = 0; i < 6; ++i) {
-      if (!is_present_[i]) continue;
-      const Eigen::Matrix2d cross = (*C)[i].transpose();
-      left_A.middleRows<2>(2 * i).noalias() -= cross * U.middleRows<2>(2 * i);
-      left_A.block<2, 2>(2 * i, 2 * i) += (*step)[i].there;
-      left_B.middleRows<2>(2 * i).noalias() -= cross * W.middleRows<2>(2 * i);
-      left_b.segment<2>(2 * i) -= cross * e.y.segment<2>(2 * i);
-    }
+    b[2 * i] += weight * frame.Jdr[i];
+    if (step != nullptr) A.block<2, 2>(2 * i, 2 * i) += step->of[i].here;
+  }
+}
+
+bool ChainSmoother::Eliminate(const Equations& equations, size_t k, Border* W) {
+  const auto& [A, B, b] = equations;
+  const Eigen::LLT<Square> llt(A);
+  if (llt.info() != Eigen::Success) return false;
+  Eliminated& e = eliminated_[k];
+  for (int i = 0; i < 12; ++i) log_determinant_ += 2.0 * std::log(llt.matrixLLT()(i, i));
+  e.S_inverse.setIdentity();
+  llt.solveInPlace(e.S_inverse);
+  W->noalias() = e.S_inverse * B;
+  V_.middleCols(static_cast<Eigen::Index>(k) * num_columns_, num_columns_) = *W;
+  e.y.noalias() = e.S_inverse * b;
+  H_.noalias() -= B.transpose() * *W;
+  b_.noalias() -= B.transpose() * e.y;
+  constant_ -= 0.5 * b.dot(e.y);
+  return true;
+}
+
+void ChainSmoother::LeaveToNext(size_t k, const Step& step, const Border& W, Equations* left) {
+  const Coupling& C = couplings_[segment_.duration_after[k]];
+  const Eliminated& e = eliminated_[k];
+  Square U = Square::Zero();  // S^-1 C
+  left->A.setZero();
+  left->B.setZero();
+  left->b.setZero();
+  for (int i = 0; i < 6; ++i) {
+    if (!is_present_[i]) continue;
+    U.middleCols<2>(2 * i).noalias() = e.S_inverse.middleCols<2>(2 * i) * C[i];
+    log_determinant_ += step.of[i].log_det_Q;
+  }
+  for (int i = 0; i < 6; ++i) {
+    if (!is_present_[i]) continue;
+    const Eigen::Matrix2d cross = C[i].transpose();
+    left->A.middleRows<2>(2 * i).noalias() -= cross * U.middleRows<2>(2 * i);
+    left->A.block<2, 2>(2 * i, 2 * i) += step.of[i].there;
+    left->B.middleRows<2>(2 * i).noalias() -= cross * W.middleRows<2>(2 * i);
+    left->b.segment<2>(2 * i) -= cross * e.y.segment<2>(2 * i);
   }
 }
 
 template <typename Matrix>
 Matrix ChainSmoother::Coupled(size_t k, const Matrix& X) const {
-  const Coupling& C = couplings_[run_.duration_after[k]];
+  const Coupling& C = couplings_[segment_.duration_after[k]];
   Matrix product = Matrix::Zero(12, X.cols());
   for (int i = 0; i < 6; ++i) {
     if (!is_present_[i]) continue;
@@ -170,10 +200,10 @@ void ChainSmoother::ForEachFrame(
   }
 }
 
-RunMoments ChainSmoother::Moments(const Eigen::VectorXd& g,
-                                  const Eigen::MatrixXd& covariance) const {
-  RunMoments moments;
-  for (auto& steps : moments.steps) steps.resize(run_.durations.size());
+SegmentMoments ChainSmoother::Moments(const Eigen::VectorXd& g,
+                                      const Eigen::MatrixXd& covariance) const {
+  SegmentMoments moments;
+  for (auto& steps : moments.steps) steps.resize(segment_.durations.size());
   const Eigen::MatrixXd root = Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
   State next = State::Zero();
   Square P_next = Square::Zero(), P, P_across;
@@ -200,9 +230,9 @@ RunMoments ChainSmoother::Moments(const Eigen::VectorXd& g,
       const Eigen::Matrix2d second =
           own * own.transpose() + P.block<2, 2>(2 * i, 2 * i) + rows * rows.transpose();
       if (k == 0) moments.first[i] = second;
-      if (k > 0) moments.steps[i][run_.duration_after[k - 1]].after += second;
+      if (k > 0) moments.steps[i][segment_.duration_after[k - 1]].after += second;
       if (is_last) continue;
-      StepMoments& step = moments.steps[i][run_.duration_after[k]];
+      StepMoments& step = moments.steps[i][segment_.duration_after[k]];
       step.before += second;
       step.across += next.segment<2>(2 * i) * own.transpose() + P_across.block<2, 2>(2 * i, 2 * i) +
                      Z_next.middleRows<2>(2 * i) * rows.transpose();

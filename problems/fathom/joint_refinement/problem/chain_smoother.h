@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/joint_refinement/motion/linear_run.h"
+#include "fathom/joint_refinement/motion/linear_segment.h"
 #include "fathom/joint_refinement/processes/process_set.h"
 
 #include <array>
@@ -22,16 +22,16 @@ struct StepMoments {
   double count = 0.0;
 };
 
-// What a run's deviations turn out to be, given the data, one coordinate's state s = (n, dn/dt) at
-// a time.
-struct RunMoments {
+// What a segment's deviations turn out to be, given the data, one coordinate's state s = (n, dn/dt)
+// at a time.
+struct SegmentMoments {
   std::array<std::vector<StepMoments>, 6> steps;  // [coordinate][duration]
   std::array<Eigen::Matrix2d, 6> first;           // E s_0 s_0'
 };
 
-// The linearised problem of one run in the order that makes it cheap: the deviations of its frames,
-// which form a chain, are eliminated one after the other, and what is left concerns the globals
-// only. Time and memory are linear in the frames. docs/joint_refinement.md (8) to (10)
+// The linearised problem of one segment in the order that makes it cheap: the deviations of its
+// frames, which form a chain, are eliminated one after the other, and what is left concerns the
+// globals only. Time and memory are linear in the frames. docs/joint_refinement.md (8) to (10)
 //
 // A frame's state is (n, dn/dt) of each of the six coordinates; a coordinate without a process
 // stays on its mean.
@@ -42,8 +42,8 @@ class ChainSmoother {
   using Border = Eigen::Matrix<double, 12, Eigen::Dynamic, Eigen::ColMajor, 12, kNumColumns>;
 
   // `excited`: index of the excited coordinate, which starts on its mean. `columns`: those of the
-  // globals that are not held, rising. `run` must outlive this object.
-  ChainSmoother(const LinearRun& run,
+  // globals that are not held, rising. `segment` must outlive this object.
+  ChainSmoother(const LinearSegment& segment,
                 const ProcessSet& processes,
                 int excited,
                 const std::vector<int>& columns);
@@ -70,11 +70,12 @@ class ChainSmoother {
       const std::function<void(size_t frame, const Square& P, const Border& G)>& visit) const;
 
   // Moments where the columns have the mean `g` and covariance `covariance`.
-  RunMoments Moments(const Eigen::VectorXd& g, const Eigen::MatrixXd& covariance) const;
+  SegmentMoments Moments(const Eigen::VectorXd& g, const Eigen::MatrixXd& covariance) const;
 
  private:
   struct Eliminated {
-    // Long runs have hundreds of megabytes of these: they are not cleared before they are filled.
+    // Long segments have hundreds of megabytes of these: they are not cleared before they are
+    // filled.
     Eliminated() {}
 
     Square S_inverse;
@@ -84,6 +85,20 @@ class ChainSmoother {
   // Step k's C: a block of each coordinate by its next state.
   using Coupling = std::array<Eigen::Matrix2d, 6>;
 
+  struct Step;       // to the next frame, by duration
+  struct Equations;  // of one frame's state
+
+  // The parts of the elimination, in the constructor's order.
+  std::vector<Step> LayOutSteps(const std::array<SecondOrderProcess, 6>& process);
+  Equations BeforeFirst(const std::array<SecondOrderProcess, 6>& process, int excited);
+  void AddFrame(const LinearFrame& frame,
+                double weight,
+                const std::vector<int>& columns,
+                const Step* step,  // null behind the last frame
+                Equations* equations) const;
+  bool Eliminate(const Equations& equations, size_t k, Border* W);  // false: not positive definite
+  void LeaveToNext(size_t k, const Step& step, const Border& W, Equations* left);
+
   // C X for frame k, which is not the last; only rows of coordinates with a process.
   template <typename Matrix>
   Matrix Coupled(size_t k, const Matrix& X) const;
@@ -92,7 +107,7 @@ class ChainSmoother {
     return V_.middleCols(static_cast<Eigen::Index>(k) * num_columns_, num_columns_);
   }
 
-  const LinearRun& run_;
+  const LinearSegment& segment_;
   Eigen::Index num_columns_;
   std::array<bool, 6> is_present_;
   std::vector<Coupling> couplings_;  // by duration

@@ -27,9 +27,9 @@ struct JointSolveOptions {
 };
 
 // The one Ceres problem: every pose, the model, the starts, the responses and the clocks, over all
-// corners, under given processes and with the setup as it is (FitSetup() moves that). Dampings stay
-// at least 0 by SearchActiveSet(), since Ceres' bounds report convergence at a wrong point when one
-// is active; one that `priors` hold stays where it is.
+// corners, under given processes and with the setup as it is (FitMarkerSizeAndMount() moves that).
+// Dampings stay at least 0 by SearchActiveSet(), since Ceres' bounds report convergence at a wrong
+// point when one is active; one that `priors` hold stays where it is.
 //
 // Of `priors`, which are as in LinearJoint with their offsets at the present unknowns, the clock's
 // count, and which dampings they hold.

@@ -9,36 +9,36 @@
 
 namespace fathom {
 
-PoseVector PoseAt(const JointRun& run, const RunUnknowns& unknowns, size_t frame) {
-  return run.motion.Mean(frame) + PoseVector::Map(unknowns.deviation[frame].data());
+PoseVector PoseAt(const JointSegment& segment, const SegmentUnknowns& unknowns, size_t frame) {
+  return segment.motion.Mean(frame) + PoseVector::Map(unknowns.deviation[frame].data());
 }
 
 bool Linearise(JointData* data,
                const JointUnknowns& unknowns,
                double corner_sigma,
-               std::vector<LinearRun>* runs) {
-  runs->resize(data->runs.size());
-  for (size_t r = 0; r < data->runs.size(); ++r) {
-    JointRun& run = data->runs[r];
-    const RunUnknowns& own = unknowns.runs[r];
-    if (!run.motion.Update(unknowns.Motion(r))) return false;
-    LinearRun& linear = (*runs)[r];
-    LayOutDurations(run.motion.time(), &linear);
-    linear.frames.resize(run.detections.size());
+               std::vector<LinearSegment>* segments) {
+  segments->resize(data->segments.size());
+  for (size_t r = 0; r < data->segments.size(); ++r) {
+    JointSegment& segment = data->segments[r];
+    const SegmentUnknowns& own = unknowns.segments[r];
+    if (!segment.motion.Update(unknowns.Motion(r))) return false;
+    LinearSegment& linear = (*segments)[r];
+    LayOutDurations(segment.motion.time(), &linear);
+    linear.frames.resize(segment.detections.size());
     linear.JgJg.setZero();
     linear.Jgr.setZero();
     linear.rr = linear.num_rows = linear.clipped = 0.0;
     linear.response = Eigen::Map<const Eigen::Matrix<double, kNumResponse, 1>>(own.response.data());
-    for (size_t k = 0; k < run.detections.size(); ++k) {
+    for (size_t k = 0; k < segment.detections.size(); ++k) {
       LinearFrame& frame = linear.frames[k];
       frame.JdJd.setZero();
       frame.JdJg.setZero();
       frame.Jdr.setZero();
-      const PoseVector eta = PoseAt(run, own, k);
-      const PredictedMotion::Derivatives mean = run.motion.MeanDerivatives(k);
+      const PoseVector eta = PoseAt(segment, own, k);
+      const PredictedMotion::Derivatives mean = segment.motion.MeanDerivatives(k);
       const auto deviation = PoseVector::Map(own.deviation[k].data());
-      for (const Detection& detection : run.detections[k]) {
-        const Marker* const marker = run.map.Find(detection.tag_id);
+      for (const Detection& detection : segment.detections[k]) {
+        const Marker* const marker = segment.map.Find(detection.tag_id);
         CHECK(marker != nullptr);
         CornerRows rows;
         if (!EvaluateCorners(
@@ -72,15 +72,15 @@ void Step(const std::vector<Eigen::VectorXd>& change,
   for (int i = 0; i < kModelColumns; ++i) unknowns->model[i] += change[0][i];
   unknowns->setup.size_scale += change[0][kSizeColumn];
   for (int i = 0; i < 6; ++i) unknowns->setup.mount[i] += change[0][kMountColumns + i];
-  for (size_t r = 0; r < unknowns->runs.size(); ++r) {
-    RunUnknowns& run = unknowns->runs[r];
-    for (int i = 0; i < 2; ++i) run.start[i] += change[r][kStartColumns + i];
-    for (int i = 0; i < kNumResponse; ++i) run.response[i] += change[r][kResponseColumns + i];
-    run.clock_offset += change[r][kClockColumn];
-    for (size_t k = 0; k < run.deviation.size(); ++k) {
+  for (size_t r = 0; r < unknowns->segments.size(); ++r) {
+    SegmentUnknowns& segment = unknowns->segments[r];
+    for (int i = 0; i < 2; ++i) segment.start[i] += change[r][kStartColumns + i];
+    for (int i = 0; i < kNumResponse; ++i) segment.response[i] += change[r][kResponseColumns + i];
+    segment.clock_offset += change[r][kClockColumn];
+    for (size_t k = 0; k < segment.deviation.size(); ++k) {
       for (int i = 0; i < 6; ++i) {
-        run.deviation[k][i] = deviations[r][k][2 * i];
-        run.rate[k][i] = deviations[r][k][2 * i + 1];
+        segment.deviation[k][i] = deviations[r][k][2 * i];
+        segment.rate[k][i] = deviations[r][k][2 * i + 1];
       }
     }
   }

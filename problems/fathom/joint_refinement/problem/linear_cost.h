@@ -29,7 +29,7 @@ std::unique_ptr<ceres::CostFunction> MakeStepCost(const ProcessSet& processes,
                                                   const std::vector<int>& moving,
                                                   double duration);
 
-// At a run's first frame; blocks n, n'.
+// At a segment's first frame; blocks n, n'.
 std::unique_ptr<ceres::CostFunction> MakeFirstCost(const ProcessSet& processes,
                                                    int excited,
                                                    const std::vector<int>& moving);

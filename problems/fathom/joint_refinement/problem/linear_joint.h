@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/joint_refinement/motion/linear_run.h"
+#include "fathom/joint_refinement/motion/linear_segment.h"
 #include "fathom/joint_refinement/problem/chain_smoother.h"
 #include "fathom/joint_refinement/processes/process_set.h"
 
@@ -35,14 +35,15 @@ struct GlobalsPrior {
 // Information about the size scale and the mount; 0 in the rows and columns of what is held.
 using SetupInformation = Eigen::Matrix<double, kSetupColumns, kSetupColumns>;
 
-// All runs, linearised at one point, solved under one set of processes: docs/joint_refinement.md
-// (8) to (10). Columns shared by the runs take their prior from the first one.
+// All segments, linearised at one point, solved under one set of processes:
+// docs/joint_refinement.md (8) to (10). Columns shared by the segments take their prior from the
+// first one.
 class LinearJoint {
  public:
-  // `runs` must outlive this object. With `setup`, what all rows and priors together tell of the
-  // size scale and the mount is replaced by it, everything else unknown: the linear problem, in
+  // `segments` must outlive this object. With `setup`, what all rows and priors together tell of
+  // the size scale and the mount is replaced by it, everything else unknown: the linear problem, in
   // which the wander that is seen is a number, is no judge of that. docs/joint_refinement.md (15)
-  LinearJoint(std::span<const LinearRun> runs,
+  LinearJoint(std::span<const LinearSegment> segments,
               std::span<const GlobalsPrior> priors,
               const ProcessSet& processes,
               int excited,
@@ -55,28 +56,41 @@ class LinearJoint {
   double cost() const { return cost_; }                      // half the squares, prior and all
   int num_unknowns() const { return num_unknowns_; }
 
-  // Of a run's kNumColumns globals; 0 where they are held.
-  const Eigen::VectorXd& change(size_t run) const { return changes_[run]; }
-  const Eigen::MatrixXd& covariance(size_t run) const { return covariances_[run]; }
+  // Of a segment's kNumColumns globals; 0 where they are held.
+  const Eigen::VectorXd& change(size_t segment) const { return changes_[segment]; }
+  const Eigen::MatrixXd& covariance(size_t segment) const { return covariances_[segment]; }
 
-  std::vector<ChainSmoother::State> Deviations(size_t run) const;
-  RunMoments Moments(size_t run) const;
+  std::vector<ChainSmoother::State> Deviations(size_t segment) const;
+  SegmentMoments Moments(size_t segment) const;
 
-  // The globals of a run that are not held, rising, and ChainSmoother::ForEachFrame() over them.
-  const std::vector<int>& columns(size_t run) const { return columns_[run]; }
-  void ForEachFrame(size_t run,
+  // The globals of a segment that are not held, rising, and ChainSmoother::ForEachFrame() over
+  // them.
+  const std::vector<int>& columns(size_t segment) const { return columns_[segment]; }
+  void ForEachFrame(size_t segment,
                     const std::function<void(size_t frame,
                                              const ChainSmoother::Square& P,
                                              const ChainSmoother::Border& G)>& visit) const {
-    smoothers_[run].ForEachFrame(visit);
+    smoothers_[segment].ForEachFrame(visit);
   }
 
  private:
+  struct System;
+
+  // Which columns are not held, and where they stand in the system of all segments.
+  System LayOutColumns(std::span<const LinearSegment> segments,
+                       std::span<const GlobalsPrior> priors,
+                       const ProcessSet& processes);
+  void AddPriors(const LinearSegment& segment,
+                 const GlobalsPrior& prior,
+                 const ProcessSet& processes,
+                 size_t r,
+                 System* system) const;
+
   bool is_usable_ = false;
   double log_likelihood_ = -std::numeric_limits<double>::infinity();
   double cost_ = std::numeric_limits<double>::infinity();
   int num_unknowns_ = 0;
-  std::vector<std::vector<int>> columns_;  // of each run, not held
+  std::vector<std::vector<int>> columns_;  // of each segment, not held
   std::vector<ChainSmoother> smoothers_;
   std::vector<Eigen::VectorXd> changes_;
   std::vector<Eigen::MatrixXd> covariances_;

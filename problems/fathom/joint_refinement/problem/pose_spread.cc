@@ -23,14 +23,14 @@ Eigen::Matrix<double, 6, 6> BodyFromChart(const PoseVector& eta) {
 
 std::vector<Eigen::Matrix<double, 6, 6>> PoseSpread(
     const LinearJoint& joint,
-    size_t run,
+    size_t segment,
     const PredictedMotion& motion,
     const Eigen::Quaterniond& world_from_frame,
     const std::function<PoseVector(size_t)>& eta_of) {
   std::vector<Eigen::Matrix<double, 6, 6>> spread(motion.size());
-  const std::vector<int>& columns = joint.columns(run);
-  const Eigen::MatrixXd covariance = joint.covariance(run)(columns, columns);
-  joint.ForEachFrame(run,
+  const std::vector<int>& columns = joint.columns(segment);
+  const Eigen::MatrixXd covariance = joint.covariance(segment)(columns, columns);
+  joint.ForEachFrame(segment,
                      [&](size_t k, const ChainSmoother::Square& P, const ChainSmoother::Border& G) {
                        const PredictedMotion::Derivatives mean = motion.MeanDerivatives(k);
                        Eigen::Matrix<double, 6, Eigen::Dynamic> J = mean(Eigen::all, columns);

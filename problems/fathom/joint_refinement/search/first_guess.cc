@@ -46,24 +46,24 @@ std::vector<PoseVector> SteadyPoses(std::span<const Pose> frame_from_body) {
 UncoupledModel<double> FirstModel(const JointInput& input,
                                   const std::vector<std::vector<PoseVector>>& steady) {
   std::vector<Segment> segments;
-  for (size_t r = 0; r < input.runs.size(); ++r) {
-    const CameraRun& run = input.runs[r];
+  for (size_t r = 0; r < input.segments.size(); ++r) {
+    const CameraSegment& segment = input.segments[r];
     Poses poses;
     std::vector<double> position;
     for (size_t k = 0; k < steady[r].size(); ++k) {
       const Pose pose = PoseFromVector(steady[r][k]);
-      poses.time.push_back(run.time[k]);
+      poses.time.push_back(segment.time[k]);
       poses.position.push_back(pose.translation);
       poses.world_from_body.push_back(pose.rotation);
       position.push_back(steady[r][k][Index(input.dof)]);
     }
     SavitzkyGolayOptions filter;
-    const double duration = run.time.back() - run.time.front();
-    const double step = duration / static_cast<double>(run.time.size() - 1);
-    filter.window =
-        ChooseWindow(run.time, position, filter.order, 8.0 * step, std::min(10.0, 0.2 * duration));
-    Motion motion = MotionFromPoses(poses, input.dof, position, run.command, filter);
-    segments.push_back(SegmentOf(std::move(motion), run.command, filter));
+    const double duration = segment.time.back() - segment.time.front();
+    const double step = duration / static_cast<double>(segment.time.size() - 1);
+    filter.window = ChooseWindow(
+        segment.time, position, filter.order, 8.0 * step, std::min(10.0, 0.2 * duration));
+    Motion motion = MotionFromPoses(poses, input.dof, position, segment.command, filter);
+    segments.push_back(SegmentOf(std::move(motion), segment.command, filter));
   }
   const OutputErrorSummary fit =
       FitOutputError(segments, {.initial_guess = {}, .output = FittedOutput::kPosition});

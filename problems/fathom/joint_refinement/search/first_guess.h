@@ -12,9 +12,9 @@
 
 namespace fathom {
 
-// First guesses of a run's poses frame_from_body in the chart, angles unwrapped, each coordinate
-// the median of the frames around: what flips or flies off for a few frames is gone, and a steady
-// motion stays.
+// First guesses of a segment's poses frame_from_body in the chart, angles unwrapped, each
+// coordinate the median of the frames around: what flips or flies off for a few frames is gone, and
+// a steady motion stays.
 std::vector<PoseVector> SteadyPoses(std::span<const Pose> frame_from_body);
 
 // Where the search starts: output error on the displacement of the steady poses.

@@ -23,11 +23,11 @@ double HalfWidth(double variance) { return kStdsOf95 * std::sqrt(variance); }  /
 
 // How far the excited motion goes off the mean axis of its DOF [rad], by what the other
 // translations do along with it; 0 for an angle.
-double AngleOffAxis(const JointStart& at, size_t run) {
+double AngleOffAxis(const JointStart& at, size_t segment) {
   if (at.data.excited >= 3) return 0.0;
   double squares = 0.0;
   for (int j = 0; j < 2; ++j) {  // the translations among the held ones
-    const double by_displacement = at.unknowns.runs[run].response[j * kResponseTerms + 1];
+    const double by_displacement = at.unknowns.segments[segment].response[j * kResponseTerms + 1];
     squares += std::pow(by_displacement / at.scales.displacement, 2);
   }
   return std::atan(std::sqrt(squares));
@@ -35,7 +35,7 @@ double AngleOffAxis(const JointStart& at, size_t run) {
 
 std::string CaveatOnAxis(Dof dof, const JointStart& at, const JointSummary& summary) {
   double angle = 0.0;
-  for (size_t r = 0; r < summary.runs.size(); ++r) angle = std::max(angle, AngleOffAxis(at, r));
+  for (size_t r = 0; r < summary.segments.size(); ++r) angle = std::max(angle, AngleOffAxis(at, r));
   const double too_large = 1.0 / std::cos(angle) - 1.0;
   const double std = std::sqrt(summary.covariance(kInertia, kInertia)) / summary.model.inertia;
   if (!(too_large > 0.5 * std)) return "";
@@ -57,15 +57,15 @@ std::string CaveatOn(int damping, const JointSummary& summary) {
   return CaveatOnDamping(damping, ToVector(summary.model)[damping], half_width, share);
 }
 
-// The linear problem about the search's end with the camera's clock free in these runs.
+// The linear problem about the search's end with the camera's clock free in these segments.
 LinearJoint WithClockFree(const JointOptions& options,
                           const JointStart& at,
                           const SearchEnd& end,
-                          std::span<const LinearRun> linear,
-                          size_t begin_run,
-                          size_t end_run) {
+                          std::span<const LinearSegment> linear,
+                          size_t begin_segment,
+                          size_t end_segment) {
   auto priors = PriorsOf(options, at.unknowns, {});
-  for (size_t r = begin_run; r < end_run; ++r) {
+  for (size_t r = begin_segment; r < end_segment; ++r) {
     priors[r].std[kClockColumn] = std::numeric_limits<double>::infinity();
   }
   return {linear, priors, at.processes, at.data.excited, &end.setup.information};
@@ -77,7 +77,7 @@ std::string CaveatOnDelayOf(const JointInput& input,
                             const JointOptions& options,
                             const JointStart& at,
                             const SearchEnd& end,
-                            std::span<const LinearRun> linear,
+                            std::span<const LinearSegment> linear,
                             const JointSummary& summary) {
   if (options.clock_offset_std > 0.0) return "";  // the intervals have it in them
   const double inertia = summary.model.inertia;   // the column is of its logarithm
@@ -87,7 +87,7 @@ std::string CaveatOnDelayOf(const JointInput& input,
     doubt.half_width_with_delay = inertia * HalfWidth(all.covariance(0)(kInertia, kInertia));
   }
   if (!(doubt.half_width < kLostToDelay * doubt.half_width_with_delay)) return "";
-  // Linear: what the same delay in every run changes is the sum over the runs.
+  // Linear: what the same delay in every segment changes is the sum over the segments.
   for (size_t r = 0; r < linear.size(); ++r) {
     const LinearJoint one = WithClockFree(options, at, end, linear, r, r + 1);
     if (!one.is_usable()) continue;
@@ -97,10 +97,12 @@ std::string CaveatOnDelayOf(const JointInput& input,
     doubt.inertia_per_second += per_second * inertia * covariance(kInertia, kClockColumn);
     doubt.linear_damping_per_second += per_second * covariance(kLinearDamping, kClockColumn);
   }
-  const CameraRun& longest = *std::max_element(
-      input.runs.begin(), input.runs.end(), [](const CameraRun& a, const CameraRun& b) {
-        return a.time.back() - a.time.front() < b.time.back() - b.time.front();
-      });
+  const CameraSegment& longest =
+      *std::max_element(input.segments.begin(),
+                        input.segments.end(),
+                        [](const CameraSegment& a, const CameraSegment& b) {
+                          return a.time.back() - a.time.front() < b.time.back() - b.time.front();
+                        });
   return CaveatOnDelay(longest.command.Between(longest.time.front(), longest.time.back()), doubt);
 }
 
@@ -110,7 +112,7 @@ std::vector<std::string> CaveatsOn(const JointInput& input,
                                    const JointOptions& options,
                                    const JointStart& at,
                                    const SearchEnd& end,
-                                   std::span<const LinearRun> linear,
+                                   std::span<const LinearSegment> linear,
                                    const JointSummary& summary) {
   std::vector<std::string> caveats;
   if (!options.moves_freely) {

@@ -38,12 +38,12 @@ bool IsSetupFree(const JointOptions& options) {
 
 // The setup, and the mode under it. False as FindMode().
 bool MoveSetup(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
-  end->setup =
-      FitSetup([&](const JointUnknowns& now) { return PriorsOf(options, now, end->held_at_zero); },
-               end->setup,
-               &at->data,
-               &at->processes,
-               &at->unknowns);
+  end->setup = FitMarkerSizeAndMount(
+      [&](const JointUnknowns& now) { return PriorsOf(options, now, end->held_at_zero); },
+      end->setup,
+      &at->data,
+      &at->processes,
+      &at->unknowns);
   if (!end->setup.converged) {
     summary->converged = false;
     summary->message = end->setup.message;
@@ -55,10 +55,10 @@ bool MoveSetup(const JointOptions& options, JointStart* at, SearchEnd* end, Join
 
 // Responses that the processes do not admit are none.
 void DropResponses(const ProcessSet& processes, JointUnknowns* unknowns) {
-  for (RunUnknowns& run : unknowns->runs) {
+  for (SegmentUnknowns& segment : unknowns->segments) {
     for (int i = 0; i < kNumResponse; ++i) {
       const bool is_mean = i % kResponseTerms == 0;
-      if (!is_mean && processes.response_std[i / kResponseTerms] == 0.0) run.response[i] = 0.0;
+      if (!is_mean && processes.response_std[i / kResponseTerms] == 0.0) segment.response[i] = 0.0;
     }
   }
 }
@@ -78,13 +78,13 @@ bool HaveSameParts(const ProcessSet& a, const ProcessSet& b) {
 std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
                                    const JointUnknowns& unknowns,
                                    const std::vector<int>& held_at_zero) {
-  std::vector<GlobalsPrior> priors(unknowns.runs.size());
+  std::vector<GlobalsPrior> priors(unknowns.segments.size());
   for (size_t r = 0; r < priors.size(); ++r) {
     GlobalsPrior& prior = priors[r];
     for (const int i : held_at_zero) prior.std[i] = 0.0;
     if (options.moves_freely) std::fill_n(prior.std.begin(), kModelColumns, 0.0);
     prior.std[kClockColumn] = options.clock_offset_std;
-    prior.offset[kClockColumn] = unknowns.runs[r].clock_offset;
+    prior.offset[kClockColumn] = unknowns.segments[r].clock_offset;
     prior.std[kSizeColumn] = options.size_scale_std;
     prior.offset[kSizeColumn] = unknowns.setup.size_scale - 1.0;
     for (int i = 0; i < 6; ++i) {
@@ -101,7 +101,7 @@ bool SearchJoint(const JointOptions& options,
                  JointSummary* summary) {
   constexpr double kSettled = 0.5;  // of the log-likelihood
   const int excited = at->data.excited;
-  std::vector<LinearRun> linear;
+  std::vector<LinearSegment> linear;
   bool is_setup_found = !IsSetupFree(options);
   while (true) {
     if (options.on_round) options.on_round(summary->num_rounds + 1, options.max_rounds);

@@ -7,7 +7,7 @@
 #include "fathom/joint_refinement/problem/joint_state.h"
 #include "fathom/joint_refinement/problem/linear_joint.h"
 #include "fathom/joint_refinement/search/joint_start.h"
-#include "fathom/joint_refinement/search/setup_fit.h"
+#include "fathom/joint_refinement/search/marker_size_and_mount.h"
 #include "fathom/joint_refinement/summary.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ struct SearchEnd {
   bool likelihood_settled = false;
 };
 
-// What is known of every run's globals beforehand, about where they are now; those in
+// What is known of every segment's globals beforehand, about where they are now; those in
 // `held_at_zero` are held.
 std::vector<GlobalsPrior> PriorsOf(const JointOptions& options,
                                    const JointUnknowns& unknowns,

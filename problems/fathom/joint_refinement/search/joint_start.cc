@@ -4,7 +4,7 @@
 #include "fathom/joint_refinement/search/joint_start.h"
 
 #include "fathom/base/median.h"
-#include "fathom/joint_refinement/motion/run_frame.h"
+#include "fathom/joint_refinement/motion/segment_frame.h"
 #include "fathom/joint_refinement/search/first_guess.h"
 
 #include <algorithm>
@@ -22,15 +22,15 @@ double StandardDeviation(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// How far and how fast the model moves along the runs.
+// How far and how fast the model moves along the segments.
 MotionScales ScalesOf(const JointInput& input, const UncoupledModel<double>& model) {
   std::vector<double> x_all, v_all, a_all;
-  for (const CameraRun& run : input.runs) {
-    const Simulation simulation(run.command, run.time);
-    std::vector<double> v(run.time.size()), x(run.time.size());
+  for (const CameraSegment& segment : input.segments) {
+    const Simulation simulation(segment.command, segment.time);
+    std::vector<double> v(segment.time.size()), x(segment.time.size());
     if (!simulation.Run(model, {}, v, x)) continue;
     for (size_t k = 0; k < v.size(); ++k) {
-      a_all.push_back(model.Acceleration(v[k], run.command.At(run.time[k])));
+      a_all.push_back(model.Acceleration(v[k], segment.command.At(segment.time[k])));
     }
     x_all.insert(x_all.end(), x.begin(), x.end());
     v_all.insert(v_all.end(), v.begin(), v.end());
@@ -51,21 +51,21 @@ JointUnknowns FirstUnknowns(const UncoupledModel<double>& model,
   JointUnknowns unknowns;
   unknowns.model = {
       std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
-  unknowns.runs.resize(data->runs.size());
-  for (size_t r = 0; r < data->runs.size(); ++r) {
-    RunUnknowns& run = unknowns.runs[r];
-    PredictedMotion& motion = data->runs[r].motion;
+  unknowns.segments.resize(data->segments.size());
+  for (size_t r = 0; r < data->segments.size(); ++r) {
+    SegmentUnknowns& segment = unknowns.segments[r];
+    PredictedMotion& motion = data->segments[r].motion;
     const auto& eta = steady[r];
     const size_t n = eta.size();
     for (int j = 0; j < kNumHeld; ++j) {
-      double& mean = run.response[static_cast<size_t>(j) * kResponseTerms];
+      double& mean = segment.response[static_cast<size_t>(j) * kResponseTerms];
       for (const PoseVector& pose : eta) {
         mean += pose[motion.HeldCoordinate(j)] / static_cast<double>(n);
       }
     }
     // The start by linear regression on its sensitivities: velocity and position at the first
     // frame.
-    run.start = {0.0, eta[0][data->excited]};
+    segment.start = {0.0, eta[0][data->excited]};
     for (int iteration = 0; iteration < 3; ++iteration) {
       if (!motion.Update(unknowns.Motion(r))) break;
       Eigen::Matrix2d JJ = Eigen::Matrix2d::Zero();
@@ -78,14 +78,14 @@ JointUnknowns FirstUnknowns(const UncoupledModel<double>& model,
         Jr += miss * J;
       }
       const Eigen::Vector2d step = JJ.ldlt().solve(Jr);
-      run.start[0] += step[0];
-      run.start[1] += step[1];
+      segment.start[0] += step[0];
+      segment.start[1] += step[1];
     }
     motion.Update(unknowns.Motion(r));
-    run.deviation.resize(n);
-    run.rate.assign(n, {});
+    segment.deviation.resize(n);
+    segment.rate.assign(n, {});
     for (size_t k = 0; k < n; ++k) {
-      PoseVector::Map(run.deviation[k].data()) = eta[k] - motion.Mean(k);
+      PoseVector::Map(segment.deviation[k].data()) = eta[k] - motion.Mean(k);
     }
   }
   return unknowns;
@@ -95,14 +95,14 @@ JointUnknowns FirstUnknowns(const UncoupledModel<double>& model,
 // the detections, which for eight normal ones is 7.34 times the variance.
 double MedianCornerSigma(const JointData& data, const JointUnknowns& unknowns) {
   std::vector<double> squares;
-  for (size_t r = 0; r < data.runs.size(); ++r) {
-    for (size_t k = 0; k < data.runs[r].detections.size(); ++k) {
-      const PoseVector eta = PoseAt(data.runs[r], unknowns.runs[r], k);
-      for (const Detection& detection : data.runs[r].detections[k]) {
+  for (size_t r = 0; r < data.segments.size(); ++r) {
+    for (size_t k = 0; k < data.segments[r].detections.size(); ++k) {
+      const PoseVector eta = PoseAt(data.segments[r], unknowns.segments[r], k);
+      for (const Detection& detection : data.segments[r].detections[k]) {
         CornerRows rows;
         if (EvaluateCorners(data.setup,
                             unknowns.setup,
-                            *data.runs[r].map.Find(detection.tag_id),
+                            *data.segments[r].map.Find(detection.tag_id),
                             detection,
                             eta,
                             1.0,
@@ -131,8 +131,8 @@ constexpr MotionScales kNoScales = {std::numeric_limits<double>::infinity(),
 
 double DisplacementStd(const std::vector<std::vector<PoseVector>>& steady, int excited) {
   std::vector<double> x;
-  for (const auto& run : steady) {
-    for (const PoseVector& eta : run) x.push_back(eta[excited]);
+  for (const auto& segment : steady) {
+    for (const PoseVector& eta : segment) x.push_back(eta[excited]);
   }
   return std::max(StandardDeviation(x), 1e-6);
 }
@@ -154,13 +154,14 @@ JointStart StartOf(const JointInput& input,
   start.data.setup = {input.camera, input.body_from_camera};
   start.data.excited = Index(input.dof);
   start.data.loss_limit = options.loss_limit;
-  for (size_t r = 0; r < input.runs.size(); ++r) {
-    const CameraRun& run = input.runs[r];
+  for (size_t r = 0; r < input.segments.size(); ++r) {
+    const CameraSegment& segment = input.segments[r];
     const HeldCommand command =
-        options.moves_freely ? HeldCommand{{run.time.front()}, {0.0}} : run.command;
-    start.data.runs.push_back({run.detections,
-                               MapIn(world_from_frame[r].Inverse(), input.map),
-                               PredictedMotion(command, run.time, start.data.excited, scales)});
+        options.moves_freely ? HeldCommand{{segment.time.front()}, {0.0}} : segment.command;
+    start.data.segments.push_back(
+        {segment.detections,
+         MapIn(world_from_frame[r].Inverse(), input.map),
+         PredictedMotion(command, segment.time, start.data.excited, scales)});
   }
   start.unknowns = FirstUnknowns(model, steady, &start.data);
   start.processes.corner_sigma = MedianCornerSigma(start.data, start.unknowns);

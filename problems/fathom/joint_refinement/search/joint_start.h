@@ -21,8 +21,8 @@ struct JointStart {
   MotionScales scales;
 };
 
-// From poses frame_from_body of every run, in its frame (run_frame.h), and the model that the
-// options give, or output error on the displacement of the poses.
+// From poses frame_from_body of every segment, in its frame (segment_frame.h), and the model that
+// the options give, or output error on the displacement of the poses.
 JointStart StartOf(const JointInput& input,
                    const JointOptions& options,
                    std::span<const Pose> world_from_frame,

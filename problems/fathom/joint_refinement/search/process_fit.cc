@@ -23,7 +23,7 @@ Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& information, double least) {
 
 // Quasi-Newton ascent (BFGS) in the metric of the complete information, which is an upper bound of
 // the curvature: its first steps are those of the EM algorithm.
-ProcessFit Maximise(std::span<const LinearRun> runs,
+ProcessFit Maximise(std::span<const LinearSegment> segments,
                     std::span<const GlobalsPrior> priors,
                     const ProcessSet& start,
                     int excited) {
@@ -32,7 +32,7 @@ ProcessFit Maximise(std::span<const LinearRun> runs,
   constexpr double kLongest = 1.0;  // change of a logarithm in a step
   constexpr double kEnough = 0.02;  // expected gain of log-likelihood
   const ProcessParameters parameters(start);
-  const ProcessLikelihood likelihood(runs, priors, parameters, excited);
+  const ProcessLikelihood likelihood(segments, priors, parameters, excited);
   Eigen::VectorXd x = parameters.ToVector();
   ProcessLikelihood::Value now = likelihood.At(x, true);
   ProcessFit fit;
@@ -77,7 +77,7 @@ ProcessFit Maximise(std::span<const LinearRun> runs,
     now = next;
   }
   fit.processes = parameters.FromVector(x);
-  fit.log_likelihood = LinearJoint(runs, priors, fit.processes, excited).log_likelihood();
+  fit.log_likelihood = LinearJoint(segments, priors, fit.processes, excited).log_likelihood();
   fit.num_evaluations = likelihood.num_evaluations() + 1;
   return fit;
 }
@@ -103,7 +103,7 @@ Spread SpreadOf(const Eigen::Vector3d& c, const Eigen::Matrix3d& T) {
 }
 
 // Responses that the data ask for beyond those that are there, each with its spread.
-bool AddResponses(std::span<const LinearRun> runs,
+bool AddResponses(std::span<const LinearSegment> segments,
                   std::span<const GlobalsPrior> priors,
                   int excited,
                   ProcessSet* processes) {
@@ -112,20 +112,20 @@ bool AddResponses(std::span<const LinearRun> runs,
   for (double& std : free.response_std) {
     if (std == 0.0) std = kAnything;
   }
-  const LinearJoint joint(runs, priors, free, excited);
+  const LinearJoint joint(segments, priors, free, excited);
   if (!joint.is_usable()) return false;
   bool is_changed = false;
   for (int j = 0; j < kNumHeld; ++j) {
     if (processes->response_std[j] > 0.0) continue;
     Spread best;
-    for (size_t r = 0; r < runs.size(); ++r) {
+    for (size_t r = 0; r < segments.size(); ++r) {
       const int first = kResponseColumns + j * kResponseTerms + 1;
-      const Eigen::Vector3d c =
-          runs[r].response.segment<3>(first - kResponseColumns) + joint.change(r).segment<3>(first);
+      const Eigen::Vector3d c = segments[r].response.segment<3>(first - kResponseColumns) +
+                                joint.change(r).segment<3>(first);
       const Spread spread = SpreadOf(c, joint.covariance(r).block<3, 3>(first, first));
       if (spread.gain > best.gain) best = spread;
     }
-    constexpr double kWorthATrial = 1.0;  // whether it stays, all runs together say
+    constexpr double kWorthATrial = 1.0;  // whether it stays, all segments together say
     if (best.gain < kWorthATrial) continue;
     processes->response_std[j] = best.std;
     is_changed = true;
@@ -135,31 +135,32 @@ bool AddResponses(std::span<const LinearRun> runs,
 
 }  // namespace
 
-ProcessFit FitProcesses(std::span<const LinearRun> runs,
+ProcessFit FitProcesses(std::span<const LinearSegment> segments,
                         std::span<const GlobalsPrior> priors,
                         const ProcessSet& start,
                         int excited) {
   int num_evaluations = 0;
   ProcessFit fit;
   const auto maximise = [&](const ProcessSet& from) {
-    fit = Maximise(runs, priors, from, excited);
+    fit = Maximise(segments, priors, from, excited);
     num_evaluations += fit.num_evaluations;
     fit.num_evaluations = num_evaluations;
     return std::isfinite(fit.log_likelihood);
   };
   ProcessSet from = start;
-  AddResponses(runs, priors, excited, &from);
+  AddResponses(segments, priors, excited, &from);
   if (!maximise(from)) return fit;
-  if (AddResponses(runs, priors, excited, &fit.processes) && !maximise(fit.processes)) return fit;
+  if (AddResponses(segments, priors, excited, &fit.processes) && !maximise(fit.processes))
+    return fit;
 
   bool is_changed = false;
   const auto try_without = [&](const std::function<void(ProcessSet*)>& remove) {
     // A response or a model error that is not there widens the intervals several times over, and at
-    // a price of one chance keeps one in every tenth run or so. A wander has three parameters.
+    // a price of one chance keeps one in every tenth log or so. A wander has three parameters.
     constexpr double kPrice = 3.0;
     ProcessSet without = fit.processes;
     remove(&without);
-    const double value = LinearJoint(runs, priors, without, excited).log_likelihood();
+    const double value = LinearJoint(segments, priors, without, excited).log_likelihood();
     ++num_evaluations;
     if (!(value > fit.log_likelihood - kPrice)) return;
     fit.processes = without;

@@ -21,7 +21,7 @@ struct ProcessFit {
 // The processes of greatest restricted likelihood, found from `start` by its slope. Which responses
 // and which wanders there are is decided here: a component that raises the log-likelihood by less
 // than three is left out. docs/joint_refinement.md (11), (12)
-ProcessFit FitProcesses(std::span<const LinearRun> runs,
+ProcessFit FitProcesses(std::span<const LinearSegment> segments,
                         std::span<const GlobalsPrior> priors,
                         const ProcessSet& start,
                         int excited);

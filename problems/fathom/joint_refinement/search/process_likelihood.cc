@@ -21,15 +21,15 @@ struct ExpectedDensity {
 
 ExpectedDensity DensityOf(const SecondOrderProcess& process,
                           bool is_stationary,
-                          std::span<const LinearRun> runs,
-                          const std::vector<RunMoments>& moments,
+                          std::span<const LinearSegment> segments,
+                          const std::vector<SegmentMoments>& moments,
                           int coordinate) {
   double log_determinants = 0.0;
   ExpectedDensity density;
-  for (size_t r = 0; r < runs.size(); ++r) {
-    for (size_t s = 0; s < runs[r].durations.size(); ++s) {
+  for (size_t r = 0; r < segments.size(); ++r) {
+    for (size_t s = 0; s < segments[r].durations.size(); ++s) {
       const StepMoments& m = moments[r].steps[coordinate][s];
-      const Transition t = process.Over(runs[r].durations[s]);
+      const Transition t = process.Over(segments[r].durations[s]);
       const Eigen::Matrix2d cross = t.Phi * m.across.transpose();
       const Eigen::Matrix2d square =
           m.after - cross - cross.transpose() + t.Phi * m.before * t.Phi.transpose();
@@ -78,13 +78,102 @@ void Differentiate(const std::function<double(const Eigen::VectorXd&)>& function
   }
 }
 
+// A point of the likelihood, with the moments of the states there.
+struct Expected {
+  std::span<const LinearSegment> segments;
+  const LinearJoint& joint;
+  const ProcessSet& processes;
+  std::vector<SegmentMoments> moments;
+  bool with_information;
+};
+
+// Each of the following adds slope and information of one component to `result`, and returns the
+// expected squares of its prior.
+
+double AddModelError(const Expected& at, int excited, int index, ProcessLikelihood::Value* result) {
+  const auto density = [&](const Eigen::VectorXd& log_factor) {
+    SecondOrderProcess process = at.processes.ModelError();
+    process.intensity *= std::exp(2.0 * log_factor[0]);
+    return DensityOf(process, false, at.segments, at.moments, excited);
+  };
+  Differentiate([&](const Eigen::VectorXd& f) { return density(f).log_density; },
+                index,
+                1,
+                at.with_information,
+                result);
+  return density(Eigen::VectorXd::Zero(1)).squares;
+}
+
+// Of held slot `j`, which is `coordinate`.
+double AddWander(
+    const Expected& at, int j, int coordinate, int index, ProcessLikelihood::Value* result) {
+  const HeldWander w = at.processes.wander[j];
+  const auto density = [&](const Eigen::VectorXd& f) {
+    return DensityOf(
+        SecondOrderProcess::Held(
+            w.std * std::exp(f[0]), w.frequency * std::exp(f[1]), w.ratio * std::exp(f[2])),
+        true,
+        at.segments,
+        at.moments,
+        coordinate);
+  };
+  Differentiate([&](const Eigen::VectorXd& f) { return density(f).log_density; },
+                index,
+                3,
+                at.with_information,
+                result);
+  return density(Eigen::VectorXd::Zero(3)).squares;
+}
+
+double AddResponse(const Expected& at, int j, int index, ProcessLikelihood::Value* result) {
+  const double std = at.processes.response_std[j];
+  double squares = 0.0, count = 0.0;
+  for (size_t r = 0; r < at.segments.size(); ++r) {
+    for (int term = 1; term < kResponseTerms; ++term) {
+      const int column = kResponseColumns + j * kResponseTerms + term;
+      const double c =
+          at.segments[r].response[column - kResponseColumns] + at.joint.change(r)[column];
+      squares += (c * c + at.joint.covariance(r)(column, column)) / (std * std);
+      count += 1.0;
+    }
+  }
+  result->slope[index] += squares - count;
+  result->complete_information(index, index) += 2.0 * squares;
+  return squares;
+}
+
+// `squares` with those of the priors that no parameter belongs to: of responses that are taken away
+// and of what is known of the other globals.
+double WithFixedPriors(double squares, const Expected& at, std::span<const GlobalsPrior> priors) {
+  for (int column = 0; column < kNumColumns; ++column) {
+    if (IsResponse(column)) {
+      if (at.processes.response_std[HeldSlot(column)] > 0.0) continue;  // AddResponse()
+      for (size_t r = 0; r < at.segments.size(); ++r) {
+        const double before = at.segments[r].response[column - kResponseColumns];
+        if (before == 0.0) continue;
+        const double c = before + at.joint.change(r)[column];
+        squares +=
+            (c * c + at.joint.covariance(r)(column, column)) / std::pow(NoResponseStd(before), 2);
+      }
+      continue;
+    }
+    for (size_t r = 0; r < (column < kNumShared ? 1 : at.segments.size()); ++r) {
+      const double std = priors[r].std[column];
+      if (std == 0.0 || !std::isfinite(std)) continue;
+      const double miss = priors[r].offset[column] + at.joint.change(r)[column];
+      squares += (miss * miss + at.joint.covariance(r)(column, column)) / (std * std);
+    }
+  }
+  return squares;
+}
+
 }  // namespace
 
-ProcessLikelihood::ProcessLikelihood(std::span<const LinearRun> runs,
+ProcessLikelihood::ProcessLikelihood(std::span<const LinearSegment> segments,
                                      std::span<const GlobalsPrior> priors,
                                      const ProcessParameters& parameters,
                                      int excited)
-    : runs_(runs),
+    : segments_(segments),
       priors_(priors),
       parameters_(parameters),
       excited_(excited),
@@ -107,95 +196,39 @@ ProcessLikelihood::Value ProcessLikelihood::At(const Eigen::VectorXd& x,
   const int n = parameters_.size();
   Value result;
   const ProcessSet set = parameters_.FromVector(x);
-  const LinearJoint joint(runs_, priors_, set, excited_);
+  const LinearJoint joint(segments_, priors_, set, excited_);
   if (!joint.is_usable()) return result;
   const Eigen::ArrayXd z = (x - centre_).array() / width_.array();
   result.value = joint.log_likelihood() - 0.5 * z.square().sum();
   result.slope = -z / width_.array();
   result.complete_information = Eigen::MatrixXd::Zero(n, n);
   result.complete_information.diagonal() = width_.array().square().inverse();
-  std::vector<RunMoments> moments;
-  for (size_t r = 0; r < runs_.size(); ++r) moments.push_back(joint.Moments(r));
+  Expected at = {segments_, joint, set, {}, with_information};
+  for (size_t r = 0; r < segments_.size(); ++r) at.moments.push_back(joint.Moments(r));
 
   double prior_squares = 0.0, num_rows = 0.0;
-  for (const LinearRun& run : runs_) num_rows += run.num_rows;
+  for (const LinearSegment& segment : segments_) num_rows += segment.num_rows;
   for (int i = 0, j = 0; i < 6; ++i) {
     if (i == excited_) {
       const int index = parameters_.model_error();
-      if (index < 0) continue;
-      const auto density = [&](const Eigen::VectorXd& log_factor) {
-        SecondOrderProcess process = set.ModelError();
-        process.intensity *= std::exp(2.0 * log_factor[0]);
-        return DensityOf(process, false, runs_, moments, i);
-      };
-      prior_squares += density(Eigen::VectorXd::Zero(1)).squares;
-      Differentiate([&](const Eigen::VectorXd& f) { return density(f).log_density; },
-                    index,
-                    1,
-                    with_information,
-                    &result);
+      if (index >= 0) prior_squares += AddModelError(at, i, index, &result);
       continue;
     }
     if (const int index = parameters_.wander(j); index >= 0) {
-      const HeldWander w = set.wander[j];
-      const auto density = [&](const Eigen::VectorXd& f) {
-        return DensityOf(
-            SecondOrderProcess::Held(
-                w.std * std::exp(f[0]), w.frequency * std::exp(f[1]), w.ratio * std::exp(f[2])),
-            true,
-            runs_,
-            moments,
-            i);
-      };
-      prior_squares += density(Eigen::VectorXd::Zero(3)).squares;
-      Differentiate([&](const Eigen::VectorXd& f) { return density(f).log_density; },
-                    index,
-                    3,
-                    with_information,
-                    &result);
+      prior_squares += AddWander(at, j, i, index, &result);
     }
     if (const int index = parameters_.response(j); index >= 0) {
-      double squares = 0.0, count = 0.0;
-      for (size_t r = 0; r < runs_.size(); ++r) {
-        for (int term = 1; term < kResponseTerms; ++term) {
-          const int column = kResponseColumns + j * kResponseTerms + term;
-          const double c = runs_[r].response[column - kResponseColumns] + joint.change(r)[column];
-          squares += (c * c + joint.covariance(r)(column, column)) /
-                     (set.response_std[j] * set.response_std[j]);
-          count += 1.0;
-        }
-      }
-      prior_squares += squares;
-      result.slope[index] += squares - count;
-      result.complete_information(index, index) += 2.0 * squares;
+      prior_squares += AddResponse(at, j, index, &result);
     }
     ++j;
   }
-  for (int column = 0; column < kNumColumns; ++column) {
-    if (IsResponse(column)) {
-      if (set.response_std[HeldSlot(column)] > 0.0) continue;  // counted above
-      for (size_t r = 0; r < runs_.size(); ++r) {
-        const double before = runs_[r].response[column - kResponseColumns];
-        if (before == 0.0) continue;
-        const double c = before + joint.change(r)[column];
-        prior_squares +=
-            (c * c + joint.covariance(r)(column, column)) / std::pow(NoResponseStd(before), 2);
-      }
-      continue;
-    }
-    for (size_t r = 0; r < (column < kNumShared ? 1 : runs_.size()); ++r) {
-      const double std = priors_[r].std[column];
-      if (std == 0.0 || !std::isfinite(std)) continue;
-      const double miss = priors_[r].offset[column] + joint.change(r)[column];
-      prior_squares += (miss * miss + joint.covariance(r)(column, column)) / (std * std);
-    }
-  }
+  prior_squares = WithFixedPriors(prior_squares, at, priors_);
   // The expected squares of all residuals together are twice the cost plus one for each unknown;
   // what is not the priors' is the corners'.
   const double corner_squares = 2.0 * joint.cost() + joint.num_unknowns() - prior_squares;
-  result.slope[parameters_.corner_sigma()] += corner_squares - num_rows;
-  result.complete_information(parameters_.corner_sigma(), parameters_.corner_sigma()) +=
-      2.0 * num_rows;
+  const int sigma = parameters_.corner_sigma();
+  result.slope[sigma] += corner_squares - num_rows;
+  result.complete_information(sigma, sigma) += 2.0 * num_rows;
   result.is_usable = std::isfinite(result.value) && result.slope.allFinite();
   return result;
 }

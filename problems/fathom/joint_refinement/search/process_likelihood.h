@@ -12,12 +12,12 @@
 
 namespace fathom {
 
-// The restricted likelihood of the processes over linearised runs, docs/joint_refinement.md (10),
-// with wide bells on the logarithms that keep what the data do not determine within reason.
+// The restricted likelihood of the processes over linearised segments, docs/joint_refinement.md
+// (10), with wide bells on the logarithms that keep what the data do not determine within reason.
 class ProcessLikelihood {
  public:
   // `parameters` at the centre of the bells.
-  ProcessLikelihood(std::span<const LinearRun> runs,
+  ProcessLikelihood(std::span<const LinearSegment> segments,
                     std::span<const GlobalsPrior> priors,
                     const ProcessParameters& parameters,
                     int excited);
@@ -38,7 +38,7 @@ class ProcessLikelihood {
   int num_evaluations() const { return num_evaluations_; }
 
  private:
-  std::span<const LinearRun> runs_;
+  std::span<const LinearSegment> segments_;
   std::span<const GlobalsPrior> priors_;
   ProcessParameters parameters_;
   int excited_;

@@ -203,6 +203,12 @@ std::vector<std::string> YamlMap::Strings(std::string_view key) const {
   return strings;
 }
 
+bool YamlMap::HoldsMaps(std::string_view key) const {
+  const YamlNode* const node = Find(key);
+  return node != nullptr && node->kind == Kind::kList && !node->items.empty() &&
+         node->items.front().kind == Kind::kMap;
+}
+
 YamlMap YamlMap::Map(std::string_view key) const {
   const YamlNode& node = Require(key, "a map");
   if (node.kind != Kind::kMap) FailKind(*document_, node, "a map");

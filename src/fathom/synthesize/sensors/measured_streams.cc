@@ -31,11 +31,12 @@ void AddRow(Stream& stream, double stamp, const std::vector<double>& row) {
 
 void RemarkOnDropOuts(const SampleTimes& samples, const char* file, Log& log) {
   if (samples.num_drop_outs == 0) return;
-  log.remarks.push_back(fmt::format("{}: {} drop-outs took {} of {} samples.",
-                                    file,
-                                    samples.num_drop_outs,
-                                    samples.num_lost,
-                                    samples.time.size()));
+  log.remarks.push_back({RemarkKind::kGeneral,
+                         fmt::format("{}: {} drop-outs took {} of {} samples.",
+                                     file,
+                                     samples.num_drop_outs,
+                                     samples.num_lost,
+                                     samples.time.size())});
 }
 
 // What is added to the numbers of a sample that is an outlier, in standard deviations; 0 else.

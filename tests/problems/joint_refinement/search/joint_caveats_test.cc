@@ -51,7 +51,7 @@ TEST(JointCaveats, SayWhatADelayOfTheCommandWouldChangeUnderASine) {
   // The same images under a command that comes earlier. (Later, a damping would end on its bound.)
   constexpr double kDelay = -0.02;  // [s]
   JointInput early = run.input;
-  for (double& t : early.runs[0].command.time) t += kDelay;
+  for (double& t : early.segments[0].command.time) t += kDelay;
   const JointSummary delayed = FitJoint(early);
   ASSERT_TRUE(delayed.IsUsable()) << delayed.message;
   const double inertia = (delayed.model.inertia - summary.model.inertia) / kDelay;

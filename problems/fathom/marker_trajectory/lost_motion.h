@@ -24,7 +24,4 @@ LostMotion LostMotionOf(std::span<const Detection> detections, const MarkerTrack
 // The sentence for a person, if at least a tenth of the poses are such; otherwise empty.
 std::string RemarkOnLostMotion(std::span<const Detection> detections, const MarkerTrack& track);
 
-// Whether a remark is such a sentence, whoever passes it on.
-bool IsOnLostMotion(const std::string& remark);
-
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/motion/run_frame.h"
+#include "fathom/joint_refinement/motion/segment_frame.h"
 
 #include "fathom/signal/mean_attitude.h"
 
@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-Pose RunFrameOf(Dof dof, std::span<const Pose> world_from_body) {
+Pose SegmentFrameOf(Dof dof, std::span<const Pose> world_from_body) {
   std::vector<Eigen::Quaterniond> attitudes;
   for (const Pose& pose : world_from_body) attitudes.push_back(pose.rotation);
   return {MeanAttitude(dof, attitudes), Eigen::Vector3d::Zero()};

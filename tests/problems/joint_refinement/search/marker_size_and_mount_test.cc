@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/search/setup_fit.h"
+#include "fathom/joint_refinement/search/marker_size_and_mount.h"
 
 #include "fathom/joint_refinement/joint_refinement.h"
 

@@ -21,8 +21,8 @@ struct LinearFrame {
   Eigen::Matrix<double, 6, 1> Jdr;
 };
 
-// One run, linearised. All at corners' residuals in pixels: divide by corner_sigma^2.
-struct LinearRun {
+// One segment, linearised. All at corners' residuals in pixels: divide by corner_sigma^2.
+struct LinearSegment {
   std::vector<LinearFrame> frames;
   Eigen::Matrix<double, kNumColumns, kNumColumns> JgJg;
   Eigen::Matrix<double, kNumColumns, 1> Jgr;
@@ -43,6 +43,6 @@ struct LinearRun {
 };
 
 // Fills durations and duration_after for frames at `time`.
-void LayOutDurations(const std::vector<double>& time, LinearRun* run);
+void LayOutDurations(const std::vector<double>& time, LinearSegment* segment);
 
 }  // namespace fathom

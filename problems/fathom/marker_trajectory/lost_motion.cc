@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/marker_trajectory/lost_motion.h"
 
 #include <cmath>
 #include <cstddef>
@@ -11,7 +11,6 @@
 namespace fathom {
 namespace {
 
-constexpr const char* kLostMotion = " poses rest on a single marker whose tilt they know to ";
 constexpr double kSharePerVariance = 1.5;  // by Monte Carlo, with the poses' own covariances
 constexpr double kShareWorthAWord = 0.002;
 constexpr double kFramesWorthAWord = 0.1;  // share of frames that lose so much
@@ -52,18 +51,14 @@ std::string RemarkOnLostMotion(std::span<const Detection> detections, const Mark
   const auto num_poses = static_cast<double>(track.world_from_camera.size());
   if (lost.num_poses == 0 || lost.num_poses < kFramesWorthAWord * num_poses) return "";
   return fmt::format(
-      "{}{}{:.2g} rad: noise of the tilt shortens the distance, which is corrected but for up to "
-      "{:.1f} % of the motion towards the marker. What noise is left there is skewed; corner sigma "
-      "and standard deviations come out too small. Several markers, one seen at an angle, or the "
-      "joint refinement from the corners do not have this.",
+      "{} poses rest on a single marker whose tilt they know to {:.2g} rad: noise of the tilt "
+      "shortens the distance, which is corrected but for up to {:.1f} % of the motion towards the "
+      "marker. What noise is left there is skewed; corner sigma and standard deviations come out "
+      "too small. Several markers, one seen at an angle, or the joint refinement from the corners "
+      "do not have this.",
       lost.num_poses,
-      kLostMotion,
       std::sqrt(lost.tilt_variance / 2.0),
       100.0 * lost.share);
-}
-
-bool IsOnLostMotion(const std::string& remark) {
-  return remark.find(kLostMotion) != std::string::npos;
 }
 
 }  // namespace fathom

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/report/figure.h"
-
-#include "fathom/base/interval95.h"
-#include "fathom/report/format_value.h"
+#include "fathom/report/figure_style.h"
 #include "fathom/report/gnuplot.h"
 #include "fathom/report/palette.h"
-#include "fathom/report/parameter_chart.h"
 #include "fathom/report/thinning.h"
 #include "fathom/report/time_chart.h"
 
@@ -21,13 +18,6 @@
 namespace fathom {
 namespace {
 
-// What all plots share: no box, a pale grid, grey numbers.
-constexpr std::string_view kStyle = R"(
-set border 3 lc rgb '#9aa3af' lw 0.7
-set grid lc rgb '#e2e6ec' lw 0.6 lt 1
-set tics nomirror out scale 0.5 textcolor rgb '#5d6776'
-)";
-
 // A curve to draw: columns 1 and 2 of a data block.
 struct Curve {
   std::string name;
@@ -35,10 +25,6 @@ struct Curve {
   double width = 1.0;
   std::vector<double> values;
 };
-
-std::string WithUnit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + unit + "]";
-}
 
 // The points of a curve; an empty line stands for a gap and breaks the line.
 std::string DataBlock(const std::string& name,
@@ -124,7 +110,7 @@ void WriteFigure(const TimePanel& panel, const std::filesystem::path& path) {
   const bool has_residuals = !residuals.empty();
   const std::string time_label = "set xlabel 'time [s]' textcolor rgb '#1b2330'\n";
 
-  std::string script(kStyle);
+  std::string script(kFigureStyle);
   script += "set multiplot\nset lmargin at screen 0.095\nset rmargin at screen 0.975\n";
   script += fmt::format("set xrange [{:.12g}:{:.12g}]\n", first, last);
   script += HeldOutRectangles(panel);
@@ -150,107 +136,6 @@ void WriteFigure(const TimePanel& panel, const std::filesystem::path& path) {
   }
   script += "unset multiplot\n";
   DrawWithGnuplot(script, 1000, has_residuals ? 600 : 380, path);
-}
-
-void WriteFigure(const std::vector<ParameterPanel>& panels, const std::filesystem::path& path) {
-  constexpr int kColumnWidth = 560;  // [px]
-  constexpr int kRowHeight = 26;
-  constexpr int kFrameHeight = 92;
-
-  Palette palette;
-  std::size_t most_estimates = 1;
-  for (const ParameterPanel& panel : panels) {
-    most_estimates = std::max(most_estimates, panel.estimates.size());
-  }
-  const int num_columns = panels.size() > 1 ? 2 : 1;
-  const int num_rows =
-      std::max(1, (static_cast<int>(panels.size()) + num_columns - 1) / num_columns);
-  const int plot_height = kRowHeight * static_cast<int>(most_estimates) + kFrameHeight;
-  const int width = num_columns * kColumnWidth;
-  const int height = num_rows * plot_height;
-
-  std::string script(kStyle);
-  script += "set border 1\nunset key\nset multiplot\nset grid noytics\nset errorbars 0\n";
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const ParameterPanel& panel = panels[i];
-    const ChartRange range = RangeOf(panel);
-    const std::vector<double> ticks = TicksOf(range);
-    const double left = static_cast<double>(i % num_columns) / num_columns;
-    const double top = 1.0 - static_cast<double>(i / num_columns) / num_rows;
-    const double x_unit = 1.0 / width;
-    const double y_unit = 1.0 / height;
-    script += fmt::format(
-        "unset label\nunset arrow\n"
-        "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
-        "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-        "set xrange [{:.12g}:{:.12g}]\nset yrange [{}:-0.6]\n",
-        left + 130 * x_unit,
-        left + (kColumnWidth - 130) * x_unit,
-        top - 45 * y_unit,
-        top - (plot_height - 40) * y_unit,
-        range.from,
-        range.to,
-        static_cast<double>(panel.estimates.size()) - 0.4);
-    script += fmt::format("set label {} at graph 0, graph 1 offset 0,0.9 left\n",
-                          GnuplotText(WithUnit(panel.name, panel.unit)));
-
-    std::string tick_labels;
-    for (const double tick : ticks) {
-      tick_labels += fmt::format("{}{} {:.12g}",
-                                 tick_labels.empty() ? "" : ", ",
-                                 GnuplotText(TickLabel(tick, ticks[1] - ticks[0])),
-                                 tick);
-    }
-    script += "set xtics (" + tick_labels + ")\n";
-    if (panel.reference) {
-      script += fmt::format(
-          "set arrow from {0:.12g}, graph 0 to {0:.12g}, graph 1 nohead lw 1.2 dt (6,4) lc rgb "
-          "'#444d5a' back\n"
-          "set label {1} at graph 1, graph 1 offset 0,0.9 right textcolor rgb '#5d6776'\n",
-          *panel.reference,
-          GnuplotText(panel.reference_name + " " + FormatValue(*panel.reference)));
-    }
-
-    std::string names;
-    std::string blocks;
-    std::string plots = "plot NaN";
-    for (std::size_t k = 0; k < panel.estimates.size(); ++k) {
-      const Estimate& estimate = panel.estimates[k];
-      const std::string color(palette.ColorOf(estimate.name));
-      names += fmt::format("{}{} {}", k == 0 ? "" : ", ", GnuplotText(estimate.name), k);
-      script += fmt::format("set label {} at graph 1, first {} offset 1,0 left\n",
-                            GnuplotText(FormatValue(estimate.value, estimate.std)),
-                            k);
-      if (!std::isfinite(estimate.value)) continue;
-      if (estimate.value < range.from || estimate.value > range.to) {
-        const bool is_right = estimate.value > range.to;
-        script += fmt::format("set label '{}' at graph {}, first {} {} textcolor rgb '{}'\n",
-                              is_right ? "▶" : "◀",
-                              is_right ? 1 : 0,
-                              k,
-                              is_right ? "right" : "left",
-                              color);
-        continue;
-      }
-      const double half = std::isfinite(estimate.std) ? kStdsOf95 * estimate.std : 0.0;
-      blocks +=
-          fmt::format("$estimate{}_{} << END_OF_DATA\n{:.12g} {} {:.12g} {:.12g}\nEND_OF_DATA\n",
-                      i,
-                      k,
-                      estimate.value,
-                      k,
-                      std::max(estimate.value - half, range.from),
-                      std::min(estimate.value + half, range.to));
-      plots += fmt::format(
-          ", $estimate{0}_{1} using 1:2:3:4 with xerrorbars pt 7 ps 0.9 lw 2.4 lc rgb '{2}'",
-          i,
-          k,
-          color);
-    }
-    script += "set ytics (" + names + ") scale 0 textcolor rgb '#1b2330'\n" + blocks + plots + "\n";
-  }
-  script += "unset multiplot\n";
-  DrawWithGnuplot(script, width, height, path);
 }
 
 }  // namespace fathom

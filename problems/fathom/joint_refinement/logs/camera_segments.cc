@@ -1,28 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/logs/camera_runs.h"
+#include "fathom/joint_refinement/logs/camera_segments.h"
 
 #include "fathom/signal/split_at_gaps.h"
 
 #include <algorithm>
 
 namespace fathom {
-
 namespace {
 
-CameraRun RunIn(const SampleRange& range,
+CameraSegment SegmentIn(const SampleRange& range,
                 std::span<const Detection> detections,
                 const MarkerTrack& track) {
-  CameraRun run;
+  CameraSegment segment;
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const TrackedView& view = track.pnp.views[k];
-    run.time.push_back(view.time);
-    run.world_from_body.push_back(track.world_from_body[k].pose);
-    auto& seen = run.detections.emplace_back();
+    segment.time.push_back(view.time);
+    segment.world_from_body.push_back(track.world_from_body[k].pose);
+    auto& seen = segment.detections.emplace_back();
     for (const int i : view.detections) seen.push_back(detections[i]);
   }
-  return run;
+  return segment;
 }
 
 // Silences between the frames that may be refined; none counts before the first of them.
@@ -35,7 +34,7 @@ int CountSilences(std::span<const SampleRange> ranges) {
 
 }  // namespace
 
-CameraRuns CutIntoRuns(std::span<const Detection> detections,
+CameraSegments CutIntoSegments(std::span<const Detection> detections,
                        const MarkerTrack& track,
                        double start,
                        std::span<const TimeInterval> held_out) {
@@ -45,18 +44,18 @@ CameraRuns CutIntoRuns(std::span<const Detection> detections,
   }
   const auto first = std::lower_bound(time.begin(), time.end(), start) - time.begin();
   std::vector<SampleRange> ranges = SplitAtGaps(time, held_out, first);
-  CameraRuns cut;
+  CameraSegments cut;
   cut.num_early = static_cast<int>(first);
   cut.num_silences = CountSilences(ranges);
   std::erase_if(ranges, [&](const SampleRange& range) {
     if (range.is_held_out) cut.num_held_out += static_cast<int>(range.size());
     return range.is_held_out;
   });
-  const LongRanges kept = WithoutShort(ranges, CameraRuns::kFewestFrames);
-  cut.num_short_runs = static_cast<int>(kept.num_short);
-  cut.num_in_short_runs = static_cast<int>(kept.num_samples_in_short);
+  const LongRanges kept = WithoutShort(ranges, CameraSegments::kFewestFrames);
+  cut.num_short_segments = static_cast<int>(kept.num_short);
+  cut.num_in_short_segments = static_cast<int>(kept.num_samples_in_short);
   for (const SampleRange& range : kept.ranges) {
-    cut.runs.push_back(RunIn(range, detections, track));
+    cut.segments.push_back(SegmentIn(range, detections, track));
   }
   return cut;
 }

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/logs/one_marker_poses.h"
+#include "fathom/joint_refinement/logs/face_on_poses.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/camera/camera_rig.h"
 #include "fathom/camera/detections_file.h"
 #include "fathom/joint_refinement/joint_refinement.h"
-#include "fathom/joint_refinement/logs/camera_runs.h"
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/joint_refinement/logs/camera_segments.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
 #include "fathom/signal/log_column.h"
 
@@ -65,15 +64,15 @@ Refined RefineTogether(Dof dof, const Log& log, const std::function<void(int, in
                       .camera = rig.camera,
                       .map = track.map,
                       .body_from_camera = rig.body_from_camera,
-                      .runs = CutIntoRuns(detections, track).runs};
-  if (input.runs.empty()) return {};
+                      .segments = CutIntoSegments(detections, track).segments};
+  if (input.segments.empty()) return {};
   const JointSummary summary = FitJoint(input, {.moves_freely = true, .on_round = on_round});
   if (!summary.IsUsable()) return {.why = summary.message};
   Refined refined = {.num_tracked = track.world_from_body.size()};
-  for (std::size_t r = 0; r < input.runs.size(); ++r) {
-    for (std::size_t k = 0; k < input.runs[r].time.size(); ++k) {
+  for (std::size_t r = 0; r < input.segments.size(); ++r) {
+    for (std::size_t k = 0; k < input.segments[r].time.size(); ++k) {
       refined.poses.push_back(
-          {.time = input.runs[r].time[k], .pose = summary.runs[r].world_from_body[k]});
+          {.time = input.segments[r].time[k], .pose = summary.segments[r].world_from_body[k]});
     }
   }
   return refined;
@@ -81,8 +80,10 @@ Refined RefineTogether(Dof dof, const Log& log, const std::function<void(int, in
 
 }  // namespace
 
-void HoldOtherDofs(Dof dof, Log* log, const std::function<void(int, int)>& on_round) {
-  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), IsOnLostMotion);
+void RefineFaceOnPoses(Dof dof, Log* log, const std::function<void(int, int)>& on_round) {
+  const auto remark = std::find_if(log->remarks.begin(), log->remarks.end(), [](const Remark& one) {
+    return one.kind == RemarkKind::kLostMotion;
+  });
   if (!log->detections || !log->pose || remark == log->remarks.end()) return;
   Refined refined;
   try {
@@ -92,17 +93,18 @@ void HoldOtherDofs(Dof dof, Log* log, const std::function<void(int, int)>& on_ro
   }
   if (!refined.why.empty()) {
     log->remarks.push_back(
-        fmt::format("detections.csv: The frames are not refined together: {}", refined.why));
+        {RemarkKind::kDetections,
+         fmt::format("detections.csv: The frames are not refined together: {}", refined.why)});
   }
   if (refined.poses.empty()) return;
   log->pose = PoseStreamOf(refined.poses);
-  *remark = fmt::format(
-      "detections.csv: {} of {} poses are refined together, with the DOFs other than {} taken to "
-      "be held: frame by frame the noise of the single marker's tilt would take away some of the "
-      "motion.",
-      refined.poses.size(),
-      refined.num_tracked,
-      Name(dof));
+  *remark = {RemarkKind::kDetections,
+             fmt::format("detections.csv: {} of {} poses are refined together, with the DOFs other "
+                         "than {} taken to be held: frame by frame the noise of the single "
+                         "marker's tilt would take away some of the motion.",
+                         refined.poses.size(),
+                         refined.num_tracked,
+                         Name(dof))};
 }
 
 }  // namespace fathom

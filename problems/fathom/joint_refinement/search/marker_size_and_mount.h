@@ -6,24 +6,13 @@
 #include "fathom/joint_refinement/problem/joint_state.h"
 #include "fathom/joint_refinement/problem/linear_joint.h"
 #include "fathom/joint_refinement/processes/process_set.h"
+#include "fathom/joint_refinement/search/setup_likelihood.h"
 
-#include <functional>
 #include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
 namespace fathom {
-
-// The priors at given unknowns, as in LinearJoint.
-using PriorsAt = std::function<std::vector<GlobalsPrior>(const JointUnknowns&)>;
-
-// The same priors with the size scale and the mount held where they are.
-std::vector<GlobalsPrior> WithSetupHeld(std::vector<GlobalsPrior> priors);
-
-// The processes of a world whose lengths are `factor` times as long: what is a length in them, or
-// is counted in lengths, along with it.
-ProcessSet Scaled(const ProcessSet& processes, int excited, double factor);
 
 struct SetupFit {
   bool converged = false;
@@ -42,10 +31,10 @@ struct SetupFit {
 // `unknowns` are at the mode under their present setup, and are so again under the new one;
 // `processes` go with the size. Nothing is done where `priors_at` hold the setup. `earlier`: what
 // an earlier search of the same problem found, or nothing.
-SetupFit FitSetup(const PriorsAt& priors_at,
-                  const SetupFit& earlier,
-                  JointData* data,
-                  ProcessSet* processes,
-                  JointUnknowns* unknowns);
+SetupFit FitMarkerSizeAndMount(const PriorsAt& priors_at,
+                               const SetupFit& earlier,
+                               JointData* data,
+                               ProcessSet* processes,
+                               JointUnknowns* unknowns);
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/marker_trajectory/face_on.h"
+#include "fathom/marker_trajectory/lost_motion.h"
 
 #include "fathom/marker_trajectory/marker_trajectory.h"
 
@@ -24,7 +24,7 @@ struct Found {
   LostMotion lost;         // as it is reckoned
   double truth = 0.0;      // one less the slope of found distance over true distance
   double truth_std = 0.0;  // of that slope
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;
 };
 
 // A swing between 2.6 and 3.4 m at 10 Hz.
@@ -54,7 +54,9 @@ TEST(LostMotion, BoundsWhatIsLeftWhereASingleMarkerIsSeenFaceOn) {
   EXPECT_LT(std::abs(found.truth), found.lost.share + 2.0 * found.truth_std);
   EXPECT_LT(found.lost.share, 0.005);
   EXPECT_GT(found.lost.num_poses, 2000);
-  EXPECT_THAT(found.remarks, Contains(HasSubstr(" poses rest on a single marker whose tilt")));
+  ASSERT_TRUE(Holds(found.remarks, RemarkKind::kLostMotion));
+  EXPECT_THAT(TextsOf(found.remarks),
+              Contains(HasSubstr(" poses rest on a single marker whose tilt")));
 }
 
 TEST(LostMotion, IsNotToldOfWhereTheTiltIsKnown) {

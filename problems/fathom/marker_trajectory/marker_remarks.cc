@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/marker_trajectory/marker_remarks.h"
+
+#include "fathom/marker_trajectory/lost_motion.h"
+#include "fathom/marker_trajectory/survey_misfit.h"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+
+std::vector<Remark> RemarksOn(const MarkerTrack& track,
+                              const std::optional<int>& reference,
+                              std::span<const Detection> detections,
+                              const CameraModel& camera) {
+  std::vector<Remark> remarks;
+  const auto add = [&](std::string text, RemarkKind kind = RemarkKind::kDetections) {
+    if (!text.empty()) remarks.push_back({kind, std::move(text)});
+  };
+  if (reference) {
+    add(fmt::format("Tag {} holds the world; the others are estimated.", *reference));
+  }
+  if (!track.refuted_ids.empty()) {
+    add(
+        fmt::format("No place agrees with the frames that show them, and not used: tags {}. Did "
+                    "they move?",
+                    fmt::join(track.refuted_ids, ", ")));
+  }
+  if (!track.unplaced_ids.empty()) {
+    add(fmt::format("Never seen together with a tag whose place is known, and not used: tags {}.",
+                    fmt::join(track.unplaced_ids, ", ")));
+  }
+  for (std::string& loss : RemarksOn(track.pnp, detections)) add(std::move(loss));
+  add(RemarkOnSurveyMisfit(camera, detections, track));
+  add(RemarkOnLostMotion(detections, track), RemarkKind::kLostMotion);
+  return remarks;
+}
+
+}  // namespace fathom

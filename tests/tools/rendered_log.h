@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/csv_table.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run_tool.h"
+
+namespace fathom {
+
+inline const std::string kData = FATHOM_DATA_DIR;
+
+// The bytes of a file.
+std::string Bytes(const std::filesystem::path& path);
+
+// fathom_track on a log.
+ToolRun Track(const std::filesystem::path& log, std::vector<std::string> more);
+
+// Twelve rendered frames of a vehicle in surge in front of four markers, and its true poses in
+// pose.csv. Made once for all tests of a process.
+const std::filesystem::path& RenderedLog();
+
+// A copy that a test may damage.
+std::filesystem::path CopyOfTheLog();
+
+// pose.csv with its deviations.
+CsvTable PosesIn(const std::filesystem::path& log);
+
+}  // namespace fathom
