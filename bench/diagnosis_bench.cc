@@ -74,18 +74,19 @@ Log LogWith(const std::string& effects, bool with_poses) {
 }
 
 SampledProfile NewProfile() {
-  return SampledProfile({{"start, outliers", {"RecordsOf(", "FindRobustStart(", "RemoveOutliers("}},
-                         {"baseline fit", {"FitBaseline("}},
-                         {"search", {"SearchCauses("}},
-                         {"remaining structure", {"FindRemainingStructure("}},
-                         {"missing force, traces", {"FindMissingForce(", "TraceOf("}},
-                         {"held-out", {"fathom::FitStructure(", "FreeRunOver(", "GainOf("}}},
-                        {{"noise fits", {"fathom::FitNoise("}},
-                         {"screen", {"TrialsAbout(", "fathom::Screen::"}},
-                         {"derivatives", {"TrainingData::Linearise(", "RunWithSensitivities("}},
-                         {"simulation", {"TrainingData::Simulate("}},
-                         {"whitening", {"Whitener::"}},
-                         {"fits' algebra", {"fathom::FitStructure("}}});
+  return SampledProfile(
+      {{"start, outliers", {"MeasuredSegmentsOf(", "FindRobustStart(", "RemoveOutliers("}},
+       {"baseline fit", {"FitBaseline("}},
+       {"search", {"SearchCauses("}},
+       {"remaining structure", {"FindRemainingStructure("}},
+       {"missing force, traces", {"FindMissingForce(", "TraceOf("}},
+       {"held-out", {"fathom::FitStructure(", "FreeRunOver(", "GainOf("}}},
+      {{"noise fits", {"fathom::FitNoise("}},
+       {"screen", {"TrialsAbout(", "fathom::Screen::"}},
+       {"derivatives", {"TrainingData::Linearise(", "RunWithSensitivities("}},
+       {"simulation", {"TrainingData::Simulate("}},
+       {"whitening", {"Whitener::"}},
+       {"fits' algebra", {"fathom::FitStructure("}}});
 }
 
 void DiagnoseLog(benchmark::State& state, const std::string& effects, bool with_poses) {

@@ -50,19 +50,19 @@ double HeldOutGain(const Prepared& prepared,
   return GainOf(scored, active.effect->info().needs_pose, seed).value;
 }
 
-// Over training data first, each record from where the fit starts it, then over those held out.
+// Over training data first, each segment from where the fit starts it, then over those held out.
 std::vector<ResidualTrace> Traces(const Prepared& prepared, const StartedModel& extended) {
   const StartedModel& users = prepared.users;
-  const std::vector<Record>& records = prepared.data.records();
+  const std::vector<MeasuredSegment>& segments = prepared.data.segments();
   std::vector<ResidualTrace> traces;
-  for (size_t r = 0; r < records.size(); ++r) {
-    traces.push_back(TraceOf(records[r],
-                             FreeRunOver(records[r], users.model, users.initial[r]),
-                             FreeRunOver(records[r], extended.model, extended.initial[r])));
+  for (size_t r = 0; r < segments.size(); ++r) {
+    traces.push_back(TraceOf(segments[r],
+                             FreeRunOver(segments[r], users.model, users.initial[r]),
+                             FreeRunOver(segments[r], extended.model, extended.initial[r])));
   }
-  for (const Record& record : prepared.held_out) {
+  for (const MeasuredSegment& segment : prepared.held_out) {
     traces.push_back(
-        TraceOf(record, FreeRunOver(record, users.model), FreeRunOver(record, extended.model)));
+        TraceOf(segment, FreeRunOver(segment, users.model), FreeRunOver(segment, extended.model)));
   }
   return traces;
 }
@@ -75,20 +75,21 @@ bool MayLieInPoses(Verdict verdict, const ExtendedModel& extended) {
                      [](const ActiveEffect& active) { return active.effect->info().needs_pose; });
 }
 
-std::vector<ResidualTrace> PoseTraces(const Records& records,
+std::vector<ResidualTrace> PoseTraces(const MeasuredSegments& segments,
                                       const ExtendedModel& users,
                                       const ExtendedModel& extended) {
   std::vector<ResidualTrace> traces;
-  if (!records.has_velocity || !records.has_displacement) return traces;
-  for (const Record& record : records.all) {
-    traces.push_back(TraceOf(record, PosesByBlock(record, users), PosesByBlock(record, extended)));
+  if (!segments.has_velocity || !segments.has_displacement) return traces;
+  for (const MeasuredSegment& segment : segments.all) {
+    traces.push_back(
+        TraceOf(segment, PosesByBlock(segment, users), PosesByBlock(segment, extended)));
   }
   return traces;
 }
 
 }  // namespace
 
-Diagnosis Described(const Records& records,
+Diagnosis Described(const MeasuredSegments& segments,
                     const Prepared& prepared,
                     const std::vector<Suspect>& suspects,
                     const SearchResult& search,
@@ -124,12 +125,12 @@ Diagnosis Described(const Records& records,
   diagnosis.by_left_out_blocks = prepared.held_out.empty();
 
   diagnosis.missing_force =
-      FindMissingForce(prepared.data, users, extended, fit.noise, records.partners);
+      FindMissingForce(prepared.data, users, extended, fit.noise, segments.partners);
   diagnosis.traces = Traces(prepared, extended);
   if (MayLieInPoses(judgement.verdict, extended.model)) {
-    diagnosis.pose_traces = PoseTraces(records, users.model, extended.model);
+    diagnosis.pose_traces = PoseTraces(segments, users.model, extended.model);
   }
-  for (std::string& remark : RemarksOnJudgement(judgement, suspects, records.has_velocity)) {
+  for (std::string& remark : RemarksOnJudgement(judgement, suspects, segments.has_velocity)) {
     diagnosis.remarks.push_back(std::move(remark));
   }
   return diagnosis;

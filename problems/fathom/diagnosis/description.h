@@ -12,7 +12,7 @@
 namespace fathom {
 
 // Adds what is told of a judgement to `diagnosis`, which holds what is told of its data.
-Diagnosis Described(const Records& records,
+Diagnosis Described(const MeasuredSegments& segments,
                     const Prepared& prepared,
                     const std::vector<Suspect>& suspects,
                     const SearchResult& search,

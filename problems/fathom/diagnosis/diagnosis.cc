@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/diagnosis.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/description.h"
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
@@ -19,25 +19,25 @@ namespace fathom {
 namespace {
 
 // What is told whatever comes of the data.
-Diagnosis Begun(const Records& records, const Preparation& preparation, Dof dof) {
+Diagnosis Begun(const MeasuredSegments& segments, const Preparation& preparation, Dof dof) {
   Diagnosis diagnosis;
   diagnosis.dof = dof;
-  diagnosis.force_unit = records.force_unit;
-  diagnosis.logs = records.logs;
-  diagnosis.fits_displacement = records.has_displacement;
-  diagnosis.has_velocity = records.has_velocity;
-  diagnosis.remarks = RemarksOnData(records, preparation.num_outliers);
+  diagnosis.force_unit = segments.force_unit;
+  diagnosis.logs = segments.logs;
+  diagnosis.fits_displacement = segments.has_displacement;
+  diagnosis.has_velocity = segments.has_velocity;
+  diagnosis.remarks = RemarksOnData(segments, preparation.num_outliers);
   diagnosis.message = preparation.message;
   return diagnosis;
 }
 
-std::vector<Suspect> SuspectsIn(const Records& records,
+std::vector<Suspect> SuspectsIn(const MeasuredSegments& segments,
                                 const Evidence& evidence,
                                 const DiagnosisOptions& options,
                                 Dof dof) {
   if (evidence.IsNegligible()) return {};
-  return options.effects.empty() ? SuspectsFor(records, dof, EffectCatalogue())
-                                 : SuspectsFor(records, dof, options.effects);
+  return options.effects.empty() ? SuspectsFor(segments, dof, EffectCatalogue())
+                                 : SuspectsFor(segments, dof, options.effects);
 }
 
 }  // namespace
@@ -45,16 +45,16 @@ std::vector<Suspect> SuspectsIn(const Records& records,
 Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options) {
   if (const auto problems = options.Problems(); !problems.empty())
     throw InputError(problems.front());
-  const Records records = RecordsOf(logs, dof);
-  const Preparation preparation = Prepare(records, dof);
-  Diagnosis begun = Begun(records, preparation, dof);
+  const MeasuredSegments segments = MeasuredSegmentsOf(logs, dof);
+  const Preparation preparation = Prepare(segments, dof);
+  Diagnosis begun = Begun(segments, preparation, dof);
   if (!preparation.prepared) return begun;
   const Prepared& prepared = *preparation.prepared;
   const Evidence evidence = EvidenceOf(prepared.data, prepared.baseline);
-  const std::vector<Suspect> suspects = SuspectsIn(records, evidence, options, dof);
+  const std::vector<Suspect> suspects = SuspectsIn(segments, evidence, options, dof);
   const SearchResult search = SearchThinned(prepared, suspects, options);
   const Judgement judgement = Judge(prepared, suspects, search, evidence, options);
-  return Described(records, prepared, suspects, search, judgement, options.seed, std::move(begun));
+  return Described(segments, prepared, suspects, search, judgement, options.seed, std::move(begun));
 }
 
 }  // namespace fathom

@@ -184,14 +184,14 @@ double ChiSquaredWith(const std::string& label,
                       const Log& log) {
   for (const Candidate& candidate : diagnosis.candidates) {
     if (candidate.label != label || candidate.values.empty()) continue;
-    const TrainingData data(RecordsOf(std::span(&log, 1), Dof::kSurge).all);
+    const TrainingData data(MeasuredSegmentsOf(std::span(&log, 1), Dof::kSurge).all);
     NoiseModel noise;
     noise.velocity.white_std = run.velocity_noise / std::sqrt(2.0);
     noise.displacement.white_std = run.position_noise / std::sqrt(2.0);
     const ActiveEffect start = {candidate.effect, candidate.setting, candidate.values};
     const StructureFit fit = FitStructure(data,
                                           {kSurgeTruth, {start}},
-                                          std::vector{data.records()[0].initial},
+                                          std::vector{data.segments()[0].initial},
                                           Whitener(noise, data.samples()));
     EXPECT_TRUE(fit.converged) << label;
     return fit.chi_squared;

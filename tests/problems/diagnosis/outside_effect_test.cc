@@ -133,12 +133,12 @@ bool IsSuspectWith(const Effect* effect, Dof dof, Dof partner) {
   inputs.dof = dof;
   inputs.command = {{0.0, 1.0}, {2.0, 3.0}};
   inputs.force.fill(inputs.command);
-  Records records;
-  records.has_displacement = true;
-  records.all.emplace_back();
-  records.all[0].inputs = std::make_shared<const EffectInputs>(inputs);
-  records.partners.assign(kAllDofs.begin(), kAllDofs.end());
-  const auto suspects = SuspectsFor(records, dof, std::span(&effect, 1));
+  MeasuredSegments segments;
+  segments.has_displacement = true;
+  segments.all.emplace_back();
+  segments.all[0].inputs = std::make_shared<const EffectInputs>(inputs);
+  segments.partners.assign(kAllDofs.begin(), kAllDofs.end());
+  const auto suspects = SuspectsFor(segments, dof, std::span(&effect, 1));
   return std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& suspect) {
     return suspect.effect->info().has_partner() && suspect.setting.partner == partner;
   });

@@ -4,7 +4,7 @@
 // What belongs to a run, in one of several logs that are diagnosed together.
 
 #include "fathom/diagnosis/data/log_names.h"
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/data/training_data.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/judge/held_out.h"
@@ -112,18 +112,18 @@ TEST(SeveralLogs, ShareWhatBelongsToTheVehicle) {
 TEST(SeveralLogs, CarryWhatBelongsToARunIntoTheirHeldOutParts) {
   std::vector<Log> logs = {WithJump("jumped", 40.0, 7), RunOf("clean", "", 8)};
   for (Log& log : logs) log.held_out = {{110.0, 150.0}};
-  const Records records = RecordsOf(logs, Dof::kSurge);
+  const MeasuredSegments segments = MeasuredSegmentsOf(logs, Dof::kSurge);
   const ExtendedModel without = {kSurgeTruth, {}};
   const ExtendedModel with = {
       kSurgeTruth,
       {{FindEffect("buoyancy_step"), {.dof = Dof::kSurge, .log = "jumped"}, {kJump, 40.0}}}};
-  for (const Record& record : records.all) {
-    if (!record.is_held_out) continue;
+  for (const MeasuredSegment& segment : segments.all) {
+    if (!segment.is_held_out) continue;
     const auto error = [&](const ExtendedModel& model) {
-      const auto run = FreeRunOver(record, model);
+      const auto run = FreeRunOver(segment, model);
       return FiguresOfRuns(std::vector{*run}).mae;
     };
-    if (record.log == "jumped") {
+    if (segment.log == "jumped") {
       EXPECT_LT(error(with), 0.3 * error(without));
     } else {
       EXPECT_EQ(error(with), error(without));
@@ -138,8 +138,9 @@ TEST(SeveralLogs, CarryWhatBelongsToARunIntoTheirHeldOutParts) {
 // Rows of the other log neither move nor depend on the parameters.
 TEST(SeveralLogs, DoNotMoveWithAnEffectOfAnother) {
   const std::vector<Log> logs = {RunOf("first", "", 9), RunOf("second", "", 10)};
-  const TrainingData data(RecordsOf(logs, Dof::kSurge).all);
-  const std::vector<InitialState> initial = {data.records()[0].initial, data.records()[1].initial};
+  const TrainingData data(MeasuredSegmentsOf(logs, Dof::kSurge).all);
+  const std::vector<InitialState> initial = {data.segments()[0].initial,
+                                             data.segments()[1].initial};
   for (const Effect* effect : EffectCatalogue()) {
     if (effect->info().scope != Scope::kRun || effect->info().needs_pose) continue;
     std::vector<double> values;
@@ -167,7 +168,8 @@ TEST(SeveralLogs, DoNotMoveWithAnEffectOfAnother) {
 TEST(SuspectsFor, AreOfEachLogWhereTheyBelongToARunAndThereAreSeveral) {
   const std::vector<Log> logs = {RunOf("first", "", 11), RunOf("second", "", 12)};
   const auto suspects_of = [](std::span<const Log> some) {
-    return LabelsOf(SuspectsFor(RecordsOf(some, Dof::kSurge), Dof::kSurge, EffectCatalogue()));
+    return LabelsOf(
+        SuspectsFor(MeasuredSegmentsOf(some, Dof::kSurge), Dof::kSurge, EffectCatalogue()));
   };
   const auto of_two = suspects_of(logs);
   EXPECT_THAT(of_two, Contains("thruster_lag"));
@@ -182,16 +184,16 @@ TEST(SuspectsFor, AreOfEachLogWhereTheyBelongToARunAndThereAreSeveral) {
             0);
 }
 
-TEST(RecordsOf, TellsLogsOfOneNameByTheirFolders) {
+TEST(MeasuredSegmentsOf, TellsLogsOfOneNameByTheirFolders) {
   std::vector<Log> logs = {RunOf("dive", "", 13), RunOf("dive", "", 14), RunOf("test", "", 15)};
   logs[0].path = "monday/dive";
   logs[1].path = "tuesday/dive";
   logs[2].path = "tuesday/test";
   const std::vector<std::string> names = {"dive (monday/dive)", "dive (tuesday/dive)", "test"};
-  const Records records = RecordsOf(logs, Dof::kSurge);
-  EXPECT_EQ(records.logs, names);
-  ASSERT_EQ(records.all.size(), 3u);
-  for (size_t k = 0; k < 3; ++k) EXPECT_EQ(records.all[k].log, names[k]);
+  const MeasuredSegments segments = MeasuredSegmentsOf(logs, Dof::kSurge);
+  EXPECT_EQ(segments.logs, names);
+  ASSERT_EQ(segments.all.size(), 3u);
+  for (size_t k = 0; k < 3; ++k) EXPECT_EQ(segments.all[k].log, names[k]);
   logs[1].path = logs[0].path;
   EXPECT_NE(DistinctNames(logs)[0], DistinctNames(logs)[1]);
 }

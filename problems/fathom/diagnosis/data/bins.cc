@@ -21,11 +21,11 @@ double Rounded(std::span<const double> variances) {
 
 }  // namespace
 
-Bins::Bins(std::span<const Record> records) {
-  for (size_t index = 0; index < records.size(); ++index) {
-    const Record& record = records[index];
+Bins::Bins(std::span<const MeasuredSegment> segments) {
+  for (size_t index = 0; index < segments.size(); ++index) {
+    const MeasuredSegment& segment = segments[index];
     first_rows_.push_back(size());
-    const double width = std::clamp(record.duration() / 3000.0, 0.2, 0.5);
+    const double width = std::clamp(segment.duration() / 3000.0, 0.2, 0.5);
     struct Row {
       double time;
       Bin bin;
@@ -40,8 +40,8 @@ Bins::Bins(std::span<const Record> records) {
         begin = end;
       }
     };
-    add(record.stamps.velocity, NoiseChannel::kVelocity);
-    add(record.stamps.displacement, NoiseChannel::kDisplacement);
+    add(segment.stamps.velocity, NoiseChannel::kVelocity);
+    add(segment.stamps.displacement, NoiseChannel::kDisplacement);
     std::stable_sort(
         rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.time < b.time; });
     std::array<std::vector<double>, 2> counts;
@@ -53,7 +53,7 @@ Bins::Bins(std::span<const Record> records) {
     for (size_t channel = 0; channel < 2; ++channel) {
       if (!counts[channel].empty()) usual[channel] = Median(counts[channel]);
     }
-    const std::span<const double> variances = record.displacement_variance;
+    const std::span<const double> variances = segment.displacement_variance;
     for (const Row& row : rows) {
       const std::size_t count = row.bin.end - row.bin.begin;
       const bool is_uneven = row.bin.channel == NoiseChannel::kDisplacement && !variances.empty();

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/noise/noise_model.h"
 #include "fathom/simulate/effect_simulation.h"
 
@@ -18,17 +18,17 @@ namespace fathom {
 // Samples averaged over short bins, so that what follows costs little: a row for each bin.
 class Bins {
  public:
-  // Bins no shorter than 0.2 s, and longer on long records (up to 0.5 s); never across a gap.
-  explicit Bins(std::span<const Record> records);
+  // Bins no shorter than 0.2 s, and longer on long segments (up to 0.5 s); never across a gap.
+  explicit Bins(std::span<const MeasuredSegment> segments);
 
   int size() const { return static_cast<int>(samples_.size()); }
   const std::vector<NoiseSample>& samples() const { return samples_; }
 
-  // Rows of record `index`: from first_row(index) up to first_row(index + 1).
+  // Rows of segment `index`: from first_row(index) up to first_row(index + 1).
   int first_row(std::size_t index) const { return first_rows_[index]; }
 
-  // Means over the bins of record `index` of something sampled at its stamps; `to` has the record's
-  // rows. For a matrix: column by column, into the given columns.
+  // Means over the bins of segment `index` of something sampled at its stamps; `to` has the
+  // segment's rows. For a matrix: column by column, into the given columns.
   void Average(std::size_t index,
                const std::vector<double>& velocity,
                const std::vector<double>& displacement,

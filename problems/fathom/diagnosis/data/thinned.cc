@@ -87,21 +87,21 @@ void Average(std::vector<double>* time, std::initializer_list<std::vector<double
 
 }  // namespace
 
-std::vector<Record> Thinned(const std::vector<Record>& records) {
+std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments) {
   std::map<const EffectInputs*, std::shared_ptr<const EffectInputs>> thinned_inputs;
-  std::vector<Record> thinned = records;
-  for (Record& record : thinned) {
-    if (IsFast(record.inputs->command.time)) {
-      auto& inputs = thinned_inputs[record.inputs.get()];
+  std::vector<MeasuredSegment> thinned = segments;
+  for (MeasuredSegment& segment : thinned) {
+    if (IsFast(segment.inputs->command.time)) {
+      auto& inputs = thinned_inputs[segment.inputs.get()];
       if (!inputs) {
-        EffectInputs copy = *record.inputs;
+        EffectInputs copy = *segment.inputs;
         copy.command = Averaged(copy.command);
         inputs = std::make_shared<const EffectInputs>(std::move(copy));
       }
-      record.inputs = inputs;
+      segment.inputs = inputs;
     }
-    Average(&record.stamps.velocity, {&record.velocity});
-    Average(&record.stamps.displacement, {&record.displacement, &record.displacement_variance});
+    Average(&segment.stamps.velocity, {&segment.velocity});
+    Average(&segment.stamps.displacement, {&segment.displacement, &segment.displacement_variance});
   }
   return thinned;
 }

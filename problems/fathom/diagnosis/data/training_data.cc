@@ -44,46 +44,46 @@ void SetDampingFactors(const Segment& segment,
 
 }  // namespace
 
-TrainingData::TrainingData(std::vector<Record> records,
+TrainingData::TrainingData(std::vector<MeasuredSegment> segments,
                            const UncoupledModel<double>& about,
                            double least_inertia)
-    : records_(std::move(records)),
-      bins_(records_),
+    : segments_(std::move(segments)),
+      bins_(segments_),
       samples_(bins_.samples()),
       least_inertia_(least_inertia) {
   command_tone_.share = 1.0;
-  for (const Record& record : records_) {
-    longest_duration_ = std::max(longest_duration_, record.duration());
-    const HeldCommand& command = record.inputs->command;
+  for (const MeasuredSegment& segment : segments_) {
+    longest_duration_ = std::max(longest_duration_, segment.duration());
+    const HeldCommand& command = segment.inputs->command;
     const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
     const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
     if (tone.share <= command_tone_.share) command_tone_ = tone;
   }
   measured_.resize(bins_.size());
-  for (size_t r = 0; r < records_.size(); ++r) {
-    simulations_.emplace_back(records_[r].inputs.get(), records_[r].stamps);
-    has_displacement_ = has_displacement_ || !records_[r].displacement.empty();
+  for (size_t r = 0; r < segments_.size(); ++r) {
+    simulations_.emplace_back(segments_[r].inputs.get(), segments_[r].stamps);
+    has_displacement_ = has_displacement_ || !segments_[r].displacement.empty();
     const int first = bins_.first_row(r);
     bins_.Average(r,
-                  records_[r].velocity,
-                  records_[r].displacement,
+                  segments_[r].velocity,
+                  segments_[r].displacement,
                   std::span(measured_.data() + first, bins_.first_row(r + 1) - first));
   }
   SetDamping(about);
 }
 
 void TrainingData::SetDamping(const UncoupledModel<double>& about) {
-  std::vector<Segment> segments;
+  std::vector<Segment> plain_segments;
   double sum = 0.0, n = 0.0;
-  for (const Record& record : records_) {
-    segments.push_back(SegmentOfRecord(record));
-    for (const double v : segments.back().velocity) sum += std::abs(v);
-    n += static_cast<double>(segments.back().velocity.size());
+  for (const MeasuredSegment& segment : segments_) {
+    plain_segments.push_back(PlainSegment(segment));
+    for (const double v : plain_segments.back().velocity) sum += std::abs(v);
+    n += static_cast<double>(plain_segments.back().velocity.size());
   }
   usual_speed_ = n > 0.0 ? sum / n : 0.0;
-  for (size_t r = 0; r < records_.size(); ++r) {
+  for (size_t r = 0; r < segments_.size(); ++r) {
     const int first = bins_.first_row(r);
-    SetDampingFactors(segments[r],
+    SetDampingFactors(plain_segments[r],
                       about,
                       usual_speed_,
                       std::span(samples_).subspan(first, bins_.first_row(r + 1) - first));
@@ -105,8 +105,8 @@ std::optional<Eigen::VectorXd> TrainingData::SimulateLog(const std::string& log,
                                                          std::span<const InitialState> initial,
                                                          Eigen::VectorXd simulated) const {
   EffectOutputs outputs;
-  for (size_t r = 0; r < records_.size(); ++r) {
-    if (!log.empty() && records_[r].log != log) continue;
+  for (size_t r = 0; r < segments_.size(); ++r) {
+    if (!log.empty() && segments_[r].log != log) continue;
     if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
     const int first = bins_.first_row(r);
     bins_.Average(r,
@@ -121,11 +121,11 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
     const ExtendedModel& model, std::span<const InitialState> initial) const {
   const int num_parameters = EffectSimulation::NumParameters(model);
   const int num_states = this->num_states(model);
-  const int num_columns = num_parameters + num_states * static_cast<int>(records_.size());
+  const int num_columns = num_parameters + num_states * static_cast<int>(segments_.size());
   Linearised linearised = {Eigen::VectorXd(bins_.size()),
                            RowMajorMatrix::Zero(bins_.size(), num_columns)};
   EffectOutputs outputs;
-  for (size_t r = 0; r < records_.size(); ++r) {
+  for (size_t r = 0; r < segments_.size(); ++r) {
     if (!simulations_[r].RunWithSensitivities(model, initial[r], &outputs)) return std::nullopt;
     const int first = bins_.first_row(r);
     const int num_rows = bins_.first_row(r + 1) - first;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/data/bins.h"
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/noise/noise_model.h"
 #include "fathom/noise/whitener.h"
 #include "fathom/signal/dominant_tone.h"
@@ -20,17 +20,17 @@
 
 namespace fathom {
 
-// The data of a fit: records, their simulations, and their bins.
+// The data of a fit: segments, their simulations, and their bins.
 class TrainingData {
  public:
   // `about`: a model near the truth, whose damping tells how easily the vehicle is disturbed from
   // sample to sample; docs/residual_noise.md (3). `least_inertia`: the smallest that a fit may try
   // [kg] or [kg m^2].
-  explicit TrainingData(std::vector<Record> records,
+  explicit TrainingData(std::vector<MeasuredSegment> segments,
                         const UncoupledModel<double>& about = {},
                         double least_inertia = 0.0);
 
-  const std::vector<Record>& records() const { return records_; }
+  const std::vector<MeasuredSegment>& segments() const { return segments_; }
   const Bins& bins() const { return bins_; }
 
   // Of the bins, with their damping factors.
@@ -43,7 +43,7 @@ class TrainingData {
 
   bool has_displacement() const { return has_displacement_; }
 
-  // States of a record that are free: the velocity, the position where it is measured, and
+  // States of a segment that are free: the velocity, the position where it is measured, and
   // ExcessesOf() the model. In this order.
   int num_states(const ExtendedModel& model) const {
     return (has_displacement_ ? 2 : 1) +
@@ -53,7 +53,7 @@ class TrainingData {
   // The strongest line of the command that is least of a tone.
   const Tone& command_tone() const { return command_tone_; }
 
-  double longest_duration() const { return longest_duration_; }  // of a record [s]
+  double longest_duration() const { return longest_duration_; }  // of a segment [s]
 
   // Measured, averaged over the bins.
   const Eigen::VectorXd& measured() const { return measured_; }
@@ -70,7 +70,7 @@ class TrainingData {
                                              Eigen::VectorXd elsewhere) const;
 
   // The same with its derivatives: columns are the baseline's parameters, the effects', then the
-  // free states record by record.
+  // free states segment by segment.
   struct Linearised {
     Eigen::VectorXd simulated;
     RowMajorMatrix jacobian;
@@ -81,7 +81,7 @@ class TrainingData {
  private:
   void SetDamping(const UncoupledModel<double>& about);
 
-  std::vector<Record> records_;
+  std::vector<MeasuredSegment> segments_;
   std::vector<EffectSimulation> simulations_;
   Bins bins_;
   std::vector<NoiseSample> samples_;

@@ -8,7 +8,7 @@
 
 namespace fathom {
 
-// The variance of each sample's white noise over its median, where that changes over the record by
+// The variance of each sample's white noise over its median, where that changes over the segment by
 // more than four to one (between its tenth and its ninth decile), as that of poses does with the
 // distance to the marker; otherwise empty: all alike. Powers of two from 2^-12 to 2^12.
 //

@@ -9,20 +9,20 @@
 namespace fathom {
 namespace {
 
-constexpr double kStep = 0.1;  // [s]; longer on long records
+constexpr double kStep = 0.1;  // [s]; longer on long segments
 
 }  // namespace
 
 ForceResponse::ForceResponse(const TrainingData* data, const StructureFit& fit) : data_(data) {
   const UncoupledModel<double>& model = fit.model.baseline;
   inertia_ = model.inertia;
-  for (size_t r = 0; r < data->records().size(); ++r) {
-    const Record& record = data->records()[r];
+  for (size_t r = 0; r < data->segments().size(); ++r) {
+    const MeasuredSegment& segment = data->segments()[r];
     first_points_.push_back(static_cast<int>(points_.size()));
-    const double step = std::max(kStep, record.duration() / 6000.0);
-    const int count = static_cast<int>(std::ceil(record.duration() / step)) + 1;
+    const double step = std::max(kStep, segment.duration() / 6000.0);
+    const int count = static_cast<int>(std::ceil(segment.duration() / step)) + 1;
     OutputStamps stamps;
-    stamps.start = record.stamps.start;
+    stamps.start = segment.stamps.start;
     for (int i = 0; i < count; ++i) stamps.velocity.push_back(stamps.start + step * i);
     stamps.displacement = stamps.velocity;
     // What the water sees, not what the sensors show.
@@ -31,7 +31,7 @@ ForceResponse::ForceResponse(const TrainingData* data, const StructureFit& fit) 
       return active.effect->info().place == Place::kSensor;
     });
     EffectOutputs outputs;
-    if (!EffectSimulation(record.inputs.get(), stamps).Run(vehicle, fit.initial[r], &outputs)) {
+    if (!EffectSimulation(segment.inputs.get(), stamps).Run(vehicle, fit.initial[r], &outputs)) {
       points_.clear();
       return;
     }
@@ -43,7 +43,7 @@ ForceResponse::ForceResponse(const TrainingData* data, const StructureFit& fit) 
       points_.push_back({stamps.velocity[i],
                          v,
                          outputs.displacement[i],
-                         record.inputs->command.At(stamps.velocity[i]),
+                         segment.inputs->command.At(stamps.velocity[i]),
                          static_cast<int>(r)});
       kept_.push_back(kept);
       given_.push_back((1.0 - kept) / (rate * inertia_));

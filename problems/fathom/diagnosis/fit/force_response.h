@@ -19,13 +19,13 @@ namespace fathom {
 // A hundred times cheaper than a simulation; for screens, where many forces are tried.
 class ForceResponse {
  public:
-  // One instant of the run of one record.
+  // One instant of the run of one segment.
   struct Point {
     double time;      // log time [s]
     double velocity;  // simulated [m/s] or [rad/s]
     double position;  // simulated [m] or [rad]
     double command;   // [N] or [N m]
-    int record;
+    int segment;
   };
 
   // `data` must outlive this. Diverging runs leave nothing: is_empty().
@@ -42,7 +42,7 @@ class ForceResponse {
   double inertia_ = 1.0;
   std::vector<Point> points_;
   std::vector<double> kept_, given_;  // of the step that ends at a point: s' = kept s + given f
-  std::vector<int> first_points_;     // by record
+  std::vector<int> first_points_;     // by segment
 };
 
 }  // namespace fathom

@@ -72,20 +72,20 @@ int RemoveFrom(const std::vector<double>& simulated,
 
 int RemoveOutliers(const ExtendedModel& model,
                    const std::vector<InitialState>& initial,
-                   std::vector<Record>* records) {
+                   std::vector<MeasuredSegment>* segments) {
   int num_removed = 0;
-  for (size_t r = 0; r < records->size(); ++r) {
-    Record& record = (*records)[r];
+  for (size_t r = 0; r < segments->size(); ++r) {
+    MeasuredSegment& segment = (*segments)[r];
     EffectOutputs outputs;
-    const EffectSimulation simulation(record.inputs.get(), record.stamps);
+    const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
     if (!simulation.Run(model, initial[r], &outputs)) continue;
     std::vector<double> all_alike;
     num_removed +=
-        RemoveFrom(outputs.velocity, &record.stamps.velocity, &record.velocity, &all_alike);
+        RemoveFrom(outputs.velocity, &segment.stamps.velocity, &segment.velocity, &all_alike);
     num_removed += RemoveFrom(outputs.displacement,
-                              &record.stamps.displacement,
-                              &record.displacement,
-                              &record.displacement_variance);
+                              &segment.stamps.displacement,
+                              &segment.displacement,
+                              &segment.displacement_variance);
   }
   return num_removed;
 }

@@ -7,11 +7,11 @@
 
 namespace fathom {
 
-// Takes single wild samples out of the records: those further from the median of their ten
+// Takes single wild samples out of the segments: those further from the median of their ten
 // neighbours' residuals than six of the residuals' robust spreads (Hampel's identifier). A step or
 // a slow structure moves the median along and stays. Returns how many were taken out.
 int RemoveOutliers(const ExtendedModel& model,
                    const std::vector<InitialState>& initial,
-                   std::vector<Record>* records);
+                   std::vector<MeasuredSegment>* segments);
 
 }  // namespace fathom

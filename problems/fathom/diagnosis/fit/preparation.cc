@@ -18,25 +18,26 @@ namespace {
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
 
-std::vector<Record> Part(const std::vector<Record>& records, bool held_out) {
-  std::vector<Record> part;
-  for (const Record& record : records) {
-    if (record.is_held_out == held_out) part.push_back(record);
+std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {
+  std::vector<MeasuredSegment> part;
+  for (const MeasuredSegment& segment : segments) {
+    if (segment.is_held_out == held_out) part.push_back(segment);
   }
   return part;
 }
 
-size_t NumSamples(const std::vector<Record>& records) {
+size_t NumSamples(const std::vector<MeasuredSegment>& segments) {
   size_t count = 0;
-  for (const Record& record : records) count += record.velocity.size() + record.displacement.size();
+  for (const MeasuredSegment& segment : segments)
+    count += segment.velocity.size() + segment.displacement.size();
   return count;
 }
 
 }  // namespace
 
-Preparation Prepare(const Records& records, Dof dof) {
+Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   Preparation preparation;
-  std::vector<Record> train = Part(records.all, false);
+  std::vector<MeasuredSegment> train = Part(segments.all, false);
   const auto start = FindRobustStart(train);
   if (!start) {
     preparation.message = fmt::format(
@@ -46,7 +47,7 @@ Preparation Prepare(const Records& records, Dof dof) {
     return preparation;
   }
   preparation.num_outliers = RemoveOutliers(start->model, start->initial, &train);
-  std::vector<Record> thinned = Thinned(train);
+  std::vector<MeasuredSegment> thinned = Thinned(train);
   if (NumSamples(thinned) < kLeastSamples) {
     preparation.message = fmt::format(
         "the training data are {} samples (at 10 Hz at most), expected at least {}: with fewer, "
@@ -65,7 +66,7 @@ Preparation Prepare(const Records& records, Dof dof) {
   StartedModel users = UsersModel(data, *start).value_or(StartedFrom(baseline));
   preparation.prepared.emplace(Prepared{std::move(data),
                                         std::move(thinned),
-                                        Part(records.all, true),
+                                        Part(segments.all, true),
                                         std::move(baseline),
                                         std::move(users)});
   return preparation;

@@ -16,11 +16,11 @@ namespace fathom {
 // more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
 inline constexpr double kLeastInertiaIfOpen = 0.01;
 
-// Records of which a diagnosis can be made.
+// Segments of which a diagnosis can be made.
 struct Prepared {
   TrainingData data;
-  std::vector<Record> thinned;  // Thinned() of the same, for a search
-  std::vector<Record> held_out;
+  std::vector<MeasuredSegment> thinned;  // Thinned() of the same, for a search
+  std::vector<MeasuredSegment> held_out;
 
   StructureFit baseline;  // FitBaseline(): what causes are weighed against
   StartedModel users;     // UsersModel(), or the baseline: what free runs are judged against
@@ -34,6 +34,6 @@ struct Preparation {
 
 // Takes outliers out of what is not held out, fits the baseline to the rest along `dof`, and thins
 // it.
-Preparation Prepare(const Records& records, Dof dof);
+Preparation Prepare(const MeasuredSegments& segments, Dof dof);
 
 }  // namespace fathom

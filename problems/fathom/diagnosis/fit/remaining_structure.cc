@@ -52,7 +52,7 @@ void AppendHats(const std::vector<double>& x, int count, std::vector<std::vector
 std::vector<double> Lagged(const Points& points, double time_constant) {
   std::vector<double> lagged;
   for (size_t i = 0; i < points.size(); ++i) {
-    const bool starts = i == 0 || points[i].record != points[i - 1].record;
+    const bool starts = i == 0 || points[i].segment != points[i - 1].segment;
     const double kept =
         starts ? 0.0 : std::exp(-(points[i].time - points[i - 1].time) / time_constant);
     const double before = starts ? 0.0 : lagged.back();

@@ -59,26 +59,26 @@ UncoupledModel<double> MomentumGuess(std::span<const Segment> segments) {
 
 }  // namespace
 
-std::optional<RobustStart> FindRobustStart(std::span<const Record> records) {
-  std::vector<Segment> segments;
+std::optional<RobustStart> FindRobustStart(std::span<const MeasuredSegment> segments) {
+  std::vector<Segment> plain_segments;
   bool has_velocity = false;
-  for (const Record& record : records) {
-    segments.push_back(SegmentOfRecord(record));
-    has_velocity = has_velocity || !record.velocity.empty();
+  for (const MeasuredSegment& segment : segments) {
+    plain_segments.push_back(PlainSegment(segment));
+    has_velocity = has_velocity || !segment.velocity.empty();
   }
   OutputErrorOptions options;
-  options.initial_guess = MomentumGuess(segments);
+  options.initial_guess = MomentumGuess(plain_segments);
   if (!(options.initial_guess->inertia > 0.0)) return std::nullopt;  // no force ever acted
   options.output = has_velocity ? FittedOutput::kVelocity : FittedOutput::kPosition;
-  OutputErrorSummary summary = FitOutputError(segments, options);
+  OutputErrorSummary summary = FitOutputError(plain_segments, options);
   if (!summary.converged) {
     options.initial_guess.reset();
-    summary = FitOutputError(segments, options);
+    summary = FitOutputError(plain_segments, options);
   }
   if (!summary.converged) return std::nullopt;
   RobustStart start = {{summary.model, {}}, {}, summary.covariance};
-  for (size_t r = 0; r < records.size(); ++r) {
-    InitialState state = records[r].initial;
+  for (size_t r = 0; r < segments.size(); ++r) {
+    InitialState state = segments[r].initial;
     state.velocity = summary.initial_states[r].velocity;
     if (!has_velocity) state.position = summary.initial_states[r].position;
     start.initial.push_back(state);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/vehicle/extended_model.h"
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace fathom {
 
-// Output error's robust answer, which fathom_identify would give, and the states the records start
+// Output error's robust answer, which fathom_identify would give, and the states the segments start
 // from. The fits start here, and what they gain is measured against it.
 struct RobustStart {
   ExtendedModel model;
@@ -24,6 +24,6 @@ struct RobustStart {
 
 // The baseline by output error (problems/output_error), from a guess of its own; nothing if it does
 // not converge to a physical model.
-std::optional<RobustStart> FindRobustStart(std::span<const Record> records);
+std::optional<RobustStart> FindRobustStart(std::span<const MeasuredSegment> segments);
 
 }  // namespace fathom

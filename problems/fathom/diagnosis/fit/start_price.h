@@ -13,8 +13,8 @@
 namespace fathom {
 
 // By how much chi squared falls because sensor and water may remember anything at the start, to
-// first order, record by record: (excess / its standard deviation)^2, one for each of ExcessesOf()
-// the model. `variance`: of all unknowns, as Pack() orders them.
+// first order, segment by segment: (excess / its standard deviation)^2, one for each of
+// ExcessesOf() the model. `variance`: of all unknowns, as Pack() orders them.
 std::vector<double> StartGainsOf(const TrainingData& data,
                                  const ExtendedModel& model,
                                  std::span<const InitialState> initial,
@@ -22,7 +22,7 @@ std::vector<double> StartGainsOf(const TrainingData& data,
 
 // What free starts of these gains take from a model's log-likelihood ratio (2 log L): each as
 // little as BIC asks, which is its gain where it had better not be there, else the logarithm of the
-// number of data. A model thus pays for what its records' starts need, and for nothing where they
+// number of data. A model thus pays for what its segments' starts need, and for nothing where they
 // need none.
 double PriceOfStarts(const TrainingData& data, std::span<const double> start_gains);
 

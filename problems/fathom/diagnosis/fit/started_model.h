@@ -13,12 +13,12 @@
 
 namespace fathom {
 
-// A model that runs freely over the training data: where it starts in each record, and what it
+// A model that runs freely over the training data: where it starts in each segment, and what it
 // misses.
 struct StartedModel {
   ExtendedModel model;
   Eigen::MatrixXd covariance;         // of the baseline's parameters, then the effects'
-  std::vector<InitialState> initial;  // by records
+  std::vector<InitialState> initial;  // by segments
   Eigen::VectorXd residual;           // measured - simulated, by bins
 };
 

@@ -13,7 +13,7 @@
 namespace fathom {
 
 // All that a fit looks for in one vector, with its bounds: parameters of the baseline and the
-// effects, then the free states record by record (TrainingData::num_states()).
+// effects, then the free states segment by segment (TrainingData::num_states()).
 struct Unknowns {
   Eigen::VectorXd value, lower, upper;
 };

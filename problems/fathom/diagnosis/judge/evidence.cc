@@ -14,8 +14,8 @@ namespace {
 
 double ShareLeft(const TrainingData& data, const Eigen::VectorXd& residual) {
   double speed2 = 0.0, num_speeds = 0.0;
-  for (const Record& record : data.records()) {
-    for (const double v : SegmentOfRecord(record).velocity) {
+  for (const MeasuredSegment& segment : data.segments()) {
+    for (const double v : PlainSegment(segment).velocity) {
       speed2 += v * v;
       num_speeds += 1.0;
     }

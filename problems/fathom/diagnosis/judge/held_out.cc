@@ -73,54 +73,54 @@ Miss FirstMiss(const std::vector<double>& time,
       std::span(time).first(n), std::span(measured).first(n), std::span(predicted).first(n));
 }
 
-// The state from which a run over the record begins as measured; see FreeRunOver().
-std::optional<InitialState> StartOver(const Record& record, const ExtendedModel& model) {
-  const EffectSimulation simulation(record.inputs.get(), record.stamps);
-  InitialState start = record.initial;
+// The state from which a run over the segment begins as measured; see FreeRunOver().
+std::optional<InitialState> StartOver(const MeasuredSegment& segment, const ExtendedModel& model) {
+  const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
+  InitialState start = segment.initial;
   EffectOutputs outputs;
-  const bool has_memory = !record.velocity.empty() && EffectSimulation::HasReadingMemory(model);
+  const bool has_memory = !segment.velocity.empty() && EffectSimulation::HasReadingMemory(model);
   for (int repeat = 0; repeat < 2; ++repeat) {
     if (has_memory) {
       const auto behind = StateBehind(model,
-                                      *record.inputs,
-                                      record.stamps.start,
-                                      record.stamps.velocity,
-                                      record.velocity,
+                                      *segment.inputs,
+                                      segment.stamps.start,
+                                      segment.stamps.velocity,
+                                      segment.velocity,
                                       start);
       if (!behind) return std::nullopt;
       start = *behind;
     }
     if (!simulation.Run(model, start, &outputs)) return std::nullopt;
-    const Miss in_velocity = FirstMiss(record.stamps.velocity, record.velocity, outputs.velocity);
+    const Miss in_velocity = FirstMiss(segment.stamps.velocity, segment.velocity, outputs.velocity);
     const Miss in_place =
-        FirstMiss(record.stamps.displacement, record.displacement, outputs.displacement);
+        FirstMiss(segment.stamps.displacement, segment.displacement, outputs.displacement);
     // Without velocities the poses tell the first speed too.
-    const bool by_poses = record.velocity.empty();
+    const bool by_poses = segment.velocity.empty();
     if (!has_memory) start.velocity += by_poses ? in_place.slope : in_velocity.mean;
     start.position += by_poses ? in_place.first : in_place.mean;
   }
   return start;
 }
 
-std::optional<EffectOutputs> OutputsOver(const Record& record,
+std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
                                          const ExtendedModel& model,
                                          const InitialState& initial) {
   EffectOutputs outputs;
-  const EffectSimulation simulation(record.inputs.get(), record.stamps);
+  const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
   if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
   return outputs;
 }
 
-FreeRun RunOf(const Record& record, EffectOutputs outputs) {
-  if (!record.velocity.empty()) {
-    return {record.stamps.velocity, record.velocity, std::move(outputs.velocity)};
+FreeRun RunOf(const MeasuredSegment& segment, EffectOutputs outputs) {
+  if (!segment.velocity.empty()) {
+    return {segment.stamps.velocity, segment.velocity, std::move(outputs.velocity)};
   }
-  return {record.stamps.displacement, record.displacement, std::move(outputs.displacement)};
+  return {segment.stamps.displacement, segment.displacement, std::move(outputs.displacement)};
 }
 
 // The displacements, each block put onto the straight line that was measured.
-FreeRun PosesByBlock(const Record& record, const EffectOutputs& outputs) {
-  FreeRun run{record.stamps.displacement, record.displacement, outputs.displacement};
+FreeRun PosesByBlock(const MeasuredSegment& segment, const EffectOutputs& outputs) {
+  FreeRun run{segment.stamps.displacement, segment.displacement, outputs.displacement};
   for (size_t begin = 0; begin < run.time.size();) {
     size_t end = begin;
     while (end < run.time.size() && run.time[end] < run.time[begin] + kBlock) ++end;
@@ -138,26 +138,26 @@ FreeRun PosesByBlock(const Record& record, const EffectOutputs& outputs) {
 
 }  // namespace
 
-std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model) {
-  const auto start = StartOver(record, model);
+std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model) {
+  const auto start = StartOver(segment, model);
   if (!start) return std::nullopt;
-  return FreeRunOver(record, model, *start);
+  return FreeRunOver(segment, model, *start);
 }
 
-std::optional<FreeRun> PosesByBlock(const Record& record, const ExtendedModel& model) {
-  if (record.velocity.empty() || record.displacement.empty()) return std::nullopt;
-  const auto start = StartOver(record, model);
-  const auto outputs = start ? OutputsOver(record, model, *start) : std::nullopt;
+std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const ExtendedModel& model) {
+  if (segment.velocity.empty() || segment.displacement.empty()) return std::nullopt;
+  const auto start = StartOver(segment, model);
+  const auto outputs = start ? OutputsOver(segment, model, *start) : std::nullopt;
   if (!outputs) return std::nullopt;
-  return PosesByBlock(record, *outputs);
+  return PosesByBlock(segment, *outputs);
 }
 
-std::optional<FreeRun> FreeRunOver(const Record& record,
+std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment,
                                    const ExtendedModel& model,
                                    const InitialState& initial) {
-  auto outputs = OutputsOver(record, model, initial);
+  auto outputs = OutputsOver(segment, model, initial);
   if (!outputs) return std::nullopt;
-  return RunOf(record, std::move(*outputs));
+  return RunOf(segment, std::move(*outputs));
 }
 
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
@@ -196,24 +196,24 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std
           .high = gains[kNumResamples - 1 - kNumResamples / 40]};
 }
 
-Scored Score(const std::vector<Record>& records,
+Scored Score(const std::vector<MeasuredSegment>& segments,
              const ExtendedModel& before,
              const ExtendedModel& after) {
   Scored scored;
-  for (const Record& record : records) {
+  for (const MeasuredSegment& segment : segments) {
     const auto outputs_of = [&](const ExtendedModel& model) -> std::optional<EffectOutputs> {
-      const auto start = StartOver(record, model);
+      const auto start = StartOver(segment, model);
       if (!start) return std::nullopt;
-      return OutputsOver(record, model, *start);
+      return OutputsOver(segment, model, *start);
     };
     auto outputs_before = outputs_of(before), outputs_after = outputs_of(after);
     if (!outputs_before || !outputs_after) continue;
-    if (!record.velocity.empty() && !record.displacement.empty()) {
-      scored.poses_before.push_back(PosesByBlock(record, *outputs_before));
-      scored.poses_after.push_back(PosesByBlock(record, *outputs_after));
+    if (!segment.velocity.empty() && !segment.displacement.empty()) {
+      scored.poses_before.push_back(PosesByBlock(segment, *outputs_before));
+      scored.poses_after.push_back(PosesByBlock(segment, *outputs_after));
     }
-    scored.before.push_back(RunOf(record, std::move(*outputs_before)));
-    scored.after.push_back(RunOf(record, std::move(*outputs_after)));
+    scored.before.push_back(RunOf(segment, std::move(*outputs_before)));
+    scored.after.push_back(RunOf(segment, std::move(*outputs_after)));
   }
   return scored;
 }

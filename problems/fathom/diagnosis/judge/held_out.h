@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
@@ -21,26 +21,26 @@ struct FreeRun {
   std::vector<double> predicted;  // the same
 };
 
-// The free run of a model over a record, from the state at which its readings agree with the first
+// The free run of a model over a segment, from the state at which its readings agree with the first
 // two seconds of the measured ones on average, StateBehind() of a sensor with a memory, or, of
 // poses without velocities, in a straight line; nothing if it diverges. (What is measured is not
 // the state: a sensor's bias would start the run at a wrong speed.)
-std::optional<FreeRun> FreeRunOver(const Record& record, const ExtendedModel& model);
+std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model);
 
 // The same from a given start.
-std::optional<FreeRun> FreeRunOver(const Record& record,
+std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment,
                                    const ExtendedModel& model,
                                    const InitialState& initial);
 
 // The displacements of a run from such a state, where velocities and poses are measured: each block
 // of 10 s put onto the straight line that was measured. A free run strays from its place by far
 // more than what is wrong with poses moves them; how they move within a block shows it.
-std::optional<FreeRun> PosesByBlock(const Record& record, const ExtendedModel& model);
+std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const ExtendedModel& model);
 
 // MAE and NMAE over several runs together (docs/models.md (7), (8)); NaN if there are none.
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
 
-// How much less the second model's runs miss than the first's, over the same records:
+// How much less the second model's runs miss than the first's, over the same segments:
 // 1 - sum |miss after| / sum |miss before|, with a 95 % interval from resampling blocks of 10 s.
 struct Gain {
   double value = 0.0, low = 0.0, high = 0.0;
@@ -48,7 +48,7 @@ struct Gain {
 };
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
 
-// Free runs of two models over the same records, which neither was fitted to.
+// Free runs of two models over the same segments, which neither was fitted to.
 struct Scored {
   std::vector<FreeRun> before, after;
 
@@ -59,8 +59,8 @@ struct Scored {
 // poses, where there are both.
 Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
 
-// The runs over the records that both models can run over.
-Scored Score(const std::vector<Record>& records,
+// The runs over the segments that both models can run over.
+Scored Score(const std::vector<MeasuredSegment>& segments,
              const ExtendedModel& before,
              const ExtendedModel& after);
 

@@ -56,8 +56,8 @@ FitFigures TrainFigures(const TrainingData& data,
                         const ExtendedModel& model,
                         const std::vector<InitialState>& initial) {
   std::vector<FreeRun> runs;
-  for (size_t r = 0; r < data.records().size(); ++r) {
-    if (auto run = FreeRunOver(data.records()[r], model, initial[r])) {
+  for (size_t r = 0; r < data.segments().size(); ++r) {
+    if (auto run = FreeRunOver(data.segments()[r], model, initial[r])) {
       runs.push_back(std::move(*run));
     }
   }

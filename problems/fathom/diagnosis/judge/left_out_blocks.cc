@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kNumFolds = 4;
 
-// The samples of a record within [from, to].
-Record Between(const Record& record, double from, double to) {
-  Record part = record;
+// The samples of a segment within [from, to].
+MeasuredSegment Between(const MeasuredSegment& segment, double from, double to) {
+  MeasuredSegment part = segment;
   const auto cut = [&](std::vector<double>* time,
                        std::initializer_list<std::vector<double>*> values) {
     const auto begin = std::lower_bound(time->begin(), time->end(), from) - time->begin();
@@ -35,12 +35,13 @@ Record Between(const Record& record, double from, double to) {
   return part;
 }
 
-// Where nothing measures the position: along the measured velocity, as RecordsOf() counts it.
-double PositionAt(const Record& record, double time) {
-  double position = record.initial.position;
-  const std::vector<double>& t = record.stamps.velocity;
+// Where nothing measures the position: along the measured velocity, as MeasuredSegmentsOf() counts
+// it.
+double PositionAt(const MeasuredSegment& segment, double time) {
+  double position = segment.initial.position;
+  const std::vector<double>& t = segment.stamps.velocity;
   for (size_t i = 1; i < t.size() && t[i] <= time; ++i) {
-    position += 0.5 * (t[i] - t[i - 1]) * (record.velocity[i - 1] + record.velocity[i]);
+    position += 0.5 * (t[i] - t[i - 1]) * (segment.velocity[i - 1] + segment.velocity[i]);
   }
   return position;
 }
@@ -65,38 +66,38 @@ Scored LeaveBlocksOut(const TrainingData& data,
     return !active.setting.log.empty();
   });
   std::map<std::string, double> totals;
-  for (const Record& record : data.records()) {
-    totals[is_by_log ? record.log : ""] += record.duration();
+  for (const MeasuredSegment& segment : data.segments()) {
+    totals[is_by_log ? segment.log : ""] += segment.duration();
   }
   for (int fold = 0; fold < kNumFolds; ++fold) {
-    std::vector<Record> kept, left_out;
+    std::vector<MeasuredSegment> kept, left_out;
     std::map<std::string, double> passed_of;
-    for (const Record& record : data.records()) {
-      const std::string of = is_by_log ? record.log : "";
+    for (const MeasuredSegment& segment : data.segments()) {
+      const std::string of = is_by_log ? segment.log : "";
       const double total = totals[of];
       double& passed = passed_of[of];
       const double from = total * fold / kNumFolds, to = total * (fold + 1) / kNumFolds;
-      const double start = record.stamps.start, end = start + record.duration();
+      const double start = segment.stamps.start, end = start + segment.duration();
       const double low = std::clamp(start + from - passed, start, end);
       const double high = std::clamp(start + to - passed, start, end);
-      passed += record.duration();
-      const auto add = [&](Record part, std::vector<Record>* to_list) {
+      passed += segment.duration();
+      const auto add = [&](MeasuredSegment part, std::vector<MeasuredSegment>* to_list) {
         const auto& time = part.velocity.empty() ? part.stamps.displacement : part.stamps.velocity;
         if (time.size() < 20) return;
-        if (part.displacement.empty()) part.initial.position = PositionAt(record, time.front());
+        if (part.displacement.empty()) part.initial.position = PositionAt(segment, time.front());
         RestartAt(time.front(), &part);
         to_list->push_back(std::move(part));
       };
-      if (low > start) add(Between(record, start, low - 1e-9), &kept);
-      if (high > low) add(Between(record, low, high), &left_out);
-      if (high < end) add(Between(record, high + 1e-9, end), &kept);
+      if (low > start) add(Between(segment, start, low - 1e-9), &kept);
+      if (high > low) add(Between(segment, low, high), &left_out);
+      if (high < end) add(Between(segment, high + 1e-9, end), &kept);
     }
     if (kept.empty() || left_out.empty()) continue;
     std::vector<InitialState> initial;
-    for (const Record& record : kept) initial.push_back(record.initial);
+    for (const MeasuredSegment& segment : kept) initial.push_back(segment.initial);
     const TrainingData rest(std::move(kept), baseline.baseline, data.least_inertia());
     const Whitener whitener(extended.noise, rest.samples());
-    const auto before = FindRobustStart(rest.records());
+    const auto before = FindRobustStart(rest.segments());
     const StructureFit after = FitStructure(rest, extended.model, initial, whitener);
     Append(Score(left_out, before ? before->model : baseline, after.model), &scored);
   }

@@ -49,8 +49,8 @@ MissingForce FindMissingForce(const TrainingData& data,
   for (const Dof partner : partners) missing.partner_names.emplace_back(Name(partner));
   missing.partner_velocities.resize(partners.size());
 
-  for (size_t r = 0; r < data.records().size(); ++r) {
-    const Record& record = data.records()[r];
+  for (size_t r = 0; r < data.segments().size(); ++r) {
+    const MeasuredSegment& segment = data.segments()[r];
     std::vector<double> times;
     std::vector<int> rows;
     for (int row = data.bins().first_row(r); row < data.bins().first_row(r + 1); ++row) {
@@ -59,17 +59,17 @@ MissingForce FindMissingForce(const TrainingData& data,
       rows.push_back(row);
     }
     OutputStamps stamps;
-    stamps.start = record.stamps.start;
+    stamps.start = segment.stamps.start;
     for (const double t : times) stamps.velocity.push_back(std::max(t, stamps.start));
     stamps.displacement = stamps.velocity;
     EffectOutputs run;
-    if (!EffectSimulation(record.inputs.get(), stamps)
+    if (!EffectSimulation(segment.inputs.get(), stamps)
              .Run(baseline.model, baseline.initial[r], &run)) {
       continue;
     }
     std::vector<PartnerSignals> signals;
     for (const Dof partner : partners) {
-      signals.emplace_back(*record.inputs, EffectSetting{.partner = partner});
+      signals.emplace_back(*segment.inputs, EffectSetting{.partner = partner});
     }
     for (size_t i = 0; i < times.size(); ++i) {
       const double t = times[i];
@@ -77,9 +77,9 @@ MissingForce FindMissingForce(const TrainingData& data,
       missing.mean.push_back(inertia * smoothed.mean[rows[i]]);
       missing.std.push_back(inertia * smoothed.std[rows[i]]);
       missing.explained.push_back(inertia * explained.mean[rows[i]]);
-      missing.command.push_back(record.inputs->command.At(t));
-      missing.command_rate.push_back((record.inputs->command.At(t + 0.5 * kCommandRateStep) -
-                                      record.inputs->command.At(t - 0.5 * kCommandRateStep)) /
+      missing.command.push_back(segment.inputs->command.At(t));
+      missing.command_rate.push_back((segment.inputs->command.At(t + 0.5 * kCommandRateStep) -
+                                      segment.inputs->command.At(t - 0.5 * kCommandRateStep)) /
                                      kCommandRateStep);
       missing.velocity.push_back(run.velocity[i]);
       missing.displacement.push_back(run.displacement[i]);
@@ -91,12 +91,12 @@ MissingForce FindMissingForce(const TrainingData& data,
   return missing;
 }
 
-ResidualTrace TraceOf(const Record& record,
+ResidualTrace TraceOf(const MeasuredSegment& segment,
                       std::optional<FreeRun> before,
                       std::optional<FreeRun> after) {
   ResidualTrace trace;
-  trace.log = record.log;
-  trace.is_held_out = record.is_held_out;
+  trace.log = segment.log;
+  trace.is_held_out = segment.is_held_out;
   if (before) {
     trace.time = std::move(before->time);
     trace.measured = std::move(before->measured);

@@ -14,15 +14,15 @@ namespace fathom {
 
 // The force that the baseline misses: a force that wanders (Ornstein-Uhlenbeck), smoothed from the
 // baseline's residual under the sensors' part of `noise`; beside it what the extended model adds,
-// and what it may depend on. Of all records of `data`, at their bins. docs/diagnosis.md (9).
+// and what it may depend on. Of all segments of `data`, at their bins. docs/diagnosis.md (9).
 MissingForce FindMissingForce(const TrainingData& data,
                               const StartedModel& baseline,
                               const StartedModel& extended,
                               const NoiseModel& noise,
                               const std::vector<Dof>& partners);
 
-// Measured against both models' free runs over one record; a run that diverged is left out.
-ResidualTrace TraceOf(const Record& record,
+// Measured against both models' free runs over one segment; a run that diverged is left out.
+ResidualTrace TraceOf(const MeasuredSegment& segment,
                       std::optional<FreeRun> before,
                       std::optional<FreeRun> after);
 

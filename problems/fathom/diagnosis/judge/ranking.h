@@ -10,7 +10,7 @@
 
 namespace fathom {
 
-// The causes that are named, in the order of their model's effects, each with what these records
+// The causes that are named, in the order of their model's effects, each with what these segments
 // cannot tell from it and the experiment that would; their held-out gains are left at 0.
 std::vector<Cause> CausesOf(const HypothesisBook& book,
                             const Judgement& judgement,

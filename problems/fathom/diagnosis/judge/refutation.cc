@@ -50,7 +50,7 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const Hypothe
 }  // namespace
 
 Sifted LeaveOutTheRefuted(const TrainingData& data,
-                          const std::vector<Record>& held_out,
+                          const std::vector<MeasuredSegment>& held_out,
                           const std::vector<Suspect>& suspects,
                           const HypothesisBook& book,
                           Burden burden,

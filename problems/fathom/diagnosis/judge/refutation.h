@@ -39,12 +39,12 @@ struct Sifted {
   std::vector<Refusal> refusals;
 };
 
-// Leaves out of a choice every cause that does not bear its burden on the held-out records, one at
+// Leaves out of a choice every cause that does not bear its burden on the held-out segments, one at
 // a time (what acts on the poses alone and does not gain 5 % in them for certain must not lose in
 // the velocities either): the best hypothesis of fewer causes without it takes the place. Where
 // causes need only not to lose, the last one stays: Judge() asks all data of it.
 Sifted LeaveOutTheRefuted(const TrainingData& data,
-                          const std::vector<Record>& held_out,
+                          const std::vector<MeasuredSegment>& held_out,
                           const std::vector<Suspect>& suspects,
                           const HypothesisBook& book,
                           Burden burden,

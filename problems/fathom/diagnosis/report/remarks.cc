@@ -107,8 +107,8 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
 
 }  // namespace
 
-std::vector<std::string> RemarksOnData(const Records& records, int num_outliers) {
-  std::vector<std::string> remarks = records.remarks;
+std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers) {
+  std::vector<std::string> remarks = segments.remarks;
   if (num_outliers > 0) {
     remarks.push_back(fmt::format("Left out: {} single sample{} far from {} neighbours.",
                                   num_outliers,

@@ -13,7 +13,7 @@ namespace fathom {
 
 // What is to be said of the data before anything is looked for: what was dropped, counted; what
 // could not be tried, and why.
-std::vector<std::string> RemarksOnData(const Records& records, int num_outliers);
+std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers);
 
 // What is to be said of a judgement: what was refused, and why; how far the data carry it.
 std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,

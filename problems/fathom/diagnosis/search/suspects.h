@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/search/suspect.h"
 
 #include <span>
@@ -12,9 +12,9 @@
 
 namespace fathom {
 
-// The effects that these records can show at all, each with every partner it may have. With several
-// logs, what belongs to a run is a suspect in each of those that are trained on.
-std::vector<Suspect> SuspectsFor(const Records& records,
+// The effects that these segments can show at all, each with every partner it may have. With
+// several logs, what belongs to a run is a suspect in each of those that are trained on.
+std::vector<Suspect> SuspectsFor(const MeasuredSegments& segments,
                                  Dof dof,
                                  std::span<const Effect* const> effects);
 

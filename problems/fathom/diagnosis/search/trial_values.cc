@@ -28,11 +28,11 @@ double NaturalSize(const Quantity& quantity, const RunScale& scale) {
 void SetTimes(const TrainingData& data, const std::string& log, RunScale* scale) {
   scale->first_time = std::numeric_limits<double>::infinity();
   scale->last_time = -std::numeric_limits<double>::infinity();
-  for (const Record& record : data.records()) {
-    if (!log.empty() && record.log != log) continue;
-    const double start = record.stamps.start - record.inputs->command.time.front();
+  for (const MeasuredSegment& segment : data.segments()) {
+    if (!log.empty() && segment.log != log) continue;
+    const double start = segment.stamps.start - segment.inputs->command.time.front();
     scale->first_time = std::min(scale->first_time, start);
-    scale->last_time = std::max(scale->last_time, start + record.duration());
+    scale->last_time = std::max(scale->last_time, start + segment.duration());
   }
 }
 

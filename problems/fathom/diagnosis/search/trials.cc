@@ -78,14 +78,14 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
   std::vector<double> force;
   force.reserve(response.points().size());
   PartnerSignals partner;
-  int record = -1;
+  int segment = -1;
   double time_zero = 0.0;
   bool acts = true;
   for (const ForceResponse::Point& point : response.points()) {
-    if (point.record != record) {
-      record = point.record;
-      acts = suspect.setting.ActsIn(data.records()[record].log);
-      const EffectInputs& inputs = *data.records()[record].inputs;
+    if (point.segment != segment) {
+      segment = point.segment;
+      acts = suspect.setting.ActsIn(data.segments()[segment].log);
+      const EffectInputs& inputs = *data.segments()[segment].inputs;
       if (suspect.effect->info().has_partner()) partner = PartnerSignals(inputs, suspect.setting);
       time_zero = inputs.command.time.front();
     }

@@ -24,7 +24,7 @@ TrainingData DataOf(const UncoupledModel<double>& about) {
   run.input = Steps({200.0, 0.0}, kHold);
   run.duration = 6.0 * kHold;
   run.velocity_noise = 0.0003;
-  return TrainingData(RecordsOf(std::vector<Log>{LogOf(run, 1)}, Dof::kSurge).all, about);
+  return TrainingData(MeasuredSegmentsOf(std::vector<Log>{LogOf(run, 1)}, Dof::kSurge).all, about);
 }
 
 TEST(TrainingData, ASampleIsDampedAsTheVehicleIsAtItsSpeed) {

@@ -76,24 +76,24 @@ TEST(VarianceOverUsual, NeedsSamplesToChangeOver) {
 }
 
 // A vehicle at rest, whose poses become ten times as noisy halfway.
-Record AtRest() {
+MeasuredSegment AtRest() {
   auto inputs = std::make_shared<EffectInputs>();
   inputs->command = {{0.0}, {0.0}};
-  Record record;
-  record.inputs = inputs;
+  MeasuredSegment segment;
+  segment.inputs = inputs;
   RandomStream random(1, "test");
   for (int i = 0; i < kNumSamples; ++i) {
     const bool is_late = i >= kNumSamples / 2;
-    record.stamps.displacement.push_back(0.1 * i);
-    record.displacement.push_back((is_late ? 10.0 : 1.0) * kNoise * random.Normal());
-    record.displacement_variance.push_back(is_late ? 64.0 : 1.0);
+    segment.stamps.displacement.push_back(0.1 * i);
+    segment.displacement.push_back((is_late ? 10.0 : 1.0) * kNoise * random.Normal());
+    segment.displacement_variance.push_back(is_late ? 64.0 : 1.0);
   }
-  return record;
+  return segment;
 }
 
 TEST(UnevenNoise, WeighsInTheBins) {
-  const std::vector<Record> records = {AtRest()};
-  const Bins bins(records);
+  const std::vector<MeasuredSegment> segments = {AtRest()};
+  const Bins bins(segments);
   for (int i = 0; i + 1 < bins.size(); ++i) {  // the last may hold fewer samples
     EXPECT_EQ(bins.samples()[i].variance_factor, bins.samples()[i].time < 149.9 ? 1.0 : 64.0) << i;
   }
@@ -101,12 +101,12 @@ TEST(UnevenNoise, WeighsInTheBins) {
 
 // Six standard deviations are ten times as far where the noise is ten times as large.
 TEST(UnevenNoise, SaysWhatAWildSampleIs) {
-  std::vector<Record> records = {AtRest()};
-  records[0].displacement[100] += 20.0 * kNoise;
-  records[0].displacement[2500] = 20.0 * kNoise;
-  EXPECT_EQ(RemoveOutliers({{890.0, 60.0, 39.0, 0.0}, {}}, {{0.0, 0.0}}, &records), 1);
-  EXPECT_EQ(records[0].displacement.size(), records[0].displacement_variance.size());
-  EXPECT_EQ(records[0].stamps.displacement[100], 0.1 * 101);
+  std::vector<MeasuredSegment> segments = {AtRest()};
+  segments[0].displacement[100] += 20.0 * kNoise;
+  segments[0].displacement[2500] = 20.0 * kNoise;
+  EXPECT_EQ(RemoveOutliers({{890.0, 60.0, 39.0, 0.0}, {}}, {{0.0, 0.0}}, &segments), 1);
+  EXPECT_EQ(segments[0].displacement.size(), segments[0].displacement_variance.size());
+  EXPECT_EQ(segments[0].stamps.displacement[100], 0.1 * 101);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class ForceResponses : public testing::TestWithParam<bool> {
     run.duration = 90.0;
     run.has_poses = GetParam();
     const std::vector<Log> logs = {LogOf(run, 1)};
-    data_ = std::make_unique<TrainingData>(RecordsOf(logs, Dof::kSurge).all);
+    data_ = std::make_unique<TrainingData>(MeasuredSegmentsOf(logs, Dof::kSurge).all);
     fit_.model = {kSurgeTruth, {}};
     fit_.initial = {{0.05, 0.0}};
   }

@@ -18,62 +18,62 @@ constexpr int kNumSamples = 2000;
 constexpr double kNoise = 0.01;  // [m/s]
 
 // A vehicle at rest without a command: all that is measured is noise.
-std::vector<Record> AtRest() {
+std::vector<MeasuredSegment> AtRest() {
   auto inputs = std::make_shared<EffectInputs>();
   inputs->command = {{0.0}, {0.0}};
-  Record record;
-  record.inputs = inputs;
+  MeasuredSegment segment;
+  segment.inputs = inputs;
   RandomStream random(1, "test");
   for (int i = 0; i < kNumSamples; ++i) {
-    record.stamps.velocity.push_back(0.1 * i);
-    record.velocity.push_back(kNoise * random.Normal());
+    segment.stamps.velocity.push_back(0.1 * i);
+    segment.velocity.push_back(kNoise * random.Normal());
   }
-  return {record};
+  return {segment};
 }
 
-int Remove(std::vector<Record>* records) {
-  return RemoveOutliers({{890.0, 60.0, 39.0, 0.0}, {}}, {{0.0, 0.0}}, records);
+int Remove(std::vector<MeasuredSegment>* segments) {
+  return RemoveOutliers({{890.0, 60.0, 39.0, 0.0}, {}}, {{0.0, 0.0}}, segments);
 }
 
 // Beyond six robust standard deviations lie 2e-9 of Gaussian noise; the median of eleven moves the
 // limit by a third of one: 1e-8 of 2000 samples.
 TEST(RemoveOutliers, LeavesGaussianNoiseAlone) {
-  auto records = AtRest();
-  EXPECT_EQ(Remove(&records), 0);
-  EXPECT_EQ(records[0].velocity.size(), kNumSamples);
+  auto segments = AtRest();
+  EXPECT_EQ(Remove(&segments), 0);
+  EXPECT_EQ(segments[0].velocity.size(), kNumSamples);
 }
 
 TEST(RemoveOutliers, TakesOutWildSamplesAndNoOthers) {
-  auto records = AtRest();
+  auto segments = AtRest();
   const std::set<int> wild = {0, 17, 300, 301, 1500, kNumSamples - 1};
-  for (const int i : wild) records[0].velocity[i] += i % 2 == 0 ? 0.15 : -0.15;
-  const auto before = records[0];
-  EXPECT_EQ(Remove(&records), static_cast<int>(wild.size()));
+  for (const int i : wild) segments[0].velocity[i] += i % 2 == 0 ? 0.15 : -0.15;
+  const auto before = segments[0];
+  EXPECT_EQ(Remove(&segments), static_cast<int>(wild.size()));
   int k = 0;
   for (int i = 0; i < kNumSamples; ++i) {
     if (wild.count(i) > 0) continue;
-    ASSERT_EQ(records[0].stamps.velocity[k], before.stamps.velocity[i]);
-    ASSERT_EQ(records[0].velocity[k++], before.velocity[i]);
+    ASSERT_EQ(segments[0].stamps.velocity[k], before.stamps.velocity[i]);
+    ASSERT_EQ(segments[0].velocity[k++], before.velocity[i]);
   }
-  EXPECT_EQ(static_cast<size_t>(k), records[0].velocity.size());
+  EXPECT_EQ(static_cast<size_t>(k), segments[0].velocity.size());
 }
 
 // What a cause leaves is structure, not outliers: a jump that stays, a slow swing.
 TEST(RemoveOutliers, LeavesStructureAlone) {
-  auto records = AtRest();
+  auto segments = AtRest();
   for (int i = 0; i < kNumSamples; ++i) {
-    if (i > 700) records[0].velocity[i] += 0.3;
-    records[0].velocity[i] += 0.2 * std::sin(0.3 * 0.1 * i);
+    if (i > 700) segments[0].velocity[i] += 0.3;
+    segments[0].velocity[i] += 0.2 * std::sin(0.3 * 0.1 * i);
   }
-  EXPECT_EQ(Remove(&records), 0);
+  EXPECT_EQ(Remove(&segments), 0);
 }
 
-TEST(RemoveOutliers, LeavesRecordsShorterThanTheNeighbourhoodAlone) {
-  auto records = AtRest();
-  records[0].velocity.resize(10);
-  records[0].stamps.velocity.resize(10);
-  records[0].velocity[4] = 5.0;
-  EXPECT_EQ(Remove(&records), 0);
+TEST(RemoveOutliers, LeavesSegmentsShorterThanTheNeighbourhoodAlone) {
+  auto segments = AtRest();
+  segments[0].velocity.resize(10);
+  segments[0].stamps.velocity.resize(10);
+  segments[0].velocity[4] = 5.0;
+  EXPECT_EQ(Remove(&segments), 0);
 }
 
 }  // namespace

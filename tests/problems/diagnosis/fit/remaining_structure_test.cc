@@ -23,9 +23,9 @@ SurgeRun Plain() {
 
 RemainingStructure RemainingIn(const SurgeRun& run, std::uint64_t seed) {
   const std::vector<Log> logs = {LogOf(run, seed)};
-  const TrainingData data(RecordsOf(logs, Dof::kSurge).all);
+  const TrainingData data(MeasuredSegmentsOf(logs, Dof::kSurge).all);
   const StructureFit fit =
-      FitBaseline(data, {kSurgeTruth, {}}, std::vector{data.records()[0].initial});
+      FitBaseline(data, {kSurgeTruth, {}}, std::vector{data.segments()[0].initial});
   return FindRemainingStructure(data, fit);
 }
 

@@ -12,9 +12,9 @@
 namespace fathom {
 namespace {
 
-Records RecordsFrom(const SurgeRun& run, std::uint64_t seed) {
+MeasuredSegments SegmentsFrom(const SurgeRun& run, std::uint64_t seed) {
   const std::vector<Log> logs = {LogOf(run, seed)};
-  return RecordsOf(logs, Dof::kSurge);
+  return MeasuredSegmentsOf(logs, Dof::kSurge);
 }
 
 void ExpectTruth(const RobustStart& start, double share) {
@@ -29,7 +29,7 @@ TEST(RobustStart, FindsTheTruthInPerfectVelocities) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.velocity_noise = 1e-7;
-  const auto start = FindRobustStart(RecordsFrom(run, 1).all);
+  const auto start = FindRobustStart(SegmentsFrom(run, 1).all);
   ASSERT_TRUE(start);
   ExpectTruth(*start, 1e-3);
   EXPECT_NEAR(start->initial[0].velocity, 0.0, 1e-4);
@@ -41,7 +41,7 @@ TEST(RobustStart, FindsTheTruthInPerfectPoses) {
   run.has_velocity = false;
   run.has_poses = true;
   run.position_noise = 1e-6;
-  const auto start = FindRobustStart(RecordsFrom(run, 1).all);
+  const auto start = FindRobustStart(SegmentsFrom(run, 1).all);
   ASSERT_TRUE(start);
   ExpectTruth(*start, 1e-3);
 }
@@ -50,12 +50,12 @@ TEST(RobustStart, FindsTheTruthInPerfectPoses) {
 TEST(RobustStart, IsNotMovedByOutliers) {
   SurgeRun run;
   run.input = Multisine(40.0);
-  Records records = RecordsFrom(run, 1);
-  const auto clean = FindRobustStart(records.all);
-  for (size_t i = 0; i < records.all[0].velocity.size(); i += 50) {
-    records.all[0].velocity[i] += 0.3;
+  MeasuredSegments segments = SegmentsFrom(run, 1);
+  const auto clean = FindRobustStart(segments.all);
+  for (size_t i = 0; i < segments.all[0].velocity.size(); i += 50) {
+    segments.all[0].velocity[i] += 0.3;
   }
-  const auto start = FindRobustStart(records.all);
+  const auto start = FindRobustStart(segments.all);
   ASSERT_TRUE(clean && start);
   // A fiftieth of the samples pulls with no more than Huber's limit of about 1.3 standard
   // deviations: a constant of 0.03 standard deviations, 0.3 mm/s of speeds of 0.3 m/s.
@@ -66,7 +66,7 @@ TEST(RobustStart, IsPhysicalWhereAnEffectWantsNegativeDamping) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.effects = "thruster_lag:time_constant=1.0";
-  const auto start = FindRobustStart(RecordsFrom(run, 1).all);
+  const auto start = FindRobustStart(SegmentsFrom(run, 1).all);
   ASSERT_TRUE(start);
   EXPECT_GT(start->model.baseline.inertia, 0.0);
   EXPECT_GE(start->model.baseline.quadratic_damping, 0.0);

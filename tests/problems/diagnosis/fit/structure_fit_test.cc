@@ -32,12 +32,12 @@ SurgeRun Short() {
 
 TrainingData DataOf(const SurgeRun& run, std::uint64_t seed) {
   const std::vector<Log> logs = {LogOf(run, seed)};
-  return TrainingData(RecordsOf(logs, Dof::kSurge).all);
+  return TrainingData(MeasuredSegmentsOf(logs, Dof::kSurge).all);
 }
 
 std::vector<InitialState> StatesOf(const TrainingData& data) {
   std::vector<InitialState> states;
-  for (const Record& record : data.records()) states.push_back(record.initial);
+  for (const MeasuredSegment& segment : data.segments()) states.push_back(segment.initial);
   return states;
 }
 
@@ -47,7 +47,7 @@ NoiseModel Coloured() {
   return noise;
 }
 
-// The five unknowns of a baseline fit of one record without poses.
+// The five unknowns of a baseline fit of one segment without poses.
 Eigen::VectorXd Unknowns(const StructureFit& fit) {
   Eigen::VectorXd p(5);
   p << fit.model.baseline.inertia, fit.model.baseline.quadratic_damping,
@@ -122,7 +122,7 @@ TrainingData LaggingData(double first, std::uint64_t seed) {
   run.velocity_noise = 0.005;
   run.effects = "sensor_lag:time_constant=1.2";
   const Log log = WithoutMotion(WithoutMotion(LogOf(run, seed), 0.0, first), 80.0, 130.0);
-  return TrainingData(RecordsOf(std::vector<Log>{log}, Dof::kSurge).all);
+  return TrainingData(MeasuredSegmentsOf(std::vector<Log>{log}, Dof::kSurge).all);
 }
 
 StructureFit FitLag(const TrainingData& data) {
@@ -132,9 +132,9 @@ StructureFit FitLag(const TrainingData& data) {
   return FitStructure(data, start, StatesOf(data), Whitener(noise, data.samples()));
 }
 
-TEST(FitStructure, FreesWhereALaggingSensorStartsInEveryRecord) {
+TEST(FitStructure, FreesWhereALaggingSensorStartsInEverySegment) {
   const TrainingData data = LaggingData(30.0, 3);
-  ASSERT_EQ(data.records().size(), 2u);
+  ASSERT_EQ(data.segments().size(), 2u);
   const StructureFit fit = FitLag(data);
   ASSERT_TRUE(fit.converged);
   const double std = std::sqrt(fit.covariance(kNumParameters, kNumParameters));
@@ -142,7 +142,7 @@ TEST(FitStructure, FreesWhereALaggingSensorStartsInEveryRecord) {
   EXPECT_NEAR(fit.model.effects[0].values[0], 1.2, 4.0 * std);
   const double num_free = static_cast<double>(fit.residual.size() - fit.jacobian.cols());
   EXPECT_NEAR(fit.chi_squared, num_free, 4.0 * std::sqrt(2.0 * num_free));
-  // The last columns are the records' states, velocity and excess in turns.
+  // The last columns are the segments' states, velocity and excess in turns.
   ASSERT_EQ(fit.jacobian.cols(), kNumParameters + 1 + 4);
   for (int column = 0; column < 4; ++column) {
     std::vector<InitialState> low = fit.initial, high = fit.initial;
@@ -159,7 +159,7 @@ TEST(FitStructure, FreesWhereALaggingSensorStartsInEveryRecord) {
   }
 }
 
-// Both records begin amid an acceleration, so that y = v is far off there, and what freedom gains
+// Both segments begin amid an acceleration, so that y = v is far off there, and what freedom gains
 // is what it gains over the fit without it.
 TEST(FitStructure, PaysForAFreeStartWhereItIsNeeded) {
   const double log_n = std::log(static_cast<double>(LaggingData(30.0, 3).bins().size()));
@@ -193,16 +193,16 @@ TEST(FitStructure, PaysNextToNothingWhereTheSensorStartsAtRest) {
   EXPECT_NEAR(sum, num_runs, 4.0 * std::sqrt(2.0 * num_runs));
 }
 
-// The water too: its memory of the time before each record, beside a sensor's.
-TEST(FitStructure, FreesWhatTheWaterRemembersInEveryRecord) {
+// The water too: its memory of the time before each segment, beside a sensor's.
+TEST(FitStructure, FreesWhatTheWaterRemembersInEverySegment) {
   SurgeRun run = Short();
   run.duration = 200.0;
   run.noise_correlation = 0.0;
   run.velocity_noise = 0.005;
   run.effects = "fluid_memory:coefficient=130:time_constant=4,sensor_lag:time_constant=1.2";
   const Log log = WithoutMotion(WithoutMotion(LogOf(run, 3), 0.0, 30.0), 80.0, 130.0);
-  const TrainingData data(RecordsOf(std::vector<Log>{log}, Dof::kSurge).all);
-  ASSERT_EQ(data.records().size(), 2u);
+  const TrainingData data(MeasuredSegmentsOf(std::vector<Log>{log}, Dof::kSurge).all);
+  ASSERT_EQ(data.segments().size(), 2u);
   NoiseModel noise;
   noise.velocity.white_std = 0.005;
   const ExtendedModel start = {
@@ -213,7 +213,7 @@ TEST(FitStructure, FreesWhatTheWaterRemembersInEveryRecord) {
   ASSERT_TRUE(fit.converged);
   const double num_free = static_cast<double>(fit.residual.size() - fit.jacobian.cols());
   EXPECT_NEAR(fit.chi_squared, num_free, 4.0 * std::sqrt(2.0 * num_free));
-  // The last columns are the records' states: velocity, the reading's excess, the water's.
+  // The last columns are the segments' states: velocity, the reading's excess, the water's.
   const int first = kNumParameters + 3;
   ASSERT_EQ(fit.jacobian.cols(), first + 6);
   ASSERT_EQ(fit.start_gains.size(), 4u);
@@ -293,7 +293,7 @@ TEST(FitStructure, GivesNoSpreadToAParameterOnItsBoundThatTheDataSayNothingOf) {
 TEST(FitStructure, KeepsTheInertiaAboveTheLeast) {
   const std::vector<Log> logs = {LogOf(Short(), 4)};
   const double least = 1.5 * kSurgeTruth.inertia;
-  const TrainingData data(RecordsOf(logs, Dof::kSurge).all, kSurgeTruth, least);
+  const TrainingData data(MeasuredSegmentsOf(logs, Dof::kSurge).all, kSurgeTruth, least);
   const Whitener whitener(Coloured(), data.samples());
   ExtendedModel model = {kSurgeTruth, {}};
   for (int turn = 0; turn < 3; ++turn) {

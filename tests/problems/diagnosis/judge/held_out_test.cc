@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/judge/held_out.h"
 
 #include "fathom/base/random_stream.h"
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/judge/refutation.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
@@ -85,11 +85,11 @@ TEST(GainOf, IsInThePosesWhereThePosesAloneAreWrong) {
   run.effects = "pose_scale:error=0.05";
   Log log = LogOf(run, 8);
   log.held_out = {{60.0, 120.0}};
-  const Records records = RecordsOf(std::span<const Log>(&log, 1), Dof::kSurge);
-  ASSERT_EQ(records.all.size(), 2u);
+  const MeasuredSegments segments = MeasuredSegmentsOf(std::span<const Log>(&log, 1), Dof::kSurge);
+  ASSERT_EQ(segments.all.size(), 2u);
   const ExtendedModel without = {kSurgeTruth, {}};
   const ExtendedModel with = {kSurgeTruth, {{FindEffect("pose_scale"), {}, {0.05}}}};
-  Scored scored = Score({records.all[1]}, without, with);
+  Scored scored = Score({segments.all[1]}, without, with);
 
   const Gain in_velocities = GainOf(scored, false, 1);
   EXPECT_FALSE(in_velocities.is_in_poses);
@@ -139,11 +139,11 @@ TEST(FreeRunOver, StartsAtTheSpeedThatPosesShow) {
   run.position_noise = 0.001;
   Log log = LogOf(run, 8);
   log.held_out = {{60.0, 120.0}};
-  const Records records = RecordsOf(std::span<const Log>(&log, 1), Dof::kSurge);
-  ASSERT_EQ(records.all.size(), 2u);
+  const MeasuredSegments segments = MeasuredSegmentsOf(std::span<const Log>(&log, 1), Dof::kSurge);
+  ASSERT_EQ(segments.all.size(), 2u);
   ExtendedModel truth;
   truth.baseline = kSurgeTruth;
-  const auto free_run = FreeRunOver(records.all[1], truth);
+  const auto free_run = FreeRunOver(segments.all[1], truth);
   ASSERT_TRUE(free_run);
   ASSERT_GT(free_run->time.size(), 500u);
   double sum = 0.0;
@@ -164,10 +164,10 @@ TEST(FreeRunOver, StartsWhereALaggingSensorShowsTheFirstReadings) {
   run.effects = "sensor_lag:time_constant=1.2";
   Log log = LogOf(run, 8);
   log.held_out = {{60.0, 120.0}};
-  const Records records = RecordsOf(std::span<const Log>(&log, 1), Dof::kSurge);
-  ASSERT_EQ(records.all.size(), 2u);
+  const MeasuredSegments segments = MeasuredSegmentsOf(std::span<const Log>(&log, 1), Dof::kSurge);
+  ASSERT_EQ(segments.all.size(), 2u);
   const ExtendedModel truth = {kSurgeTruth, {{FindEffect("sensor_lag"), {}, {1.2}}}};
-  const auto free_run = FreeRunOver(records.all[1], truth);
+  const auto free_run = FreeRunOver(segments.all[1], truth);
   ASSERT_TRUE(free_run);
   ASSERT_GT(free_run->time.size(), 500u);
   EXPECT_LT(FiguresOfRuns(std::vector{*free_run}).mae, 0.0008 + 4.0 * 0.0005);

@@ -30,8 +30,8 @@ Made WithAStep(std::uint64_t seed) {
   run.effects = "buoyancy_step:jump=12:time=70";
   const std::vector<Log> logs = {LogOf(run, seed)};
   Made made;
-  made.data = std::make_unique<TrainingData>(RecordsOf(logs, Dof::kSurge).all);
-  const std::vector<InitialState> start = {made.data->records()[0].initial};
+  made.data = std::make_unique<TrainingData>(MeasuredSegmentsOf(logs, Dof::kSurge).all);
+  const std::vector<InitialState> start = {made.data->segments()[0].initial};
   made.baseline = FitBaseline(*made.data, {kSurgeTruth, {}}, start);
   made.extended =
       FitStructureAndNoise(*made.data,
@@ -44,18 +44,18 @@ Made WithAStep(std::uint64_t seed) {
 // What the baseline misses of the true vehicle's force, on the true vehicle's way: what it would
 // take for the baseline to accelerate as the truth does.
 std::vector<double> TrueMissingForce(const Made& made, const std::vector<double>& time) {
-  const Record& record = made.data->records()[0];
+  const MeasuredSegment& segment = made.data->segments()[0];
   OutputStamps stamps;
   stamps.start = 0.0;
   stamps.velocity = time;
   EffectOutputs truth;
   const ExtendedModel model = {kSurgeTruth,
                                {{FindEffect("buoyancy_step"), {}, {kJump, kJumpTime}}}};
-  EXPECT_TRUE(EffectSimulation(record.inputs.get(), stamps).Run(model, {0.0, 0.0}, &truth));
+  EXPECT_TRUE(EffectSimulation(segment.inputs.get(), stamps).Run(model, {0.0, 0.0}, &truth));
   const UncoupledModel<double>& baseline = made.baseline.model.baseline;
   std::vector<double> force;
   for (size_t i = 0; i < time.size(); ++i) {
-    const double v = truth.velocity[i], tau = record.inputs->command.At(time[i]);
+    const double v = truth.velocity[i], tau = segment.inputs->command.At(time[i]);
     const double step = time[i] > kJumpTime ? kJump : 0.0;
     const double acceleration = kSurgeTruth.Acceleration(v, tau - step);
     force.push_back(baseline.inertia * (acceleration - baseline.Acceleration(v, tau)));

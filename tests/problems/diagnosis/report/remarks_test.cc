@@ -82,12 +82,12 @@ TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
 }
 
 TEST(RemarksOnData, CountTheSamplesLeftOut) {
-  Records records;
-  records.remarks = {"first"};
-  EXPECT_THAT(RemarksOnData(records, 0), ElementsAre("first"));
-  EXPECT_THAT(RemarksOnData(records, 1),
+  MeasuredSegments segments;
+  segments.remarks = {"first"};
+  EXPECT_THAT(RemarksOnData(segments, 0), ElementsAre("first"));
+  EXPECT_THAT(RemarksOnData(segments, 1),
               ElementsAre("first", "Left out: 1 single sample far from its neighbours."));
-  EXPECT_THAT(RemarksOnData(records, 2),
+  EXPECT_THAT(RemarksOnData(segments, 2),
               ElementsAre("first", "Left out: 2 single samples far from their neighbours."));
 }
 

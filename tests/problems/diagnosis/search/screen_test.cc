@@ -147,11 +147,11 @@ TEST(Screen, ScoresAnEffectAsTheSlopeOfItsLikelihoodDoes) {
   run.rate = 5.0;
   run.effects = "thrust_asymmetry:reverse_loss=0.15";
   const std::vector<Log> logs = {LogOf(run, 1)};
-  const TrainingData data(RecordsOf(logs, Dof::kSurge).all);
+  const TrainingData data(MeasuredSegmentsOf(logs, Dof::kSurge).all);
   NoiseModel noise;
   noise.velocity = {.white_std = 0.008, .coloured = {.std = 0.006, .time = 0.7}};
   const Whitener whitener(noise, data.samples());
-  const std::vector<InitialState> start = {data.records()[0].initial};
+  const std::vector<InitialState> start = {data.segments()[0].initial};
   const StructureFit fit = FitStructure(data, {kSurgeTruth, {}}, start, whitener);
   ASSERT_TRUE(fit.converged);
   const Eigen::LLT<Eigen::MatrixXd> factor(DenseCovariance(noise, data.samples()));

@@ -16,7 +16,7 @@
 namespace fathom {
 
 // One unbroken stretch of a log along one DOF: what drove it and what was measured of it.
-struct Record {
+struct MeasuredSegment {
   std::string log;  // its name, which no other of the logs has
   bool is_held_out = false;
   std::shared_ptr<const EffectInputs> inputs;  // of the whole log
@@ -29,8 +29,8 @@ struct Record {
   double duration() const;
 };
 
-struct Records {
-  std::vector<Record> all;
+struct MeasuredSegments {
+  std::vector<MeasuredSegment> all;
   std::vector<std::string> logs;  // their names, each told from the others, in their order
   std::string force_unit;
   bool has_velocity = true;
@@ -46,13 +46,13 @@ struct Records {
 //
 // Throws InputError if a log has no command or no motion of this DOF, if their command units
 // differ, or if nothing is left to train on.
-Records RecordsOf(std::span<const Log> logs, Dof dof);
+MeasuredSegments MeasuredSegmentsOf(std::span<const Log> logs, Dof dof);
 
-// Lets the record start at `time`, one of its stamps or before them, its state guessed anew from
+// Lets the segment start at `time`, one of its stamps or before them, its state guessed anew from
 // the samples from there on.
-void RestartAt(double time, Record* record);
+void RestartAt(double time, MeasuredSegment* segment);
 
-// The record as the families' segment: velocities, or the derivative of the displacements.
-Segment SegmentOfRecord(const Record& record);
+// As the families take it: velocities, or the derivative of the displacements.
+Segment PlainSegment(const MeasuredSegment& segment);
 
 }  // namespace fathom

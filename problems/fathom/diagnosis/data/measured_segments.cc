@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/data/records.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/data/log_channels.h"
@@ -20,7 +20,7 @@
 namespace fathom {
 namespace {
 
-constexpr size_t kFewestSamples = 20;  // of a record's leading channel
+constexpr size_t kFewestSamples = 20;  // of a segment's leading channel
 constexpr double kStartWindow = 2.0;   // [s] of samples behind the guess of the start
 
 // Value and slope at the first sample, by a straight line over the first two seconds.
@@ -58,59 +58,62 @@ std::vector<double> WayAlong(const SampledSignal& velocity, size_t first) {
   return way;
 }
 
-// A record of what all logs measure, from `from` to `to` [s]. `position`: where it starts if
+// A segment of what all logs measure, from `from` to `to` [s]. `position`: where it starts if
 // nothing measures that.
-Record RecordBetween(
-    double from, double to, double position, const LogChannels& channels, const Records& records) {
-  Record record;
-  record.log = channels.name;
-  record.stamps.start = from;
-  record.initial.position = position;
-  if (records.has_velocity) {
+MeasuredSegment SegmentBetween(double from,
+                               double to,
+                               double position,
+                               const LogChannels& channels,
+                               const MeasuredSegments& segments) {
+  MeasuredSegment segment;
+  segment.log = channels.name;
+  segment.stamps.start = from;
+  segment.initial.position = position;
+  if (segments.has_velocity) {
     SampledSignal part = Between(*channels.velocity, from, to);
-    record.stamps.velocity = std::move(part.time);
-    record.velocity = std::move(part.value);
+    segment.stamps.velocity = std::move(part.time);
+    segment.velocity = std::move(part.value);
   }
-  if (records.has_displacement) {
+  if (segments.has_displacement) {
     SampledSignal part = Between(*channels.displacement, from, to);
-    record.stamps.displacement = std::move(part.time);
-    record.displacement = std::move(part.value);
-    record.displacement_variance =
-        VarianceOverUsual(record.stamps.displacement, record.displacement);
+    segment.stamps.displacement = std::move(part.time);
+    segment.displacement = std::move(part.value);
+    segment.displacement_variance =
+        VarianceOverUsual(segment.stamps.displacement, segment.displacement);
   }
-  RestartAt(from, &record);
-  return record;
+  RestartAt(from, &segment);
+  return segment;
 }
 
-// Adds the records of one log, cut at silences and at the ends of held-out intervals.
-void AddRecordsOf(const LogChannels& channels, Dof dof, Records* records) {
+// Adds the segments of one log, cut at silences and at the ends of held-out intervals.
+void AddSegmentsOf(const LogChannels& channels, Dof dof, MeasuredSegments* segments) {
   auto inputs = std::make_shared<EffectInputs>(MeasuredInputsOf(*channels.log, dof));
   inputs->log = channels.name;
   const SampledSignal& leading =
-      records->has_velocity ? *channels.velocity : *channels.displacement;
+      segments->has_velocity ? *channels.velocity : *channels.displacement;
   const std::vector<double>& time = leading.time;
   const size_t first =
       std::lower_bound(time.begin(), time.end(), inputs->command.time.front()) - time.begin();
   if (first > 0) {
-    records->remarks.push_back(fmt::format(
+    segments->remarks.push_back(fmt::format(
         "{}: left out: {} motion samples before the first command.", channels.name, first));
   }
   if (const auto remark = RemarkOnEarlyEnd(inputs->command, time, kLongestGap); !remark.empty()) {
-    records->remarks.push_back(channels.name + ": " + remark);
+    segments->remarks.push_back(channels.name + ": " + remark);
   }
   const std::vector<double> way =
-      records->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading, first);
+      segments->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading, first);
   const LongRanges kept =
       WithoutShort(SplitAtGaps(time, channels.log->held_out, first), kFewestSamples);
   for (const SampleRange& range : kept.ranges) {
-    Record record =
-        RecordBetween(time[range.begin], time[range.end - 1], way[range.begin], channels, *records);
-    record.is_held_out = range.is_held_out;
-    record.inputs = inputs;
-    records->all.push_back(std::move(record));
+    MeasuredSegment segment = SegmentBetween(
+        time[range.begin], time[range.end - 1], way[range.begin], channels, *segments);
+    segment.is_held_out = range.is_held_out;
+    segment.inputs = inputs;
+    segments->all.push_back(std::move(segment));
   }
   if (kept.num_short > 0) {
-    records->remarks.push_back(
+    segments->remarks.push_back(
         fmt::format("{}: left out: {} segments of fewer than {} samples ({} samples).",
                     channels.name,
                     kept.num_short,
@@ -119,13 +122,14 @@ void AddRecordsOf(const LogChannels& channels, Dof dof, Records* records) {
   }
 }
 
-// Other DOFs whose velocity is measured, and changes, in every record.
-std::vector<Dof> PartnersIn(std::span<const Record> records, Dof dof) {
+// Other DOFs whose velocity is measured, and changes, in every segment.
+std::vector<Dof> PartnersIn(std::span<const MeasuredSegment> segments, Dof dof) {
   std::vector<Dof> partners;
   for (const Dof other : kAllDofs) {
     const bool everywhere =
-        other != dof && std::all_of(records.begin(), records.end(), [&](const Record& record) {
-          const auto& signal = record.inputs->velocity[Index(other)].value;
+        other != dof &&
+        std::all_of(segments.begin(), segments.end(), [&](const MeasuredSegment& segment) {
+          const auto& signal = segment.inputs->velocity[Index(other)].value;
           if (signal.empty()) return false;
           const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
           return *most > *least;
@@ -137,39 +141,40 @@ std::vector<Dof> PartnersIn(std::span<const Record> records, Dof dof) {
 
 }  // namespace
 
-double Record::duration() const {
+double MeasuredSegment::duration() const {
   const double last_velocity = stamps.velocity.empty() ? stamps.start : stamps.velocity.back();
   const double last_pose = stamps.displacement.empty() ? stamps.start : stamps.displacement.back();
   return std::max(last_velocity, last_pose) - stamps.start;
 }
 
-Records RecordsOf(std::span<const Log> logs, Dof dof) {
+MeasuredSegments MeasuredSegmentsOf(std::span<const Log> logs, Dof dof) {
   if (logs.empty()) throw InputError("A diagnosis needs at least one log.");
-  Records records;
-  records.logs = DistinctNames(logs);
-  const std::vector<LogChannels> channels = ChannelsOf(logs, records.logs, dof);
-  records.force_unit = CommandUnitOf(logs.front(), dof);
-  records.has_velocity = std::ranges::all_of(
+  MeasuredSegments segments;
+  segments.logs = DistinctNames(logs);
+  const std::vector<LogChannels> channels = ChannelsOf(logs, segments.logs, dof);
+  segments.force_unit = CommandUnitOf(logs.front(), dof);
+  segments.has_velocity = std::ranges::all_of(
       channels, [](const LogChannels& own) { return own.velocity.has_value(); });
-  records.has_displacement = std::ranges::all_of(
+  segments.has_displacement = std::ranges::all_of(
       channels, [](const LogChannels& own) { return own.displacement.has_value(); });
   for (const LogChannels& own : channels) {
-    records.poses_lose_motion = records.poses_lose_motion || LosesMotion(own);
-    records.remarks.insert(records.remarks.end(), own.remarks.begin(), own.remarks.end());
+    segments.poses_lose_motion = segments.poses_lose_motion || LosesMotion(own);
+    segments.remarks.insert(segments.remarks.end(), own.remarks.begin(), own.remarks.end());
   }
-  if (!records.has_velocity && !records.has_displacement) {
+  if (!segments.has_velocity && !segments.has_displacement) {
     throw InputError(
         "Some of the logs have velocities only and some have poses only: expected "
         "velocities in all of them or poses in all of them.");
   }
-  if (records.has_velocity && records.has_displacement && records.poses_lose_motion) {
-    records.remarks.push_back(
+  if (segments.has_velocity && segments.has_displacement && segments.poses_lose_motion) {
+    segments.remarks.push_back(
         "Not tried: pose_scale. The poses themselves may be short of motion, as their remark says: "
         "with several markers, or one seen at an angle, a wrong size can be told.");
   }
-  for (const LogChannels& own : channels) AddRecordsOf(own, dof, &records);
-  const bool has_train = std::any_of(
-      records.all.begin(), records.all.end(), [](const Record& r) { return !r.is_held_out; });
+  for (const LogChannels& own : channels) AddSegmentsOf(own, dof, &segments);
+  const bool has_train = std::any_of(segments.all.begin(),
+                                     segments.all.end(),
+                                     [](const MeasuredSegment& r) { return !r.is_held_out; });
   if (!has_train) {
     throw InputError(
         fmt::format("{}: nothing is left to train on: expected a segment of at least "
@@ -177,42 +182,42 @@ Records RecordsOf(std::span<const Log> logs, Dof dof) {
                     logs.front().name,
                     kFewestSamples));
   }
-  records.partners = PartnersIn(records.all, dof);
-  return records;
+  segments.partners = PartnersIn(segments.all, dof);
+  return segments;
 }
 
-void RestartAt(double time, Record* record) {
-  record->stamps.start = time;
-  if (!record->velocity.empty()) {
-    record->initial.velocity = StartOf(record->stamps.velocity, record->velocity).first;
+void RestartAt(double time, MeasuredSegment* segment) {
+  segment->stamps.start = time;
+  if (!segment->velocity.empty()) {
+    segment->initial.velocity = StartOf(segment->stamps.velocity, segment->velocity).first;
   }
-  if (record->displacement.size() < 2) return;
-  const auto [value, slope] = StartOf(record->stamps.displacement, record->displacement);
-  record->initial.position = value - slope * (record->stamps.displacement.front() - time);
-  if (record->velocity.empty()) record->initial.velocity = slope;
+  if (segment->displacement.size() < 2) return;
+  const auto [value, slope] = StartOf(segment->stamps.displacement, segment->displacement);
+  segment->initial.position = value - slope * (segment->stamps.displacement.front() - time);
+  if (segment->velocity.empty()) segment->initial.velocity = slope;
 }
 
-Segment SegmentOfRecord(const Record& record) {
-  Segment segment;
-  segment.command = record.inputs->command;
-  if (!record.velocity.empty()) {
-    segment.time = record.stamps.velocity;
-    segment.velocity = record.velocity;
+Segment PlainSegment(const MeasuredSegment& segment) {
+  Segment plain;
+  plain.command = segment.inputs->command;
+  if (!segment.velocity.empty()) {
+    plain.time = segment.stamps.velocity;
+    plain.velocity = segment.velocity;
   } else {
-    segment.time = record.stamps.displacement;
-    segment.position = record.displacement;
+    plain.time = segment.stamps.displacement;
+    plain.position = segment.displacement;
     // A slope over a second: only the start of a search.
-    const size_t n = segment.time.size();
+    const size_t n = plain.time.size();
     for (size_t i = 0; i < n; ++i) {
       size_t low = i, high = i;
-      while (low > 0 && segment.time[i] - segment.time[low] < 0.5) --low;
-      while (high + 1 < n && segment.time[high] - segment.time[i] < 0.5) ++high;
-      segment.velocity.push_back((segment.position[high] - segment.position[low]) /
-                                 (segment.time[high] - segment.time[low]));
+      while (low > 0 && plain.time[i] - plain.time[low] < 0.5) --low;
+      while (high + 1 < n && plain.time[high] - plain.time[i] < 0.5) ++high;
+      plain.velocity.push_back((plain.position[high] - plain.position[low]) /
+                               (plain.time[high] - plain.time[low]));
     }
   }
-  segment.initial_velocity = record.initial.velocity;
-  return segment;
+  plain.initial_velocity = segment.initial.velocity;
+  return plain;
 }
 
 }  // namespace fathom
