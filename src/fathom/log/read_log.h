@@ -13,10 +13,10 @@ namespace fathom {
 
 struct ReadLogOptions {
   // The DOF of a single CSV `t,tau,v`; for a folder it may stay empty.
-  std::optional<Dof> dof;
+  std::optional<Dof> dof = {};
 
   // Read this file as the velocity stream instead of the log's velocity.csv.
-  std::filesystem::path velocity;
+  std::filesystem::path velocity = {};
 
   // True: a folder with none of velocity.csv, pose.csv, detections.csv will do, for predictions and
   // for images.
