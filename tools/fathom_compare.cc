@@ -19,15 +19,16 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(dofs, "", "Comma-separated; the log's excited DOFs if not given.");
+DEFINE_string(dofs, "", "Comma-separated. Default: the DOFs in log.yaml.");
 DEFINE_string(
     families,
     "",
-    "Comma-separated: least_squares, adaptive, output_error, joint; all that the log allows if "
-    "not given.");
+    "Comma-separated: least_squares, adaptive, output_error, joint. Default: all that the log "
+    "allows.");
 DEFINE_string(sources,
               "",
-              "Comma-separated: pose_estimator, camera; what the log has if not given.");
+              "Comma-separated: pose_estimator (velocity.csv), camera (poses). Default: all that "
+              "the log has.");
 DEFINE_string(json, "", "Write the rows to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_string(figures,
@@ -39,13 +40,14 @@ namespace {
 
 const ToolInfo kInfo = {
     "fathom_compare",
-    "Compares identifier families and sources on one log, scored by free-running simulation.",
+    "Compares identifier families and sources on one log, scored by simulating from the command "
+    "alone.",
     "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
-    "The row of least held-out NMAE is marked *, by however little: a narrow lead may be chance "
-    "(docs/comparison.md). One without a usable model is marked !. The family joint takes the "
-    "source camera, of logs with detections.csv, camera.yaml, tags.yaml and "
-    "mount.yaml. Exit code 2: a DOF without a usable model."};
+    "The row with the least held-out NMAE is marked *; a narrow lead may be chance "
+    "(docs/comparison.md). A row without a usable model is marked !. The family joint needs "
+    "detections.csv, camera.yaml, tags.yaml and mount.yaml. Exit code 2: a DOF has no usable "
+    "model."};
 
 // What a flag lists, each once.
 template <typename T>

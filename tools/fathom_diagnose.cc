@@ -32,28 +32,27 @@
 
 DEFINE_string(source,
               "",
-              "pose_estimator (velocities only) or camera (poses only); all that the logs have if "
-              "not given, which effects on a sensor need.");
+              "pose_estimator (velocity.csv only) or camera (poses only). Default: all that the "
+              "logs have; effects on a sensor need both.");
 DEFINE_string(verdict, "", "Write the verdict, with the extended model in it, to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_double(false_alarm_rate,
               0.05,
-              "Chance of naming any cause where nothing is missing, above 0 and at most 0.5.");
-DEFINE_uint64(seed, 1, "Of the draws behind thresholds and intervals.");
+              "Probability of naming a cause when nothing is missing, above 0 and at most 0.5.");
+DEFINE_uint64(seed, 1, "Seed of the random draws for thresholds and intervals.");
 
 namespace fathom {
 namespace {
 
 const ToolInfo kInfo = {
     "fathom_diagnose",
-    "Says what the model of one degree of freedom gets wrong on logs, names the cause as far as "
-    "the data force it, and measures what the cause gains.",
+    "Finds what the model of one degree of freedom gets wrong, names the cause when the data "
+    "allow only one answer, and measures how much the model improves with it.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--source=SOURCE] [--verdict=FILE] [--report=FILE]",
     "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
     "  fathom_simulate --model=surge.json --log=data/flatfish",
-    "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Any verdict, "
-    "`consistent` and `unexplained` among them, is a usable result. The kept candidates are marked "
-    "*.",
+    "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Every verdict is a "
+    "usable result, also `consistent` and `unexplained`. Kept candidates are marked *.",
     {"log"}};
 
 constexpr std::size_t kMostCandidates = 8;

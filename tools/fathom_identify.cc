@@ -14,17 +14,23 @@
 #include "fathom/vehicle/model_file.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(family,
               "output_error",
-              "least_squares, adaptive, output_error or joint (of the source camera).");
-DEFINE_string(source, "", "pose_estimator or camera; the best the log has if not given.");
+              "least_squares, adaptive, output_error or joint (needs the source camera).");
+DEFINE_string(source,
+              "",
+              "pose_estimator (velocity.csv) or camera (poses). Default: velocity.csv, "
+              "or the poses if the log has no velocities.");
 DEFINE_string(model, "", "Write the model to this JSON file.");
 
 namespace fathom {
@@ -36,8 +42,7 @@ const ToolInfo kInfo = {
     "--log=LOG[,LOG...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
     "[--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
-    "Several logs are fitted together, each with an initial state of its own. The family joint "
-    "takes "
+    "Several logs are fitted together, each with its own initial state. The family joint uses "
     "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md."};
 
 LogIdentificationOptions OptionsFromFlags() {
@@ -60,6 +65,18 @@ std::vector<Log> LogsFromFlags(const LogIdentificationOptions& options) {
   return logs;
 }
 
+// The files that the velocities of --log come from.
+std::string VelocityFiles() {
+  namespace fs = std::filesystem;
+  if (!FLAGS_velocity.empty()) return fs::path(FLAGS_velocity).filename().string();
+  std::set<std::string> files;
+  for (const std::string& log : LogPathsFromFlags()) {
+    const fs::path path(log);
+    files.insert(fs::is_directory(path) ? "velocity.csv" : path.filename().string());
+  }
+  return fmt::format("{}", fmt::join(files, ", "));
+}
+
 void Print(const LogIdentification& identified) {
   for (const std::string& remark : identified.signals.remarks) {
     std::printf("note: %s\n", remark.c_str());
@@ -70,7 +87,7 @@ void Print(const LogIdentification& identified) {
                 finding.sentence.c_str());
   }
   for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
-  std::printf("%s", FormatIdentification(identified.result).c_str());
+  std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
 }
 
 std::map<std::string, std::string> ProvenanceOf(const Identification& result) {

@@ -32,23 +32,25 @@
 
 DEFINE_string(initial_guess,
               "",
-              "Start from this family's model: least_squares, adaptive or output_error. Not given: "
-              "from output error on poses without flips.");
+              "Start from the model of this family: least_squares, adaptive or output_error. "
+              "Default: output error on poses without flips.");
 DEFINE_double(
     clock_offset_std,
     0.0,
-    "Estimate the camera's clock offset, known beforehand to this standard deviation [s]; "
-    "0: it is right.");
+    "Estimate the camera's clock offset, with this prior standard deviation [s]. 0: the clock is "
+    "exact.");
 DEFINE_double(size_scale_std,
               0.0,
-              "Estimate the scale of the markers' sides, known to this standard deviation (0.03: "
-              "3 %); 0: it is right.");
+              "Estimate the scale of the markers, with this prior standard deviation (0.03: 3 "
+              "%). 0: the size is exact.");
 DEFINE_double(mount_position_std,
               0.0,
-              "Estimate the camera's place on the vehicle, known to this [m]; 0: it is right.");
+              "Estimate the camera's position on the vehicle, with this prior standard deviation "
+              "[m]. 0: the position is exact.");
 DEFINE_double(mount_angle_std,
               0.0,
-              "Estimate the camera's direction, known to this [rad]; 0: it is right.");
+              "Estimate the camera's direction, with this prior standard deviation [rad]. 0: the "
+              "direction is exact.");
 DEFINE_string(json, "", "Write a row for each family, and the refinement, to this JSON file.");
 DEFINE_string(model, "", "Write the joint model to this JSON file.");
 DEFINE_string(trajectory,
@@ -61,13 +63,13 @@ namespace {
 
 const ToolInfo kInfo = {
     .name = "fathom_refine",
-    .summary = "Refines model and camera trajectory together, from the corners of markers.",
+    .summary = "Estimates model and camera trajectory together from the corners of markers.",
     .usage = "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]",
     .example = "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html",
     .details =
-        "--log may be given several times: one fit of all. A log needs detections.csv (from "
-        "fathom_track), camera.yaml, tags.yaml, mount.yaml and command.csv. The table shows what "
-        "each family makes of the same images. Exit code 2: the refinement has no usable model. "
+        "Several --log are fitted together. A log needs detections.csv (from fathom_track), "
+        "camera.yaml, tags.yaml, mount.yaml and command.csv. The table compares the families on "
+        "the same images. Exit code 2: the refinement has no usable model. See "
         "docs/joint_refinement.md.",
     .repeatable_flags = {"log"}};
 

@@ -27,23 +27,22 @@ DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file.");
 DEFINE_bool(
     keep_run_effects,
     false,
-    "Keep effects that belong to one run (a current, a bias, a lost thruster) on other logs "
-    "than that run's, too; their times then count from this log's first command.");
+    "Keep effects of a run (a current, a bias, a lost thruster) also on other logs. Their times "
+    "then count from this log's first command.");
 
 namespace fathom {
 namespace {
 
 const ToolInfo kInfo = {
     "fathom_simulate",
-    "Predicts a log's velocity from its command by a free-running simulation, and scores it.",
+    "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
-    "The prediction stands at the stamps of the log's motion stream (its command stream where "
-    "there is none) and starts from the first measured speed (where a sensor lags, from what shows "
-    "the first two seconds best); a silence of over 30 s starts it anew. A verdict of "
-    "fathom_diagnose is simulated with its causes, as the sensor would show it; what other DOFs "
-    "take part is taken from the log. Causes that belong to one run are left out on any other "
-    "log."};
+    "The prediction is at the stamps of the log's motion stream, or of its command if there is "
+    "none. It starts from the first measured speed (with a sensor lag, from the state that fits "
+    "the first two seconds best) and starts anew after a gap of over 30 s. A verdict of "
+    "fathom_diagnose is simulated with its causes, as the sensor would show it. The motion of "
+    "other DOFs is taken from the log. Causes of a run are left out on any other log."};
 
 // t and the predicted velocity at the stamps of all segments.
 std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
@@ -60,7 +59,8 @@ std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
 void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
   if (!std::isfinite(figures.mae)) {
     std::printf(
-        "%s: predicted from rest; the log has no column '%s' and no pose to score it by%s\n",
+        "%s: predicted from rest. The log has no column '%s' and no pose to score the "
+        "prediction%s\n",
         std::string(Name(dof)).c_str(),
         std::string(VelocityColumn(dof)).c_str(),
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
@@ -98,8 +98,8 @@ int Run() {
   if (!remark.empty()) std::printf("note: %s\n", remark.c_str());
   if (!left_out.empty()) {
     std::printf(
-        "note: left out: %s. What belongs to the run that the model was identified from need not "
-        "hold in another one; --keep_run_effects keeps it.\n",
+        "note: left out: %s. Effects of the run that the model was identified from need not hold "
+        "in another one. --keep_run_effects keeps them.\n",
         fmt::format("{}", fmt::join(left_out, ", ")).c_str());
   }
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, FormatPrediction(*prediction, model.dof));

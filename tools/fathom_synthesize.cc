@@ -11,6 +11,7 @@
 #include "fathom/film/film_file.h"
 #include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
+#include "fathom/report/format_value.h"
 #include "fathom/synthesize/effects/effect_list.h"
 #include "fathom/synthesize/experiment/experiment_file.h"
 #include "fathom/synthesize/synthesize.h"
@@ -37,11 +38,12 @@ DEFINE_string(out, "", "Folder of the log to write: a new or an empty one.");
 DEFINE_bool(overwrite, false, "Replace the log in --out if there is one.");
 DEFINE_string(effects,
               "",
-              "Effects to hide in the log, [DOF.]NAME[:PARAMETER=VALUE]... separated by commas; "
-              "what is not given is drawn. docs/synthesize.md lists them.");
+              "Effects to hide in the log, [DOF.]NAME[:PARAMETER=VALUE]..., separated by commas. "
+              "Parameters that are not given are drawn from the seed. docs/synthesize.md lists "
+              "the effects.");
 DEFINE_string(film,
               "",
-              "Film file (YAML): a camera log besides, with detections.csv, or with images.");
+              "Film file (YAML): also makes a camera log, with detections.csv or images.");
 DEFINE_bool(render, false, "With --film: images and frames.csv instead of detections.csv.");
 DEFINE_string(truth, "", "Write what the log was made from to this file (JSON).");
 
@@ -50,7 +52,7 @@ namespace {
 
 const ToolInfo kInfo = {
     .name = "fathom_synthesize",
-    .summary = "Makes the log of an experiment with a vehicle whose motion model is known.",
+    .summary = "Makes the log of an experiment with a vehicle of known motion model.",
     .usage =
         "--vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG [--seed=1 "
         "--effects=EFFECTS --film=FILM.yaml [--render] --truth=TRUTH.json]",
@@ -118,7 +120,7 @@ int Run() {
       ReadExperimentFile(RequireFlag("experiment", FLAGS_experiment, "an experiment file"));
   std::optional<Film> film;
   if (!FLAGS_film.empty()) film = ReadFilmFile(FLAGS_film);
-  if (FLAGS_render && !film) throw InputError("--render: there is no --film to say how.");
+  if (FLAGS_render && !film) throw InputError("--render: needs --film, expected both.");
   const std::filesystem::path folder =
       OutputFolder(RequireFlag("out", FLAGS_out, "the folder of the log to write"),
                    FLAGS_overwrite,
@@ -144,7 +146,7 @@ int Run() {
   fmt::print("{}: {} s of", folder.string(), experiment.duration);
   for (const Dof dof : log.dofs) fmt::print(" {}", Name(dof));
   fmt::print(", vehicle {}, seed {}\n", vehicle.name, FLAGS_seed);
-  for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", Describe(effect));
+  for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", UnitText(Describe(effect)));
   if (film) fmt::print("camera log: {}\n", FLAGS_render ? "images" : "detections.csv");
   PrintStream("command.csv", log.command);
   PrintStream("velocity.csv", log.velocity);

@@ -36,21 +36,24 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(log, "", "Log folder with images or a video, camera.yaml, tags.yaml and mount.yaml.");
+DEFINE_string(log,
+              "",
+              "Log folder with images, a video or detections.csv, and with camera.yaml, "
+              "tags.yaml and mount.yaml.");
 DEFINE_string(out,
               "",
-              "Folder of a new log with detections.csv and pose.csv and the files of --log but its "
-              "images. Without it they are written into --log.");
+              "Folder of a new log: detections.csv, pose.csv and the files of --log except "
+              "images. Default: write into --log.");
 DEFINE_bool(overwrite,
             false,
             "Replace the log in --out, unless it holds images, or the files of an earlier track in "
             "--log.");
 DEFINE_string(from,
               "",
-              "Start from `images` or from `detections` (detections.csv). Not given: from "
-              "detections if the log holds them.");
+              "Start from `images` or from `detections` (detections.csv). Default: detections if "
+              "the log holds them.");
 DEFINE_string(overlay, "", "Draw what was found into this video (.mp4, .avi) or sheet (.png).");
-DEFINE_string(summary, "", "Write the account of every frame and detection to this file (JSON).");
+DEFINE_string(summary, "", "Write an account of every frame and detection to this file (JSON).");
 namespace fathom {
 namespace {
 
@@ -198,8 +201,8 @@ void WriteIntoLog(const fs::path& folder,
   }
   WriteFile(estimated, FormatTagsFile(track.map));
   fmt::print(stderr,
-             "{}: the places that the poses rest on. What reads corners reads tags.yaml: put "
-             "this file in its place, or write a new log (--out).\n",
+             "{}: the estimated positions, on which the poses rest. Tools that use corners read "
+             "tags.yaml: replace it by this file, or write a new log (--out).\n",
              estimated.string());
 }
 

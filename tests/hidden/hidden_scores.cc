@@ -26,11 +26,11 @@ DEFINE_int32(logs,
              8,
              "logs for each effect; 15 times as many with nothing hidden, 5 times as many "
              "with two effects and with one outside the catalogue");
-DEFINE_uint64(seed, 1, "of everything that is drawn");
+DEFINE_uint64(seed, 1, "seed of everything that is drawn");
 DEFINE_int32(jobs, 2, "logs at a time");
 DEFINE_string(only,
               "",
-              "comma between: names of effects hidden alone, of single logs "
+              "separated by commas: names of effects hidden alone, of single logs "
               "(thruster_lag.3), 'nothing', 'one', 'two', 'unlisted'");
 DEFINE_bool(list, false, "print every log with its verdict, in order");
 DEFINE_string(out, "", "the page to write, Markdown");

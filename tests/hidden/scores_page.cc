@@ -169,21 +169,18 @@ std::string ScoresPage(const std::vector<LogScore>& scores, const std::string& c
   const ScoreBoard board = BoardOf(scores);
   std::string page = fmt::format(
       "# How often the diagnosis is right\n\n"
-      "{} logs, drawn from a seed out of the diagnosis's sight: vehicle, inputs, noise, drop-outs, "
-      "outliers, turbulence, other DOFs that move, and\nwhat is hidden. Nothing in {}, one effect "
-      "in "
-      "{}, two in {}, an effect outside the catalogue in {}. Written by\n\n    {}\n\n"
-      "An oracle knows what is hidden and the noise that was drawn; it fits the true structure, "
-      "the "
-      "baseline and every rival. An effect is *clear*\nif the true structure beats the baseline by "
-      "a BIC of 30, *separable* if it beats every rival by 10: every other effect with "
-      "every\npartner "
-      "that moves; for two effects, the sets with one replaced and each alone. Its signature is "
-      "drawn "
-      "between 6 and 60 standard\ndeviations, so that sizes run from just detectable to large. A "
-      "cause is named *alone* if it is the only answer given, in a *group* if it is\namong the "
-      "alternatives. Intervals in brackets are Clopper and Pearson's, 95 %. Code: "
-      "tests/hidden.\n\n",
+      "The diagnosis is tested on {} synthetic logs. A seed that the diagnosis does not see draws "
+      "vehicle,\ninputs, noise, drop-outs, outliers, turbulence, other DOFs that move, and what is "
+      "hidden. Nothing is\nhidden in {} logs, one effect in {}, two in {}, an effect outside the "
+      "catalogue in {}. This page\nwas written by\n\n    {}\n\n"
+      "An oracle knows what is hidden and the noise that was drawn. It fits the true structure, "
+      "the\nbaseline and every rival. The rivals are every other effect with every partner that "
+      "moves; for two\neffects, the sets with one replaced and each alone. An effect is *clear* if "
+      "the true structure beats\nthe baseline by a BIC of 30, and *separable* if it beats every "
+      "rival by 10. Its signature is drawn\nbetween 6 and 60 standard deviations, so sizes range "
+      "from just detectable to large. A cause is named\n*alone* if it is the only answer given, "
+      "and in a *group* if it is among the alternatives. Intervals\nin brackets are those of "
+      "Clopper and Pearson, 95 %. Code: tests/hidden.\n\n",
       scores.size(),
       board.nothing,
       board.all_one.logs,
@@ -195,20 +192,20 @@ std::string ScoresPage(const std::vector<LogScore>& scores, const std::string& c
     page += fmt::format("| {} | {} | {} |\n", measure.what, measure.value, measure.bar);
   }
   page +=
-      "\nGains are by one yardstick: the NMAE of the velocity on the data held out, a free run "
-      "started where it fits them best, over clear logs on\nwhich the oracle gains at least 2 %. "
-      "Intervals are counted where exactly what is hidden is named alone.\n\n"
-      "## One effect\n\nOutcomes of the logs that are clear and separable.\n\n" +
+      "\nAll gains are those of the NMAE of the velocity on the held-out data, simulated from the "
+      "command\nalone and started where the simulation fits them best, over clear logs on which "
+      "the oracle gains at\nleast 2 %. Intervals are counted if exactly what is hidden is named "
+      "alone.\n\n"
+      "## One effect\n\nThe table counts the outcomes of the logs that are clear and "
+      "separable.\n\n" +
       EffectTable(board) +
-      "\n## Confusion matrix\n\nOne effect or nothing hidden, clear and separable. Rows: hidden. "
-      "Columns: named alone, by the letter of its row; then a group that holds\nwhat is hidden, a "
-      "group or part that does not, and no cause. Several certain causes count in the column of "
-      "the "
-      "first that is wrong.\n\n" +
+      "\n## Confusion matrix\n\nThe matrix is for logs with one effect or nothing hidden, clear "
+      "and separable. Rows are what is\nhidden. Columns are what is named alone, by the letter of "
+      "its row; then a group that holds what is\nhidden, a group or part that does not, and no "
+      "cause. Several certain causes count in the column of\nthe first that is wrong.\n\n" +
       ConfusionMatrix(scores, true) +
-      "\nThe logs that the oracle cannot tell, or hardly sees, where a group or nothing is the "
-      "right "
-      "answer:\n\n" +
+      "\nOn the following logs the oracle cannot separate the effect, or hardly sees it. A "
+      "group or no cause\nis the right answer there:\n\n" +
       ConfusionMatrix(scores, false) + "\n## Two effects\n\n" +
       Table(scores, HiddenClass::kTwoEffects) + "\n## Outside the catalogue\n\n" +
       "A certain cause is `explained` without alternatives.\n\n" +

@@ -259,7 +259,7 @@ TEST(CameraDiagnosis, SaysWhatACameraAloneCannotTell) {
   std::filesystem::remove(log / "velocity.csv");
   const auto verdict = VerdictOn(log);
   EXPECT_THAT(verdict["remarks"].get<std::vector<std::string>>(),
-              Contains(HasSubstr("one of 1 + e divides inertia and linear damping by 1 + e and "
+              Contains(HasSubstr("a scale of 1 + e divides inertia and linear damping by 1 + e and "
                                  "quadratic damping by its square")));
   ASSERT_EQ(verdict["causes"].size(), 1u);
   const auto& cause = verdict["causes"][0];
@@ -286,7 +286,7 @@ TEST(CameraDiagnosis, GoesByTheVelocitiesWhereTheyAreAskedForOrAllThereIs) {
   std::filesystem::remove(log / "camera.yaml");
   const ToolRun without = RunToolBinary("fathom_diagnose", {"--log=" + log.string()});
   EXPECT_EQ(without.exit_code, 0) << without.err;
-  EXPECT_THAT(without.err, HasSubstr("The source camera is left out: "));
+  EXPECT_THAT(without.err, HasSubstr("The camera is not used: "));
   EXPECT_THAT(without.out, StartsWith("surge: consistent\n"));
 
   EXPECT_THAT(

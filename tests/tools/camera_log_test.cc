@@ -120,7 +120,7 @@ TEST(CameraLog, CompareHasRowsOfBothSources) {
   std::filesystem::remove(log / "camera.yaml");
   const ToolRun without = RunToolBinary("fathom_compare", arguments);
   ASSERT_EQ(without.exit_code, 0) << without.err;
-  EXPECT_THAT(without.err, HasSubstr("The source camera is left out: "));
+  EXPECT_THAT(without.err, HasSubstr("The camera is not used: "));
   EXPECT_THAT(without.err, HasSubstr("holds no camera.yaml"));
   EXPECT_EQ(JsonOf(folder / "rows.json")["rows"].size(), 2u);
 }

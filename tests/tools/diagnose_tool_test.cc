@@ -121,7 +121,7 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
 
   // The tool prints the sentence, and the page opens with it.
   const std::string sentence = json["sentence"];
-  EXPECT_THAT(sentence, HasSubstr("small commands give no thrust (thrust_dead_zone), width "));
+  EXPECT_THAT(sentence, HasSubstr(" comes from a thruster dead zone (thrust_dead_zone), width "));
   EXPECT_THAT(run.out, HasSubstr("\n" + sentence + "\n"));
   EXPECT_THAT(TextOf(report), HasSubstr(sentence.substr(0, sentence.find(". "))));
 }
@@ -225,8 +225,8 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   const ToolRun run = Diagnosed(log, {"--verdict=" + verdict.string()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out,
-              StartsWith("surge: consistent\nThis log shows nothing that your surge model gets "
-                         "wrong beyond noise."));
+              StartsWith("surge: consistent\nThis log shows no error of your surge model beyond "
+                         "noise."));
   EXPECT_EQ(JsonOf(verdict)["causes"], nlohmann::json::array());
   const ToolRun simulated =
       RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
@@ -238,7 +238,7 @@ TEST(DiagnoseTool, LooksForNothingWhereTheModelLeavesLessThanAThousandthOfTheMot
   const ToolRun run = Diagnosed(WriteSmallLog(EmptyTestFolder() / "log"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, StartsWith("surge: consistent\n"));
-  EXPECT_THAT(run.out, HasSubstr(" % of the motion. Below 0.1 % no cause is looked for."));
+  EXPECT_THAT(run.out, HasSubstr(" % of the motion. Below 0.1 % no cause is searched."));
 }
 
 TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
@@ -381,8 +381,8 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err,
-            "fathom_diagnose: no diagnosis: output error finds no physical baseline model along "
-            "surge, and without one there is nothing to diagnose. fathom_identify says why.\n");
+            "fathom_diagnose: no diagnosis: output error finds no physical baseline model for "
+            "surge, so nothing can be diagnosed. fathom_identify says why.\n");
   EXPECT_EQ(ListOf(folder), before);
 }
 

@@ -78,11 +78,11 @@ TEST(IdentifyTool, PrintsParametersWithIntervalsAndFigures) {
   const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=surge"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out,
-              AllOf(HasSubstr("surge by output_error from pose_estimator"),
+              AllOf(HasSubstr("surge by output error from velocity.csv: "),
                     HasSubstr("95 % interval"),
                     HasSubstr("inertia"),
                     HasSubstr("kg/m"),
-                    HasSubstr("train "),
+                    HasSubstr("training "),
                     HasSubstr("held out ")));
   // As the interval in the model file: value and 1.96 std.
   EXPECT_NEAR(NumberBehind("inertia", run.out), 851.05, 8.5);
@@ -133,7 +133,7 @@ TEST(IdentifyTool, RefusesACopyOfALogBesideIt) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err,
               HasSubstr("--log: " + kFlatfish + " and " + copy +
-                        " hold the same data, expected each run once"));
+                        " hold the same data, expected each log once."));
 }
 
 TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {

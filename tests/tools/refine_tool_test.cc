@@ -108,7 +108,7 @@ TEST(RefineTool, FindsModelAndPathFromOneMarker) {
   for (const char* name : {"sy", "sz", "sroll", "spitch", "syaw"}) {
     EXPECT_GT(found.Values(name)[100], 0.0) << name;
   }
-  EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("Path and corners"));
+  EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("Trajectory and corners"));
 
   // The model is one that fathom_simulate reads.
   const ToolRun simulated = RunToolBinary("fathom_simulate",
@@ -238,7 +238,7 @@ TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
   arguments.push_back("--initial_guess=least_squares");
   const ToolRun guessed = RunToolBinary("fathom_refine", arguments);
   EXPECT_EQ(guessed.exit_code, 2) << guessed.out;
-  EXPECT_THAT(guessed.err, HasSubstr("The first guess by least_squares is no usable model: "));
+  EXPECT_THAT(guessed.err, HasSubstr("The initial guess by least_squares is not a usable model: "));
   EXPECT_FALSE(fs::exists(folder / "model.json"));
   EXPECT_FALSE(RowOf(JsonOf(folder / "rows.json"), "joint")["usable"].get<bool>());
 }

@@ -174,8 +174,8 @@ TEST(SimulateTool, SaysHowDetectionsBecomePosesToScoreBy) {
       RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out,
-            "surge: predicted from rest; the log has no column 'u' and no pose to score it by. "
-            "fathom_track makes poses from its detections.csv.\n");
+            "surge: predicted from rest. The log has no column 'u' and no pose to score the "
+            "prediction. fathom_track makes poses from its detections.csv.\n");
 }
 
 TEST(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {

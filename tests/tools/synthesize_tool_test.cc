@@ -317,7 +317,7 @@ TEST(SynthesizeTool, RefusesToRenderWithoutAFilm) {
   const fs::path out = EmptyTestFolder() / "log";
   const ToolRun run = Synthesize({kVehicle, kExperiment, "--render", "--out=" + out.string()});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err, "fathom_synthesize: --render: there is no --film to say how.\n");
+  EXPECT_EQ(run.err, "fathom_synthesize: --render: needs --film, expected both.\n");
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(TrackTool, CountsTagsThatAreNotInTheMap) {
   EXPECT_EQ(unused.size(), 24u);
   EXPECT_EQ(unused[0]["reason"], "is not in the map");
   EXPECT_THAT(run.out,
-              HasSubstr("12 read, 0 unreadable, 0 without tags, 0 with none that is used\n"));
+              HasSubstr("12 read, 0 unreadable, 0 without tags, 0 with unused tags only\n"));
   EXPECT_THAT(run.err,
               HasSubstr("Not used: 24 sightings of a tag that is not in the map: tag36h11 5 (12 "
                         "times), tag36h11 6 (12 times).\n"));
@@ -127,7 +127,7 @@ TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
   const ToolRun run = Track(
       log, {"--out=" + (log.parent_path() / "tracked").string(), "--summary=" + summary.string()});
   EXPECT_EQ(run.exit_code, 2) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("12 of 12 frames show tags, but none that is used"));
+  EXPECT_THAT(run.err, HasSubstr("12 of 12 frames show only tags that are not used"));
   EXPECT_THAT(run.err,
               HasSubstr("Not used: 36 sightings of a tag that is not in the map: tag36h11 4 (12 "
                         "times), tag36h11 5 (12 times), tag36h11 6 (12 times).\n"));

@@ -46,15 +46,15 @@ void AddCaveats(const Models& last_part, AdaptiveSummary* summary) {
     const double value = ToVector(summary->model)[index];
     if (value >= 0.0) continue;
     summary->caveats.push_back(
-        fmt::format("{} is negative ({:.4g}): unphysical. Another term or an unmodelled effect is "
-                    "taken for damping.",
+        fmt::format("{} is negative ({:.4g}), which is unphysical. The fit takes another term or "
+                    "an unmodelled effect for damping.",
                     kParameterInfo[index].name,
                     value));
   }
   summary->caveats.emplace_back(
-      "The intervals are the scatter of the estimate over the last third of the pass, not a "
-      "standard error: they do not cover what has not converged yet, combinations that the motion "
-      "does not excite, or what the model lacks.");
+      "The intervals are the scatter of the estimate over the last third of the pass and not "
+      "standard errors. They do not cover parameters that have not converged, combinations that "
+      "the motion does not excite, or effects that the model lacks.");
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
     if (k >= last_part_begin) last_part.push_back(ToVector(identifier.Estimate()));
   });
   if (!identifier.IsFinite()) {
-    summary.message = "The adaptive law diverged: with these gains its step is too long.";
+    summary.message = "The adaptive law diverged: the step is too long for these gains.";
     return summary;
   }
   const UncoupledModel<double> model = identifier.Estimate();
@@ -99,7 +99,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   }
   if (!(inertia_std < kMostScatter * model.inertia)) {
     summary.message = fmt::format(
-        "The inertia did not converge: {:.4g} +- {:.2g} over the last third of the pass.",
+        "The inertia did not converge: {:.4g} ± {:.2g} over the last third of the pass.",
         model.inertia,
         kStdsOf95 * inertia_std);
     return summary;

@@ -40,7 +40,7 @@ void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison
     if (!is_default) throw;
     remarks = {std::string("left out: ") + error.what()};
   }
-  for (const std::string& remark : remarks) result->remarks.push_back("Joint camera: " + remark);
+  for (const std::string& remark : remarks) result->remarks.push_back("Joint, camera: " + remark);
 }
 
 // The sources that a log has for `dof`, the best one first. Throws InputError if there is none.

@@ -97,15 +97,16 @@ std::string Sentence(const DofComparison& comparison) {
   const Identification* best = BestRow(comparison);
   if (best == nullptr) return fmt::format("{}: no family found a usable model.", dof);
   return fmt::format(
-      "{}: {} predicts best. Its free run misses {:.1f} % of the speed {}. Inertia {} {} (95 %).",
+      "{}: {} predicts best. Simulated from the command alone, it misses {:.1f} % of the speed "
+      "{}. Inertia {} {} (95 %).",
       dof,
       ModelName(*best),
       100.0 * Score(comparison, *best),
-      HasHeldOut(comparison) ? "on data it has not seen"
-                             : "on the data it was fitted to (none are held out)",
+      HasHeldOut(comparison) ? "on held-out data"
+                             : "on the data that it was fitted to (no data are held out)",
       FormatValue(best->fitted.model.inertia,
                   kStdsOf95 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
-      ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit));
+      UnitText(ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit)));
 }
 
 void RemoveColumn(const std::string& heading, Table* table) {
@@ -135,7 +136,7 @@ PageSection SectionOf(const DofComparison& comparison) {
   section.tables.push_back(std::move(parameters));
 
   Table notes;
-  notes.caption = "What the intervals do not say";
+  notes.caption = "What the intervals do not cover";
   notes.columns = {{"model"}, {"note"}};
   for (const Identification& row : comparison.rows) {
     if (!row.is_usable) notes.rows.push_back({{ModelName(row), row.message}, RowFlag::kUnusable});
@@ -150,11 +151,11 @@ PageSection SectionOf(const DofComparison& comparison) {
 }  // namespace
 
 std::string ModelName(const Identification& identification) {
-  constexpr std::array<const char*, 4> kFamilies = {"LS", "Adaptive", "Output error", "Joint"};
-  constexpr std::array<const char*, 2> kSources = {"pose estimator", "camera"};
-  return fmt::format("{} {}",
+  constexpr std::array<const char*, 4> kFamilies = {
+      "Least squares", "Adaptive", "Output error", "Joint"};
+  return fmt::format("{}, {}",
                      kFamilies[static_cast<size_t>(identification.family)],
-                     kSources[static_cast<size_t>(identification.source)]);
+                     NameInText(identification.source));
 }
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
@@ -176,7 +177,7 @@ std::vector<std::string> CommentsOn(const DofComparison& comparison) {
 Table ParameterTable(const DofComparison& comparison) {
   const std::string& force_unit = comparison.scored.force_unit;
   const auto heading = [&](const char* name, int index) {
-    return fmt::format("{} [{}]", name, ParameterUnit(index, comparison.dof, force_unit));
+    return fmt::format("{} [{}]", name, UnitText(ParameterUnit(index, comparison.dof, force_unit)));
   };
   const std::string_view speed_unit = VelocityUnit(comparison.dof);
   Table table;
@@ -269,7 +270,9 @@ std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
 Page ComparisonPage(const Comparison& comparison) {
   Page page;
   page.title = fmt::format("{}: models compared", comparison.log_name);
-  page.subtitle = "Every identifier family on every source of this log, scored by free runs";
+  page.subtitle =
+      "Every identifier family on every source of this log, scored by simulating "
+      "from the command alone";
   for (const DofComparison& dof : comparison.dofs) page.lead.push_back(Sentence(dof));
   page.warnings = comparison.remarks;
   for (const DofComparison& dof : comparison.dofs) {
@@ -279,16 +282,15 @@ Page ComparisonPage(const Comparison& comparison) {
       return sum;
     };
     page.facts.push_back({std::string(Name(dof.dof)),
-                          fmt::format("{:.0f} s to train, {:.0f} s held out",
+                          fmt::format("{:.0f} s training data, {:.0f} s held out",
                                       duration(dof.scored.train),
                                       duration(dof.scored.held_out))});
     page.sections.push_back(SectionOf(dof));
   }
   page.footer =
-      "MAE and NMAE are of the velocity, from a free-running simulation over the command alone, "
-      "started at the speed at each segment's first stamp (docs/models.md). In the table, +- is "
-      "one "
-      "standard deviation; bars and the sentences above give 95 % intervals.";
+      "MAE and NMAE are errors of the velocity when simulating from the command alone, started "
+      "from the speed at each segment's first stamp (docs/models.md). In the table, ± is one "
+      "standard deviation. Bars and the sentences above give 95 % intervals.";
   return page;
 }
 

@@ -13,7 +13,7 @@
 
 namespace fathom {
 
-// "LS pose estimator", "Output error camera": as the paper's Table II names its rows.
+// "Least squares, velocity.csv", "Output error, camera": the rows of the paper's Table II.
 std::string ModelName(const Identification& identification);
 
 // The paper's Table II for one DOF, with 95 % intervals' standard deviations and held-out figures.

@@ -33,17 +33,19 @@ void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
   constexpr double kExplainsLittle = 0.8;
   const double nmae = fitted->train.nmae;
   if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {
-    fitted->caveats.push_back("Its free-running simulation diverges: it cannot predict.");
+    fitted->caveats.push_back(
+        "Its simulation from the command alone diverges, so it cannot predict.");
   } else if (nmae > kExplainsLittle) {
     fitted->caveats.push_back(
-        fmt::format("Its free run misses {:.0f} % of the motion: this model explains next to "
-                    "nothing of these data. Look at the warnings first, and where it was fitted to "
-                    "poses and is held against velocities, at whether these agree (size of the "
-                    "markers, units).",
+        fmt::format("Simulated from the command alone, it misses {:.0f} % of the motion: this "
+                    "model explains almost nothing of these data. Check the warnings first. If "
+                    "it was fitted to poses and is compared with velocities, check whether these "
+                    "agree (size of the markers, units).",
                     100.0 * nmae));
   }
   if (!scored.held_out.empty() && !std::isfinite(fitted->held_out.mae)) {
-    fitted->caveats.push_back("Its free-running simulation diverges on the held-out data.");
+    fitted->caveats.push_back(
+        "Its simulation from the command alone diverges on the held-out data.");
   }
 }
 
@@ -59,7 +61,7 @@ Identification Identify(const Signals& signals,
   if (signals.train.empty()) {
     result.message = IsAllHeldOut(signals)
                          ? kAllIsHeldOut
-                         : "nothing is left to train on: the notes say what was left out.";
+                         : "no training data are left. The notes say what was left out.";
     result.fitted.model = ModelFromVector(ParameterVector::Constant(std::nan("")));
     return result;
   }

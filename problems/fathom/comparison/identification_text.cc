@@ -6,8 +6,10 @@
 #include "fathom/report/format_value.h"
 #include "fathom/report/table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -40,6 +42,12 @@ TableRow RowOf(const std::string& name,
            std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"}};
 }
 
+std::string WithSpaces(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
 bool HasSiForce(const FittedModel& fitted) { return fitted.force_unit == ForceUnit(fitted.dof); }
 
 // The parameters, and their ratios where only these are of the vehicle.
@@ -52,7 +60,7 @@ Table ParameterTable(const Identification& identification) {
   for (int i = 0; i < kNumParameters; ++i) {
     table.rows.push_back(RowOf(kParameterInfo[i].name,
                                {values[i], std::sqrt(fitted.covariance(i, i))},
-                               ParameterUnit(i, fitted.dof, fitted.force_unit),
+                               UnitText(ParameterUnit(i, fitted.dof, fitted.force_unit)),
                                kParameterInfo[i].lower_bound,
                                identification.share[i]));
   }
@@ -84,32 +92,33 @@ Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator) {
   return {ratio, std::sqrt(variance < 0.0 ? 0.0 : variance)};
 }
 
-std::string FormatIdentification(const Identification& identification) {
+std::string FormatIdentification(const Identification& identification,
+                                 const std::string& velocity_file) {
   const FittedModel& fitted = identification.fitted;
   std::string text = fmt::format("{} by {} from {}: {}\n",
                                  Name(fitted.dof),
-                                 Name(identification.family),
-                                 Name(identification.source),
+                                 WithSpaces(Name(identification.family)),
+                                 identification.source == Source::kPoseEstimator
+                                     ? std::string_view(velocity_file)
+                                     : NameInText(identification.source),
                                  identification.message);
   if (!identification.is_usable) return text;
 
   text += FormatTable(ParameterTable(identification));
   if (!HasSiForce(fitted)) {
     text += fmt::format(
-        "The command is in {}, not in {}: only the ratios are of the vehicle; the other figures "
-        "carry the unknown thrust per {}.\n",
+        "The command is in {}, not in {}. Only the ratios are properties of the vehicle; the "
+        "other values contain the unknown thrust per {}.\n",
         fitted.force_unit,
         ForceUnit(fitted.dof),
         fitted.force_unit);
   }
   if (std::isfinite(identification.condition_number)) {
-    text += fmt::format(
-        "condition number {:.1f}; own share: what of a parameter's signature in the data the "
-        "others "
-        "cannot imitate\n",
-        identification.condition_number);
+    text +=
+        fmt::format("condition number {:.1f}; own share: share that only this parameter explains\n",
+                    identification.condition_number);
   }
-  text += FiguresText("train", fitted.train, VelocityUnit(fitted.dof));
+  text += FiguresText("training", fitted.train, VelocityUnit(fitted.dof));
   text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));
   for (const std::string& caveat : fitted.caveats) text += fmt::format("note: {}\n", caveat);
   return text;

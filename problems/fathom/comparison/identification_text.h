@@ -10,8 +10,10 @@
 namespace fathom {
 
 // One family's result for a terminal: parameters with 95 % intervals, ratios where the command's
-// unit leaves only those meaningful, figures of fit, and what the intervals do not say.
-std::string FormatIdentification(const Identification& identification);
+// unit leaves only those meaningful, figures of fit, and what the intervals do not cover.
+// `velocity_file` is what the velocities were read from.
+std::string FormatIdentification(const Identification& identification,
+                                 const std::string& velocity_file = "velocity.csv");
 
 // A ratio of two parameters with its standard deviation, by the delta method.
 struct Ratio {

@@ -57,10 +57,10 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   if (has_velocity) {
     dof.remarks.insert(dof.remarks.end(), camera.remarks.begin(), camera.remarks.end());
   }
-  dof.remarks.push_back(has_velocity
-                            ? "MAE and NMAE are against velocity.csv, which no row was fitted to."
-                            : "MAE and NMAE are against the derivative of the PnP poses, whose "
-                              "noise is in all of them: there is no velocity.csv.");
+  dof.remarks.push_back(
+      has_velocity ? "MAE and NMAE are against velocity.csv. No row was fitted to it."
+                   : "There is no velocity.csv. MAE and NMAE are against the derivative of "
+                     "the PnP poses and contain its noise.");
   JointOptions joint = options.identification.joint;
   for (const Family family : kSignalFamilies) {
     dof.rows.push_back(Identify(camera, dof.scored, family, options.identification));
@@ -69,8 +69,8 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
     if (row.is_usable) {
       joint.initial_guess = row.fitted.model;
     } else {
-      result.joint.message =
-          fmt::format("The first guess by {} is no usable model: {}", Name(family), row.message);
+      result.joint.message = fmt::format(
+          "The initial guess by {} is not a usable model: {}", Name(family), row.message);
     }
   }
   const bool can_start = !options.initial_guess || joint.initial_guess;

@@ -84,7 +84,7 @@ Table IntervalTable(const ImageComparison& comparison) {
       table.rows.push_back({{ModelName(row),
                              kParameterInfo[i].name,
                              FormatValue(values[i], std),
-                             ParameterUnit(i, row.fitted.dof, row.fitted.force_unit),
+                             UnitText(ParameterUnit(i, row.fitted.dof, row.fitted.force_unit)),
                              FormatInterval(values[i], std, kParameterInfo[i].lower_bound)}});
     }
   }
@@ -94,7 +94,7 @@ Table IntervalTable(const ImageComparison& comparison) {
 Table RefinementTable(const ImageComparison& comparison) {
   const JointSummary& joint = comparison.joint;
   Table table;
-  table.caption = "What the corners say beside the model";
+  table.caption = "Further results from the corners";
   table.columns = {{"quantity"}, {"value", true}, {"unit"}};
   const auto add = [&](std::string name, std::string value, std::string_view unit) {
     table.rows.push_back({{std::move(name), std::move(value), std::string(unit)}});
@@ -102,14 +102,14 @@ Table RefinementTable(const ImageComparison& comparison) {
   int num_outliers = 0;
   for (const RefinedSegment& segment : joint.segments) num_outliers += segment.num_outliers;
   add("detections", fmt::format("{}", joint.num_detections), "");
-  add("outliers among them", fmt::format("{}", num_outliers), "");
+  add("of these, outliers", fmt::format("{}", num_outliers), "");
   add("corner sigma", fmt::format("{:.3g}", joint.processes.corner_sigma), "px");
   for (const HeldDofFound& found : HeldDofsOf(comparison)) {
-    add(fmt::format("{} wanders by", Name(found.dof)),
+    add(fmt::format("wander of {}", Name(found.dof)),
         found.wander.IsPresent() ? fmt::format("{:.2g}", found.wander.std) : "0",
         DisplacementUnit(found.dof));
     if (found.response_std > 0.0) {
-      add(fmt::format("{} follows the motion by", Name(found.dof)),
+      add(fmt::format("response of {} to the motion", Name(found.dof)),
           fmt::format("{:.2g}", found.response_std),
           DisplacementUnit(found.dof));
     }
@@ -117,13 +117,13 @@ Table RefinementTable(const ImageComparison& comparison) {
   constexpr double kDrift = 10.0;  // [s]
   const auto strays = [&] { return std::sqrt(joint.processes.ModelError().Over(kDrift).Q(0, 0)); };
   const Dof dof = comparison.comparison.dofs[0].dof;
-  add(fmt::format("{} strays from the model, in {:.0f} s, by", Name(dof), kDrift),
+  add(fmt::format("drift of {} from the model in {:.0f} s", Name(dof), kDrift),
       joint.processes.model_error > 0.0 ? fmt::format("{:.2g}", strays()) : "0",
       DisplacementUnit(dof));
   for (size_t r = 0; r < joint.segments.size(); ++r) {
     const RefinedSegment& segment = joint.segments[r];
     if (segment.clock_offset_std == 0.0) continue;
-    add(fmt::format("clock offset of run {}", r + 1),
+    add(fmt::format("clock offset of segment {}", r + 1),
         FormatValue(segment.clock_offset, segment.clock_offset_std),
         "s");
   }
@@ -143,17 +143,19 @@ Table RefinementTable(const ImageComparison& comparison) {
 Page ImageComparisonPage(const MarkerLogs& logs, const ImageComparison& comparison) {
   Page page = ComparisonPage(comparison.comparison);
   page.title = fmt::format("{}: models from images", comparison.comparison.log_name);
-  page.subtitle = "What each identifier family makes of the same corners, scored by free runs";
+  page.subtitle =
+      "Every identifier family on the same corners, scored by simulating from the "
+      "command alone";
   if (!comparison.joint.IsUsable()) {
     page.warnings.push_back("The joint refinement found no usable model: " +
                             comparison.joint.message);
     return page;
   }
   PageSection section;
-  section.heading = "Path and corners";
+  section.heading = "Trajectory and corners";
   section.text.push_back(
-      "The joint refinement solves for model, path and corner errors together "
-      "(docs/joint_refinement.md). PnP takes each frame by itself.");
+      "The joint refinement estimates model, trajectory and corner errors together "
+      "(docs/joint_refinement.md). PnP solves each frame separately.");
   section.time_panels.push_back(PathPanel(logs, comparison));
   section.tables = {IntervalTable(comparison), RefinementTable(comparison)};
   page.sections.push_back(std::move(section));

@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/result.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <cmath>
@@ -34,12 +35,12 @@ std::string WhyOfNoUse(const Diagnosis& diagnosis) {
   const double half_width = kStdsOf95 * std::sqrt(variance);
   if (half_width < inertia) return "";
   return fmt::format(
-      "these logs do not determine the inertia: {:.3g} +- {:.2g} {} (95 %), and no cause that was "
-      "tried makes up for it. Commands that change fast and move the vehicle by much would: steps, "
-      "or a square wave of 10 to 20 s.",
+      "these logs do not determine the inertia: {:.3g} ± {:.2g} {} (95 %), and no cause that was "
+      "tried changes this. Fast and large changes of the command determine it: steps, or a "
+      "square wave with a period of 10 to 20 s.",
       inertia,
       half_width,
-      ParameterUnit(kInertia, diagnosis.dof, diagnosis.force_unit));
+      UnitText(ParameterUnit(kInertia, diagnosis.dof, diagnosis.force_unit)));
 }
 
 }  // namespace fathom

@@ -175,7 +175,7 @@ JointSummary FitInFrames(const JointInput& input,
   for (const int i : end.held_at_zero) summary.on_bound[i] = true;
   summary.determined = linear.is_usable();
   if (!summary.determined) {
-    summary.message = "some unknown leaves no trace in the corners.";
+    summary.message = "the corners do not determine some unknown.";
     return summary;
   }
   TakeOverGlobals(options, at.unknowns, linear, &summary);

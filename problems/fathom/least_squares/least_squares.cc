@@ -28,21 +28,21 @@ void AddCaveats(LeastSquaresSummary* summary) {
     const double half_width = kStdsOf95 * std::sqrt(summary->covariance(index, index));
     if (parameters[index] < 0.0) {
       summary->caveats.push_back(fmt::format(
-          "{} is negative ({:.4g} +- {:.2g}): unphysical. Another term or an unmodelled "
-          "effect is taken for damping.",
+          "{} is negative ({:.4g} ± {:.2g}), which is unphysical. The fit takes another term or "
+          "an unmodelled effect for damping.",
           kParameterInfo[index].name,
           parameters[index],
           half_width));
     } else if (half_width > parameters[index]) {
-      summary->caveats.push_back(fmt::format("{} is not distinguishable from 0 ({:.4g} +- {:.2g}).",
+      summary->caveats.push_back(fmt::format("{} cannot be distinguished from 0 ({:.4g} ± {:.2g}).",
                                              kParameterInfo[index].name,
                                              parameters[index],
                                              half_width));
     }
   }
   summary->caveats.emplace_back(
-      "The intervals take force and velocity as exact: noise of the velocity in v and v|v|, and "
-      "whatever the model lacks, bias the parameters by an amount that they do not cover.");
+      "The intervals treat force and velocity as exact. They do not cover the bias from velocity "
+      "noise in v and v|v|, or from effects that the model lacks.");
 }
 
 // F = U S V' diag(length): columns of unit length, so that no unit decides what is determined.
@@ -121,7 +121,7 @@ std::string WhyNoModel(const Lumped& lumped) {
   }
   if (alpha < half_width) {
     return fmt::format(
-        "The data do not determine the inertia: its inverse is {:.3g} +- {:.2g} (95 %), which "
+        "The data do not determine the inertia: its inverse is {:.3g} ± {:.2g} (95 %), which "
         "includes 0.",
         alpha,
         half_width);

@@ -152,7 +152,7 @@ void SetCovariances(const Bundle& end, BundleAdjustmentSummary* summary) {
   BundleInformation information = InformationOf(end);
   const auto factor = SetNoise(information, end.options.corner_sigma, summary);
   if (!factor) {
-    summary->message = "there are not more corners than unknowns.";
+    summary->message = "there are too few corners for the unknowns.";
     return;
   }
   const std::vector<Matrix6> inverses = EliminateFrames(information.frames, &information.markers);
@@ -166,8 +166,8 @@ void SetCovariances(const Bundle& end, BundleAdjustmentSummary* summary) {
   const auto marker_covariance = MarkerCovariance(information.markers);
   if (!marker_covariance) {
     summary->message =
-        "the corners do not determine where the free markers are: some are never seen together "
-        "with markers whose place is known.";
+        "the corners do not determine the positions of the free markers: some are never seen "
+        "together with markers of known position.";
     return;
   }
   for (std::size_t i = 0; i < end.frames.size(); ++i) {

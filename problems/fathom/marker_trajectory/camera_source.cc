@@ -44,9 +44,8 @@ void TrackDetections(Log* log) {
   log->pose = PoseStreamOf(track.world_from_body);
   log->remarks.push_back(
       {RemarkKind::kDetections,
-       fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames that show "
-                   "no marker are not "
-                   "listed there); corner sigma {:.3g} px.",
+       fmt::format("detections.csv: {} of {} frames with detections gave a pose (frames without "
+                   "a marker are not in the file); corner sigma {:.3g} px.",
                    track.world_from_body.size(),
                    track.pnp.num_frames,
                    track.corner_sigma)});

@@ -52,10 +52,9 @@ std::string RemarkOnLostMotion(std::span<const Detection> detections, const Mark
   if (lost.num_poses == 0 || lost.num_poses < kFramesWorthAWord * num_poses) return "";
   return fmt::format(
       "{} poses rest on a single marker whose tilt they know to {:.2g} rad: noise of the tilt "
-      "shortens the distance, which is corrected but for up to {:.1f} % of the motion towards the "
-      "marker. What noise is left there is skewed; corner sigma and standard deviations come out "
-      "too small. Several markers, one seen at an angle, or the joint refinement from the corners "
-      "do not have this.",
+      "shortens the distance. The correction leaves up to {:.1f} % of the motion towards the "
+      "marker. The remaining noise is skewed, and corner sigma and standard deviations are too "
+      "small. Several markers, a marker seen at an angle, or the joint refinement avoid this.",
       lost.num_poses,
       std::sqrt(lost.tilt_variance / 2.0),
       100.0 * lost.share);

@@ -23,16 +23,16 @@ std::vector<Remark> RemarksOn(const MarkerTrack& track,
     if (!text.empty()) remarks.push_back({kind, std::move(text)});
   };
   if (reference) {
-    add(fmt::format("Tag {} holds the world; the others are estimated.", *reference));
+    add(fmt::format("Tag {} defines the world frame. The other tags are estimated.", *reference));
   }
   if (!track.refuted_ids.empty()) {
     add(
-        fmt::format("No place agrees with the frames that show them, and not used: tags {}. Did "
-                    "they move?",
+        fmt::format("Not used, because no position agrees with the frames that show them: tags "
+                    "{}. Did they move?",
                     fmt::join(track.refuted_ids, ", ")));
   }
   if (!track.unplaced_ids.empty()) {
-    add(fmt::format("Never seen together with a tag whose place is known, and not used: tags {}.",
+    add(fmt::format("Not used, because never seen together with a tag of known position: tags {}.",
                     fmt::join(track.unplaced_ids, ", ")));
   }
   for (std::string& loss : RemarksOn(track.pnp, detections)) add(std::move(loss));

@@ -67,19 +67,19 @@ std::string RemarkOnSurveyMisfit(const CameraModel& camera,
   const Suspect worst = WorstTag(camera, detections, track);
   const bool is_one_tag = worst.id >= 0 && worst.corner_sigma < LargestSigma(track.corner_noise);
   return fmt::format(
-      "Corners are off where tags and lens are said to be by {:.2g} px (corner sigma), of which "
-      "{:.2g} px is noise from frame to frame: the poses are off beyond their standard deviations. "
-      "{}",
+      "The corners disagree with the given tags and lens by {:.2g} px (corner sigma), of which "
+      "{:.2g} px is noise from frame to frame. The errors of the poses are larger than their "
+      "standard deviations. {}",
       track.corner_sigma,
       track.corner_noise,
       is_one_tag
-          ? fmt::format("The place of tag {} alone would account for it, {:.2g} px being left: "
-                        "measure it again, or leave its world_from_tag out of tags.yaml to have it "
-                        "estimated.",
+          ? fmt::format("A wrong position of tag {} alone would explain this, with {:.2g} px "
+                        "left. Measure it again, or remove its world_from_tag from tags.yaml to "
+                        "have it estimated.",
                         worst.id,
                         worst.corner_sigma)
-          : std::string("No tag's place alone accounts for it: the lens, the tags' size or the "
-                        "places of several are not as their files say."));
+          : std::string("No single tag's position explains this. The lens, the size of the tags "
+                        "or the positions of several tags differ from their files."));
 }
 
 }  // namespace fathom

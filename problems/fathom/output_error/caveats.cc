@@ -35,13 +35,14 @@ std::string Spaced(const char* name) {
 const char* ExperimentFor(int index) {
   switch (index) {
     case kInertia:
-      return "Commands that change fast and by much would: steps, or a square wave of 10 to 20 s.";
+      return "Fast and large changes of the command determine it: steps, or a square wave with a "
+             "period of 10 to 20 s.";
     case kQuadraticDamping:
-      return "Steady runs at several speeds up to the highest would.";
+      return "Steady runs at several speeds up to the highest determine it.";
     case kLinearDamping:
-      return "Slow steady runs and coasting to rest would.";
+      return "Slow steady runs and coasting to rest determine it.";
     default:
-      return "A pause at rest with the command held would.";
+      return "A pause at rest with the command held determines it.";
   }
 }
 
@@ -78,10 +79,9 @@ std::string CaveatOnDamping(int parameter, double value, double half_width, doub
   if (!(half_width > value)) return "";
   const std::string reason =
       share < kSmallShare
-          ? fmt::format("only {:.0f} % of its signature is not imitated by the other parameters",
-                        100.0 * share)
-          : std::string("it hides in the noise");
-  return fmt::format("This log does not determine {}: {:.3g} +- {:.2g} (95 %), since {}. {}",
+          ? fmt::format("the share that only this parameter explains is {:.0f} %", 100.0 * share)
+          : std::string("its effect is below the noise");
+  return fmt::format("This log does not determine {}: {:.3g} ± {:.2g} (95 %), because {}. {}",
                      Spaced(kParameterInfo[parameter].name),
                      value,
                      half_width,
@@ -94,19 +94,20 @@ std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
   if (command.time.size() > 1) {
     tone = DominantTone(command, command.time.back() - command.time.front());
   }
-  const std::string input = tone.share >= kSingleTone
-                                ? fmt::format("its single sine of {:.2g} rad/s", tone.frequency)
-                                : std::string("its slow command");
+  const std::string input =
+      tone.share >= kSingleTone
+          ? fmt::format("its command is a single sine of {:.2g} rad/s", tone.frequency)
+          : std::string("its command is slow");
   const std::string known = std::isfinite(doubt.half_width_with_delay)
-                                ? fmt::format("is known to +- {:.2g}, not +- {:.2g} (95 %)",
+                                ? fmt::format("is known to ± {:.2g} and not to ± {:.2g} (95 %)",
                                               doubt.half_width_with_delay,
                                               doubt.half_width)
-                                : std::string("is not known at all");
+                                : std::string("is not determined");
   return fmt::format(
-      "Inertia, damping and a delay of the command cannot be separated in this log under {}: the "
-      "values hold if there is no delay. One second of delay would change the inertia by {:.2g}, "
-      "the linear damping by {:.2g}; with the delay unknown the inertia {}. A square wave of 10 to "
-      "20 s, or several tones up to 1.5 rad/s, would decide.",
+      "This log cannot separate inertia, damping and a command delay, because {}. The values "
+      "hold only if there is no delay. One second of delay would change the inertia by {:.2g} "
+      "and the linear damping by {:.2g}. With an unknown delay the inertia {}. To separate them, "
+      "use a square wave with a period of 10 to 20 s, or several tones up to 1.5 rad/s.",
       input,
       doubt.inertia_per_second,
       doubt.linear_damping_per_second,
@@ -114,10 +115,9 @@ std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
 }
 
 std::string CaveatOnBound(int parameter, double half_width) {
-  return fmt::format(
-      "{} ended on its bound 0: these data show none of it (below {:.2g} with 95 %).",
-      Spaced(kParameterInfo[parameter].name),
-      half_width);
+  return fmt::format("{} is at its bound 0: these data show none (below {:.2g} with 95 %).",
+                     Spaced(kParameterInfo[parameter].name),
+                     half_width);
 }
 
 void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary) {
@@ -127,13 +127,13 @@ void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* sum
   if (!summary->determined) {
     summary->message =
         std::isfinite(half_width)
-            ? fmt::format("this log does not determine the inertia: {:.4g} +- {:.2g} (95 %). {}",
+            ? fmt::format("this log does not determine the inertia: {:.4g} ± {:.2g} (95 %). {}",
                           inertia,
                           half_width,
                           ExperimentFor(kInertia))
             : fmt::format(
-                  "this log does not determine the model: some combination of the "
-                  "parameters leaves no trace in the motion. {}",
+                  "this log does not determine the model: some combination of the parameters has "
+                  "no effect on the motion. {}",
                   ExperimentFor(kInertia));
     return;
   }

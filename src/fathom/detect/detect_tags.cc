@@ -97,7 +97,7 @@ std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& 
   }
   if (!found.times_with_unused_only.empty()) {
     remarks.push_back(
-        fmt::format("{} of {} frames show tags, but none that is used, the first at t = {}.",
+        fmt::format("{} of {} frames show only tags that are not used, the first at t = {}.",
                     found.times_with_unused_only.size(),
                     found.frame_times.size(),
                     found.times_with_unused_only.front()));
@@ -117,7 +117,7 @@ std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& 
   }
   if (found.num_not_followed > 0) {
     remarks.push_back(fmt::format(
-        "{} of {} detections have the corners of libapriltag, which are less accurate: their sides "
+        "{} of {} detections keep the less accurate corners of libapriltag, because their sides "
         "could not be followed.",
         found.num_not_followed,
         found.detections.size()));

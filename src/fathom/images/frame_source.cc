@@ -52,8 +52,8 @@ class ListedImages : public FrameSource {
     if (!read.remark.empty()) remarks_.push_back(read.remark);
     const std::filesystem::path times = folder_ / "frame_times.csv";
     if (Exists(times)) {
-      remarks_.push_back(fmt::format("{}: is not read: it stamps a video, and log.yaml names none.",
-                                     times.string()));
+      remarks_.push_back(fmt::format(
+          "{}: is not read, because it is for a video and log.yaml names none.", times.string()));
     }
   }
 

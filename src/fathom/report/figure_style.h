@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/report/format_value.h"
+
 #include <string>
 #include <string_view>
 
@@ -16,7 +18,7 @@ set tics nomirror out scale 0.5 textcolor rgb '#5d6776'
 )";
 
 inline std::string WithUnit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + unit + "]";
+  return unit.empty() ? name : name + " [" + UnitText(unit) + "]";
 }
 
 }  // namespace fathom

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -97,10 +98,20 @@ std::string FormatInterval(double value, double std, double lower_bound) {
   return digits.Write(from, " ... ", to);
 }
 
+std::string UnitText(std::string_view unit) {
+  std::string text;
+  while (!unit.empty()) {
+    const bool is_square = unit.starts_with("^2"), is_cube = unit.starts_with("^3");
+    text += is_square ? "²" : is_cube ? "³" : std::string(unit.substr(0, 1));
+    unit.remove_prefix(is_square || is_cube ? 2 : 1);
+  }
+  return text;
+}
+
 std::string WithInterval(
     double value, double std, std::string_view unit, double lower, double upper) {
   const auto with_unit = [&](const std::string& number) {
-    return unit.empty() ? number : fmt::format("{} {}", number, unit);
+    return unit.empty() ? number : fmt::format("{} {}", number, UnitText(unit));
   };
   if (!std::isfinite(std) || !(std > 0.0)) return with_unit(FormatValue(value));
   const double half = kStdsOf95 * std;

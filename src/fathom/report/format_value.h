@@ -24,6 +24,9 @@ std::string FormatInterval(double value,
                            double std,
                            double lower_bound = -std::numeric_limits<double>::infinity());
 
+// A unit as texts show it, with raised figures: "kg m^2/s" as "kg m²/s". Files hold the plain form.
+std::string UnitText(std::string_view unit);
+
 // The same interval within a sentence: "0.42 s (0.39 to 0.45 s)". Rounded at DecimalsFor() its half
 // width; the ends do not pass the bounds. Without a known standard deviation the number alone, to
 // four digits.

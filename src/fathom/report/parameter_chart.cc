@@ -36,7 +36,7 @@ std::string Arrow(bool points_right, std::string_view color) {
 }
 
 std::string WithUnit(const std::string& value, const std::string& unit) {
-  return unit.empty() ? value : value + " " + unit;
+  return unit.empty() ? value : value + " " + UnitText(unit);
 }
 
 // Bar, dot and the arrows that stand for what lies outside.
@@ -150,7 +150,9 @@ std::string ParameterChartHtml(const ParameterPanel& panel, Palette& palette) {
 
   std::string html =
       fmt::format("<figure class=\"parameter\"><figcaption><b>{}</b>", HtmlText(panel.name));
-  if (!panel.unit.empty()) html += fmt::format(" <span>[{}]</span>", HtmlText(panel.unit));
+  if (!panel.unit.empty()) {
+    html += fmt::format(" <span>[{}]</span>", HtmlText(UnitText(panel.unit)));
+  }
   if (panel.reference) {
     html += fmt::format(R"(<em>{} {}</em>)",
                         HtmlText(panel.reference_name),

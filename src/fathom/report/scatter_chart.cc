@@ -3,6 +3,7 @@
 
 #include "fathom/report/scatter_chart.h"
 
+#include "fathom/report/format_value.h"
 #include "fathom/report/html_text.h"
 #include "fathom/report/parameter_chart.h"
 
@@ -156,7 +157,7 @@ ChartRange VerticalRange(const std::vector<Pair>& pairs,
 }
 
 std::string WithUnit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+  return unit.empty() ? name : fmt::format("{} [{}]", name, UnitText(unit));
 }
 
 }  // namespace
@@ -246,17 +247,16 @@ std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& 
   const ScatterPanel& first = panels.front();
   std::string html = fmt::format(
       "<div class=\"scatter-key\"><span><i class=\"point\" style=\"color:{}\"></i>{}</span>"
-      "<span><i style=\"color:{}\"></i>its mean, and two standard errors</span>",
+      "<span><i style=\"color:{}\"></i>mean, with two standard errors</span>",
       kMeasuredColor,
       HtmlText(WithUnit(first.y_name, first.y_unit)),
       palette.ColorOf(first.y_name));
   const bool has_second = std::ranges::any_of(
       panels, [](const ScatterPanel& panel) { return !panel.second_y.empty(); });
   if (has_second) {
-    html +=
-        fmt::format("<span><i style=\"color:{};border-top-style:dashed\"></i>{}, its mean</span>",
-                    palette.ColorOf(first.second_name),
-                    HtmlText(first.second_name));
+    html += fmt::format("<span><i style=\"color:{};border-top-style:dashed\"></i>{}, mean</span>",
+                        palette.ColorOf(first.second_name),
+                        HtmlText(first.second_name));
   }
   html += "</div>\n<div class=\"scatters\">\n";
   for (const ScatterPanel& panel : panels) html += ScatterChartHtml(panel, palette);

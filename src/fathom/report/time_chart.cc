@@ -3,6 +3,7 @@
 
 #include "fathom/report/time_chart.h"
 
+#include "fathom/report/format_value.h"
 #include "fathom/report/thinning.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ std::string TimeChartJson(const TimePanel& panel, Palette& palette) {
   }
 
   json chart = {{"quantity", panel.quantity},
-                {"unit", panel.unit},
+                {"unit", UnitText(panel.unit)},
                 {"time", std::move(time)},
                 {"time_offset", time_offset},
                 {"responses", std::move(responses)},

@@ -28,9 +28,9 @@ void RequireAlike(const Log& log, const Signals& signals, const Signals& first) 
         "from {}).",
         log.path.string(),
         signals.force_unit,
-        Name(signals.source),
+        NameInText(signals.source),
         first.force_unit,
-        Name(first.source)));
+        NameInText(first.source)));
   }
 }
 

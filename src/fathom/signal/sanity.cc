@@ -82,9 +82,9 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
       std::sqrt((batches - batches.mean()).square().sum() / (kNumBatches * (kNumBatches - 1.0)));
   if (!(mean < -kPowerErrors * error)) return;
   Warn("passivity",
-       fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} +- "
-                   "{:.1g}: a passive vehicle cannot return energy. A sign or frame error, a delay "
-                   "of over a quarter period, or the vehicle is driven from outside.",
+       fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} ± "
+                   "{:.1g}. A passive vehicle cannot return energy. The cause may be a wrong "
+                   "sign or frame, a delay of over a quarter period, or an external drive.",
                    mean,
                    unit,
                    kStdsOf95 * error),
@@ -129,9 +129,9 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   const double error = std::sqrt(coloured.EndPiece()(0, 0)) / force.squaredNorm();
   if (correlation > -kSignCorrelation || slope > -kSignErrors * error) return;
   Warn("force_sign",
-       fmt::format("At equal velocity a push slows the vehicle down: acceleration over force is "
-                   "{:.2g} +- {:.1g} (correlation {:.2f}). Check the sign of the force and the "
-                   "clocks.",
+       fmt::format("At equal velocity a positive force decelerates the vehicle: acceleration "
+                   "over force is {:.2g} ± {:.1g} (correlation {:.2f}). Check the sign of the "
+                   "force and the clocks.",
                    slope,
                    kStdsOf95 * error,
                    correlation),
@@ -206,14 +206,14 @@ std::vector<Finding> CheckSanity(std::span<const Segment> segments,
   const bool velocity_varies = samples.velocity.maxCoeff() > samples.velocity.minCoeff();
   if (!force_varies) {
     Warn("constant_command",
-         fmt::format("The force is {:.4g} {} throughout: there is nothing to learn from.",
+         fmt::format("The force is constant at {:.4g} {}. The log cannot determine a model.",
                      samples.force[0],
                      force_unit),
          &findings);
   }
   if (!velocity_varies) {
     Warn("constant_velocity",
-         fmt::format("The velocity is {:.4g} {} throughout: there is nothing to learn from.",
+         fmt::format("The velocity is constant at {:.4g} {}. The log cannot determine a model.",
                      samples.velocity[0],
                      VelocityUnit(dof)),
          &findings);

@@ -63,8 +63,8 @@ std::string WhyNoRange(const Log& log,
         fewest);
   }
   return fmt::format(
-      "{}: no segment between silences of over {:g} s and the ends of held-out intervals has {} "
-      "{}, expected at least one.",
+      "{}: no segment between gaps of over {:g} s and the ends of held-out intervals has {} {}, "
+      "expected at least one.",
       file,
       options.longest_gap,
       fewest,
@@ -99,7 +99,8 @@ Cut CutMotion(const Log& log,
       ranges.begin(), ranges.end(), [](const SampleRange& range) { return range.is_after_gap; });
   if (num_silences > 0) {
     cut.remarks.push_back(
-        fmt::format("The motion is silent for over {:g} s {} time{}: each starts a new segment.",
+        fmt::format("The motion has gaps of over {:g} s, {} time{}. Each gap starts a new "
+                    "segment.",
                     options.longest_gap,
                     num_silences,
                     num_silences == 1 ? "" : "s"));
@@ -137,14 +138,14 @@ Measured MeasuredAlong(Dof dof, const Stream& stream, Source source) {
   const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, measured.poses.world_from_body);
   if (turn > kLargestAxisTurn) {
     measured.remarks.push_back(fmt::format(
-        "The {} axis turns by {:.2f} rad RMS: the position is taken along its mean, which is "
-        "short of the way.",
+        "The {} axis turns by {:.2f} rad RMS. The position is taken along its mean, which is "
+        "shorter than the true path.",
         Name(dof),
         turn));
   }
   if (const int flips = CountRotationFlips(measured.poses); flips > 0) {
     measured.remarks.push_back(fmt::format(
-        "{} rotation step{} that the neighbours do not support: a single square has two "
+        "{} rotation step{} that the neighbouring poses do not confirm. A single square has two "
         "solutions, and the pose may have flipped between them.",
         flips,
         flips == 1 ? "" : "s"));
@@ -211,11 +212,12 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   }
   if (num_dropped > 0) {
     signals.remarks.push_back(
-        fmt::format("Left out: {} pose{} with too few others within the window to tell a velocity.",
+        fmt::format("Left out: {} pose{} with too few others within the window to compute a "
+                    "velocity.",
                     num_dropped,
                     num_dropped == 1 ? "" : "s"));
   }
-  if (signals.train.empty()) signals.remarks.push_back("Nothing is left to train on.");
+  if (signals.train.empty()) signals.remarks.push_back("No training data are left.");
   return signals;
 }
 

@@ -13,6 +13,10 @@ std::string_view Name(Source source) {
   return source == Source::kPoseEstimator ? "pose_estimator" : "camera";
 }
 
+std::string_view NameInText(Source source) {
+  return source == Source::kPoseEstimator ? "velocity.csv" : "camera";
+}
+
 Source ParseSource(const std::string& name) {
   for (const Source source : {Source::kPoseEstimator, Source::kCamera}) {
     if (Name(source) == name) return source;

@@ -14,6 +14,9 @@ enum class Source { kPoseEstimator, kCamera };
 // "pose_estimator" or "camera".
 std::string_view Name(Source source);
 
+// What a sentence calls it: "velocity.csv" or "camera".
+std::string_view NameInText(Source source);
+
 // Throws InputError, listing the names there are, in the form of ParseDof().
 Source ParseSource(const std::string& name);
 

@@ -246,14 +246,14 @@ std::vector<std::string> RemarksOn(const PoseTrack& track, std::span<const Detec
   };
   if (const auto flips = count_views(&TrackedView::is_flip_resolved); flips > 0) {
     remarks.push_back(
-        fmt::format("In {} of {} with a pose, the one that fits the corners best was the wrong one "
-                    "of two; the frames around it decided.",
+        fmt::format("In {} of {} with a pose, the wrong one of two poses fits the corners best; "
+                    "the neighbouring frames decided.",
                     flips,
                     Plural(track.views.size(), "frame")));
   }
   if (const auto ambiguous = count_views(&TrackedView::is_ambiguous); ambiguous > 0) {
     remarks.push_back(
-        fmt::format("In {} of {} with a pose, two poses fit the corners almost alike.",
+        fmt::format("In {} of {} with a pose, two poses fit the corners almost equally well.",
                     ambiguous,
                     Plural(track.views.size(), "frame")));
   }

@@ -58,7 +58,7 @@ struct EffectInfo {
   // True where EffectSetting::reference_force is part of the equation.
   bool uses_reference_force = false;
 
-  std::string_view cause;   // what it is, after "because": "the propellers take time to spin up"
+  std::string_view cause;   // what a sentence says after "comes from": "a lag of the thrusters"
   std::string_view advice;  // what to do about it, a sentence
 
   // With other effects; in the order in which a text is to name their experiments.

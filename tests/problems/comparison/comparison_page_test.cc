@@ -75,8 +75,8 @@ TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
               ElementsAre("WARNING: The power is negative.",
                           "note: It is slow.",
                           "note: left out: 3 samples.",
-                          "! LS pose estimator: no motion.",
-                          "note: Output error pose estimator: noisy regressors."));
+                          "! Least squares, velocity.csv: no motion.",
+                          "note: Output error, velocity.csv: noisy regressors."));
 }
 
 TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {
@@ -87,7 +87,7 @@ TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {
   // 40, standard deviation 2.0; the figures as HandmadeRow gives them.
   EXPECT_THAT(table.rows[0].cells,
               ::testing::ElementsAre("surge",
-                                     "Output error pose estimator",
+                                     "Output error, velocity.csv",
                                      "40.0 ± 2.0",
                                      "30.0 ± 1.5",
                                      "5.00 ± 0.50",
@@ -146,7 +146,7 @@ TEST(ParameterPanels, HoldEachUsableModelsValueAndDeviation) {
   EXPECT_EQ(panels[2].name, "linear damping");
   EXPECT_EQ(panels[2].unit, "kg/s");
   ASSERT_EQ(panels[2].estimates.size(), 1u);
-  EXPECT_EQ(panels[2].estimates[0].name, "Output error pose estimator");
+  EXPECT_EQ(panels[2].estimates[0].name, "Output error, velocity.csv");
   EXPECT_EQ(panels[2].estimates[0].value, 5.0);
   EXPECT_DOUBLE_EQ(panels[2].estimates[0].std, 0.5);
 }
@@ -163,21 +163,21 @@ TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
   EXPECT_THAT(page.lead[0],
               AllOf(HasSubstr("Surge"),
                     HasSubstr("3.0 %"),
-                    HasSubstr("not seen"),
+                    HasSubstr("on held-out data"),
                     HasSubstr("40.0 ± 3.9 kg")));
   EXPECT_EQ(page.lead[1], "Yaw: no family found a usable model.");
   ASSERT_EQ(page.sections.size(), 2u);
   EXPECT_EQ(page.sections[0].heading, "Surge");
   EXPECT_EQ(page.sections[1].heading, "Yaw");
   ASSERT_EQ(page.facts.size(), 2u);
-  EXPECT_EQ(page.facts[0].value, "5 s to train, 2 s held out");
+  EXPECT_EQ(page.facts[0].value, "5 s training data, 2 s held out");
 }
 
 TEST(ComparisonPage, SaysWhereNothingIsHeldOut) {
   Comparison comparison;
   comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
   comparison.dofs[0].scored.held_out.clear();
-  EXPECT_THAT(ComparisonPage(comparison).lead.at(0), HasSubstr("none are held out"));
+  EXPECT_THAT(ComparisonPage(comparison).lead.at(0), HasSubstr("(no data are held out)"));
 }
 
 TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {

@@ -73,7 +73,7 @@ TEST(FormatIdentification, ShowsParametersIntervalsFiguresAndCaveats) {
   row.fitted.caveats = {"The log cannot tell them apart."};
   // 40 -+ 1.96 2, 30 -+ 1.96 1.5
   EXPECT_THAT(FormatIdentification(row),
-              AllOf(HasSubstr("surge by output_error from pose_estimator"),
+              AllOf(HasSubstr("surge by output error from velocity.csv: "),
                     HasSubstr("36.1 ... 43.9"),
                     HasSubstr("27.1 ... 32.9"),
                     HasSubstr("MAE 0.01000 m/s, NMAE 0.0200   (90 samples, 9 s)"),
@@ -107,9 +107,19 @@ TEST(FormatIdentification, TheIntervalOfANegativeDampingIsNotCutAtZero) {
   EXPECT_THAT(FormatIdentification(row), HasSubstr("-5.98 ... -4.02"));
 }
 
+TEST(FormatIdentification, NamesTheFileAndShowsUnitsWithRaisedFigures) {
+  auto row = HandmadeRow(Family::kOutputError, 0.02, 0.03);
+  row.fitted.dof = Dof::kYaw;
+  row.fitted.force_unit = "N m";
+  EXPECT_THAT(FormatIdentification(row, "run.csv"),
+              AllOf(HasSubstr("yaw by output error from run.csv: "),
+                    HasSubstr(" kg m²/s "),
+                    Not(HasSubstr("^"))));
+}
+
 TEST(FormatIdentification, AnUnusableResultShowsTheReasonAndNoNumbers) {
   EXPECT_EQ(FormatIdentification(UnusableRow(Family::kAdaptive)),
-            "surge by adaptive from pose_estimator: the command never changes\n");
+            "surge by adaptive from velocity.csv: the command never changes\n");
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ struct ScrewForce {
                             .upper = kInfinity,
                             .drawn = {0.1, 1.0, natural::Coupling, true}}},
             .partner = PartnerInfo{.rule = IsAboutItsAxis, .velocity = true},
-            .cause = "the hull turns as a screw",
+            .cause = "a hull that turns as a screw",
             .advice = "Keep it."};
   }
   static bool IsAboutItsAxis(Dof dof, Dof partner) { return Index(partner) == Index(dof) + 3; }

@@ -102,7 +102,7 @@ TEST(TrackMarkers, SaysWhichMarkersItCouldNotPlace) {
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
   ASSERT_TRUE(track.IsUsable()) << track.message;
   EXPECT_THAT(track.unplaced_ids, ElementsAre(3));
-  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("Never seen together")));
+  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("never seen together")));
   EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("Set aside as not surveyed: ")));
 }
 
@@ -126,7 +126,9 @@ TEST(TrackMarkers, TakesBackAPlaceThatNoFrameAgreesWith) {
   EXPECT_THAT(track.estimated_ids, Contains(2));
   EXPECT_THAT(track.refuted_ids, ElementsAre(3));
   EXPECT_FALSE(track.map.Find(3)->is_surveyed);
-  EXPECT_THAT(TextsOf(track.remarks), Contains(HasSubstr("and not used: tags 3. Did they move?")));
+  EXPECT_THAT(TextsOf(track.remarks),
+              Contains(HasSubstr("Not used, because no position agrees with the frames that show "
+                                 "them: tags 3. Did they move?")));
 }
 
 // A survey that is wrong by centimetres and a degree: with one marker as the reference the others

@@ -46,8 +46,8 @@ TEST_F(SurveyMisfit, NamesTheTagWhosePlaceIsWrong) {
     MarkerMap survey = FourMarkers();
     survey.markers[wrong].world_from_tag.translation += Eigen::Vector3d(0.05, 0.0, 0.0);
     EXPECT_THAT(RemarkUnder(SyntheticCamera(), survey),
-                HasSubstr("The place of tag " + std::to_string(survey.markers[wrong].id) +
-                          " alone would account for it"));
+                HasSubstr("A wrong position of tag " + std::to_string(survey.markers[wrong].id) +
+                          " alone would explain this"));
   }
 }
 
@@ -72,7 +72,8 @@ TEST_F(SurveyMisfit, IsFoundWithoutNoise) {
 TEST_F(SurveyMisfit, BlamesNoSingleTagForALens) {
   CameraModel camera = SyntheticCamera();
   camera.fy *= 1.1;
-  EXPECT_THAT(RemarkUnder(camera, FourMarkers()), HasSubstr("No tag's place alone"));
+  EXPECT_THAT(RemarkUnder(camera, FourMarkers()),
+              HasSubstr("No single tag's position explains this"));
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ TEST(RemarksOnTagDetections, TellOfEverythingThatWasLost) {
               testing::ElementsAre("log/frame_times.csv: is not read.",
                                    "3 of 12 frames cannot be read.",
                                    "4 of 9 frames show no tag of tag36h11.",
-                                   "2 of 5 detections have the corners of libapriltag, which are "
-                                   "less accurate: their sides could not be followed."));
+                                   "2 of 5 detections keep the less accurate corners of "
+                                   "libapriltag, because their sides could not be followed."));
 }
 
 }  // namespace

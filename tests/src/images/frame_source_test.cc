@@ -448,8 +448,8 @@ TEST_F(FrameFolder, SaysWhatItDoesNotRead) {
   EXPECT_THAT(Open()->remarks(),
               testing::ElementsAre("frames.csv: 1 further column is not read: gain.",
                                    Path("frame_times.csv") +
-                                       ": is not read: it stamps a video, and log.yaml names "
-                                       "none."));
+                                       ": is not read, because it is for a video and log.yaml "
+                                       "names none."));
   std::filesystem::remove(folder_ / "frames.csv");
   WriteVideo(2);
   WriteFile(folder_ / "frame_times.csv", "frame,t,gain\n0,0,1\n1,1,1\n");

@@ -82,7 +82,7 @@ TEST(Figure, DrawsEstimatesIntoAnSvgThatNamesThem) {
   const std::string svg = ReadFile(Scratch("estimates.svg"));
   EXPECT_TRUE(IsBalanced(svg));
   for (const char* text :
-       {"inertia [kg m^2]", "buoyancy [N m]", "output_error", "truth 212.0", "±"}) {
+       {"inertia [kg m²]", "buoyancy [N m]", "output_error", "truth 212.0", "±"}) {
     EXPECT_TRUE(Holds(svg, text)) << text;
   }
 }

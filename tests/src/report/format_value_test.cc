@@ -77,6 +77,20 @@ TEST(FormatInterval, ShowsWhatIsMissingOrExact) {
 }
 
 // Half widths 1.96 * 0.0153 = 0.030, 1.96 * 0.077 = 0.151 and 1.96 * 5.9 = 11.6.
+TEST(UnitText, RaisesTheFigures) {
+  EXPECT_EQ(UnitText("kg m^2/s"), "kg m²/s");
+  EXPECT_EQ(UnitText("N m s^3/rad^3"), "N m s³/rad³");
+  EXPECT_EQ(UnitText("s^2/m^2"), "s²/m²");
+  EXPECT_EQ(UnitText("m/s"), "m/s");
+  EXPECT_EQ(UnitText("m^"), "m^");
+  EXPECT_EQ(UnitText(""), "");
+}
+
+TEST(WithInterval, ShowsTheUnitWithRaisedFigures) {
+  EXPECT_EQ(WithInterval(852.5, 5.9, "kg m^2", -kInfinity, kInfinity),
+            "852 kg m² (841 to 864 kg m²)");
+}
+
 TEST(WithInterval, RoundsAtTheFirstDigitOfTheHalfWidthOrTheSecondBehindAOne) {
   EXPECT_EQ(WithInterval(0.4211, 0.0153, "s", -kInfinity, kInfinity), "0.42 s (0.39 to 0.45 s)");
   EXPECT_EQ(WithInterval(4.965, 0.077, "N", -kInfinity, kInfinity), "4.96 N (4.81 to 5.12 N)");

@@ -62,7 +62,7 @@ TEST(JoinSignals, RefusesLogsOfDifferentDofsOrUnits) {
   Log percent = RunAlong(Dof::kSurge);
   percent.command_unit = "%";
   EXPECT_THAT(RefusalOf({RunAlong(Dof::kSurge), percent}),
-              HasSubstr("(% from pose_estimator, expected N from pose_estimator)"));
+              HasSubstr("(% from velocity.csv, expected N from velocity.csv)"));
 }
 
 }  // namespace

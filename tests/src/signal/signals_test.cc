@@ -208,7 +208,8 @@ TEST(Signals, StartANewSegmentAfterASilenceAndCountShortOnes) {
   ASSERT_EQ(signals.train.size(), 2u);
   EXPECT_LT(signals.train[0].time.back(), 20.0);
   EXPECT_GE(signals.train[1].time.front(), 100.0);
-  EXPECT_THAT(signals.remarks, Contains(HasSubstr("silent for over 30 s 2 times")));
+  EXPECT_THAT(signals.remarks,
+              Contains(HasSubstr("gaps of over 30 s, 2 times. Each gap starts a new segment.")));
   EXPECT_THAT(signals.remarks,
               Contains(HasSubstr("1 segment of fewer than 10 samples (5 samples)")));
   // The command that holds at a segment's start is the one given before it.
@@ -284,8 +285,8 @@ TEST(Signals, RefuseMotionThatIsAllInPieces) {
   std::vector<double>& time = run.log.velocity->time;
   for (size_t i = 0; i < time.size(); ++i) time[i] = 40.0 * static_cast<double>(i);
   EXPECT_EQ(RefusalOf(run.log, Source::kPoseEstimator),
-            "velocity.csv: no segment between silences of over 30 s and the ends of held-out "
-            "intervals has 10 samples, expected at least one.");
+            "velocity.csv: no segment between gaps of over 30 s and the ends of held-out intervals "
+            "has 10 samples, expected at least one.");
 }
 
 TEST(Signals, RefuseBrokenOptions) {

@@ -236,7 +236,7 @@ TEST(EffectCatalogue, HoldsEachNameOnceAndEachNullWithinItsBounds) {
     EXPECT_TRUE(names.insert(std::string(info.name)).second) << info.name;
     EXPECT_EQ(FindEffect(info.name), effect);
     EXPECT_FALSE(info.parameters.empty()) << info.name;
-    // A sentence about the cause goes on after "because"; the advice stands alone.
+    // A sentence goes on with the cause after "comes from"; the advice stands alone.
     EXPECT_NE(info.cause.back(), '.') << info.name;
     EXPECT_EQ(info.advice.back(), '.') << info.name;
     for (const EffectParameter& parameter : info.parameters) {

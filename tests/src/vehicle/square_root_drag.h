@@ -25,7 +25,7 @@ struct SquareRootDrag {
                             .lower = 0.0,
                             .upper = kInfinity,
                             .drawn = {0.1, 1.0, natural::LinearDrag}}},
-            .cause = "the drag has a part that grows with the root of the speed",
+            .cause = "a drag that grows with the root of the speed",
             .advice = "Keep it."};
   }
   template <typename T>

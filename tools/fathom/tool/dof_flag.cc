@@ -7,7 +7,7 @@
 
 #include <gflags/gflags.h>
 
-DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw; the log's only one if not given.");
+DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw. Default: the only DOF of the log.");
 
 namespace fathom {
 

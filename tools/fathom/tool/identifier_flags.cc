@@ -13,19 +13,19 @@
 
 DEFINE_string(gains,
               "",
-              "Gains of the adaptive law, a_m,l1,l2,l3,l4 (a_m below 0, the others above); chosen "
-              "from the data if not given.");
+              "Gains of the adaptive law, a_m,l1,l2,l3,l4 (a_m below 0, the others above 0). "
+              "Default: chosen from the data.");
 DEFINE_string(integrator,
               "runge_kutta",
-              "Of the adaptive law: runge_kutta, or euler as in the paper.");
+              "Integrator of the adaptive law: runge_kutta, or euler as in the paper.");
 DEFINE_double(huber,
               3.0,
-              "Output error: residuals beyond so many robust standard deviations count linearly; "
-              "0: plain least squares.");
+              "Output error: residuals beyond this many robust standard deviations count "
+              "linearly. 0: plain least squares.");
 DEFINE_double(shooting_window,
               600.0,
-              "Output error: longer segments are cut into windows of this length [s], each with an "
-              "initial state of its own; 0: never.");
+              "Output error: longer segments are cut into windows of this length [s], each with "
+              "its own initial state. 0: never.");
 
 namespace fathom {
 namespace {

@@ -21,7 +21,7 @@
 DEFINE_string(log,
               "",
               "Log folder, or a single CSV with columns t, tau, v (then --dof is needed).");
-DEFINE_string(velocity, "", "Read this CSV as the velocity stream instead of the log's.");
+DEFINE_string(velocity, "", "Read this CSV instead of the log's velocity.csv.");
 
 namespace fathom {
 namespace {
@@ -31,11 +31,9 @@ void RequireDifferentData(const std::vector<Log>& logs) {
   for (const Log& log : logs) {
     const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());
     if (is_new) continue;
-    throw InputError(fmt::format(
-        "--log: {} and {} hold the same data, expected each run once: it would count as twice as "
-        "much as it is.",
-        other->second,
-        log.path.string()));
+    throw InputError(fmt::format("--log: {} and {} hold the same data, expected each log once.",
+                                 other->second,
+                                 log.path.string()));
   }
 }
 
@@ -62,10 +60,7 @@ std::vector<std::string> LogPathsFromFlags() {
     fs::path place = fs::canonical(path, error);
     if (error) continue;  // the reader says what is wrong with it
     if (std::find(places.begin(), places.end(), place) != places.end()) {
-      throw InputError(fmt::format(
-          "--log: names {} twice, expected each log once: its data would count as twice "
-          "as much as they are.",
-          path));
+      throw InputError(fmt::format("--log: names {} twice, expected each log once.", path));
     }
     places.push_back(std::move(place));
   }
@@ -126,7 +121,7 @@ void AddCameraSourceIfUsable(Log* log) {
     AddCameraSource(log);
   } catch (const InputError& error) {
     log->remarks.push_back(
-        {RemarkKind::kGeneral, std::string("The source camera is left out: ") + error.what()});
+        {RemarkKind::kGeneral, std::string("The camera is not used: ") + error.what()});
     std::fprintf(stderr, "%s\n", log->remarks.back().text.c_str());
   }
 }

@@ -14,20 +14,20 @@
 
 DEFINE_bool(estimate_markers,
             false,
-            "Estimate the places of all markers but one from the images, also of those surveyed.");
-DEFINE_int32(reference,
-             -1,
-             "The marker that then stays in its place. Not given: the one seen most.");
+            "Estimate the positions of all markers except one, also of surveyed markers.");
+DEFINE_int32(reference, -1, "The marker that then keeps its position. Default: the one seen most.");
 DEFINE_double(gate,
               4.0,
-              "Detections further off than this, in corner sigmas, are outliers. More where the "
-              "survey or the lens is only roughly known.");
+              "Detections with larger errors than this, in corner sigmas, are outliers. Increase "
+              "it if survey or lens are only roughly known.");
 DEFINE_uint32(max_hamming, 0, "Bits of a tag's code that may be wrong: 0, 1 or 2.");
 DEFINE_double(
     quad_decimate,
     1.0,
     "Look for tags in images smaller by this factor, 1.5 or a whole number to 16: faster.");
-DEFINE_double(quad_sigma, 0.0, "Blur images by this before [px], against strong noise.");
+DEFINE_double(quad_sigma,
+              0.0,
+              "Blur images by this [px] before the detection, against strong noise.");
 DEFINE_uint32(threads, 1, "Threads for the detection.");
 
 namespace fathom {

@@ -165,7 +165,7 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
   const int num_with_pose = static_cast<int>(track.world_from_body.size());
   if (summary.images) {
     add("frames",
-        fmt::format("{} read, {} unreadable, {} without tags, {} with none that is used",
+        fmt::format("{} read, {} unreadable, {} without tags, {} with unused tags only",
                     summary.images->frame_times.size(),
                     summary.images->num_unreadable,
                     summary.images->times_without_tags.size(),
@@ -174,7 +174,7 @@ std::string FormatText(const TrackSummary& summary, const MarkerTrack& track) {
     add("sides not followed", std::to_string(summary.images->num_not_followed));
   } else {
     add("frames",
-        fmt::format("{} with detections; detections.csv does not list others", summary.num_frames));
+        fmt::format("{} with detections (detections.csv lists no others)", summary.num_frames));
   }
   add("frames with a pose",
       fmt::format("{} ({:.1f} %{})",

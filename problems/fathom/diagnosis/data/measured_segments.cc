@@ -168,8 +168,8 @@ MeasuredSegments MeasuredSegmentsOf(std::span<const Log> logs, Dof dof) {
   }
   if (segments.has_velocity && segments.has_displacement && segments.poses_lose_motion) {
     segments.remarks.push_back(
-        "Not tried: pose_scale. The poses themselves may be short of motion, as their remark says: "
-        "with several markers, or one seen at an angle, a wrong size can be told.");
+        "Not tried: pose_scale. The poses may lose motion, as their remark says. Several "
+        "markers, or one seen at an angle, can show a wrong size.");
   }
   for (const LogChannels& own : channels) AddSegmentsOf(own, dof, &segments);
   const bool has_train = std::any_of(segments.all.begin(),

@@ -79,7 +79,7 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             std::vector<std::string>* remarks) {
   if (!log.pose) return std::nullopt;
   if (log.pose->time.size() < kFewestPoses) {
-    remarks->push_back(fmt::format("{}: holds {} poses, expected at least {} to go by them.",
+    remarks->push_back(fmt::format("{}: holds {} poses, expected at least {} to use them.",
                                    name,
                                    log.pose->time.size(),
                                    kFewestPoses));
@@ -90,8 +90,8 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
   const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, poses.world_from_body);
   if (turn > kLargestAxisTurn && log.velocity) {
     remarks->push_back(
-        fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so that no "
-                    "fixed direction is its displacement's.",
+        fmt::format("{}: the poses are not used: the {} axis turns by {:.2f} rad RMS, so the "
+                    "displacement has no fixed direction.",
                     name,
                     Name(dof),
                     turn));
@@ -100,8 +100,8 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
   const double leak = LeakOf(dof, poses) / std::max(NoiseOf(displacement), 1e-12);
   if (leak > kLargestLeak && log.velocity) {
     remarks->push_back(
-        fmt::format("{}: the poses are not used: the vehicle turns, and what leaks from its other "
-                    "motion into the {} coordinate is {:.1f} times the coordinate's noise.",
+        fmt::format("{}: the poses are not used: the vehicle turns, and its other motion adds to "
+                    "the {} coordinate {:.1f} times the coordinate's noise.",
                     name,
                     Name(dof),
                     leak));

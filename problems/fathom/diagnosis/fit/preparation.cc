@@ -41,8 +41,8 @@ Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   const auto start = FindRobustStart(train);
   if (!start) {
     preparation.message = fmt::format(
-        "output error finds no physical baseline model along {}, and without one there is nothing "
-        "to diagnose. fathom_identify says why.",
+        "output error finds no physical baseline model for {}, so nothing can be diagnosed. "
+        "fathom_identify says why.",
         Name(dof));
     return preparation;
   }
@@ -50,8 +50,8 @@ Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   std::vector<MeasuredSegment> thinned = Thinned(train);
   if (NumSamples(thinned) < kLeastSamples) {
     preparation.message = fmt::format(
-        "the training data are {} samples (at 10 Hz at most), expected at least {}: with fewer, "
-        "structure cannot be told from noise.",
+        "the training data have {} samples (at 10 Hz at most), expected at least {}: with fewer, "
+        "structure cannot be separated from noise.",
         NumSamples(thinned),
         kLeastSamples);
     return preparation;

@@ -50,7 +50,7 @@ DecidingRun DecidingExperiment(const Suspect& cause, const std::vector<Suspect>&
     return suspect.effect->info().scope == Scope::kRun;
   };
   if (is_of_run(cause) || std::all_of(rivals.begin(), rivals.end(), is_of_run)) {
-    return {"The same run again: what belonged to this run alone will be gone."};
+    return {"The same experiment again: an effect of this run only will be gone."};
   }
   return {
       "A multisine from slow to fast with steps of several sizes both ways (10 s square wave, "

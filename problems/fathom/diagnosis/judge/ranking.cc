@@ -20,36 +20,36 @@ namespace {
 // Why a suspect has no refit of its own.
 std::string WhyNotRefitted(double score, double threshold, bool failed) {
   if (failed) {
-    return "dropped: its fit cannot be simulated, leaves the inertia open, or is a tone at the "
-           "command's own";
+    return "dropped: its fit cannot be simulated, does not determine the inertia, or is a tone "
+           "at the command's own frequency";
   }
   if (score < threshold) {
-    return fmt::format(
-        "dropped: scores {:.1f} on the screen, noise alone would reach {:.1f}", score, threshold);
+    return fmt::format("dropped: score {:.1f}; noise alone reaches {:.1f}", score, threshold);
   }
-  return fmt::format("not refitted: scores {:.1f} on the screen, others score higher", score);
+  return fmt::format("not refitted: score {:.1f}; others score higher", score);
 }
 
 std::string WhyOf(
     const Candidate& candidate, double threshold, bool failed, bool is_rival, bool any_kept) {
-  if (candidate.is_kept && !(candidate.gain > threshold)) return "kept: gains beside the others";
-  if (candidate.is_kept) {
-    return fmt::format(
-        "kept: gains {:.0f}, noise alone would reach {:.1f}", candidate.gain, threshold);
+  if (candidate.is_kept && !(candidate.gain > threshold)) {
+    return "kept: improves the model beside the others";
   }
-  if (is_rival) return "cannot be told from a kept cause on these logs";
+  if (candidate.is_kept) {
+    return fmt::format("kept: gain {:.0f}; noise alone reaches {:.1f}", candidate.gain, threshold);
+  }
+  if (is_rival) return "these logs cannot tell it from a kept cause";
   if (std::isnan(candidate.gain)) return WhyNotRefitted(candidate.score, threshold, failed);
   if (candidate.gain < threshold) {
-    return fmt::format("dropped: gains {:.1f}, noise alone would reach {:.1f}",
+    return fmt::format("dropped: gain {:.1f}; noise alone reaches {:.1f}",
                        std::max(0.0, candidate.gain),
                        threshold);
   }
   if (!any_kept) {
-    return fmt::format(
-        "dropped: gains {:.0f}, but what fits best fails on data that no fit has seen",
-        candidate.gain);
+    return fmt::format("dropped: gain {:.0f}, but the best fit fails on held-out data",
+                       candidate.gain);
   }
-  return fmt::format("dropped: gains {:.0f} alone, nothing beside the kept causes", candidate.gain);
+  return fmt::format("dropped: helps alone (gain {:.0f}), adds nothing once the kept causes are in",
+                     candidate.gain);
 }
 
 // What stands in for a cause in the rivals that are without it: by suspect, as often as it does.

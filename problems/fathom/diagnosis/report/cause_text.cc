@@ -37,12 +37,12 @@ std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
         name,
         WithInterval(value, stds[k], unit == "-" ? "" : unit, parameter.lower, parameter.upper),
         parameter.search == Search::kTimeOfRun ? " after the first command" : "",
-        is_at_bound ? " (the bound of what is physical)" : ""));
+        is_at_bound ? " (its physical bound)" : ""));
   }
   return fmt::format("{}", fmt::join(sizes, ", "));
 }
 
-// "the propellers take time to reach their speed (thruster_lag)".
+// "a lag of the thrusters (thruster_lag)".
 std::string Told(const Alternative& alternative) {
   return fmt::format("{} ({})", alternative.effect->info().cause, alternative.label);
 }
@@ -85,7 +85,9 @@ std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives) 
   return labels;
 }
 
-std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause) {
+std::string ReasonText(const Diagnosis& diagnosis,
+                       const Cause& cause,
+                       std::string_view preposition) {
   const ActiveEffect& active = EffectOfCause(diagnosis, cause);
   const EffectInfo& info = active.effect->info();
   std::string reason = fmt::format(
@@ -93,14 +95,14 @@ std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause) {
   const std::vector<Alternative> alternatives = AlternativesOf(cause);
   if (alternatives.empty()) return reason;
   if (alternatives.size() > kMostListed) {
-    return fmt::format("{}, or because of one of {} others", reason, alternatives.size());
+    return fmt::format("{}, or {}one of {} others", reason, preposition, alternatives.size());
   }
   if (alternatives.size() > kMostTold) {
     return fmt::format(
-        "{}, or because of one of {}", reason, fmt::join(LabelsOf(alternatives), ", "));
+        "{}, or {}one of {}", reason, preposition, fmt::join(LabelsOf(alternatives), ", "));
   }
   for (const Alternative& alternative : alternatives) {
-    reason += ", or because " + Told(alternative);
+    reason += fmt::format(", or {}{}", preposition, Told(alternative));
   }
   return reason;
 }

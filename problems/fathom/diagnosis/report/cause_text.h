@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/result.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -21,15 +22,19 @@ std::vector<Alternative> AlternativesOf(const Cause& cause);
 
 std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives);
 
-// What a cause is and how large, and what it may be instead, after "because": "small commands give
-// no thrust (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N)".
-std::string ReasonText(const Diagnosis& diagnosis, const Cause& cause);
+// What a cause is and how large, and what it may be instead: "a thruster dead zone
+// (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N), or from a steady current (steady_current)".
+// `preposition` stands before each alternative, as the sentence has it before the cause: "from " or
+// "".
+std::string ReasonText(const Diagnosis& diagnosis,
+                       const Cause& cause,
+                       std::string_view preposition);
 
 // "a or b"; "any of a, b, c, d, e" of more than four.
 std::string AnyOf(const std::vector<std::string>& labels);
 
-// The experiment that decides, as a sentence: "To decide: the same run again, longer." Where none
-// can, what says so; empty where nothing is open.
+// The experiment that decides, as a sentence: "To decide: the same experiment again, longer." Where
+// none can, what says so; empty where nothing is open.
 std::string ToDecide(const Cause& cause);
 
 }  // namespace fathom

@@ -57,9 +57,9 @@ void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
 void AddPoses(const Diagnosis& diagnosis, Page* page) {
   AddSections(PosePanels(diagnosis),
               diagnosis.causes.empty() ? "The model and the poses" : "The poses before and after",
-              {"Every 10 s the modelled displacement is put back onto the straight line that was "
-               "measured: by then a free run has strayed further than what is wrong with poses "
-               "moves them."},
+              {"Every 10 s the modelled displacement is reset to the measured straight line, "
+               "because the drift of a simulation from the command alone would soon hide the "
+               "errors of the poses."},
               diagnosis.logs.size() > 1,
               page);
 }
@@ -75,15 +75,16 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = IsAngular(diagnosis.dof) ? "The missing moment" : "The missing force";
   section.text = {
-      "What would have to be added to the command for the model without causes to follow the "
-      "measurement, as a random force that fades within seconds (an Ornstein-Uhlenbeck process), "
-      "smoothed over the run; the band is two standard deviations. " +
+      "This is the force that would have to be added to the command for the model without causes "
+      "to follow the measurement. It is estimated as a random force that decays within seconds "
+      "(an Ornstein-Uhlenbeck process), smoothed over the log. The band is two standard "
+      "deviations. " +
       std::string(diagnosis.causes.empty()
-                      ? "Where it follows one of the suspects below, look there."
-                      : "What the causes account for should lie inside it; the points show both "
-                        "over each suspect.") +
-      " How far it follows a suspect is the share of its variance that the mean has; up to some "
-      "20 % can be chance, since it is smooth."};
+                      ? "If it follows one of the signals below, look there for the cause."
+                      : "The force that the causes explain should lie inside the band. The "
+                        "points show both forces over each signal.") +
+      " The percentage is the share of its variance that the mean over the signal explains. Up "
+      "to some 20 % can be chance, because the force is smooth."};
   section.time_panels = MissingForcePanels(diagnosis);
   section.scatter_panels = SuspectPanels(diagnosis);
   return section;
@@ -99,11 +100,11 @@ PageSection ParameterSection(const Diagnosis& diagnosis) {
 
 PageSection CandidateSection(const Diagnosis& diagnosis) {
   PageSection section;
-  section.heading = "Every candidate";
+  section.heading = "All candidates";
   section.text = {
       "The score is twice the log-likelihood that an effect gains over the model without causes, "
-      "by a linear screen; the p-value is that of as good a score anywhere among all candidates if "
-      "nothing were missing. Those that matter were refitted."};
+      "by a linear screen. The p-value is the probability of such a score among all candidates "
+      "if nothing is missing. The candidates that matter were refitted."};
   section.tables.push_back(CandidateTable(diagnosis));
   return section;
 }
@@ -138,12 +139,12 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   if (diagnosis.gain_is_in_poses) {
     const double gain = diagnosis.held_out_gain;
     facts.push_back(
-        {"error of unseen poses",
+        {"error on held-out poses",
          fmt::format("{:.0f} % {}", 100.0 * std::abs(gain), gain < 0.0 ? "more" : "less")});
   }
   if (std::isfinite(diagnosis.baseline.held_out.nmae)) {
     const std::string before = fmt::format("{:.3f}", diagnosis.baseline.held_out.nmae);
-    facts.push_back({"NMAE on unseen data",
+    facts.push_back({std::string(NameOfNmae(diagnosis)),
                      names.empty()
                          ? before
                          : fmt::format("{} → {:.3f}", before, diagnosis.extended.held_out.nmae)});
@@ -173,9 +174,9 @@ Page DiagnosisPage(const Diagnosis& diagnosis) {
     page.sections.push_back(std::move(notes));
   }
   page.footer =
-      "Shares are of the squared error of the free run. NMAE is of the free run over the command "
-      "alone (docs/models.md). Intervals are 95 %, ± one standard deviation. docs/diagnosis.md "
-      "says how causes are found, and how sure they are.";
+      "Shares are of the squared error when simulating from the command alone, and so is NMAE "
+      "(docs/models.md). Intervals are 95 %; ± is one standard deviation. docs/diagnosis.md says "
+      "how causes are found and how certain they are.";
   return page;
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEpoch = 1e6;  // stamps beyond this count from some epoch [s]
 constexpr const char* kBefore = "before";
-constexpr const char* kAccounted = "what the causes account for";
+constexpr const char* kAccounted = "explained by the causes";
 constexpr const char* kAfter = "after";
 
 std::string WithSpaces(std::string_view name) {
@@ -165,7 +165,7 @@ std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
         }
         const double share = ShareBetweenBins(values, missing.mean, kNumBins);
         if (std::isfinite(share)) {
-          panel.note = fmt::format("follows it by {:.0f} %", 100.0 * share);
+          panel.note = fmt::format("explains {:.0f} %", 100.0 * share);
         }
         panels.push_back(std::move(panel));
       };

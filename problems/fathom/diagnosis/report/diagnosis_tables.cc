@@ -33,7 +33,7 @@ std::string Probability(double p) {
 }
 
 std::string InBrackets(const std::string& unit) {
-  return unit == "-" ? "" : fmt::format(" [{}]", unit);
+  return unit == "-" ? "" : fmt::format(" [{}]", UnitText(unit));
 }
 
 double StdOf(const DiagnosedModel& model, int i) {
@@ -50,7 +50,7 @@ Table CauseTable(const Diagnosis& diagnosis) {
                    {"p-value", true},
                    {"BIC better by", true},
                    {"held-out gain", true},
-                   {"cannot be told from"}};
+                   {"same trace as"}};
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     const std::vector<double> stds = EffectStds(diagnosis.extended, cause.effect_index);
@@ -81,7 +81,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
   const bool has_causes = !diagnosis.extended.model.effects.empty();
   Table table;
   table.columns = {{"parameter"}, {has_causes ? "before" : "value", true}};
-  if (has_causes) table.columns.insert(table.columns.end(), {{"after", true}, {"moves by", true}});
+  if (has_causes) table.columns.insert(table.columns.end(), {{"after", true}, {"change", true}});
   const auto add = [&](std::vector<std::string> cells) {
     cells.resize(table.columns.size());
     table.rows.push_back({std::move(cells)});
@@ -112,7 +112,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
     add({name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is)});
   };
   add_figure("NMAE, training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
-  add_figure(diagnosis.by_left_out_blocks ? "NMAE, blocks left out" : "NMAE, held-out data",
+  add_figure(diagnosis.by_left_out_blocks ? "NMAE, cross-validated" : "NMAE, held-out data",
              diagnosis.baseline.held_out.nmae,
              diagnosis.extended.held_out.nmae);
   return table;
@@ -123,9 +123,9 @@ Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
   table.columns = {{"candidate"},
                    {"score", true},
                    {"p-value", true},
-                   {"gain refitted", true},
+                   {"gain, refitted", true},
                    {"BIC better by", true},
-                   {"why it was kept or dropped"}};
+                   {"result"}};
   for (const Candidate& candidate : diagnosis.candidates) {
     if (table.rows.size() == most) break;
     const bool is_refitted = std::isfinite(candidate.gain) && !candidate.values.empty();

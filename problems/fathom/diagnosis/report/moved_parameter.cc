@@ -70,11 +70,11 @@ std::string WhatMoves(const Diagnosis& diagnosis) {
   const int decimals = DecimalsFor(std::max(kStdsOf95 * std_of(diagnosis.extended, most), finest));
   std::string name(kParameterInfo[most].name);
   std::replace(name.begin(), name.end(), '_', ' ');
-  return fmt::format("the {} moves from {} to {} {}",
+  return fmt::format("the {} changes from {} to {} {}",
                      name,
                      RoundedAt(before[most], decimals),
                      RoundedAt(after[most], decimals),
-                     ParameterUnit(most, diagnosis.dof, diagnosis.force_unit));
+                     UnitText(ParameterUnit(most, diagnosis.dof, diagnosis.force_unit)));
 }
 
 }  // namespace fathom

@@ -22,8 +22,8 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   std::vector<std::string> steps;
   if (!diagnosis.causes.empty() && diagnosis.held_out_gain_low <= 0.0) {
     steps.push_back(
-        "The data held out do not confirm what is named here: see whether another log names it "
-        "too before you act on it.");
+        "The held-out data do not confirm this cause. Check whether another log names it too "
+        "before you act on it.");
   }
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
@@ -33,7 +33,7 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     if (alternatives.empty()) {
       steps.push_back(fmt::format("{}: {}", label, info.advice));
     } else {
-      steps.push_back(fmt::format("Find out first whether it is {} or {}. {}",
+      steps.push_back(fmt::format("First find out whether the cause is {} or {}. {}",
                                   label,
                                   AnyOf(LabelsOf(alternatives)),
                                   ToDecide(cause)));
@@ -46,22 +46,22 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
       }
     }
     if (info.scope == Scope::kRun) {
-      steps.push_back(fmt::format(
-          "{} belongs to {}: fathom_simulate leaves it out on any other log.",
-          label,
-          active.setting.log.empty() ? "this run" : fmt::format("{} alone", active.setting.log)));
+      steps.push_back(
+          fmt::format("{} holds for {} only: fathom_simulate leaves it out on any other log.",
+                      label,
+                      active.setting.log.empty() ? "this run" : active.setting.log));
     }
   }
   if (diagnosis.verdict == Verdict::kUnexplained) {
     steps.push_back(
-        "Look at what the missing force follows: something that was not logged, a mechanism of "
-        "your "
-        "own (docs/adding_an_effect.md), or slow forces of the water itself.");
+        "Check which signal the missing force follows. The cause may be a quantity that was not "
+        "logged, an effect outside the catalogue (docs/adding_an_effect.md), or a slow force of "
+        "the water.");
   }
   if (diagnosis.verdict == Verdict::kConsistent) {
     steps.push_back(
-        "Use the model within the speeds and commands of this data. What they did not excite they "
-        "cannot show: an experiment of another kind is the test.");
+        "Use the model within the speeds and commands of these data. They cannot show what they "
+        "did not excite; test the model with another kind of experiment.");
   }
   return steps;
 }

@@ -32,35 +32,33 @@ std::string NotNamed(const Refusal& refusal,
                      const std::vector<Suspect>& suspects,
                      const std::string& why) {
   return fmt::format(
-      "Not named: {}. It is the likeliest, but {}.", LabelsOf(refusal.refused, suspects), why);
+      "Not named: {}. It fits best, but {}.", LabelsOf(refusal.refused, suspects), why);
 }
 
 std::string RemarkOn(const Refusal& refusal, const std::vector<Suspect>& suspects) {
   switch (refusal.reason) {
     case Refusal::Reason::kLosesBesideOthers:
-      return NotNamedBeside(
-          refusal, suspects, "With it the error grows on data that no fit has seen");
+      return NotNamedBeside(refusal, suspects, "With it the error on held-out data grows");
     case Refusal::Reason::kGainsNothing:
       return NotNamedBeside(refusal,
                             suspects,
-                            "It fits the training data, but gains nothing for certain on data that "
-                            "no fit has seen, and there is more that nothing explains");
+                            "It fits the training data, but has no significant gain on held-out "
+                            "data, and more structure remains that nothing explains");
     case Refusal::Reason::kLosesOnUnseenData:
       return NotNamed(
           refusal,
           suspects,
-          fmt::format("on data that no fit has seen the error grows by {:.0f} % ({:.0f} "
-                      "to {:.0f} %)",
+          fmt::format("the error on held-out data grows by {:.0f} % ({:.0f} to {:.0f} %)",
                       -100.0 * refusal.loss.value,
                       -100.0 * refusal.loss.high,
                       -100.0 * refusal.loss.low));
     case Refusal::Reason::kLosesInTraining:
-      return NotNamed(refusal,
-                      suspects,
-                      fmt::format("with it NMAE on the training data themselves grows from {:.2g} "
-                                  "to {:.2g}",
-                                  refusal.nmae_before,
-                                  refusal.nmae_after));
+      return NotNamed(
+          refusal,
+          suspects,
+          fmt::format("the NMAE on the training data itself grows from {:.2g} to {:.2g}",
+                      refusal.nmae_before,
+                      refusal.nmae_after));
   }
   return "";
 }
@@ -74,21 +72,21 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
   if (!(evidence.inertia_std < evidence.inertia)) {
     remarks.push_back(
         fmt::format("Without causes these logs do not determine the model: the inertia is {:.3g} "
-                    "with a standard deviation of {:.2g}. Take what is said here as a hint.",
+                    "with a standard deviation of {:.2g}. Treat this result as a hint.",
                     evidence.inertia,
                     evidence.inertia_std));
   }
   if (!has_velocity) {
     remarks.push_back(
-        "These poses have no velocities beside them. A wrong scale of theirs (marker size, "
-        "refraction) leaves no trace: one of 1 + e divides inertia and linear damping by 1 + e and "
-        "quadratic damping by its square. A clock of theirs that differs from the command's is the "
-        "same as a delay of the command (time_offset). A velocity sensor tells both.");
+        "The log has poses but no velocities. A wrong scale of the poses (marker size, "
+        "refraction) leaves no trace: a scale of 1 + e divides inertia and linear damping by 1 + "
+        "e and quadratic damping by its square. A clock offset of the poses looks like a command "
+        "delay (time_offset). A velocity sensor would show both.");
   }
   if (evidence.IsNegligible()) {
     remarks.push_back(
-        fmt::format("Without any cause the model leaves {:.2g} % of the motion. Below {:.2g} % no "
-                    "cause is looked for.",
+        fmt::format("Without any cause the model misses {:.2g} % of the motion. Below {:.2g} % "
+                    "no cause is searched.",
                     100.0 * evidence.share_left,
                     100.0 * Evidence::kNegligible));
     return remarks;
@@ -96,9 +94,9 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
   const Tone& tone = evidence.command_tone;
   if (tone.IsAlone() && has_causes) {
     remarks.push_back(
-        fmt::format("The command is little more than a single sine of {:.2g} rad/s: one second is "
-                    "{:.0f} degrees of its phase, and any delay or lag of that phase looks nearly "
-                    "the same.",
+        fmt::format("The command is almost a single sine of {:.2g} rad/s. One second is {:.0f} "
+                    "degrees of its phase, and any delay or lag with that phase looks nearly the "
+                    "same.",
                     tone.frequency,
                     tone.frequency * 180.0 / std::numbers::pi));
   }
@@ -110,7 +108,7 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers) {
   std::vector<std::string> remarks = segments.remarks;
   if (num_outliers > 0) {
-    remarks.push_back(fmt::format("Left out: {} single sample{} far from {} neighbours.",
+    remarks.push_back(fmt::format("Left out: {} single outlier{} far from {} neighbours.",
                                   num_outliers,
                                   num_outliers == 1 ? "" : "s",
                                   num_outliers == 1 ? "its" : "their"));
@@ -125,8 +123,8 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
   for (const Refusal& refusal : judgement.refusals) remarks.push_back(RemarkOn(refusal, suspects));
   if (!judgement.IsRemainingTried()) {
     remarks.push_back(
-        "Not looked for: structure that no effect of the catalogue accounts for. The training data "
-        "are too few for that.");
+        "Not tested: structure that no effect in the catalogue explains. There are too few "
+        "training data for this test.");
   }
   const bool has_causes = judgement.choice.chosen != 0;
   for (std::string& remark : RemarksOnEvidence(judgement.evidence, has_velocity, has_causes)) {
@@ -134,8 +132,8 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
   }
   if (has_causes && judgement.runs.gain.value < -kLossWorthAWord) {
     remarks.push_back(
-        "Data that no fit has seen do not bear out what is named: the error on them grows. Do not "
-        "build on it before another run confirms it.");
+        "The held-out data do not confirm this cause: their error grows. Do not rely on it "
+        "before another log confirms it.");
   }
   return remarks;
 }

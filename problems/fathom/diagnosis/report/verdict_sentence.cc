@@ -47,16 +47,15 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
       fmt::format("{} of the error of your {} model", share, Name(diagnosis.dof));
   if (diagnosis.causes.size() == 1) {
     return fmt::format(
-        "{} is there because {}.", subject, ReasonText(diagnosis, diagnosis.causes.front()));
+        "{} comes from {}.", subject, ReasonText(diagnosis, diagnosis.causes.front(), "from "));
   }
   std::vector<std::string> reasons;
-  for (const Cause& cause : diagnosis.causes) reasons.push_back(ReasonText(diagnosis, cause));
+  for (const Cause& cause : diagnosis.causes) {
+    reasons.push_back(ReasonText(diagnosis, cause, ""));
+  }
   const std::string count =
       reasons.size() < kCounts.size() ? kCounts[reasons.size()] : fmt::format("{}", reasons.size());
-  return fmt::format("{} has {} causes. It is there because {}.",
-                     subject,
-                     count,
-                     fmt::join(reasons, "; and because "));
+  return fmt::format("{} has {} causes: {}.", subject, count, fmt::join(reasons, "; "));
 }
 
 // What cannot be told apart, and what would tell; empty if everything can.
@@ -99,7 +98,7 @@ std::pair<std::string, std::string> ToldApart(double a, double b) {
 }
 
 std::string OnUnseenData(const Diagnosis& diagnosis) {
-  return diagnosis.by_left_out_blocks ? "on blocks left out in turn" : "on held-out data";
+  return diagnosis.by_left_out_blocks ? "in cross-validation" : "on held-out data";
 }
 
 // What is put in: "it", "them", or the one that was taken of a group.
@@ -132,7 +131,8 @@ std::string WhatItGains(const Diagnosis& diagnosis) {
     if (!std::isfinite(diagnosis.held_out_gain)) return "";
     const long percent = std::lround(100.0 * diagnosis.held_out_gain);
     return fmt::format(
-        "{} on the poses alone: with {} in, how they move within 10 s is told {} {} ({})",
+        "{} on the poses only: with {} in the model, their motion within 10 s is predicted {} {} "
+        "({})",
         diagnosis.causes.size() > 1 ? "These act" : "This acts",
         WhatIsIn(diagnosis),
         percent == 0  ? "as before"
@@ -146,7 +146,7 @@ std::string WhatItGains(const Diagnosis& diagnosis) {
   if (!std::isfinite(before) || !std::isfinite(after)) return "";
   const auto [from, to] = ToldApart(before, after);
   std::string text =
-      fmt::format("With {} in, NMAE {} ", WhatIsIn(diagnosis), OnUnseenData(diagnosis));
+      fmt::format("With {} in the model, the {} ", WhatIsIn(diagnosis), NameOfNmae(diagnosis));
   if (from == to) {
     text += "stays at " + from;
   } else {
@@ -170,11 +170,13 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
   if (diagnosis.held_out_gain_high < 0.0) {
     sentences.push_back(
-        "On data that no fit has seen that is worse than without: do not build on it.");
+        "On data that no fit has seen, this model is worse than the one without: do not rely on "
+        "it.");
   }
   if (diagnosis.verdict == Verdict::kUnexplained) {
     sentences.push_back(
-        "What is left is still not noise alone, and nothing in the catalogue accounts for it.");
+        "The remaining error is still more than noise, and no effect in the catalogue explains "
+        "it.");
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }
@@ -187,35 +189,37 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
     const char* const show = diagnosis.logs.size() <= 1 ? "shows" : "show";
     if (diagnosis.wander_ratio > kMuchMoreThanScatter) {
       text = fmt::format(
-          "{} {} no cause for the error of your {} model, which is {:.0f} times what scatters from "
-          "sample to sample. It wanders as slow random forces or a wandering sensor make it "
-          "wander, and follows nothing that was logged: noise, or something that cannot be seen "
-          "here.",
+          "{} {} no cause for the error of your {} model. The error is {:.0f} times the scatter "
+          "from sample to sample. It varies slowly, as under slow random forces or with a "
+          "drifting sensor, and it follows nothing that was logged. It is noise, or its cause is "
+          "not in the log.",
           logs,
           show,
           Name(diagnosis.dof),
           diagnosis.wander_ratio);
     } else {
-      text = fmt::format("{} {} nothing that your {} model gets wrong beyond noise.",
-                         logs,
-                         show,
-                         Name(diagnosis.dof));
+      text = fmt::format(
+          "{} {} no error of your {} model beyond noise.", logs, show, Name(diagnosis.dof));
     }
   } else {
     text = fmt::format(
-        "{} of the error of your {} model is not noise, and nothing in the catalogue accounts for "
+        "{} of the error of your {} model is not noise, and no effect in the catalogue explains "
         "it.",
         Percent(diagnosis.structure_share),
         Name(diagnosis.dof));
   }
   const double nmae = diagnosis.baseline.held_out.nmae;
   if (std::isfinite(nmae)) {
-    text += fmt::format(" Its NMAE {} is {}.", OnUnseenData(diagnosis), WithDigits(nmae, 2));
+    text += fmt::format(" The {} is {}.", NameOfNmae(diagnosis), WithDigits(nmae, 2));
   }
   return text;
 }
 
 }  // namespace
+
+std::string_view NameOfNmae(const Diagnosis& diagnosis) {
+  return diagnosis.by_left_out_blocks ? "cross-validated NMAE" : "NMAE on held-out data";
+}
 
 std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis) {
   if (diagnosis.causes.empty()) return {WithoutCauses(diagnosis)};

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/result.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -17,5 +18,9 @@ std::string VerdictSentence(const Diagnosis& diagnosis);
 
 // The same in paragraphs, one for each of these; only the first is there in any case.
 std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis);
+
+// What the error on unseen data is called: "NMAE on held-out data", or "cross-validated NMAE" where
+// the logs held nothing out.
+std::string_view NameOfNmae(const Diagnosis& diagnosis);
 
 }  // namespace fathom

@@ -99,9 +99,9 @@ void RefineFaceOnPoses(Dof dof, Log* log, const std::function<void(int, int)>& o
   if (refined.poses.empty()) return;
   log->pose = PoseStreamOf(refined.poses);
   *remark = {RemarkKind::kDetections,
-             fmt::format("detections.csv: {} of {} poses are refined together, with the DOFs other "
-                         "than {} taken to be held: frame by frame the noise of the single "
-                         "marker's tilt would take away some of the motion.",
+             fmt::format("detections.csv: {} of {} poses are refined together, assuming that the "
+                         "DOFs other than {} are held. Frame by frame, the noise of the single "
+                         "marker's tilt would hide some of the motion.",
                          refined.poses.size(),
                          refined.num_tracked,
                          Name(dof))};

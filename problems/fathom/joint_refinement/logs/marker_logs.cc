@@ -91,9 +91,10 @@ void Describe(const CameraSegments& cut, std::vector<std::string>* remarks) {
                                    Plural(cut.num_held_out, "frame")));
   }
   if (cut.num_silences > 0) {
-    remarks->push_back(fmt::format("No frame has a pose for over {:g} s {}: each starts a new run.",
-                                   kLongestGap,
-                                   Plural(cut.num_silences, "time")));
+    remarks->push_back(
+        fmt::format("No frame has a pose for over {:g} s, {}. Each gap starts a new segment.",
+                    kLongestGap,
+                    Plural(cut.num_silences, "time")));
   }
   if (cut.num_short_segments > 0) {
     remarks->push_back(fmt::format("Left out: {} of fewer than {} frames ({}).",
@@ -148,7 +149,8 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
   double step = 0.0;
   if (const int missing = CountMissingFrames(track, &step); missing > 0) {
     remarks.push_back(
-        fmt::format("About {} in between {} without a pose, judged by the usual step of {:.3g} s.",
+        fmt::format("About {} in between {} without a pose, estimated from the usual step of "
+                    "{:.3g} s.",
                     Plural(missing, "frame"),
                     missing == 1 ? "is" : "are",
                     step));
@@ -176,7 +178,7 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
 
 // The reason first: what else was said of the logs does not matter then.
 [[noreturn]] void ThrowNothingIsLeft(const MarkerLogs& result, const LeftOut& left_out) {
-  if (result.logs.empty()) throw InputError("no log: nothing is left to refine.");
+  if (result.logs.empty()) throw InputError("no log is given, expected at least one.");
   const Log& log = result.logs.front();
   if (left_out.is_all_held_out) {
     throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
@@ -218,8 +220,8 @@ MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
       result.input.body_from_camera = rig.body_from_camera;
       if (!AllSurveyed(rig.map)) {
         result.remarks.push_back(
-            "The places of markers without a survey come from the bundle adjustment and count as "
-            "known: their error is in no interval.");
+            "The positions of unsurveyed markers come from the bundle adjustment and count as "
+            "known. The intervals do not include their error.");
       }
     }
     Add(std::move(log), rig, &result, &left_out);

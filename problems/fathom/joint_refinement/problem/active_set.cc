@@ -76,10 +76,9 @@ BoundedOptimum SearchActiveSet(const std::vector<int>& bounded,
     if (!trial.converged || trial.cost > best.cost) {
       search->GoTo(best_point);
       best.converged = false;
-      best.message =
-          trial.converged
-              ? "letting go of what is held at zero leads to no better optimum that is feasible."
-              : "what was held at zero was let go, and then: " + trial.message;
+      best.message = trial.converged
+                         ? "releasing the dampings at zero gives no better feasible optimum."
+                         : "after releasing the dampings at zero: " + trial.message;
       return best;
     }
     best = std::move(trial);

@@ -40,9 +40,9 @@ std::string CaveatOnAxis(Dof dof, const JointStart& at, const JointSummary& summ
   const double std = std::sqrt(summary.covariance(kInertia, kInertia)) / summary.model.inertia;
   if (!(too_large > 0.5 * std)) return "";
   return fmt::format(
-      "The vehicle moves {:.1f} degrees off its mean {} axis. If that is the mount or the survey "
-      "and not the vehicle, inertia and linear damping are {:.2g} % too large, which matters "
-      "beside the interval.",
+      "The vehicle moves {:.1f} degrees off its mean {} axis. If mount or survey cause this and "
+      "not the vehicle, inertia and linear damping are {:.2g} % too large, which is not small "
+      "against the interval.",
       angle * 180.0 / std::numbers::pi,
       Name(dof),
       100.0 * too_large);
@@ -124,13 +124,13 @@ std::vector<std::string> CaveatsOn(const JointInput& input,
   std::erase(caveats, "");
   if (!end.processes_settled) {
     caveats.push_back(
-        "The search for how the held coordinates wander did not settle: the intervals are less "
-        "sure than they look.");
+        "The estimate of how the held coordinates wander did not converge. The intervals are "
+        "less certain than they look.");
   }
   if (!end.likelihood_settled) {
     caveats.push_back(
-        fmt::format("The likelihood was still rising after {} rounds: the intervals are less sure "
-                    "than they look.",
+        fmt::format("The likelihood was still rising after {} rounds. The intervals are less "
+                    "certain than they look.",
                     summary.num_rounds));
   }
   return caveats;

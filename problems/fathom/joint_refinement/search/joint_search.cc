@@ -115,7 +115,7 @@ bool SearchJoint(const JointOptions& options,
         is_first ? 0.0 : LinearJoint(linear, priors, at->processes, excited).log_likelihood();
     const ProcessFit fit = FitProcesses(linear, priors, at->processes, excited);
     if (!std::isfinite(fit.log_likelihood)) {
-      summary->message = "some unknown leaves no trace in the corners.";
+      summary->message = "the corners do not determine some unknown.";
       return false;
     }
     const bool has_settled = !is_first && HaveSameParts(fit.processes, at->processes) &&

@@ -190,7 +190,7 @@ SetupFit FitMarkerSizeAndMount(const PriorsAt& priors_at,
     const NewtonMove newton = MoveFrom(expansion);
     if (newton.ExpectedGain(expansion) < kEnough) {
       if (newton.least_information < kLeastInformation) {
-        fit.message = "some unknown leaves no trace in the corners.";
+        fit.message = "the corners do not determine some unknown.";
         return fit;
       }
       fit.information = FromSteps(expansion.information, columns, step);

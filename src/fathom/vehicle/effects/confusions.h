@@ -12,20 +12,21 @@ namespace fathom {
 // A lag, a delay or a ramp of the thrust, and of the sensor. Steps of one size would leave the ramp
 // open.
 inline constexpr Confusion kLateThrust = {
-    "Steps of several sizes both ways, some seconds each: a lag rounds the corners, a delay moves "
-    "them, a ramp takes longer for larger steps."};
+    "Steps of several sizes both ways, some seconds each: a lag rounds the corners, a delay "
+    "shifts them, a ramp takes longer for larger steps."};
 inline constexpr Confusion kLateReading = {kLateThrust.experiment};
 
 // Which of two lags.
 inline constexpr Confusion kWhichLag = {
-    "Poses too, which come without the speed sensor's lag, or large steps, to speeds where "
-    "quadratic drag matters: in linear drag lags commute."};
+    "Poses too, which have no lag of the speed sensor, or large steps, to speeds where quadratic "
+    "drag matters: in linear drag lags commute."};
 
 inline constexpr Confusion kSpeedAtRest = {
-    "No velocity log alone can: the two are identical at every speed. Log poses too.", false};
+    "No velocity log can decide, because the two are identical at every speed. Log poses too.",
+    false};
 
 inline constexpr Confusion kSmallCommands = {
-    "Small commands of both signs while the vehicle still coasts either way."};
+    "Small commands of both signs while the vehicle coasts, in both directions."};
 
 inline constexpr Confusion kLargeCommands = {
     "Large commands at low speed: short full thrust from rest, both ways."};
@@ -36,12 +37,13 @@ inline constexpr Confusion kOneWay = {
 inline constexpr Confusion kDragOverSpeed = {
     "A range of speeds held for a while each, from very slow to full."};
 
-inline constexpr Confusion kStepOrDrift = {"The same run again, longer, with a rest inside."};
+inline constexpr Confusion kStepOrDrift = {
+    "The same experiment again, longer, with a pause at rest."};
 
 inline constexpr Confusion kSpringOrDrift = {
-    "Go out and come back: a spring returns with the position, a drift does not."};
+    "Move away and return: the force of a spring returns with the position, a drift does not."};
 
 inline constexpr Confusion kSpringOrStep = {
-    "Go out and come back: a spring returns with the position, a step does not."};
+    "Move away and return: the force of a spring returns with the position, a step does not."};
 
 }  // namespace fathom

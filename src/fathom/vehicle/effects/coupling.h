@@ -25,7 +25,7 @@ struct CoriolisCoupling {
                             .upper = kInfinity,
                             .drawn = {0.1, 0.8, natural::Coriolis, true}}},
             .partner = PartnerInfo{.rule = IsHorizontalPair, .velocity = true, .yaw_rate = true},
-            .cause = "turning while moving pushes the vehicle sideways",
+            .cause = "the Coriolis force of turning while moving",
             .advice = "Use a model of coupled DOFs, or identify without turning."};
   }
   static bool IsHorizontalPair(Dof dof, Dof partner) {
@@ -51,7 +51,7 @@ struct VelocityCoupling {
                             .upper = kInfinity,
                             .drawn = {0.05, 0.6, natural::Coupling, true}}},
             .partner = PartnerInfo{.velocity = true},
-            .cause = "motion along another DOF drags this one along",
+            .cause = "damping coupled to the motion of another DOF",
             .advice = "Add the damping between the two DOFs to the model."};
   }
   template <typename T>
@@ -74,7 +74,7 @@ struct ThrustCrosstalk {
                             .upper = kInfinity,
                             .drawn = {0.05, 0.6, natural::Crosstalk, true}}},
             .partner = PartnerInfo{.force = true},
-            .cause = "another DOF's command pushes this one too",
+            .cause = "thrust that was commanded for another DOF",
             .advice = "Check the thrusters' directions and the allocation."};
   }
   template <typename T>

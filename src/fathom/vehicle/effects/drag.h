@@ -26,7 +26,7 @@ struct DampingAsymmetry {
                             .lower = -1.0,
                             .upper = 20.0,
                             .drawn = {0.2, 2.0, natural::One}}},
-            .cause = "the hull has more drag one way than the other",
+            .cause = "drag that differs between the two directions",
             .advice = "Use a quadratic damping for each direction.",
             .confusions = {&kOneWay}};
   }
@@ -50,7 +50,7 @@ struct CubicDamping {
                             .lower = 0.0,
                             .upper = kInfinity,
                             .drawn = {0.1, 1.0, natural::CubicDrag}}},
-            .cause = "drag grows faster with speed than linear and quadratic damping say",
+            .cause = "drag that grows faster with speed than quadratic damping",
             .advice = "Use the model only at the speeds of this log, or keep the cubic term.",
             .confusions = {&kLargeCommands, &kDragOverSpeed}};
   }
@@ -74,7 +74,7 @@ struct CoulombFriction {
                             .lower = 0.0,
                             .upper = kInfinity,
                             .drawn = {0.03, 0.4, natural::Force}}},
-            .cause = "something rubs: a tether, a guide rail",
+            .cause = "dry friction, for example of a tether or a guide rail",
             .advice = "Look at what the tether or the rail touches.",
             .confusions = {&kSmallCommands, &kDragOverSpeed}};
   }
@@ -99,7 +99,7 @@ struct SteadyCurrent {
                             .lower = -kInfinity,
                             .upper = kInfinity,
                             .drawn = {0.05, 0.7, natural::Speed, true}}},
-            .cause = "the water itself moved",
+            .cause = "a steady current",
             .advice =
                 "Repeat the run on the opposite heading: a current changes sign, a bias does "
                 "not.",
@@ -130,7 +130,7 @@ struct FluidMemory {
                             .search = Search::kShape,
                             .trials = {0.6, 1.5, 4.0, 10.0, 25.0},
                             .drawn = {0.6, 15.0, natural::One}}},
-            .cause = "the wake lags the motion",
+            .cause = "a wake that lags behind the motion",
             .advice = "Keep the memory term for manoeuvres as quick as its time constant."};
   }
   template <typename T>

@@ -28,8 +28,8 @@ struct PositionStiffness {
                             .upper = kInfinity,
                             .drawn = {0.05, 0.6, natural::Stiffness}}},
             .cause =
-                "a force grows with the distance: a tether's pull, buoyancy that changes with "
-                "depth, a restoring moment",
+                "a force that grows with the displacement, such as the pull of a tether, "
+                "buoyancy that changes with depth, or a restoring moment",
             .advice = "Give the tether slack, or keep the spring in the model.",
             .confusions = {&kSpringOrDrift, &kSpringOrStep}};
   }
@@ -59,7 +59,7 @@ struct BuoyancyStep {
                             .upper = kInfinity,
                             .search = Search::kTimeOfRun,
                             .drawn = {0.2, 0.8, natural::Duration}}},
-            .cause = "a constant force changed from one moment to the next",
+            .cause = "a step of the constant force",
             .advice = "Look for a payload dropped, water taken in or a snag at that time.",
             .confusions = {&kStepOrDrift, &kSpringOrStep}};
   }
@@ -83,8 +83,8 @@ struct BuoyancyDrift {
                             .upper = kInfinity,
                             .trials = {1e-4},
                             .drawn = {0.08, 1.0, natural::ForceDrift, true}}},
-            .cause = "a constant force drifted over the run",
-            .advice = "Look for slow ingress of water, or foam that warms or is compressed.",
+            .cause = "a drift of the constant force",
+            .advice = "Look for slowly entering water, or foam that warms or is compressed.",
             .confusions = {&kStepOrDrift, &kSpringOrDrift}};
   }
   template <typename T>
@@ -120,9 +120,9 @@ struct PeriodicForce {
                             .search = Search::kFrequencyOfRun,
                             .drawn = {0.2, 2.0, natural::One}}},
             .cause =
-                "a force came and went at one frequency: waves, a slapping tether, another "
-                "DOF's controller in a limit cycle",
-            .advice = "Look for what else has that period."};
+                "a periodic force, such as waves, a slapping tether or another DOF's controller "
+                "in a limit cycle",
+            .advice = "Look for another process with that period."};
   }
   template <typename T>
   static EffectLaw<T> Law() {

@@ -27,7 +27,7 @@ struct SensorClockOffset {
                             .trials = {-1.0, -0.1, 0.1, 1.0},
                             .drawn = {0.1, 1.5, natural::One, true}}},
             .needs_pose = true,
-            .cause = "the poses carry the stamps of another clock than the velocities",
+            .cause = "a clock offset between poses and velocities",
             .advice = "Synchronise the camera's clock with the vehicle's."};
   }
   template <typename T>
@@ -49,7 +49,7 @@ struct PoseScale {
                             .drawn = {0.02, 0.3, natural::One, true}}},
             .needs_pose = true,
             .is_like_lost_motion = true,
-            .cause = "the poses measure distances on another scale than the velocities",
+            .cause = "a scale error between poses and velocities",
             .advice = "Measure the marker, and calibrate the camera in the water."};
   }
   template <typename T>
@@ -79,7 +79,7 @@ struct MarkerMoved {
                             .search = Search::kTimeOfRun,
                             .drawn = {0.2, 0.8, natural::Duration}}},
             .needs_pose = true,
-            .cause = "a marker was moved during the run",
+            .cause = "a marker that was moved during the run",
             .advice = "Look at the images about that time, and fasten the marker."};
   }
   template <typename T>

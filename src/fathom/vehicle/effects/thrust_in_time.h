@@ -29,9 +29,7 @@ struct TimeOffset {
                             .search = Search::kSize,
                             .trials = {-3.0, -1.0, -0.3, -0.1, 0.1, 0.3, 1.0, 2.0, 4.0},
                             .drawn = {0.1, 1.5, natural::One, true}}},
-            .cause =
-                "the command reaches the thrusters late, or the clocks of the command and the "
-                "motion log disagree",
+            .cause = "a command delay, or a clock offset between command and motion",
             .advice = "Compare the stamps of both streams against one clock.",
             .confusions = {&kLateThrust, &kLateReading}};
   }
@@ -53,7 +51,7 @@ struct ThrustFade {
                             .upper = 0.1,
                             .trials = {1e-4},
                             .drawn = {0.08, 0.6, natural::PerDuration}}},
-            .cause = "thrust faded over the run, as it does when the battery sags",
+            .cause = "thrust that fades over the run, as with a discharging battery",
             .advice = "Log the supply voltage and scale the thrust by it."};
   }
   template <typename T>
@@ -83,7 +81,7 @@ struct ThrustStepLoss {
                             .upper = kInfinity,
                             .search = Search::kTimeOfRun,
                             .drawn = {0.2, 0.8, natural::Duration}}},
-            .cause = "part of the thrust was lost from one moment to the next",
+            .cause = "a sudden loss of thrust",
             .advice = "Look for a fouled or failed thruster at that time."};
   }
   template <typename T>
@@ -107,8 +105,8 @@ struct ThrustSlewLimit {
                             .search = Search::kSize,
                             .trials = {0.15, 0.3, 0.6, 1.2, 2.5, 5.0, 10.0},
                             .drawn = {0.5, 1.5, natural::ForceRate}}},
-            .cause = "thrust changes no faster than the speed controllers' ramp",
-            .advice = "Look up the ramp of the speed controllers, or command no faster.",
+            .cause = "a rate limit of the thrust, such as the ramp of the speed controllers",
+            .advice = "Look up the ramp of the speed controllers, or command slower changes.",
             .confusions = {&kLateThrust, &kLateReading}};
   }
   template <typename T>
@@ -143,7 +141,7 @@ struct ThrusterLag {
                             .search = Search::kSize,
                             .trials = {0.1, 0.3, 1.0, 3.0},
                             .drawn = {0.1, 2.0, natural::One}}},
-            .cause = "the propellers take time to reach their speed",
+            .cause = "a lag of the thrusters",
             .advice = "Log the propellers' speed and use it in place of the command.",
             .confusions = {&kLateThrust, &kWhichLag}};
   }

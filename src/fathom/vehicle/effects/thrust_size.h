@@ -28,7 +28,7 @@ struct ThrustDeadZone {
                             .search = Search::kSize,
                             .trials = {0.02, 0.05, 0.1, 0.2, 0.4, 0.8},
                             .drawn = {0.05, 0.6, natural::Force}}},
-            .cause = "small commands give no thrust",
+            .cause = "a thruster dead zone",
             .advice =
                 "Look for the dead band of the speed controllers around neutral and add it to "
                 "the command.",
@@ -57,7 +57,7 @@ struct ThrustSaturation {
                             .search = Search::kSize,
                             .trials = {0.4, 0.6, 0.8, 1.0, 1.2, 1.5, 1.8, 2.2, 2.7},
                             .drawn = {0.25, 0.85, natural::PeakForce}}},
-            .cause = "more thrust was commanded than the thrusters give",
+            .cause = "a saturation of the thrusters",
             .advice = "Keep commands below the limit, or clamp them there before simulating.",
             .confusions = {&kLargeCommands}};
   }
@@ -85,10 +85,8 @@ struct ThrustCurve {
                             .trials = {0.5, 0.8, 1.1, 1.4, 2.0},
                             .drawn = {0.5, 2.0, natural::One}}},
             .uses_reference_force = true,
-            .cause = "thrust does not grow with the command as it was assumed to",
-            .advice =
-                "Check the thrust law (linear where it is quadratic, or the reverse) on a "
-                "bollard."};
+            .cause = "a thrust curve other than the assumed one",
+            .advice = "Check the thrust law in a bollard test (linear or quadratic)."};
   }
   template <typename T>
   static EffectLaw<T> Law() {
@@ -114,8 +112,8 @@ struct ThrustAsymmetry {
                             .lower = -1.0,
                             .upper = 0.98,
                             .drawn = {0.05, 0.5, natural::One}}},
-            .cause = "the propellers give another thrust in reverse than ahead",
-            .advice = "Use thrust coefficients of their own for reverse.",
+            .cause = "unequal thrust ahead and in reverse",
+            .advice = "Use separate thrust coefficients for reverse.",
             .confusions = {&kOneWay}};
   }
   template <typename T>
@@ -137,8 +135,8 @@ struct ThrustInflowLoss {
                             .lower = 0.0,
                             .upper = kInfinity,
                             .drawn = {0.05, 0.4, natural::Inflow}}},
-            .cause = "thrust falls as water flows into the propellers faster",
-            .advice = "Use a thrust law with the advance ratio."};
+            .cause = "a loss of thrust as the inflow to the propellers grows",
+            .advice = "Use a thrust law that includes the advance ratio."};
   }
   template <typename T>
   static EffectLaw<T> Law() {

@@ -27,7 +27,7 @@ struct SensorMisalignment {
                             .upper = 0.8,
                             .drawn = {0.04, 0.5, natural::One, true}}},
             .partner = PartnerInfo{.rule = IsOfOneKind, .velocity = true},
-            .cause = "the velocity sensor is mounted turned",
+            .cause = "a velocity sensor that is mounted at an angle",
             .advice = "Correct the sensor's mounting angle."};
   }
   static bool IsOfOneKind(Dof dof, Dof partner) { return IsAngular(dof) == IsAngular(partner); }
@@ -65,7 +65,7 @@ struct LeverArm {
                             .upper = 10.0,
                             .drawn = {0.05, 0.8, natural::Arm, true}}},
             .partner = PartnerInfo{.rule = IsAnotherAxis, .velocity = true},
-            .cause = "the velocity sensor sits off the vehicle's centre",
+            .cause = "a velocity sensor away from the vehicle's centre",
             .advice = "Correct the sensor's position in the vehicle."};
   }
   static bool IsAnotherAxis(Dof dof, Dof partner) {
@@ -98,7 +98,7 @@ struct SensorBias {
                             .lower = -kInfinity,
                             .upper = kInfinity,
                             .drawn = {0.03, 0.5, natural::Speed, true}}},
-            .cause = "the velocity sensor shows a speed at rest",
+            .cause = "a bias of the velocity sensor",
             .advice = "Calibrate the sensor's zero before the run.",
             .confusions = {&kSpeedAtRest}};
   }
@@ -123,8 +123,8 @@ struct SensorLag {
                             .search = Search::kSize,
                             .trials = {0.1, 0.3, 1.0, 3.0},
                             .drawn = {0.1, 2.0, natural::One}}},
-            .cause = "the velocity that was logged is smoothed and so comes late",
-            .advice = "Log the raw sensor, or turn the estimator's smoothing down.",
+            .cause = "a lag of the velocity measurement, as smoothing causes it",
+            .advice = "Log the raw sensor, or reduce the smoothing of the estimator.",
             .confusions = {&kWhichLag, &kLateReading}};
   }
   template <typename T>

@@ -27,12 +27,12 @@ TEST(DecidingExperiment, IsThatOfEffectsPage) {
   } cases[] = {
       {"thruster_lag", "time_offset", "several sizes"},
       {"thruster_lag", "thrust_slew_limit", "[Ss]teps of several sizes"},
-      {"thrust_dead_zone", "coulomb_friction", "[Ss]mall commands.*coasts either way"},
+      {"thrust_dead_zone", "coulomb_friction", "[Ss]mall commands.*coasts, in both directions"},
       {"thrust_saturation", "cubic_damping", "[Ll]arge commands at low speed"},
       {"thrust_asymmetry", "damping_asymmetry", "[Rr]eversals while moving"},
       {"coulomb_friction", "cubic_damping", "range of speeds"},
-      {"position_stiffness", "buoyancy_drift", "come back"},
-      {"position_stiffness", "buoyancy_step", "come back"},
+      {"position_stiffness", "buoyancy_drift", "away and return"},
+      {"position_stiffness", "buoyancy_step", "away and return"},
       {"thruster_lag", "sensor_lag", "quadratic drag"},
       {"velocity_coupling", "thrust_crosstalk", "other DOF moves without being commanded"},
       {"sensor_misalignment", "velocity_coupling", "other DOF moves without being commanded"},
@@ -46,7 +46,7 @@ TEST(DecidingExperiment, IsThatOfEffectsPage) {
 // Identical at every speed: no run with this sensor alone decides, and the text says so.
 TEST(DecidingExperiment, SaysWhereNoVelocityLogDecides) {
   EXPECT_THAT(Deciding("sensor_bias", "steady_current"),
-              testing::AllOf(HasSubstr("No velocity log alone can"), HasSubstr("poses")));
+              testing::AllOf(HasSubstr("No velocity log can decide"), HasSubstr("poses")));
   EXPECT_FALSE(
       DecidingExperiment({FindEffect("sensor_bias"), {}}, {{FindEffect("steady_current"), {}}})
           .decides);
@@ -58,8 +58,8 @@ TEST(DecidingExperiment, IsNotTheSameRunAgainWhereThatLeavesRivals) {
   const Suspect dead_zone = {FindEffect("thrust_dead_zone"), {}};
   const Suspect curve = {FindEffect("thrust_curve"), {}};
   const Suspect wave = {FindEffect("periodic_force"), {}};
-  EXPECT_THAT(DecidingExperiment(dead_zone, {wave}).text, HasSubstr("same run again"));
-  EXPECT_THAT(DecidingExperiment(wave, {dead_zone}).text, HasSubstr("same run again"));
+  EXPECT_THAT(DecidingExperiment(dead_zone, {wave}).text, HasSubstr("same experiment again"));
+  EXPECT_THAT(DecidingExperiment(wave, {dead_zone}).text, HasSubstr("same experiment again"));
   EXPECT_THAT(DecidingExperiment(dead_zone, {wave, curve}).text,
               HasSubstr("steps of several sizes"));
 }

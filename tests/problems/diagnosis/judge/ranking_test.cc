@@ -83,11 +83,10 @@ TEST_F(RankCandidatesTest, SayWhyAScoreHasNoRefit) {
   auto ranked = Ranked();
   // Far above noise, and not among the ten that were refitted.
   EXPECT_LT(ranked["thruster_lag"].p_value, 1e-6);
-  EXPECT_EQ(ranked["thruster_lag"].why,
-            "not refitted: scores 40.9 on the screen, others score higher");
+  EXPECT_EQ(ranked["thruster_lag"].why, "not refitted: score 40.9; others score higher");
   EXPECT_GT(ranked["thrust_dead_zone"].p_value, 0.05);
   EXPECT_THAT(ranked["thrust_dead_zone"].why,
-              AllOf(StartsWith("dropped: scores 2.0"), HasSubstr("noise alone would reach")));
+              AllOf(StartsWith("dropped: score 2.0"), HasSubstr("noise alone reaches")));
   EXPECT_THAT(ranked["time_offset"].why, StartsWith("dropped: its fit cannot be simulated"));
 }
 
@@ -112,16 +111,17 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
   judgement_.rivals = {3};
   auto ranked = Ranked();
   EXPECT_TRUE(ranked["thruster_lag"].is_kept);
-  EXPECT_THAT(ranked["thruster_lag"].why, StartsWith("kept: gains 90"));
-  EXPECT_THAT(ranked["thrust_dead_zone"].why, StartsWith("dropped: gains 3.0, noise alone"));
-  EXPECT_EQ(ranked["time_offset"].why, "cannot be told from a kept cause on these logs");
-  EXPECT_EQ(ranked["thrust_curve"].why, "dropped: gains 60 alone, nothing beside the kept causes");
+  EXPECT_THAT(ranked["thruster_lag"].why, StartsWith("kept: gain 90"));
+  EXPECT_THAT(ranked["thrust_dead_zone"].why, StartsWith("dropped: gain 3.0; noise alone"));
+  EXPECT_EQ(ranked["time_offset"].why, "these logs cannot tell it from a kept cause");
+  EXPECT_EQ(ranked["thrust_curve"].why,
+            "dropped: helps alone (gain 60), adds nothing once the kept causes are in");
   EXPECT_EQ(RankCandidates(search_, judgement_, suspects_).front().label, "thruster_lag");
 
   judgement_.choice.chosen = 0;
   judgement_.rivals.clear();
   EXPECT_EQ(Ranked()["thrust_curve"].why,
-            "dropped: gains 60, but what fits best fails on data that no fit has seen");
+            "dropped: gain 60, but the best fit fails on held-out data");
 }
 
 // The same effect in two logs is two suspects.

@@ -63,7 +63,7 @@ TEST(DiagnosisPage, GoesFromTheErrorToItsCauseToTheEvidence) {
                           "What to do next",
                           "The missing force",
                           "The parameters before and after",
-                          "Every candidate"));
+                          "All candidates"));
   Diagnosis diagnosis = ConsistentDiagnosis();
   diagnosis.remarks = {"3 samples were left out."};
   EXPECT_THAT(HeadingsOf(DiagnosisPage(diagnosis)),
@@ -95,7 +95,7 @@ TEST(DiagnosisPage, ShowsThePosesWhereTheCauseActsOnThem) {
   EXPECT_EQ(poses.responses.at(0).values, diagnosis.pose_traces[0].before);
   EXPECT_TRUE(poses.is_low);
   EXPECT_FALSE(page.sections[1].time_panels.at(0).is_low);
-  EXPECT_EQ(FactsOf(page)["error of unseen poses"], "31 % less");
+  EXPECT_EQ(FactsOf(page)["error on held-out poses"], "31 % less");
 }
 
 TEST(DiagnosisPage, ShowsThePosesWhereWhatIsUnexplainedMayLieInThem) {
@@ -125,10 +125,13 @@ TEST(DiagnosisPage, StatesTheFigures) {
   EXPECT_EQ(facts["cause"], "sensor_lag or thruster_lag");
   EXPECT_EQ(facts["squared error that is not noise"], "71 %");
   EXPECT_EQ(facts["of that, explained"], "99 %");
-  EXPECT_EQ(facts["NMAE on unseen data"], "0.117 → 0.080");
+  EXPECT_EQ(facts["NMAE on held-out data"], "0.117 → 0.080");
   facts = FactsOf(DiagnosisPage(ConsistentDiagnosis()));
   EXPECT_EQ(facts.count("cause"), 0u);
-  EXPECT_EQ(facts["NMAE on unseen data"], "0.117");
+  EXPECT_EQ(facts["NMAE on held-out data"], "0.117");
+  Diagnosis cross_validated = ConsistentDiagnosis();
+  cross_validated.by_left_out_blocks = true;
+  EXPECT_EQ(FactsOf(DiagnosisPage(cross_validated))["cross-validated NMAE"], "0.117");
 }
 
 TEST(DiagnosisPage, FetchesNothing) {

@@ -22,22 +22,23 @@ TEST(NextSteps, SayWhatToDoAboutACertainCause) {
 }
 
 TEST(NextSteps, AskForTheDecidingExperimentFirst) {
-  EXPECT_THAT(NextSteps(AmbiguousDiagnosis()),
-              ElementsAre("Find out first whether it is sensor_lag or thruster_lag. To decide: "
-                          "large steps, to speeds where quadratic drag matters (in linear drag "
-                          "lags commute).",
-                          "If it is sensor_lag: Log the raw sensor, or turn the estimator's "
-                          "smoothing down.",
-                          "If it is thruster_lag: Log the propellers' speed and use it in place "
-                          "of the command."));
+  EXPECT_THAT(
+      NextSteps(AmbiguousDiagnosis()),
+      ElementsAre("First find out whether the cause is sensor_lag or thruster_lag. To "
+                  "decide: large steps, to speeds where quadratic drag matters (in linear drag "
+                  "lags commute).",
+                  "If it is sensor_lag: Log the raw sensor, or reduce the smoothing of the "
+                  "estimator.",
+                  "If it is thruster_lag: Log the propellers' speed and use it in place "
+                  "of the command."));
 }
 
 TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.held_out_gain_low = -0.01;
   EXPECT_THAT(NextSteps(diagnosis),
-              ElementsAre("The data held out do not confirm what is named here: see whether "
-                          "another log names it too before you act on it.",
+              ElementsAre("The held-out data do not confirm this cause. Check whether another "
+                          "log names it too before you act on it.",
                           HasSubstr("thrust_dead_zone: Look for")));
   diagnosis.held_out_gain_low = std::numeric_limits<double>::quiet_NaN();  // none were held out
   EXPECT_THAT(NextSteps(diagnosis), ElementsAre(HasSubstr("thrust_dead_zone: Look for")));
@@ -46,10 +47,11 @@ TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
 // A group must not hide what can never be decided behind "To decide:".
 TEST(NextSteps, AdmitThatNoExperimentDecides) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
-  diagnosis.causes[0].experiment = {"No velocity log alone can: the two are identical.", false};
+  diagnosis.causes[0].experiment = {"No velocity log can decide, because the two are identical.",
+                                    false};
   EXPECT_EQ(NextSteps(diagnosis).front(),
-            "Find out first whether it is sensor_lag or thruster_lag. No velocity log alone can: "
-            "the two are identical.");
+            "First find out whether the cause is sensor_lag or thruster_lag. No velocity log can "
+            "decide, because the two are identical.");
 }
 
 // Advice on a dozen effects helps nobody: the experiment comes first.
@@ -57,23 +59,26 @@ TEST(NextSteps, LeaveTheAdviceOutWhereAlternativesAreMany) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
   diagnosis.causes[0].alternatives = AlternativesNamed(
       {"thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"});
-  EXPECT_THAT(NextSteps(diagnosis),
-              ElementsAre("Find out first whether it is sensor_lag or any of thruster_lag, "
-                          "time_offset, thrust_curve, fluid_memory, thrust_fade. To decide: large "
-                          "steps, to speeds where quadratic drag matters (in linear drag lags "
-                          "commute)."));
+  EXPECT_THAT(
+      NextSteps(diagnosis),
+      ElementsAre(
+          "First find out whether the cause is sensor_lag or any of "
+          "thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade. To decide: large "
+          "steps, to speeds where quadratic drag matters (in linear drag lags "
+          "commute)."));
 }
 
 TEST(NextSteps, SayWhatBelongsToTheRun) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   AddCause("steady_current", {0.05}, {0.002}, &diagnosis);
   EXPECT_EQ(NextSteps(diagnosis).back(),
-            "steady_current belongs to this run: fathom_simulate leaves it out on any other log.");
+            "steady_current holds for this run only: fathom_simulate leaves it out on any other "
+            "log.");
 }
 
 TEST(NextSteps, SayWhatAVerdictWithoutCausesMeans) {
   EXPECT_THAT(NextSteps(ConsistentDiagnosis()),
-              ElementsAre(HasSubstr("within the speeds and commands of this data")));
+              ElementsAre(HasSubstr("within the speeds and commands of these data")));
   EXPECT_THAT(NextSteps(UnexplainedDiagnosis()), ElementsAre(HasSubstr("adding_an_effect.md")));
 }
 

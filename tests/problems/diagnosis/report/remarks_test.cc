@@ -51,13 +51,14 @@ TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
        .nmae_after = 0.31}};
   EXPECT_THAT(
       RemarksOn(judgement),
-      ElementsAre("Not named beside thruster_lag: sensor_bias. With it the error grows on data "
-                  "that no fit has seen.",
-                  StartsWith("Not named: thruster_lag. It fits the training data, but gains"),
-                  "Not named: thruster_lag with sensor_bias. It is the likeliest, but on data that "
-                  "no fit has seen the error grows by 12 % (5 to 20 %).",
-                  "Not named: thruster_lag. It is the likeliest, but with it NMAE on the training "
-                  "data themselves grows from 0.25 to 0.31."));
+      ElementsAre("Not named beside thruster_lag: sensor_bias. With it the error on "
+                  "held-out data grows.",
+                  StartsWith("Not named: thruster_lag. It fits the training data, but has no "
+                             "significant gain on held-out data"),
+                  "Not named: thruster_lag with sensor_bias. It fits best, but the error on "
+                  "held-out data grows by 12 % (5 to 20 %).",
+                  "Not named: thruster_lag. It fits best, but the NMAE on the training data "
+                  "itself grows from 0.25 to 0.31."));
 }
 
 TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {
@@ -67,10 +68,10 @@ TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {
   EXPECT_THAT(RemarksOn(judgement, false),
               ElementsAre(HasSubstr("too few"),
                           HasSubstr("inertia is 800 with a standard deviation of 9e+02"),
-                          HasSubstr("no velocities beside them")));
+                          HasSubstr("has poses but no velocities")));
   // Nothing is looked for where nothing is left: that it was not is no news.
   judgement.evidence = {.inertia = 800.0, .inertia_std = 9.0, .share_left = 4e-4};
-  EXPECT_THAT(RemarksOn(judgement), ElementsAre(HasSubstr("leaves 0.04 % of the motion")));
+  EXPECT_THAT(RemarksOn(judgement), ElementsAre(HasSubstr("misses 0.04 % of the motion")));
 }
 
 TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
@@ -78,7 +79,8 @@ TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
   judgement.runs.gain.value = -0.03;
   EXPECT_THAT(RemarksOn(judgement), IsEmpty());
   judgement.choice.chosen = 1;
-  EXPECT_THAT(RemarksOn(judgement), ElementsAre(StartsWith("Data that no fit has seen do not")));
+  EXPECT_THAT(RemarksOn(judgement),
+              ElementsAre(StartsWith("The held-out data do not confirm this cause")));
 }
 
 TEST(RemarksOnData, CountTheSamplesLeftOut) {
@@ -86,9 +88,9 @@ TEST(RemarksOnData, CountTheSamplesLeftOut) {
   segments.remarks = {"first"};
   EXPECT_THAT(RemarksOnData(segments, 0), ElementsAre("first"));
   EXPECT_THAT(RemarksOnData(segments, 1),
-              ElementsAre("first", "Left out: 1 single sample far from its neighbours."));
+              ElementsAre("first", "Left out: 1 single outlier far from its neighbours."));
   EXPECT_THAT(RemarksOnData(segments, 2),
-              ElementsAre("first", "Left out: 2 single samples far from their neighbours."));
+              ElementsAre("first", "Left out: 2 single outliers far from their neighbours."));
 }
 
 }  // namespace

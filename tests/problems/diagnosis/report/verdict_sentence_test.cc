@@ -19,36 +19,36 @@ using ::testing::StartsWith;
 
 TEST(VerdictSentence, OfAConsistentLog) {
   EXPECT_EQ(VerdictSentence(ConsistentDiagnosis()),
-            "This log shows nothing that your surge model gets wrong beyond noise. Its NMAE on "
-            "held-out data is 0.12.");
+            "This log shows no error of your surge model beyond noise. The NMAE on held-out data "
+            "is 0.12.");
 }
 
 // 0.71 times 0.99 is 70 %. The half interval of the width is 1.96 * 0.17 = 0.33 N: one decimal,
 // from 7.67 to 8.33. That of the inertia is 11.6 kg, which starts with a 1: to the kilogram.
 TEST(VerdictSentence, OfAnExplainedLog) {
   EXPECT_EQ(VerdictSentence(ExplainedDiagnosis()),
-            "70 % of the error of your surge model is there because small commands give no thrust "
-            "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N). With it in, NMAE on held-out data "
-            "falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), and the inertia "
-            "moves from 1086 to 852 kg.");
+            "70 % of the error of your surge model comes from a thruster dead zone "
+            "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N). With it in the model, the NMAE on "
+            "held-out data falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), "
+            "and the inertia changes from 1086 to 852 kg.");
 }
 
 // 0.4963 +- 1.96 * 0.0077 is 0.4812 to 0.5114, and 0.0151 starts with a 1.
 TEST(VerdictSentence, OfAnAmbiguousLog) {
   EXPECT_EQ(VerdictSentence(AmbiguousDiagnosis()),
-            "70 % of the error of your surge model is there because the velocity that was logged "
-            "is smoothed and so comes late (sensor_lag), time constant 0.496 s (0.481 to 0.511 s), "
-            "or because the propellers take time to reach their speed (thruster_lag). This log "
-            "cannot tell sensor_lag from thruster_lag. To decide: large steps, to speeds where "
-            "quadratic drag matters (in linear drag lags commute). With sensor_lag in, NMAE on "
-            "held-out data falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), "
-            "and the inertia moves from 1086 to 852 kg.");
+            "70 % of the error of your surge model comes from a lag of the velocity measurement, "
+            "as smoothing causes it (sensor_lag), time constant 0.496 s (0.481 to 0.511 s), or "
+            "from a lag of the thrusters (thruster_lag). This log cannot tell sensor_lag from "
+            "thruster_lag. To decide: large steps, to speeds where quadratic drag matters (in "
+            "linear drag lags commute). With sensor_lag in the model, the NMAE on held-out data "
+            "falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), and the inertia "
+            "changes from 1086 to 852 kg.");
 }
 
 TEST(VerdictSentence, OfAnUnexplainedLog) {
   EXPECT_EQ(VerdictSentence(UnexplainedDiagnosis()),
-            "62 % of the error of your surge model is not noise, and nothing in the catalogue "
-            "accounts for it. Its NMAE on held-out data is 0.12.");
+            "62 % of the error of your surge model is not noise, and no effect in the catalogue "
+            "explains it. The NMAE on held-out data is 0.12.");
 }
 
 TEST(VerdictSentence, IsItsParagraphs) {
@@ -56,7 +56,7 @@ TEST(VerdictSentence, IsItsParagraphs) {
   EXPECT_THAT(paragraphs,
               ElementsAre(StartsWith("70 % of the error"),
                           StartsWith("This log cannot tell sensor_lag"),
-                          StartsWith("With sensor_lag in")));
+                          StartsWith("With sensor_lag in the model, the NMAE")));
   EXPECT_EQ(VerdictSentence(AmbiguousDiagnosis()),
             paragraphs[0] + " " + paragraphs[1] + " " + paragraphs[2]);
 }
@@ -65,8 +65,8 @@ TEST(VerdictSentence, SaysThatSomethingIsLeftBesideTheCauses) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.verdict = Verdict::kUnexplained;
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr(" kg. What is left is still not noise alone, and nothing in the catalogue "
-                        "accounts for it."));
+              HasSubstr(" kg. The remaining error is still more than noise, and no effect in the "
+                        "catalogue explains it."));
 }
 
 TEST(VerdictSentence, CallsALossALossAndWarns) {
@@ -78,10 +78,11 @@ TEST(VerdictSentence, CallsALossALossAndWarns) {
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("NMAE on held-out data rises from 0.12 to 0.16 (a loss of 34 %; 95 % "
                         "interval 1 to 71 %)"));
-  EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("On data that no fit has seen that is worse than without: do not build on "
-                        "it."));
-  EXPECT_THAT(VerdictSentence(ExplainedDiagnosis()), Not(HasSubstr("do not build")));
+  EXPECT_THAT(
+      VerdictSentence(diagnosis),
+      HasSubstr("On data that no fit has seen, this model is worse than the one without: do "
+                "not rely on it."));
+  EXPECT_THAT(VerdictSentence(ExplainedDiagnosis()), Not(HasSubstr("do not rely")));
 }
 
 TEST(VerdictSentence, CountsLogsAndCauses) {
@@ -90,13 +91,16 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
   AddCause("steady_current", {0.05}, {0.002}, &diagnosis);
   EXPECT_THAT(
       VerdictSentence(diagnosis),
-      StartsWith("70 % of the error of your surge model has two causes. It is there because small "
-                 "commands give no thrust (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); and "
-                 "because "));
-  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in, NMAE"));
+      StartsWith("70 % of the error of your surge model has two causes: a thruster dead zone "
+                 "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); a steady current "
+                 "(steady_current), "));
+  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in the model, the NMAE"));
   diagnosis.causes[0].alternatives = AlternativesNamed({"thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("These 2 logs cannot tell thrust_dead_zone from thrust_curve."));
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("(7.7 to 8.3 N), or a thrust curve other than the assumed one "
+                        "(thrust_curve); a steady current"));
   Diagnosis consistent = ConsistentDiagnosis();
   consistent.logs = diagnosis.logs;
   EXPECT_THAT(VerdictSentence(consistent), StartsWith("These 2 logs show nothing"));
@@ -107,28 +111,28 @@ TEST(VerdictSentence, ListsManyAlternativesOnce) {
   diagnosis.causes[0].alternatives =
       AlternativesNamed({"thruster_lag", "time_offset", "thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr(", or because of one of thruster_lag, time_offset, thrust_curve."));
+              HasSubstr(", or from one of thruster_lag, time_offset, thrust_curve."));
   diagnosis.causes[0].alternatives = AlternativesNamed(
       {"thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"});
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr(", or because of one of 5 others. This log cannot tell sensor_lag from any "
+              HasSubstr(", or from one of 5 others. This log cannot tell sensor_lag from any "
                         "of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));
 }
 
 TEST(VerdictSentence, SaysWhereASizeIsABoundAndNoEstimate) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   AddCause("thrust_asymmetry", {-1.0}, {0.0}, &diagnosis);
-  EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("reverse loss -1.000 (the bound of what is physical)"));
+  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("reverse loss -1.000 (its physical bound)"));
 }
 
 TEST(VerdictSentence, SaysOnWhichDataItGains) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.by_left_out_blocks = true;
-  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("NMAE on blocks left out in turn falls"));
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("With it in the model, the cross-validated NMAE falls"));
   diagnosis.baseline.held_out.nmae = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("(7.7 to 8.3 N). The inertia moves from 1086 to 852 kg."));
+              HasSubstr("(7.7 to 8.3 N). The inertia changes from 1086 to 852 kg."));
 }
 
 TEST(VerdictSentence, SaysOfWhatActsOnThePosesAloneHowThePosesAreTold) {
@@ -139,18 +143,19 @@ TEST(VerdictSentence, SaysOfWhatActsOnThePosesAloneHowThePosesAreTold) {
   diagnosis.held_out_gain_high = 0.32;
   EXPECT_THAT(
       VerdictSentence(diagnosis),
-      HasSubstr("This acts on the poses alone: with it in, how they move within 10 s is told "
-                "better on held-out data (a gain of 24 %; 95 % interval 15 to 32 %), and "));
+      HasSubstr(
+          "This acts on the poses only: with it in the model, their motion within 10 s is "
+          "predicted better on held-out data (a gain of 24 %; 95 % interval 15 to 32 %), and "));
   diagnosis.held_out_gain = -0.004;
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("is told as before on held-out data (a loss of 0 %"));
+              HasSubstr("is predicted as before on held-out data (a loss of 0 %"));
 }
 
 // What stays within its interval does not move: it is not worth a word.
 TEST(VerdictSentence, NamesNoParameterThatDoesNotMove) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.extended.model.baseline = diagnosis.baseline.model.baseline;
-  EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("moves")));
+  EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("changes")));
 }
 
 // Of the accelerations of the run, 0.1 and 0.2 m/s^2, 20 kg are a few newton; of its speeds, up to
@@ -161,7 +166,7 @@ TEST(VerdictSentence, NamesTheParameterThatCarriesMostForce) {
   diagnosis.extended.covariance(0, 0) = 1.0;
   diagnosis.extended.model.baseline.linear_damping = 19.9;
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("and the linear damping moves from 49.9 to 19.9 kg/s."));
+              HasSubstr("and the linear damping changes from 49.9 to 19.9 kg/s."));
 }
 
 }  // namespace

@@ -36,17 +36,18 @@ TEST(JointCaveats, SayWhatADelayOfTheCommandWouldChangeUnderASine) {
   const SyntheticCameraRun run = Synthesize({.duration = 120.0, .wander = WanderKind::kNone});
   const JointSummary summary = FitJoint(run.input);
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  const std::string caveat = CaveatWith(summary, "a delay of the command cannot be separated");
+  const std::string caveat =
+      CaveatWith(summary, "cannot separate inertia, damping and a command delay");
   ASSERT_NE(caveat, "");
 
   // The same images with the clock free.
   const JointSummary free =
       FitJoint(run.input, {.clock_offset_std = std::numeric_limits<double>::infinity()});
   ASSERT_TRUE(free.IsUsable()) << free.message;
-  EXPECT_NEAR(NumberAfter(caveat, "is known to +- "),
+  EXPECT_NEAR(NumberAfter(caveat, "is known to ± "),
               HalfWidth(free, kInertia),
               0.1 * HalfWidth(free, kInertia));
-  EXPECT_EQ(CaveatWith(free, "a delay of the command"), "");
+  EXPECT_EQ(CaveatWith(free, "command delay"), "");
 
   // The same images under a command that comes earlier. (Later, a damping would end on its bound.)
   constexpr double kDelay = -0.02;  // [s]
@@ -65,7 +66,7 @@ TEST(JointCaveats, AreSilentOnADelayThatStepsTell) {
       Synthesize({.input = InputKind::kSteps, .duration = 120.0, .wander = WanderKind::kNone});
   const JointSummary summary = FitJoint(run.input);
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
-  EXPECT_EQ(CaveatWith(summary, "a delay of the command"), "");
+  EXPECT_EQ(CaveatWith(summary, "command delay"), "");
 }
 
 TEST(JointCaveats, NameTheDampingThatALogDoesNotDetermine) {

@@ -98,7 +98,7 @@ TEST(SetupFit, SaysThatSomethingLeavesNoTraceWhereThePriorSaysNothingEither) {
   const auto expect_no_trace = [](const SyntheticCameraRun& run, const JointOptions& options) {
     const JointSummary summary = FitJoint(run.input, options);
     EXPECT_FALSE(summary.IsUsable());
-    EXPECT_EQ(summary.message, "some unknown leaves no trace in the corners.");
+    EXPECT_EQ(summary.message, "the corners do not determine some unknown.");
   };
   CameraExperiment experiment = {
       .input = InputKind::kMultisine, .duration = 20.0, .wander = WanderKind::kNone, .seed = 2};
