@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "rendered_log.h"
 #include "run_tool.h"
 #include <gmock/gmock.h>

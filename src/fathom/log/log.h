@@ -41,7 +41,7 @@ struct Log {
   std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body
 
   // tag_id u0 v0 ... u3 v3 [px]: corners of markers, a row for each tag of each frame. What they
-  // mean takes the calibration: fathom/vision/detections_file.h, camera_rig.h.
+  // mean takes the calibration: fathom/camera/detections_file.h, camera_rig.h.
   std::optional<Stream> detections;
 
   // What the reader passed over, counted, a sentence each ("velocity.csv: 12 further columns are

@@ -3,6 +3,8 @@
 
 #include "fathom/marker_trajectory/lost_motion.h"
 
+#include "fathom/marker_trajectory/marker_trajectory.h"
+
 #include <cmath>
 #include <vector>
 

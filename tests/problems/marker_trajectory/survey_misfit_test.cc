@@ -3,6 +3,8 @@
 
 #include "fathom/marker_trajectory/survey_misfit.h"
 
+#include "fathom/marker_trajectory/marker_trajectory.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>

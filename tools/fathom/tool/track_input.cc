@@ -29,7 +29,10 @@ TrackInput ReadTrackInput(const fs::path& folder) {
   }
   TrackInput input;
   input.folder = folder;
-  input.log = ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true});
+  ReadLogOptions options;
+  options.may_lack_motion = true;
+  options.may_lack_command = true;
+  input.log = ReadLog(folder, options);
   std::erase_if(input.log.remarks, [](const Remark& remark) {
     return remark.kind == RemarkKind::kPoses || remark.kind == RemarkKind::kLostMotion;
   });
