@@ -1,4 +1,4 @@
-# Fails if a header of HEADER_DIR needs an include directory that a user of its target does not
+# Fails if one of HEADERS needs an include directory that a user of its target does not
 # have, or brings in a library that belongs into .cc files. Run with cmake -P.
 
 cmake_minimum_required(VERSION 3.22)
@@ -7,12 +7,10 @@ set(heavy ceres opencv2 opencv4 yaml-cpp nlohmann fmt glog gflags csv.h apriltag
 list(REMOVE_ITEM INCLUDE_DIRS "")
 list(TRANSFORM INCLUDE_DIRS PREPEND -I)
 file(MAKE_DIRECTORY ${SCRATCH})
-file(GLOB_RECURSE headers RELATIVE ${HEADER_DIR} ${HEADER_DIR}/*.h)
-list(FILTER headers EXCLUDE REGEX "node_modules/")
-if(headers STREQUAL "")
-  message(FATAL_ERROR "${HEADER_DIR} has no headers.")
+if(HEADERS STREQUAL "")
+  message(FATAL_ERROR "fathom::${NAME} has no public headers.")
 endif()
-foreach(header IN LISTS headers)
+foreach(header IN LISTS HEADERS)
   file(WRITE ${SCRATCH}/alone.cc "#include \"fathom/${NAME}/${header}\"\n")
   execute_process(COMMAND ${COMPILER} -std=c++20 -M ${INCLUDE_DIRS} ${SCRATCH}/alone.cc
                   RESULT_VARIABLE result OUTPUT_VARIABLE files ERROR_VARIABLE messages)

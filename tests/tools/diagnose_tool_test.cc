@@ -298,7 +298,7 @@ TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
   EXPECT_THAT(run.out, HasSubstr("(buoyancy_step(jumped)), jump 6"));
-  EXPECT_THAT(run.out, HasSubstr("buoyancy_step(jumped) belongs to jumped alone"));
+  EXPECT_THAT(run.out, HasSubstr("buoyancy_step(jumped) holds for jumped only"));
   const auto json = JsonOf(verdict);
   ASSERT_EQ(json["causes"].size(), 1u);
   EXPECT_EQ(json["causes"][0]["effect"], "buoyancy_step");

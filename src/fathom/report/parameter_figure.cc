@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/report/figure.h"
 #include "fathom/base/interval95.h"
+#include "fathom/report/figure.h"
 #include "fathom/report/figure_style.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/gnuplot.h"

@@ -11,8 +11,8 @@ namespace fathom {
 namespace {
 
 CameraSegment SegmentIn(const SampleRange& range,
-                std::span<const Detection> detections,
-                const MarkerTrack& track) {
+                        std::span<const Detection> detections,
+                        const MarkerTrack& track) {
   CameraSegment segment;
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const TrackedView& view = track.pnp.views[k];
@@ -35,9 +35,9 @@ int CountSilences(std::span<const SampleRange> ranges) {
 }  // namespace
 
 CameraSegments CutIntoSegments(std::span<const Detection> detections,
-                       const MarkerTrack& track,
-                       double start,
-                       std::span<const TimeInterval> held_out) {
+                               const MarkerTrack& track,
+                               double start,
+                               std::span<const TimeInterval> held_out) {
   std::vector<double> time;
   for (std::size_t k = 0; k < track.world_from_body.size(); ++k) {
     time.push_back(track.pnp.views[k].time);

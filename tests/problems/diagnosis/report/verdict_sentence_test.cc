@@ -103,7 +103,7 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
                         "(thrust_curve); a steady current"));
   Diagnosis consistent = ConsistentDiagnosis();
   consistent.logs = diagnosis.logs;
-  EXPECT_THAT(VerdictSentence(consistent), StartsWith("These 2 logs show nothing"));
+  EXPECT_THAT(VerdictSentence(consistent), StartsWith("These 2 logs show no error"));
 }
 
 TEST(VerdictSentence, ListsManyAlternativesOnce) {
