@@ -50,10 +50,10 @@ TEST(JointRow, StandsLastInTheTableOfACameraLogAndIsThatOfRefine) {
                           "adaptive camera",
                           "output_error camera",
                           "joint camera"));
-  EXPECT_THAT(run.out, HasSubstr("Joint camera"));
+  EXPECT_THAT(run.out, HasSubstr("Joint, camera"));
   EXPECT_THAT(run.out,
-              HasSubstr("note: Joint camera: minute: Held out and not refined: 96 frames"));
-  EXPECT_THAT(TextOf(page), HasSubstr("Joint camera"));
+              HasSubstr("note: Joint, camera: minute: Held out and not refined: 96 frames"));
+  EXPECT_THAT(TextOf(page), HasSubstr("Joint, camera"));
 
   const auto& joint = rows.back();
   EXPECT_EQ(joint["usable"], true) << joint["message"];
@@ -145,7 +145,7 @@ TEST(JointRow, SaysWhyThereIsNoModel) {
   EXPECT_EQ(row["family"], "joint");
   EXPECT_EQ(row["usable"], false);
   EXPECT_NE(row["message"], "");
-  EXPECT_THAT(run.out, HasSubstr("! Joint camera: " + row["message"].get<std::string>()));
+  EXPECT_THAT(run.out, HasSubstr("! Joint, camera: " + row["message"].get<std::string>()));
 }
 
 // The same words and exit code as in every other family, the reason first.
@@ -188,7 +188,7 @@ TEST(JointRow, WantsCornersAndACalibration) {
   const ToolRun run = RunToolBinary("fathom_compare", {here, "--json=" + json.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(JsonOf(json)["rows"].size(), 6u);
-  EXPECT_THAT(run.out, HasSubstr("note: Joint camera: left out: "));
+  EXPECT_THAT(run.out, HasSubstr("note: Joint, camera: left out: "));
   EXPECT_THAT(run.out, HasSubstr("holds no mount.yaml"));
 
   std::filesystem::remove(log / "detections.csv");
