@@ -20,7 +20,10 @@ namespace fathom {
 namespace {
 
 // The sizes of a parameter figure [px].
-constexpr int kColumnWidth = 560;
+constexpr int kPlotWidth = 300;
+constexpr int kValueMargin = 130;  // right of a plot, for values and intervals
+constexpr int kLeastNameMargin = 130;
+constexpr int kCharacterWidth = 7;  // at most, of a name in kFigureStyle's font
 constexpr int kRowHeight = 26;
 constexpr int kFrameHeight = 92;
 
@@ -28,21 +31,28 @@ struct Grid {
   int num_columns = 1;
   int num_rows = 1;
   int plot_height = 0;  // [px]
+  int name_margin = 0;  // left of a plot, for the longest name of an estimate [px]
 
-  int width() const { return num_columns * kColumnWidth; }
+  int column_width() const { return name_margin + kPlotWidth + kValueMargin; }
+  int width() const { return num_columns * column_width(); }
   int height() const { return num_rows * plot_height; }
 };
 
 Grid GridOf(const std::vector<ParameterPanel>& panels) {
-  std::size_t most_estimates = 1;
+  std::size_t most_estimates = 1, longest_name = 0;
   for (const ParameterPanel& panel : panels) {
     most_estimates = std::max(most_estimates, panel.estimates.size());
+    for (const Estimate& estimate : panel.estimates) {
+      longest_name = std::max(longest_name, estimate.name.size());
+    }
   }
   Grid grid;
   grid.num_columns = panels.size() > 1 ? 2 : 1;
   grid.num_rows =
       std::max(1, (static_cast<int>(panels.size()) + grid.num_columns - 1) / grid.num_columns);
   grid.plot_height = kRowHeight * static_cast<int>(most_estimates) + kFrameHeight;
+  grid.name_margin =
+      std::max(kLeastNameMargin, kCharacterWidth * (static_cast<int>(longest_name) + 2));
   return grid;
 }
 
@@ -60,8 +70,8 @@ std::string FrameCommands(const ParameterPanel& panel,
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set xrange [{:.12g}:{:.12g}]\nset yrange [{}:-0.6]\n",
-      left + 130 * x_unit,
-      left + (kColumnWidth - 130) * x_unit,
+      left + grid.name_margin * x_unit,
+      left + (grid.name_margin + kPlotWidth) * x_unit,
       top - 45 * y_unit,
       top - (grid.plot_height - 40) * y_unit,
       range.from,
