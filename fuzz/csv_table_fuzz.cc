@@ -4,7 +4,7 @@
 // Any bytes as a command, a velocity, a pose, a single CSV, and detections.
 
 #include "fathom/base/input_error.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 #include "fathom/log/log_streams.h"
 #include "fathom/log/log_text.h"
 

@@ -4,7 +4,7 @@
 // Any bytes as a model or verdict file; what is read must be written and read again to the same.
 
 #include "fathom/base/input_error.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 // Any bytes as a vehicle file; what is read must then turn thruster speeds into finite forces.
 
 #include "fathom/base/input_error.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cstddef>
 #include <cstdint>

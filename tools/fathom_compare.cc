@@ -7,7 +7,7 @@
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/comparison_file.h"
 #include "fathom/comparison/comparison_page.h"
-#include "fathom/report/figure.h"
+#include "fathom/report/figures/figure.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/tool.h"

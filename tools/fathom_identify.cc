@@ -11,7 +11,7 @@
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/tool.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cstdio>
 #include <filesystem>

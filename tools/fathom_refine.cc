@@ -13,13 +13,13 @@
 #include "fathom/comparison/image_comparison_page.h"
 #include "fathom/geometry/stamped_pose.h"
 #include "fathom/log/write_log.h"
-#include "fathom/signal/dof_of_log.h"
+#include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cstdio>
 #include <map>

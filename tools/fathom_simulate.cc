@@ -4,14 +4,14 @@
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/log_prediction.h"
 #include "fathom/simulate/model_for_log.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/tool.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
 #include <cstdio>

@@ -20,7 +20,7 @@
 #include "fathom/tool/output_folder.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "fathom/base/dof.h"
 #include "fathom/base/random_stream.h"
 #include "fathom/synthesize/experiment/experiment.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 
 // fathom_track on a real video, against the figures of docs/tag_video.md.
 
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 
 #include <algorithm>
 #include <cmath>

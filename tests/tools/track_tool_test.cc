@@ -4,7 +4,7 @@
 // fathom_track from rendered images, whose trajectory is known, to poses.
 
 #include "fathom/camera/tags_file.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"
 

@@ -5,7 +5,7 @@
 
 #include "fathom/adaptive/adaptive_identifier.h"
 #include "fathom/adaptive/pass.h"
-#include "fathom/signal/dominant_tone.h"
+#include "fathom/signal/filters/dominant_tone.h"
 #include "fathom/simulate/simulate.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "fathom/adaptive/pass.h"
 
-#include "fathom/signal/integral.h"
+#include "fathom/signal/filters/integral.h"
 #include "fathom/simulate/run_start.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/joined_signals.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/sources/log_column.h"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 
 #include "fathom/least_squares/regression.h"
 
-#include "fathom/signal/autoregression.h"
+#include "fathom/signal/filters/autoregression.h"
 
 #include <algorithm>
 #include <cmath>

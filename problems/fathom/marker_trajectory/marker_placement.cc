@@ -3,7 +3,7 @@
 
 #include "fathom/marker_trajectory/marker_placement.h"
 
-#include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 #include "fathom/track/view_pose.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "fathom/marker_trajectory/marker_trajectory.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 #include "fathom/marker_trajectory/corner_noise.h"
 #include "fathom/marker_trajectory/marker_remarks.h"
 #include "fathom/marker_trajectory/place_more_markers.h"

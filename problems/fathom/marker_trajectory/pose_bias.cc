@@ -3,7 +3,7 @@
 
 #include "fathom/marker_trajectory/pose_bias.h"
 
-#include "fathom/marker_trajectory/corner_residual.h"
+#include "fathom/marker_trajectory/bundle/corner_residual.h"
 
 #include <cmath>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "fathom/marker_trajectory/survey_misfit.h"
 
-#include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 
 #include <algorithm>
 #include <cmath>

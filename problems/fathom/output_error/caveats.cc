@@ -4,7 +4,7 @@
 #include "fathom/output_error/caveats.h"
 
 #include "fathom/base/interval95.h"
-#include "fathom/signal/dominant_tone.h"
+#include "fathom/signal/filters/dominant_tone.h"
 
 #include <algorithm>
 #include <cmath>

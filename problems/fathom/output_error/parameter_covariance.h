@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/output_error/shooting_window.h"
-#include "fathom/signal/autoregression.h"
+#include "fathom/signal/filters/autoregression.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/parameters.h"
 

@@ -6,8 +6,8 @@
 #include "fathom/base/files/leaves_its_folder.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
-#include "fathom/log/csv_rows.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_rows.h"
+#include "fathom/log/csv/csv_table.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 
 namespace fathom {
 

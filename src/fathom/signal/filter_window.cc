@@ -4,7 +4,7 @@
 #include "fathom/signal/filter_window.h"
 
 #include "fathom/base/median.h"
-#include "fathom/signal/savitzky_golay.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 
 #include <algorithm>
 

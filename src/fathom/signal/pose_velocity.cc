@@ -4,8 +4,8 @@
 #include "fathom/signal/pose_velocity.h"
 
 #include "fathom/base/median.h"
-#include "fathom/signal/mean_attitude.h"
-#include "fathom/signal/unwrap.h"
+#include "fathom/signal/filters/mean_attitude.h"
+#include "fathom/signal/filters/unwrap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
-#include "fathom/signal/savitzky_golay.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 
 #include <vector>
 

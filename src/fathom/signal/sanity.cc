@@ -5,8 +5,8 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
-#include "fathom/signal/autoregression.h"
-#include "fathom/signal/integral.h"
+#include "fathom/signal/filters/autoregression.h"
+#include "fathom/signal/filters/integral.h"
 
 #include <algorithm>
 #include <cmath>

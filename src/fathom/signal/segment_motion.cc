@@ -3,7 +3,7 @@
 
 #include "fathom/signal/segment_motion.h"
 
-#include "fathom/signal/integral.h"
+#include "fathom/signal/filters/integral.h"
 
 #include <algorithm>
 #include <cmath>

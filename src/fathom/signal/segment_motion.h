@@ -6,8 +6,8 @@
 #include "fathom/base/dof.h"
 #include "fathom/log/held_command.h"
 #include "fathom/log/log.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 #include "fathom/signal/pose_velocity.h"
-#include "fathom/signal/savitzky_golay.h"
 #include "fathom/signal/segment.h"
 
 #include <cstddef>

@@ -6,11 +6,11 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/signal/filter_window.h"
-#include "fathom/signal/log_column.h"
-#include "fathom/signal/mean_attitude.h"
+#include "fathom/signal/filters/mean_attitude.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 #include "fathom/signal/pose_velocity.h"
-#include "fathom/signal/savitzky_golay.h"
 #include "fathom/signal/segment_motion.h"
+#include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
 #include <cmath>

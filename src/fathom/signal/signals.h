@@ -6,7 +6,7 @@
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/segment.h"
-#include "fathom/signal/source.h"
+#include "fathom/signal/sources/source.h"
 #include "fathom/signal/split_at_gaps.h"
 
 #include <string>

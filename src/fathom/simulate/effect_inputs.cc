@@ -5,8 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
-#include "fathom/signal/log_column.h"
 #include "fathom/signal/pose_velocity.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/vehicle/extended_model.h"
 
 #include <algorithm>

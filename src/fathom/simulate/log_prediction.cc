@@ -4,8 +4,8 @@
 #include "fathom/simulate/log_prediction.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/signal/log_column.h"
 #include "fathom/signal/signals.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
 #include "fathom/simulate/prediction.h"

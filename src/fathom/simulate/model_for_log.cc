@@ -4,7 +4,7 @@
 #include "fathom/simulate/model_for_log.h"
 
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,7 @@
 
 #include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/vehicle/extended_model.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cstdint>
 #include <span>

@@ -5,7 +5,7 @@
 
 #include "fathom/adaptive/choose_gains.h"
 #include "fathom/base/input_error.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 
 #include <chrono>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "fathom/synthesize/experiment/experiment_file.h"
 #include "fathom/synthesize/synthesize.h"
 #include "fathom/vehicle/effects/catalogue.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <array>

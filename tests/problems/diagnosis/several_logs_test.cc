@@ -10,7 +10,7 @@
 #include "fathom/diagnosis/judge/held_out.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>

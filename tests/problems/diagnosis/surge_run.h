@@ -6,8 +6,8 @@
 #include "fathom/log/log.h"
 #include "fathom/synthesize/experiment/experiment.h"
 #include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 #include "fathom/vehicle/uncoupled_model.h"
-#include "fathom/vehicle/vehicle_file.h"
 
 #include <cstdint>
 #include <string>

@@ -4,7 +4,7 @@
 #include "fathom/least_squares/least_squares.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 

@@ -3,7 +3,7 @@
 
 #include "fathom/marker_trajectory/pose_bias.h"
 
-#include "fathom/marker_trajectory/bundle_adjustment.h"
+#include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 
 #include <cmath>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "fathom/film/film_file.h"
 #include "fathom/synthesize/experiment/experiment_file.h"
 #include "fathom/synthesize/synthesize.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cmath>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/read_log.h"
 #include "fathom/marker_trajectory/camera_source.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <cstdio>

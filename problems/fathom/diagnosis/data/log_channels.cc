@@ -6,7 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/data/pose_coordinate.h"
 #include "fathom/log/remark.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "fathom/diagnosis/data/log_channels.h"
 #include "fathom/diagnosis/data/log_names.h"
 #include "fathom/diagnosis/data/uneven_noise.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
 

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/data/pose_coordinate.h"
 
-#include "fathom/signal/mean_attitude.h"
+#include "fathom/signal/filters/mean_attitude.h"
 #include "fathom/signal/pose_velocity.h"
 
 #include <algorithm>

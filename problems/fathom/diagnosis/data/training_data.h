@@ -7,7 +7,7 @@
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/noise/noise_model.h"
 #include "fathom/noise/whitener.h"
-#include "fathom/signal/dominant_tone.h"
+#include "fathom/signal/filters/dominant_tone.h"
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/vehicle/extended_model.h"
 

@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/report/cause_text.h"
 
 #include "fathom/report/format_value.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cctype>

@@ -8,7 +8,7 @@
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
 #include <string>

@@ -5,7 +5,7 @@
 
 #include "fathom/base/median.h"
 #include "fathom/report/scatter_chart.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>

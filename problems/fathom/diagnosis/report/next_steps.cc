@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/report/next_steps.h"
 
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

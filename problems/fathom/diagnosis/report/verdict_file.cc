@@ -5,7 +5,7 @@
 
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
 #include <limits>

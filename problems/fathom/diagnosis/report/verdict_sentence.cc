@@ -5,7 +5,7 @@
 
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/moved_parameter.h"
-#include "fathom/vehicle/model_file.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/fit/structure_fit.h"
-#include "fathom/diagnosis/search/calibration.h"
+#include "fathom/diagnosis/search/screen/calibration.h"
 
 #include <map>
 #include <set>

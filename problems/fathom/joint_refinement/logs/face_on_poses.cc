@@ -10,7 +10,7 @@
 #include "fathom/joint_refinement/joint_refinement.h"
 #include "fathom/joint_refinement/logs/camera_segments.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
-#include "fathom/signal/log_column.h"
+#include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include "fathom/camera/detections_file.h"
 #include "fathom/joint_refinement/logs/camera_segments.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
-#include "fathom/signal/log_column.h"
 #include "fathom/signal/signals.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 
 #include <algorithm>

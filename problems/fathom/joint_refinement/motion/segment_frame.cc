@@ -3,7 +3,7 @@
 
 #include "fathom/joint_refinement/motion/segment_frame.h"
 
-#include "fathom/signal/mean_attitude.h"
+#include "fathom/signal/filters/mean_attitude.h"
 
 #include <vector>
 

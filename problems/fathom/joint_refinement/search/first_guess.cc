@@ -6,8 +6,8 @@
 #include "fathom/base/median.h"
 #include "fathom/output_error/initial_guess.h"
 #include "fathom/output_error/output_error.h"
+#include "fathom/signal/filters/unwrap.h"
 #include "fathom/signal/segment_motion.h"
-#include "fathom/signal/unwrap.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
-#include "fathom/log/csv_table.h"
+#include "fathom/log/csv/csv_table.h"
 #include "fathom/synthesize/experiment/input_reader.h"
 
 #include <algorithm>

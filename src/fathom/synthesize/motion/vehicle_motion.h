@@ -6,7 +6,7 @@
 #include "fathom/base/dof.h"
 #include "fathom/synthesize/experiment/turbulence.h"
 #include "fathom/synthesize/motion/hidden_effects.h"
-#include "fathom/vehicle/vehicle_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <array>
 #include <span>

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/search/screen/screen.h"
+
+#include "fathom/base/random_stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+namespace {
+
+constexpr double kLeastShare = 1e-5;  // of a signature that survives, below which it is rounding
+
+// Signatures and residual, whitened and cleared of what the fitted model can imitate.
+struct Cleared {
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd norms;  // of the columns before
+  Eigen::VectorXd residual;
+};
+
+Cleared Clear(const StructureFit& fit, const RowMajorMatrix& signatures, const Whitener& whitener) {
+  const Eigen::Index n = fit.residual.size();
+  const Eigen::Index num_fitted = fit.jacobian.cols();
+  const Eigen::Index num_columns = signatures.cols();
+  RowMajorMatrix block(n, num_fitted + 1 + num_columns);
+  block.leftCols(num_fitted) = fit.jacobian;
+  block.col(num_fitted) = fit.residual;
+  block.rightCols(num_columns) = signatures;
+  whitener.Apply(block, block);
+  Eigen::MatrixXd fitted = block.leftCols(num_fitted);
+  for (auto column : fitted.colwise()) column /= std::max(column.norm(), 1e-300);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(fitted);
+  qr.setThreshold(1e-9);
+  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(n, qr.rank());
+  Cleared cleared;
+  cleared.columns = block.rightCols(num_columns);
+  cleared.residual = block.col(num_fitted);
+  cleared.norms = cleared.columns.colwise().norm();
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    cleared.columns -= Q * (Q.transpose() * cleared.columns);
+    cleared.residual -= Q * (Q.transpose() * cleared.residual);
+  }
+  return cleared;
+}
+
+// The columns of one trial, of length 1 and orthogonal to each other; zero where nothing of one is
+// left beside the others.
+Eigen::MatrixXd UnitColumns(const Eigen::MatrixXd& own, const Eigen::VectorXd& norms) {
+  Eigen::MatrixXd basis = own;
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
+    for (Eigen::Index j = 0; j < k; ++j) {
+      basis.col(k) -= basis.col(j).dot(basis.col(k)) * basis.col(j);
+    }
+    const double length = basis.col(k).norm();
+    basis.col(k) *= length > 1e-9 * norms[k] ? 1.0 / length : 0.0;
+  }
+  return basis;
+}
+
+}  // namespace
+
+Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& whitener)
+    : trials_(trials) {
+  const Cleared cleared = Clear(fit, trials->signatures, whitener);
+  unit_ = Eigen::MatrixXd::Zero(cleared.columns.rows(), cleared.columns.cols());
+  const size_t num_trials = trials->trials.size();
+  scores_.assign(num_trials, 0.0);
+  surviving_shares_.assign(num_trials, 0.0);
+  amounts_.resize(num_trials);
+  for (size_t t = 0; t < num_trials; ++t) {
+    const Trial& trial = trials->trials[t];
+    const int first = trial.first_column, count = trial.num_columns;
+    amounts_[t].assign(count, 0.0);
+    const Eigen::MatrixXd own = cleared.columns.middleCols(first, count);
+    const Eigen::VectorXd norms = cleared.norms.segment(first, count);
+    for (int k = 0; k < count; ++k) {
+      if (!(norms[k] > 0.0)) continue;
+      surviving_shares_[t] = std::max(surviving_shares_[t], own.col(k).norm() / norms[k]);
+    }
+    if (!(surviving_shares_[t] > kLeastShare)) continue;
+    const Eigen::MatrixXd basis = UnitColumns(own, norms);
+    unit_.middleCols(first, count) = basis;
+    const Eigen::VectorXd amounts = own.colPivHouseholderQr().solve(cleared.residual);
+    if (!trial.any_sign && count == 1 && amounts[0] <= 0.0) continue;
+    for (int k = 0; k < count; ++k) amounts_[t][k] = amounts[k];
+    scores_[t] = (basis.transpose() * cleared.residual).squaredNorm();
+  }
+  projected_ = unit_.transpose() * cleared.residual;
+}
+
+double Screen::PairScore(int a, int b) const {
+  const Trial& first = trials_->trials[a];
+  const Trial& second = trials_->trials[b];
+  Eigen::MatrixXd basis(unit_.rows(), first.num_columns + second.num_columns);
+  basis << unit_.middleCols(first.first_column, first.num_columns),
+      unit_.middleCols(second.first_column, second.num_columns);
+  Eigen::VectorXd projected(basis.cols());
+  projected << projected_.segment(first.first_column, first.num_columns),
+      projected_.segment(second.first_column, second.num_columns);
+  const Eigen::MatrixXd gram = basis.transpose() * basis;
+  const Eigen::VectorXd solved = gram.ldlt().solve(projected);
+  return solved.allFinite() ? projected.dot(solved) : 0.0;
+}
+
+Eigen::MatrixXd Screen::NullMaxima(int num_draws, int num_suspects, std::uint64_t seed) const {
+  RandomStream random(seed, "diagnosis.null");
+  const Eigen::Index n = unit_.rows();
+  Eigen::MatrixXd maxima = Eigen::MatrixXd::Zero(num_draws, num_suspects);
+  constexpr int kBlock = 64;
+  for (int done = 0; done < num_draws; done += kBlock) {
+    const int count = std::min(kBlock, num_draws - done);
+    Eigen::MatrixXd noise(n, count);
+    for (double& number : noise.reshaped()) number = random.Normal();
+    const Eigen::MatrixXd z = unit_.transpose() * noise;
+    for (int draw = 0; draw < count; ++draw) {
+      for (const Trial& trial : trials_->trials) {
+        const auto own = z.col(draw).segment(trial.first_column, trial.num_columns);
+        // Half of the one-sided trials would have the wrong sign.
+        if (!trial.any_sign && trial.num_columns == 1 && own[0] <= 0.0) continue;
+        double& most = maxima(done + draw, trial.suspect);
+        most = std::max(most, own.squaredNorm());
+      }
+    }
+  }
+  return maxima;
+}
+
+}  // namespace fathom

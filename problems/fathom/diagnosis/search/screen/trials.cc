@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/search/screen/trials.h"
+
+#include "fathom/diagnosis/fit/force_response.h"
+#include "fathom/diagnosis/search/screen/trial_values.h"
+#include "fathom/simulate/partner_signals.h"
+#include "fathom/vehicle/effect_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kFineSpacing = 0.2;   // [s], of times about one that looks good
+constexpr double kShareOfATone = 0.3;  // of the command's variance, from which on it is one
+
+bool IsShape(const EffectParameter& parameter) { return std::isnan(parameter.null); }
+
+// The trials of one suspect: every combination of its parameters' values; a column per amount.
+void AppendTrials(const TrainingData& data,
+                  int suspect,
+                  const EffectInfo& info,
+                  const RunScale& scale,
+                  Trials* trials) {
+  std::vector<int> amounts;
+  for (size_t k = 0; k < info.parameters.size(); ++k) {
+    if (!IsShape(info.parameters[k])) amounts.push_back(static_cast<int>(k));
+  }
+  std::vector<std::vector<double>> combinations = {{}};
+  for (const EffectParameter& parameter : info.parameters) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& begun : combinations) {
+      for (const double value : ValuesToTry(parameter, scale)) {
+        longer.push_back(begun);
+        longer.back().push_back(value);
+      }
+    }
+    combinations = std::move(longer);
+  }
+  const EffectParameter& amount = info.parameters[amounts.front()];
+  for (auto& values : combinations) {
+    if (IsAtTheCommandsTone(data, info, values)) continue;
+    Trial trial;
+    trial.suspect = suspect;
+    trial.values = std::move(values);
+    trial.amounts = amounts;
+    trial.any_sign = amount.search == Search::kAmount && amount.lower < amount.null &&
+                     amount.upper > amount.null;
+    trial.num_columns = static_cast<int>(amounts.size());
+    trials->trials.push_back(std::move(trial));
+  }
+}
+
+// The parameter values of a trial with only one of its amounts at its probe.
+std::vector<double> WithOneAmount(const Trial& trial, const EffectInfo& info, int amount) {
+  std::vector<double> values = trial.values;
+  for (const int other : trial.amounts) {
+    if (other != amount) values[other] = info.parameters[other].null;
+  }
+  return values;
+}
+
+bool IsForceInWater(const EffectLaw<double>& law) {
+  return law.resistance && !law.memory_rate && !law.relative_speed;
+}
+
+// What an effect's resistance is along the run of the fitted model, as a force.
+std::vector<double> ForceAlongRun(const TrainingData& data,
+                                  const ForceResponse& response,
+                                  const StructureFit& fit,
+                                  const Suspect& suspect,
+                                  const std::vector<double>& values) {
+  std::vector<double> force;
+  force.reserve(response.points().size());
+  PartnerSignals partner;
+  int segment = -1;
+  double time_zero = 0.0;
+  bool acts = true;
+  for (const ForceResponse::Point& point : response.points()) {
+    if (point.segment != segment) {
+      segment = point.segment;
+      acts = suspect.setting.ActsIn(data.segments()[segment].log);
+      const EffectInputs& inputs = *data.segments()[segment].inputs;
+      if (suspect.effect->info().has_partner()) partner = PartnerSignals(inputs, suspect.setting);
+      time_zero = inputs.command.time.front();
+    }
+    if (!acts) {
+      force.push_back(0.0);
+      continue;
+    }
+    Instant<double> now;
+    now.time = point.time - time_zero;
+    if (!partner.empty()) now.partner = partner.At(point.time, point.time, point.time);
+    const WaterState<double> water = {point.velocity,
+                                      point.velocity,
+                                      point.position,
+                                      point.velocity,
+                                      fit.model.baseline.quadratic_damping,
+                                      fit.model.baseline.linear_damping};
+    force.push_back(-suspect.effect->law<double>().resistance(values.data(), water, now));
+  }
+  return force;
+}
+
+// Simulates every trial.
+void AppendSignatures(const TrainingData& data,
+                      const ForceResponse& response,
+                      const StructureFit& fit,
+                      const std::vector<Suspect>& suspects,
+                      Trials* trials) {
+  int num_columns = 0;
+  for (Trial& trial : trials->trials) {
+    trial.first_column = num_columns;
+    num_columns += trial.num_columns;
+  }
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(data.bins().size(), num_columns);
+  const auto base = data.Simulate(fit.model, fit.initial);
+  for (const Trial& trial : trials->trials) {
+    const Suspect& suspect = suspects[trial.suspect];
+    for (int k = 0; k < trial.num_columns; ++k) {
+      const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
+      auto column = columns.col(trial.first_column + k);
+      if (IsForceInWater(suspect.effect->law<double>())) {
+        column = response.Outputs(ForceAlongRun(data, response, fit, suspect, values));
+        continue;
+      }
+      ExtendedModel model = WithEffect(fit.model, {suspect.effect, suspect.setting, values});
+      if (!base) continue;
+      if (const auto simulated = data.SimulateLog(suspect.setting.log, model, fit.initial, *base)) {
+        column = *simulated - *base;
+      }
+    }
+  }
+  trials->signatures = columns;
+}
+
+}  // namespace
+
+bool IsAtTheCommandsTone(const TrainingData& data,
+                         const EffectInfo& info,
+                         const std::vector<double>& values) {
+  const Tone& tone = data.command_tone();
+  if (!(tone.share > kShareOfATone)) return false;
+  const double resolution = 2.0 * std::numbers::pi / data.longest_duration();
+  for (size_t k = 0; k < info.parameters.size(); ++k) {
+    if (info.parameters[k].search == Search::kFrequencyOfRun &&
+        std::abs(values[k] - tone.frequency) < resolution) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Trials TrialsAbout(const TrainingData& data,
+                   const StructureFit& fit,
+                   const std::vector<Suspect>& suspects) {
+  Trials trials;
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return trials;
+  for (size_t k = 0; k < suspects.size(); ++k) {
+    const RunScale scale = ScaleOf(data, response, suspects[k]);
+    AppendTrials(data, static_cast<int>(k), suspects[k].effect->info(), scale, &trials);
+  }
+  AppendSignatures(data, response, fit, suspects, &trials);
+  return trials;
+}
+
+Trials TrialsNear(const TrainingData& data,
+                  const StructureFit& fit,
+                  const std::vector<Suspect>& suspects,
+                  const Trial& trial) {
+  Trials trials;
+  const auto& parameters = suspects[trial.suspect].effect->info().parameters;
+  const auto time = std::find_if(parameters.begin(), parameters.end(), [](const auto& parameter) {
+    return parameter.search == Search::kTimeOfRun;
+  });
+  if (time == parameters.end()) return trials;
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return trials;
+  const RunScale scale = ScaleOf(data, response, suspects[trial.suspect]);
+  const double middle = trial.values[time - parameters.begin()];
+  const double reach = SpacingOfTimes(scale);
+  for (double t = std::max(scale.first_time, middle - reach);
+       t < std::min(scale.last_time, middle + reach);
+       t += kFineSpacing) {
+    Trial near = trial;
+    near.values[time - parameters.begin()] = t;
+    trials.trials.push_back(std::move(near));
+  }
+  AppendSignatures(data, response, fit, suspects, &trials);
+  return trials;
+}
+
+}  // namespace fathom

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/csv/csv_rows.h"
+
+#include "fathom/base/input_error.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <string_view>
+
+#include <csv.h>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kLongestLine = 65536;  // [bytes]
+
+int LineOf(std::string_view text, std::size_t position) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + position, '\n'));
+}
+
+void RefuseNulBytes(const std::string& name, std::string_view text) {
+  const std::size_t first = text.find('\0');
+  if (first == std::string_view::npos) return;
+  const int line = LineOf(text, first);
+  const auto count = std::count(text.begin(), text.end(), '\0');
+  const std::string file = std::filesystem::path(name).filename().string();
+  if (text.find_first_not_of('\0', first) == std::string_view::npos) {
+    throw InputError(fmt::format(
+        "{}:{}: {} NUL bytes from this line to the end of the file, expected text. A power cut "
+        "leaves "
+        "such a tail. Cut it off (tr -d '\\0' < {} > cut.csv) and remove the last row if it is "
+        "incomplete.",
+        name,
+        line,
+        count,
+        file));
+  }
+  throw InputError(
+      fmt::format("{}:{}: a NUL byte amid the text ({} in the file), expected text. The file is "
+                  "corrupt or not a CSV file; restore it from its source.",
+                  name,
+                  line,
+                  count));
+}
+
+void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
+  if (text.empty()) {
+    throw InputError(name + ": is empty, expected a line of column names and rows of numbers.");
+  }
+  if (text.starts_with("\xef\xbb\xbf")) {
+    throw InputError(fmt::format(
+        "{0}:1: starts with a UTF-8 byte order mark, expected the first column name. Strip "
+        "it: sed -i '1s/^\\xEF\\xBB\\xBF//' {1}",
+        name,
+        std::filesystem::path(name).filename().string()));
+  }
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    throw InputError(name +
+                     ":1: is UTF-16, expected plain text. Convert it: iconv -f UTF-16 -t ASCII");
+  }
+  RefuseNulBytes(name, text);
+  if (const std::size_t at = text.find('\r'); at != std::string_view::npos) {
+    throw InputError(fmt::format(
+        "{}:{}: the line ends in a carriage return, expected a line feed only. Convert the "
+        "file with dos2unix.",
+        name,
+        LineOf(text, at)));
+  }
+}
+
+// The cells of the row that libcsv is in.
+struct Row {
+  std::vector<std::string> cells;
+  bool is_complete = false;
+};
+
+void TakeCell(void* text, std::size_t length, void* row) {
+  static_cast<Row*>(row)->cells.emplace_back(static_cast<const char*>(text), length);
+}
+
+void TakeRow(int, void* row) { static_cast<Row*>(row)->is_complete = true; }
+
+}  // namespace
+
+void ForEachCsvRow(
+    const std::string& name,
+    const std::string& text,
+    const std::function<void(int line, const std::vector<std::string>& cells)>& take_row) {
+  RefuseWhatIsNoPlainText(name, text);
+
+  csv_parser parser;
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+  const std::unique_ptr<csv_parser, void (*)(csv_parser*)> guard(&parser, csv_free);
+
+  // One line at a time, so that the line of each row is known exactly.
+  Row row;
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t length = end - begin;
+    if (length > kLongestLine) {
+      throw InputError(
+          fmt::format("{}:{}: the line has {} bytes, expected at most {}. Is this CSV?",
+                      name,
+                      line,
+                      length,
+                      kLongestLine));
+    }
+    row.cells.clear();
+    row.is_complete = false;
+    if (csv_parse(&parser, text.data() + begin, length, TakeCell, TakeRow, &row) != length) {
+      throw InputError(fmt::format(
+          "{}:{}: a quote (\") stands inside a cell, expected it around the whole cell.",
+          name,
+          line));
+    }
+    if (csv_fini(&parser, TakeCell, TakeRow, &row) != 0) {
+      throw InputError(
+          fmt::format("{}:{}: a quote (\") is opened and not closed on this line.", name, line));
+    }
+    if (!row.is_complete) {
+      throw InputError(
+          fmt::format("{}:{}: the line is empty, expected a row. Remove the line.", name, line));
+    }
+    take_row(line, row.cells);
+    begin = end + 1;
+  }
+}
+
+}  // namespace fathom

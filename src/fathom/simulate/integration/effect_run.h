@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/flattened.h"
+#include "fathom/simulate/effect_inputs.h"
+#include "fathom/simulate/integration/memory_before.h"
+#include "fathom/simulate/integration/run_step.h"
+#include "fathom/simulate/integration/shown_displacements.h"
+#include "fathom/simulate/integration/shown_readings.h"
+#include "fathom/simulate/integration/water_integrator.h"
+#include "fathom/simulate/output_stamps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// The integration behind EffectSimulation, for one scalar. Not for other includers.
+
+namespace fathom {
+
+// Where a run begins, at `start` in log time [s].
+template <typename T>
+RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, double start) {
+  RunState<T> state;
+  state.velocity = model.initial_velocity;
+  state.position = model.initial_position;
+  if (!model.effects.Has(&EffectLaw<T>::memory_rate)) return state;
+  state.memory.resize(model.effects.size());
+  for (std::size_t k = 0; k < model.effects.size(); ++k) {
+    if (model.effects[k].law->memory_rate == nullptr) continue;
+    state.memory[k] =
+        MemoryBefore(
+            start, inputs.velocity[Index(inputs.dof)], model.effects[k], model.initial_velocity) +
+        model.initial_memory_excess;
+  }
+  return state;
+}
+
+// One run. Calls emit_velocity(row, reading) and emit_displacement(row, reading) at every output
+// stamp; false if the state diverges or is too stiff. All times of the steps are on the command's
+// clock, s = t - delay of the command: the steps then never move, and only the outputs do.
+template <typename T, typename EmitVelocity, typename EmitDisplacement>
+FATHOM_FLATTENED bool RunEffects(const EffectInputs& inputs,
+                                 const ScalarModel<T>& model,
+                                 const OutputStamps& stamps,
+                                 const EmitVelocity& emit_velocity,
+                                 const EmitDisplacement& emit_displacement) {
+  // What a vehicle in water does takes longer than a few of these; a search that gets here has run
+  // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
+  constexpr double kShortestStep = 2.5e-3;  // [s]
+  constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
+  Instants<T> instants(inputs, model.effects);
+  WaterIntegrator<T> water(model, !stamps.displacement.empty(), &instants);
+  ShownReadings<T> readings(model, stamps.start, stamps.velocity, &instants);
+  ShownDisplacements<T> displacements(model, stamps.displacement, &instants);
+
+  const std::vector<double>& edges = inputs.command.time;
+  RunStep<T> step;
+  step.begin = stamps.start - instants.delay();
+  step.after = FirstState(inputs, model, stamps.start);
+  step.slope.memory.resize(step.after.memory.size());
+  step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
+  std::size_t next_edge =
+      std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
+  for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
+    const double s = Value(step.begin);
+    step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
+    const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
+    const double longest = water.LongestStep(step.after, step.command, s);
+    if (!(longest > kShortestStep)) return false;
+    const double num_steps = std::max(1.0, std::ceil((edge - s) / longest * (1.0 - 1e-9)));
+    step.end = num_steps == 1.0 ? edge : s + (edge - s) / num_steps;
+    step.duration = is_first ? T(T(step.end) - step.begin) : T(step.end - s);
+
+    instants.held_time = s + 0.5 * Value(step.duration) + Value(instants.delay());
+    step.thrust = step.thrust_after;
+    step.force = MeanForce(
+        model.effects, step.command, step.begin, step.duration, &instants, &step.thrust_after);
+    step.before = step.after;
+    // The first step alone may have a length with derivatives.
+    if (is_first) {
+      water.Step(step.before, step.force, step.begin, step.duration, &step.slope, &step.after);
+    } else {
+      water.Step(step.before, step.force, step.begin, step.end - s, &step.slope, &step.after);
+    }
+    if (!(std::abs(Value(step.after.velocity)) < kLargestSpeed)) return false;
+
+    readings.Pass(step, &water, emit_velocity);
+    displacements.Pass(step, emit_displacement);
+    step.begin = T(step.end);
+    if (num_steps == 1.0) ++next_edge;
+  }
+  return true;
+}
+
+}  // namespace fathom

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/signal/filters/autoregression.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+std::vector<double> SimulateAr2(double phi1, double phi2, double sd, int n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0.0, sd);
+  std::vector<double> e(n + 500);
+  for (int i = 2; i < n + 500; ++i) e[i] = phi1 * e[i - 1] + phi2 * e[i - 2] + normal(generator);
+  return {e.begin() + 500, e.end()};
+}
+
+TEST(FitAutoregression, RecoversTheRecursionOverSeveralPieces) {
+  const std::vector<std::vector<double>> pieces = {SimulateAr2(1.2, -0.5, 0.3, 20000, 1),
+                                                   SimulateAr2(1.2, -0.5, 0.3, 7000, 2)};
+  const Autoregression noise = FitAutoregression(pieces, 12);
+  ASSERT_GE(noise.order(), 2);
+  // The sd of an AR(2) coefficient is sqrt((1 - phi2^2) / n) = 0.005.
+  EXPECT_NEAR(noise.coefficients[0], 1.2, 0.03);
+  EXPECT_NEAR(noise.coefficients[1], -0.5, 0.03);
+  EXPECT_NEAR(noise.innovation_variance, 0.09, 4.0 * 0.09 * std::sqrt(2.0 / 27000));
+}
+
+TEST(FitAutoregression, FindsAlmostNothingInWhiteNoise) {
+  const std::vector<std::vector<double>> pieces = {SimulateAr2(0.0, 0.0, 2.0, 20000, 3)};
+  const Autoregression noise = FitAutoregression(pieces, 12);
+  double sum = 0.0;
+  for (const double phi : noise.coefficients) sum += std::abs(phi);
+  EXPECT_LT(sum, 0.1);
+  EXPECT_NEAR(noise.innovation_variance, 4.0, 0.2);
+}
+
+Eigen::MatrixXd TwoColumns(int n) {
+  Eigen::MatrixXd J(n, 2);
+  for (int i = 0; i < n; ++i) J.row(i) << std::sin(0.3 * i) + 0.2, 0.01 * i - 0.3;
+  return J;
+}
+
+// J' Gamma J with Gamma written out from the autocovariances of AR(2) noise:
+//   g_0 = s^2 (1 - phi_2) / ((1 + phi_2) ((1 - phi_2)^2 - phi_1^2)),   g_1 = phi_1 g_0 / (1 -
+//   phi_2), g_k = phi_1 g_{k-1} + phi_2 g_{k-2}
+Eigen::MatrixXd DenseGram(double phi1, double phi2, double variance, const Eigen::MatrixXd& J) {
+  const Eigen::Index n = J.rows();
+  Eigen::VectorXd g(n);
+  g[0] = variance * (1.0 - phi2) / ((1.0 + phi2) * (1.0 - phi2 - phi1) * (1.0 - phi2 + phi1));
+  g[1] = phi1 * g[0] / (1.0 - phi2);
+  for (Eigen::Index k = 2; k < n; ++k) g[k] = phi1 * g[k - 1] + phi2 * g[k - 2];
+  Eigen::MatrixXd Gamma(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) Gamma(i, j) = g[std::abs(i - j)];
+  }
+  return J.transpose() * Gamma * J;
+}
+
+void ExpectClose(const Eigen::MatrixXd& gram, const Eigen::MatrixXd& expected) {
+  EXPECT_LT((gram - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(ColouredGram, MatchesTheDenseCovarianceMatrix) {
+  const Eigen::MatrixXd J = TwoColumns(700);
+  ColouredGram coloured({{1.2, -0.5}, 0.3}, 2);
+  coloured.Add(J);
+  ExpectClose(coloured.EndPiece(), DenseGram(1.2, -0.5, 0.3, J));
+}
+
+// Noise that remembers a thousand samples, in a piece of forty.
+TEST(ColouredGram, HoldsForAPieceShorterThanTheMemoryOfTheNoise) {
+  const Eigen::MatrixXd J = TwoColumns(40);
+  ColouredGram coloured({{0.999}, 0.5}, 2);
+  coloured.Add(J);
+  ExpectClose(coloured.EndPiece(), DenseGram(0.999, 0.0, 0.5, J));
+}
+
+TEST(ColouredGram, TakesRowsInAnyPortionsAndOnePieceAfterTheOther) {
+  const Eigen::MatrixXd J = TwoColumns(1300);
+  ColouredGram coloured({{1.2, -0.5}, 0.3}, 2);
+  coloured.Add(J.topRows(300));
+  coloured.EndPiece();
+  coloured.Add(J.topRows(1));
+  coloured.Add(J.middleRows(1, 1100));
+  coloured.Add(J.bottomRows(199));
+  ExpectClose(coloured.EndPiece(), DenseGram(1.2, -0.5, 0.3, J));
+}
+
+TEST(ColouredGram, IsThePlainGramForWhiteNoise) {
+  Eigen::MatrixXd J(3, 2);
+  J << 1.0, 2.0, -0.5, 0.7, 3.0, -1.1;
+  ColouredGram coloured({{}, 2.5}, 2);
+  coloured.Add(J);
+  EXPECT_LT((coloured.EndPiece() - 2.5 * J.transpose() * J).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/signal/sources/dof_of_log.h"
+
+#include "fathom/base/input_error.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+Log LogAbout(const std::string& path, std::vector<Dof> dofs) {
+  Log log;
+  log.path = path;
+  log.dofs = std::move(dofs);
+  return log;
+}
+
+std::string RefusalOf(std::vector<Log> logs) {
+  try {
+    DofOfAll(logs, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DofOf, IsTheGivenOneOrTheOnlyOne) {
+  const Log log = LogAbout("a", {Dof::kHeave});
+  EXPECT_EQ(DofOf(log, Dof::kYaw), Dof::kYaw);
+  EXPECT_EQ(DofOf(log, {}), Dof::kHeave);
+  EXPECT_THROW(DofOf(LogAbout("b", {Dof::kHeave, Dof::kYaw}), {}), InputError);
+}
+
+TEST(DofOfAll, IsTheOneThatAllLogsName) {
+  const std::vector<Log> logs = {LogAbout("a", {Dof::kHeave}), LogAbout("b", {Dof::kHeave})};
+  EXPECT_EQ(DofOfAll(logs, {}), Dof::kHeave);
+  EXPECT_EQ(RefusalOf({LogAbout("a", {Dof::kHeave}), LogAbout("b", {Dof::kYaw})}),
+            "--dof: is missing, and a/log.yaml names heave, but b/log.yaml yaw; say which.");
+  EXPECT_EQ(RefusalOf({LogAbout("a", {})}),
+            "--dof: is missing, and a/log.yaml names 0 DOFs; say which.");
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include "fathom/base/input_error.h"
+
+#include <functional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr char kHead[] = "name: rov\nmass: 22.5\nsize: [0.7, 0.5, 0.3]\n";
+
+constexpr char kThrusters[] =
+    "thrusters:\n"
+    "  - {name: port, position: [-0.2, -0.3, 0.05], direction: [1, 0, 0],\n"
+    "     coefficient: {forward: 0.04, reverse: 0.03}}\n"
+    "  - {name: lift, position: [0.1, 0, 0], direction: [0, 0, -1],\n"
+    "     coefficient: {forward: 0.02, reverse: 0}}\n";
+
+std::string ErrorFrom(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string Error(const std::string& text) {
+  return ErrorFrom([&] { ParseVehicleFile("v.yaml", text); });
+}
+
+Vehicle TwoThrusters() { return ParseVehicleFile("v.yaml", std::string(kHead) + kThrusters); }
+
+TEST(VehicleFile, ReadsAVehicleWithThrustersAndModels) {
+  const Vehicle vehicle = ParseVehicleFile(
+      "v.yaml",
+      std::string(kHead) + kThrusters +
+          "models:\n"
+          "  surge: {inertia: 40, quadratic_damping: 30, linear_damping: 5, buoyancy: -0.5}\n"
+          "  yaw: {inertia: 2, quadratic_damping: 1.5, linear_damping: 0}\n");
+  EXPECT_EQ(vehicle.name, "rov");
+  EXPECT_EQ(vehicle.mass, 22.5);
+  EXPECT_EQ(vehicle.size, Eigen::Vector3d(0.7, 0.5, 0.3));
+  ASSERT_EQ(vehicle.thrusters.size(), 2u);
+  EXPECT_EQ(vehicle.thrusters[0].name, "port");
+  EXPECT_EQ(vehicle.thrusters[0].position, Eigen::Vector3d(-0.2, -0.3, 0.05));
+  EXPECT_EQ(vehicle.thrusters[1].direction, Eigen::Vector3d(0, 0, -1));
+  EXPECT_EQ(vehicle.thrusters[0].forward_coefficient, 0.04);
+  EXPECT_EQ(vehicle.thrusters[0].reverse_coefficient, 0.03);
+  EXPECT_EQ(vehicle.models[0]->inertia, 40.0);
+  EXPECT_EQ(vehicle.models[0]->quadratic_damping, 30.0);
+  EXPECT_EQ(vehicle.models[0]->linear_damping, 5.0);
+  EXPECT_EQ(vehicle.models[0]->buoyancy, -0.5);
+  EXPECT_EQ(vehicle.models[5]->quadratic_damping, 1.5);
+  EXPECT_EQ(vehicle.models[5]->buoyancy, 0.0);
+  EXPECT_FALSE(vehicle.models[2].has_value());
+}
+
+TEST(VehicleFile, NeedsNeitherThrustersNorModels) {
+  const Vehicle vehicle = ParseVehicleFile("v.yaml", kHead);
+  EXPECT_TRUE(vehicle.thrusters.empty());
+  for (const auto& model : vehicle.models) EXPECT_FALSE(model.has_value());
+}
+
+TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
+  EXPECT_EQ(Error("name: a\nmass: -2\nsize: [1, 1, 1]\n"),
+            "v.yaml:2: key 'mass' is -2, expected a number above 0.");
+  EXPECT_EQ(
+      Error("name: a\nmass: 2\nsize: [1, 0, 1]\n"),
+      "v.yaml:3: key 'size' holds a number that is not above 0, expected length, width, height.");
+  EXPECT_EQ(Error("name: a\nmass: 2\nsize: [1, 1]\n"),
+            "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
+  EXPECT_EQ(Error("name: a\nsize: [1, 1, 1]\n"),
+            "v.yaml:1: key 'mass' is missing, expected a finite number.");
+  EXPECT_EQ(
+      Error(std::string(kHead) + "weight: 3\n"),
+      "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, thrusters, "
+      "models. Correct or remove it.");
+}
+
+TEST(VehicleFile, RefusesAThrusterThatCannotBe) {
+  const auto error = [](const std::string& direction, const std::string& coefficient) {
+    return Error(std::string(kHead) +
+                 "thrusters:\n  - name: a\n    position: [0, 0, 0]\n    direction: " + direction +
+                 "\n    coefficient: " + coefficient + "\n");
+  };
+  EXPECT_EQ(
+      error("[1, 1, 0]", "{forward: 1, reverse: 1}"),
+      "v.yaml:7: key 'thrusters[0].direction' has length 1.41421, expected a unit vector (within "
+      "0.001).");
+  EXPECT_EQ(error("[0, 0, 0]", "{forward: 1, reverse: 1}"),
+            "v.yaml:7: key 'thrusters[0].direction' has length 0, expected a unit vector (within "
+            "0.001).");
+  EXPECT_EQ(error("[0.70711, -0.70711, 0]", "{forward: 1, reverse: 1}"), "no error");
+  EXPECT_EQ(error("[1, 0, 0]", "{forward: 0, reverse: 1}"),
+            "v.yaml:8: key 'thrusters[0].coefficient.forward' is 0, expected a number above 0.");
+  EXPECT_EQ(
+      error("[1, 0, 0]", "{forward: 1, reverse: -1}"),
+      "v.yaml:8: key 'thrusters[0].coefficient.reverse' is -1, expected a number of at least 0.");
+  EXPECT_EQ(error("[1, 0, 0]", "0.04"),
+            "v.yaml:8: key 'thrusters[0].coefficient' is '0.04', expected a map.");
+}
+
+TEST(VehicleFile, RefusesAModelThatCannotBe) {
+  const auto error = [](const std::string& model) {
+    return Error(std::string(kHead) + "models:\n  heave: " + model + "\n");
+  };
+  EXPECT_EQ(error("{inertia: 0, quadratic_damping: 1, linear_damping: 1}"),
+            "v.yaml:5: key 'models.heave.inertia' is 0, expected a number above 0.");
+  EXPECT_EQ(
+      error("{inertia: 1, quadratic_damping: -1, linear_damping: 1}"),
+      "v.yaml:5: key 'models.heave.quadratic_damping' is -1, expected a number of at least 0.");
+  EXPECT_EQ(error("{inertia: 1, quadratic_damping: 1}"),
+            "v.yaml:5: key 'models.heave.linear_damping' is missing, expected a finite number.");
+  EXPECT_EQ(
+      Error(std::string(kHead) + "models: {forward: {}}\n"),
+      "v.yaml:4: key 'models.forward' is not known here, expected one of: surge, sway, heave, "
+      "roll, pitch, yaw. Correct or remove it.");
+}
+
+// port: 0.04 * 10^2 = 4 N ahead, 0.3 m to port and 0.05 m below the origin: pitch 0.05 * 4 = 0.2
+// and yaw 0.3 * 4 = 1.2 N m. lift at 5 Hz: 0.5 N up, 0.1 m ahead: heave -0.5 N, pitch (p x d)_y =
+// p_z d_x - p_x d_z = 0.1 * 0.5 = 0.05 N m. Reversed, port gives -0.03 * 4^2 = -0.48 N and lift
+// nothing.
+TEST(ForcesFromThrusters, SumsForceAndMomentOfEachThrusterAtTheSameStamps) {
+  const Stream command{.time = {3.0, 4.5},
+                       .columns = {"thruster_2", "thruster_1"},
+                       .values = {{5.0, -7.0}, {10.0, -4.0}}};
+  const Stream forces = ForcesFromThrusters(command, TwoThrusters());
+  EXPECT_THAT(forces.time, ElementsAre(3.0, 4.5));
+  EXPECT_THAT(
+      forces.columns,
+      ElementsAre("tau_surge", "tau_sway", "tau_heave", "tau_roll", "tau_pitch", "tau_yaw"));
+  const double expected[6][2] = {
+      {4.0, -0.48}, {0.0, 0.0}, {-0.5, 0.0}, {0.0, 0.0}, {0.25, -0.024}, {1.2, -0.144}};
+  for (int dof = 0; dof < 6; ++dof) {
+    for (int row = 0; row < 2; ++row) {
+      EXPECT_NEAR(forces.values[dof][row], expected[dof][row], 1e-14) << dof << " " << row;
+    }
+  }
+}
+
+TEST(ForcesFromThrusters, RefusesAnotherNumberOfThrusters) {
+  const auto error = [](const std::vector<std::string>& columns) {
+    const Stream command{.time = {0.0},
+                         .columns = columns,
+                         .values = std::vector<std::vector<double>>(columns.size(), {1.0})};
+    return ErrorFrom([&] { ForcesFromThrusters(command, TwoThrusters()); });
+  };
+  EXPECT_EQ(error({"thruster_1"}),
+            "command: column 'thruster_2' is missing, expected one for each of the 2 thrusters of "
+            "vehicle "
+            "'rov'.");
+  EXPECT_EQ(error({"thruster_1", "thruster_2", "thruster_3"}),
+            "command: holds 3 columns, expected one for each of the 2 thrusters of vehicle 'rov'. "
+            "Is this "
+            "the vehicle of the log?");
+  EXPECT_EQ(error({"tau_surge", "tau_yaw"}),
+            "command: column 'thruster_1' is missing, expected one for each of the 2 thrusters of "
+            "vehicle "
+            "'rov'.");
+}
+
+TEST(ForcesFromThrusters, RefusesSpeedsThatGiveNoFiniteForce) {
+  const Stream command{
+      .time = {2.5}, .columns = {"thruster_1", "thruster_2"}, .values = {{1e200}, {0.0}}};
+  EXPECT_EQ(
+      ErrorFrom([&] { ForcesFromThrusters(command, TwoThrusters()); }),
+      "command: the thruster speeds at t = 2.5 give a force that is not finite, expected speeds in "
+      "Hz.");
+}
+
+}  // namespace
+}  // namespace fathom
