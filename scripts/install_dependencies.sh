@@ -27,7 +27,7 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 # npm notes in node_modules what it installed.
-web=src/report/web
+web=src/fathom/report/web
 if ! [ "$web/node_modules/.package-lock.json" -nt "$web/package-lock.json" ]; then
   (cd "$web" && npm ci --ignore-scripts --no-audit --no-fund)
 fi
