@@ -119,8 +119,8 @@ std::vector<InitialState> SegmentStates(const Unknowns& unknowns,
 
 // Where the last pass of a search ended.
 struct Found {
-  ConstrainedOptimum optimum;  // its initial_cost: of the first pass; num_iterations: of all
-  double sigma = 0.0;          // noise level that the last pass went by
+  ConstrainedOptimum end;  // its initial_cost: of the first pass; num_iterations: of all
+  double sigma = 0.0;      // noise level that the last pass went by
 };
 
 // Plain least squares first; then, with the noise level known, with the robust loss. Wild samples
@@ -133,19 +133,19 @@ Found SearchFrom(const Unknowns& start,
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double spread = std::max(RootMeanSquare(segments, options.output), 1e-12);
   double sigma = 0.1 * spread;
-  ConstrainedOptimum optimum = SearchWithinBounds(windows, sigma, kNever, options, start);
-  const double initial_cost = optimum.initial_cost;
-  int num_iterations = optimum.num_iterations;
-  for (int i = 0; i < kMostRepetitions && optimum.converged && options.huber_k < kNever; ++i) {
+  ConstrainedOptimum end = SearchWithinBounds(windows, sigma, kNever, options, start);
+  const double initial_cost = end.solve.initial_cost;
+  int num_iterations = end.solve.num_iterations;
+  for (int i = 0; i < kMostRepetitions && end.solve.converged && options.huber_k < kNever; ++i) {
     const double previous_sigma = sigma;
-    sigma = std::max(ResidualSpread(windows, optimum.unknowns), 1e-9 * spread);
-    optimum = SearchWithinBounds(windows, sigma, options.huber_k, options, optimum.unknowns);
-    num_iterations += optimum.num_iterations;
+    sigma = std::max(ResidualSpread(windows, end.unknowns), 1e-9 * spread);
+    end = SearchWithinBounds(windows, sigma, options.huber_k, options, end.unknowns);
+    num_iterations += end.solve.num_iterations;
     if (std::abs(sigma - previous_sigma) < 0.1 * previous_sigma) break;
   }
-  optimum.initial_cost = initial_cost;
-  optimum.num_iterations = num_iterations;
-  return {std::move(optimum), sigma};
+  end.solve.initial_cost = initial_cost;
+  end.solve.num_iterations = num_iterations;
+  return {std::move(end), sigma};
 }
 
 }  // namespace
@@ -155,19 +155,19 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   RequireUsable(segments, options);
   const InitialGuess guess = GuessFor(segments, options);
   const std::vector<ShootingWindow> windows = LayOutWindows(segments, options);
-  const auto [optimum, sigma] =
+  const auto [end, sigma] =
       SearchFrom(UnknownsAt(guess.model, windows), segments, windows, options);
   OutputErrorSummary summary;
   summary.initial_guess = guess.family;
-  summary.initial_cost = optimum.initial_cost;
-  summary.num_iterations = optimum.num_iterations;
-  summary.message = optimum.message;
-  summary.converged = optimum.converged;
-  if (!optimum.converged) return summary;
-  summary.final_cost = optimum.cost;
-  summary.model = ModelOf(optimum.unknowns);
-  for (const int index : optimum.held_at_zero) summary.on_bound[index] = true;
-  summary.initial_states = SegmentStates(optimum.unknowns, windows);
+  summary.initial_cost = end.solve.initial_cost;
+  summary.num_iterations = end.solve.num_iterations;
+  summary.message = end.solve.message;
+  summary.converged = end.solve.converged;
+  if (!end.solve.converged) return summary;
+  summary.final_cost = end.solve.cost;
+  summary.model = ModelOf(end.unknowns);
+  for (const int index : end.solve.held) summary.on_bound[index] = true;
+  summary.initial_states = SegmentStates(end.unknowns, windows);
   summary.evidence = EvidenceAt(
       summary.model, segments, summary.initial_states, options.output, sigma, options.huber_k);
   summary.covariance = summary.evidence.covariance;

@@ -3,22 +3,22 @@
 
 #include "fathom/joint_refinement/problem/joint_problem.h"
 
-#include "fathom/joint_refinement/problem/active_set.h"
 #include "fathom/joint_refinement/problem/clipped_loss.h"
 #include "fathom/joint_refinement/problem/corner_cost.h"
-#include "fathom/joint_refinement/problem/damping_search.h"
 #include "fathom/joint_refinement/problem/deviation_blocks.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
 #include "fathom/joint_refinement/problem/motion_callback.h"
+#include "fathom/solve/bounded_solve.h"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <ceres/cost_function.h>
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
-#include <ceres/solver.h>
 
 namespace fathom {
 namespace {
@@ -113,6 +113,15 @@ void AddChain(const Assembly& to, size_t r) {
                                rate.data());
 }
 
+// The entries whose std is 0: what a prior knows for certain.
+std::vector<int> Certain(const std::vector<double>& std) {
+  std::vector<int> entries;
+  for (size_t i = 0; i < std.size(); ++i) {
+    if (std[i] == 0.0) entries.push_back(static_cast<int>(i));
+  }
+  return entries;
+}
+
 // What is known beforehand of a segment's responses and clock.
 void AddPriors(const Assembly& to, size_t r, const GlobalsPrior& prior) {
   SegmentUnknowns& own = to.unknowns->segments[r];
@@ -124,46 +133,32 @@ void AddPriors(const Assembly& to, size_t r, const GlobalsPrior& prior) {
     if (cost != nullptr) to.problem->AddResidualBlock(cost.release(), nullptr, block);
   };
   add(MakePriorCost(response_std, std::vector<double>(kNumResponse)), own.response.data());
-  Hold(own.response.data(), response_std, {}, to.problem);
+  HoldEntries(own.response.data(), Certain(response_std), to.problem);
   if (!(prior.std[kClockColumn] > 0.0)) return;
   const double mean = own.clock_offset - prior.offset[kClockColumn];
   add(MakePriorCost({prior.std[kClockColumn]}, {mean}), &own.clock_offset);
 }
 
-ceres::Solver::Options SolverOptions(int max_iterations) {
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = max_iterations;
-  solver.num_threads = 1;  // with more the cost is summed in another order: other last bits
-  solver.initial_trust_region_radius = 1e8;
-  solver.function_tolerance = 1e-8;  // of a cost of half the rows: no parameter moves visibly
-  solver.parameter_tolerance = 1e-9;
-  solver.gradient_tolerance = 1e-12;
-  solver.logging_type = ceres::SILENT;
-  return solver;
-}
-
-// Ceres' own bounds report convergence at a wrong point when one is active, so the active set of
-// the dampings is found outside.
-JointSolve SolveWithBounds(const std::vector<double>& model_std,
-                           int max_iterations,
-                           double* model,
-                           ceres::Problem* problem) {
-  const ceres::Solver::Options solver = SolverOptions(max_iterations);
-  SearchCounts counts;
-  DampingSearch search(solver, model_std, model, problem, &counts);
+JointSolve SolveWithDampings(const std::vector<double>& model_std,
+                             int max_iterations,
+                             double* model,
+                             ceres::Problem* problem) {
+  BoundedSolveOptions options;
+  options.max_iterations = max_iterations;
+  options.function_tolerance = 1e-8;  // of a cost of half the rows: no parameter moves visibly
+  options.initial_trust_region_radius = 1e8;
   std::vector<int> bounded;
   for (const int i : {kQuadraticDamping, kLinearDamping}) {
     if (model_std[i] > 0.0) bounded.push_back(i);
   }
-  const BoundedOptimum optimum = SearchActiveSet(bounded, solver.function_tolerance, &search);
-  return {.converged = optimum.converged,
-          .message = optimum.message,
-          .initial_cost = counts.initial_cost,
-          .cost = optimum.cost,
-          .num_iterations = counts.num_iterations,
-          .seconds_per_iteration = counts.seconds_per_iteration,
-          .held_at_zero = optimum.held};
+  BoundedSolve solve = SolveWithBounds(options, bounded, Certain(model_std), model, problem);
+  return {.converged = solve.converged,
+          .message = std::move(solve.message),
+          .initial_cost = solve.initial_cost,
+          .cost = solve.cost,
+          .num_iterations = solve.num_iterations,
+          .seconds_per_iteration = solve.seconds_per_iteration,
+          .held_at_zero = std::move(solve.held)};
 }
 
 }  // namespace
@@ -198,7 +193,7 @@ JointSolve SolveJoint(JointData* data,
   std::vector<double> model_std(kModelColumns);
   if (!options.without_model) std::copy_n(priors[0].std.begin(), kModelColumns, model_std.begin());
   JointSolve result =
-      SolveWithBounds(model_std, options.max_iterations, unknowns->model.data(), &problem);
+      SolveWithDampings(model_std, options.max_iterations, unknowns->model.data(), &problem);
   blocks.Store(moving, unknowns);
   return result;
 }

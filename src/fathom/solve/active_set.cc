@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/problem/active_set.h"
+#include "fathom/solve/active_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +77,8 @@ BoundedOptimum SearchActiveSet(const std::vector<int>& bounded,
       search->GoTo(best_point);
       best.converged = false;
       best.message = trial.converged
-                         ? "releasing the dampings at zero gives no better feasible optimum."
-                         : "after releasing the dampings at zero: " + trial.message;
+                         ? "releasing what is held at zero gives no better feasible optimum."
+                         : "after releasing what is held at zero: " + trial.message;
       return best;
     }
     best = std::move(trial);

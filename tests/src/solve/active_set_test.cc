@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/joint_refinement/problem/active_set.h"
+#include "fathom/solve/active_set.h"
 
 #include <algorithm>
 #include <cmath>
