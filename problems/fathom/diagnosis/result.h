@@ -45,6 +45,19 @@ struct DiagnosedModel {
   double weighed_log_likelihood = kNotComputed;
 };
 
+// What became of a candidate.
+enum class CandidateOutcome {
+  kKept,
+  kKeptBesideOthers,  // too weak alone, needed beside the other kept ones
+  kAlternative,       // these logs cannot tell it from a kept one
+  kFitFailed,
+  kScoreWithinNoise,
+  kOthersScoreHigher,  // so it was not refitted
+  kGainWithinNoise,
+  kFailsOnHeldOut,  // as all do: nothing is kept
+  kNeedless,        // helps alone, adds nothing once the kept ones are in
+};
+
 // One effect (with its partner, if it has one, and its log, if it belongs to one of several) that
 // was tried.
 struct Candidate {
@@ -58,8 +71,12 @@ struct Candidate {
   double gain = 0.0;   // the same after refitting, the noise learned along; NaN: not refitted
   double delta_bic = 0.0;  // of that gain; above 0: better than the baseline
   double p_value = 1.0;  // of as good a score anywhere among all candidates, if nothing is missing
-  bool is_kept = false;
-  std::string why;  // kept or dropped, and why: a sentence
+  double noise_reach = 0.0;  // the gain that noise alone reaches in 5 % of cases
+  CandidateOutcome outcome = CandidateOutcome::kScoreWithinNoise;
+
+  bool IsKept() const {
+    return outcome == CandidateOutcome::kKept || outcome == CandidateOutcome::kKeptBesideOthers;
+  }
 };
 
 // What logs cannot tell from a cause.

@@ -6,8 +6,8 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/output_error/caveats.h"
-#include "fathom/output_error/constrained_search.h"
 #include "fathom/output_error/initial_guess.h"
+#include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
 #include <algorithm>

@@ -83,7 +83,7 @@ class Fitting {
     if (options_.allow_coloured && sampling_.has_displacement) {
       add(NoiseComponent::kDisplacementColour);
     }
-    if (options_.allow_disturbance) add(NoiseComponent::kDisturbance);
+    add(NoiseComponent::kDisturbance);
     return missing;
   }
 

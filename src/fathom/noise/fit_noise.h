@@ -28,9 +28,8 @@ enum class NoiseSelection {
 struct FitNoiseOptions {
   NoiseSelection selection = NoiseSelection::kAll;
 
-  // Which components may be there at all.
+  // Whether velocity and displacement noise may be coloured at all.
   bool allow_coloured = true;
-  bool allow_disturbance = true;
 
   // a of the model [1/s], above 0: not fitted, known from the vehicle's parameters.
   double damping_rate = 0.1;

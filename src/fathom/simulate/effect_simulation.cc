@@ -3,7 +3,7 @@
 
 #include "fathom/simulate/effect_simulation.h"
 
-#include "fathom/simulate/integration/effect_run.h"
+#include "fathom/simulate/integration/run_effects.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>

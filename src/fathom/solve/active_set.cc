@@ -65,7 +65,9 @@ BoundedOptimum SearchActiveSet(const std::vector<int>& bounded,
     const int unknown = best.held[next++];
     search->GoTo(best_point);
     const BoundedSearch::Optimum released = search->Solve(Without(best.held, unknown));
-    if (released.converged && search->Value(unknown) <= 0.0) continue;  // it presses
+    // It presses, also where the way down is so long that the search ran out of iterations.
+    const bool is_lower = released.converged || released.cost < best.cost;
+    if (is_lower && search->Value(unknown) <= 0.0) continue;
     std::vector<int> held = Without(best.held, unknown);
     BoundedOptimum trial = {released.converged, released.cost, released.message, held};
     if (trial.converged && HoldNegative(bounded, search, &held)) {

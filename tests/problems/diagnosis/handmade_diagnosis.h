@@ -116,8 +116,8 @@ inline Diagnosis ExplainedDiagnosis() {
   kept.gain = 283.8;
   kept.delta_bic = 277.0;
   kept.p_value = 1e-20;
-  kept.is_kept = true;
-  kept.why = "kept: by hand";
+  kept.noise_reach = 11.2;
+  kept.outcome = CandidateOutcome::kKept;
   Candidate dropped;
   dropped.effect = FindEffect("thrust_fade");
   dropped.label = "thrust_fade";
@@ -125,7 +125,8 @@ inline Diagnosis ExplainedDiagnosis() {
   dropped.delta_bic = std::numeric_limits<double>::quiet_NaN();
   dropped.score = 0.25;
   dropped.p_value = 0.36;
-  dropped.why = "dropped: by hand";
+  dropped.noise_reach = 11.2;
+  dropped.outcome = CandidateOutcome::kScoreWithinNoise;
   diagnosis.candidates = {kept, dropped};
   return diagnosis;
 }

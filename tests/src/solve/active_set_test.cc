@@ -177,6 +177,32 @@ TEST(ActiveSet, StartsFromTheBoundsIfTheFreeSearchRunsOff) {
   EXPECT_TRUE(found.held.empty());
 }
 
+// 3 + x, without end: a search of the free unknown runs out of iterations while it still goes down.
+class EndlessSlope final : public BoundedSearch {
+ public:
+  Optimum Solve(const std::vector<int>& held) override {
+    if (!held.empty()) return {true, 3.0 + x_, "converged"};
+    x_ -= 1000.0;
+    return {false, 3.0 + x_, "out of iterations"};
+  }
+  double Value(int) const override { return x_; }
+  void SetToZero(int) override { x_ = 0.0; }
+  std::vector<double> Point() const override { return {x_}; }
+  void GoTo(const std::vector<double>& point) override { x_ = point[0]; }
+
+ private:
+  double x_ = 5.0;
+};
+
+TEST(ActiveSet, HoldsWhatGoesDownBelowItsBoundWithoutEnd) {
+  EndlessSlope search;
+  const BoundedOptimum found = SearchActiveSet({0}, kResolution, &search);
+  ASSERT_TRUE(found.converged) << found.message;
+  EXPECT_EQ(found.held, std::vector<int>{0});
+  EXPECT_EQ(found.cost, 3.0);
+  EXPECT_EQ(search.Value(0), 0.0);
+}
+
 TEST(ActiveSet, SaysWhyThereIsNoOptimum) {
   RunsOff search(true);
   const BoundedOptimum found = SearchActiveSet(kBounded, kResolution, &search);

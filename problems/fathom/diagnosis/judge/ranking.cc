@@ -12,45 +12,8 @@
 #include <limits>
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace fathom {
 namespace {
-
-// Why a suspect has no refit of its own.
-std::string WhyNotRefitted(double score, double threshold, bool failed) {
-  if (failed) {
-    return "dropped: its fit cannot be simulated, does not determine the inertia, or is a tone "
-           "at the command's own frequency";
-  }
-  if (score < threshold) {
-    return fmt::format("dropped: score {:.1f}; noise alone reaches {:.1f}", score, threshold);
-  }
-  return fmt::format("not refitted: score {:.1f}; others score higher", score);
-}
-
-std::string WhyOf(
-    const Candidate& candidate, double threshold, bool failed, bool is_rival, bool any_kept) {
-  if (candidate.is_kept && !(candidate.gain > threshold)) {
-    return "kept: improves the model beside the others";
-  }
-  if (candidate.is_kept) {
-    return fmt::format("kept: gain {:.0f}; noise alone reaches {:.1f}", candidate.gain, threshold);
-  }
-  if (is_rival) return "these logs cannot tell it from a kept cause";
-  if (std::isnan(candidate.gain)) return WhyNotRefitted(candidate.score, threshold, failed);
-  if (candidate.gain < threshold) {
-    return fmt::format("dropped: gain {:.1f}; noise alone reaches {:.1f}",
-                       std::max(0.0, candidate.gain),
-                       threshold);
-  }
-  if (!any_kept) {
-    return fmt::format("dropped: gain {:.0f}, but the best fit fails on held-out data",
-                       candidate.gain);
-  }
-  return fmt::format("dropped: helps alone (gain {:.0f}), adds nothing once the kept causes are in",
-                     candidate.gain);
-}
 
 // What stands in for a cause in the rivals that are without it: by suspect, as often as it does.
 std::vector<int> StandingIn(const HypothesisBook& book, const Judgement& judgement, int cause) {
@@ -71,6 +34,24 @@ bool IsRival(const HypothesisBook& book, const Judgement& judgement, int suspect
   return !book[judgement.choice.chosen].Has(suspect) &&
          std::any_of(
              rivals.begin(), rivals.end(), [&](int rival) { return book[rival].Has(suspect); });
+}
+
+// `score` and `gain` are there already.
+CandidateOutcome OutcomeOf(const Candidate& candidate,
+                           const HypothesisBook& book,
+                           const Judgement& judgement,
+                           int suspect) {
+  using enum CandidateOutcome;
+  if (book[judgement.choice.chosen].Has(suspect)) {
+    return candidate.gain > candidate.noise_reach ? kKept : kKeptBesideOthers;
+  }
+  if (IsRival(book, judgement, suspect)) return kAlternative;
+  if (std::isnan(candidate.gain)) {
+    if (book.HasFailed({suspect})) return kFitFailed;
+    return candidate.score < candidate.noise_reach ? kScoreWithinNoise : kOthersScoreHigher;
+  }
+  if (candidate.gain < candidate.noise_reach) return kGainWithinNoise;
+  return judgement.choice.chosen == 0 ? kFailsOnHeldOut : kNeedless;
 }
 
 // What came of a suspect by itself; nothing of the rest of the judgement.
@@ -136,19 +117,15 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
     }
     const double gain = std::isnan(candidate.gain) ? candidate.score : candidate.gain;
     candidate.p_value = significance.FamilyWisePValue(k, gain);
-    candidate.is_kept = book[judgement.choice.chosen].Has(k);
-    candidate.why = WhyOf(candidate,
-                          significance.Threshold(k),
-                          book.HasFailed({k}),
-                          IsRival(book, judgement, k),
-                          judgement.choice.chosen != 0);
+    candidate.noise_reach = significance.Threshold(k);
+    candidate.outcome = OutcomeOf(candidate, book, judgement, k);
     candidates.push_back(std::move(candidate));
   }
   const auto worth = [](const Candidate& candidate) {
     return std::isnan(candidate.gain) ? candidate.score - 1e6 : candidate.gain;
   };
   std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-    if (a.is_kept != b.is_kept) return a.is_kept;
+    if (a.IsKept() != b.IsKept()) return a.IsKept();
     return worth(a) > worth(b);
   });
   return candidates;

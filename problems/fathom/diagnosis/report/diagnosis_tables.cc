@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 
+#include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -134,8 +135,8 @@ Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
                            Probability(candidate.p_value),
                            is_refitted ? Figure(candidate.gain, "{:.1f}") : "-",
                            is_refitted ? Figure(candidate.delta_bic, "{:.1f}") : "-",
-                           candidate.why},
-                          candidate.is_kept ? RowFlag::kKept : RowFlag::kNone});
+                           WhyText(candidate)},
+                          candidate.IsKept() ? RowFlag::kKept : RowFlag::kNone});
   }
   return table;
 }

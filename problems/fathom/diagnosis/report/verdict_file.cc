@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/verdict_file.h"
 
+#include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -86,8 +87,8 @@ Json FormatCandidate(const Diagnosis& diagnosis, const Candidate& candidate) {
   json["gain"] = candidate.gain;
   json["delta_bic"] = candidate.delta_bic;
   json["p_value"] = candidate.p_value;
-  json["kept"] = candidate.is_kept;
-  json["why"] = candidate.why;
+  json["kept"] = candidate.IsKept();
+  json["why"] = WhyText(candidate);
   return json;
 }
 

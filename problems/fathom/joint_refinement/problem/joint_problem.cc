@@ -8,7 +8,7 @@
 #include "fathom/joint_refinement/problem/deviation_blocks.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
 #include "fathom/joint_refinement/problem/motion_callback.h"
-#include "fathom/solve/bounded_solve.h"
+#include "fathom/solve/solve_with_bounds.h"
 
 #include <algorithm>
 #include <limits>

@@ -299,12 +299,18 @@ TEST(CandidateTable, MarksTheKeptAndShowsOnlyWhatWasRefitted) {
   const Table table = CandidateTable(ExplainedDiagnosis());
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0].flag, RowFlag::kKept);
-  EXPECT_THAT(
-      table.rows[0].cells,
-      ElementsAre("thrust_dead_zone", "117.4", "< 1e-15", "283.8", "277.0", "kept: by hand"));
+  EXPECT_THAT(table.rows[0].cells,
+              ElementsAre("thrust_dead_zone",
+                          "117.4",
+                          "< 1e-15",
+                          "283.8",
+                          "277.0",
+                          "kept: gain 284; noise alone reaches 11.2"));
   EXPECT_EQ(table.rows[1].flag, RowFlag::kNone);
-  EXPECT_THAT(table.rows[1].cells,
-              ElementsAre("thrust_fade", "0.2", "0.36", "-", "-", "dropped: by hand"));
+  EXPECT_THAT(
+      table.rows[1].cells,
+      ElementsAre(
+          "thrust_fade", "0.2", "0.36", "-", "-", "dropped: score 0.2; noise alone reaches 11.2"));
   EXPECT_EQ(CandidateTable(ExplainedDiagnosis(), 1).rows.size(), 1u);
 }
 

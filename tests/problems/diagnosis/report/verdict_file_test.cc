@@ -79,7 +79,7 @@ TEST(VerdictFile, HoldsEveryCandidate) {
   EXPECT_EQ(candidates[1]["score"], 0.25);
   EXPECT_TRUE(candidates[1]["gain"].is_null());  // not refitted
   EXPECT_EQ(candidates[1]["parameters"], json::object());
-  EXPECT_EQ(candidates[1]["why"], "dropped: by hand");
+  EXPECT_EQ(candidates[1]["why"], "dropped: score 0.2; noise alone reaches 11.2");
 }
 
 TEST(VerdictFile, GivesTheExtendedModelBackAsAModel) {

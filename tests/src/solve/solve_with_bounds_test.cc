@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/solve/bounded_solve.h"
+#include "fathom/solve/solve_with_bounds.h"
 
 #include <array>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "fathom/output_error/options.h"
 #include "fathom/output_error/shooting_window.h"
-#include "fathom/solve/bounded_solve.h"
+#include "fathom/solve/solve_with_bounds.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace fathom {
 
-// What the search moves. The inertia is carried as its logarithm.
+// What the search moves. The inertia is carried as its logarithm, so it stays positive.
 struct Unknowns {
   std::array<double, kNumParameters> parameters = {};
   std::vector<std::array<double, 2>> states;  // of each window: velocity, position

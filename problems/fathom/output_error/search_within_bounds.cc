@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/output_error/constrained_search.h"
+#include "fathom/output_error/search_within_bounds.h"
 
 #include "fathom/output_error/window_layout.h"
 

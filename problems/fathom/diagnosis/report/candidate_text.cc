@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/candidate_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+std::string WhyText(const Candidate& candidate) {
+  const double gain = candidate.gain;
+  switch (candidate.outcome) {
+    case CandidateOutcome::kKept:
+      return fmt::format(
+          "kept: gain {:.0f}; noise alone reaches {:.1f}", gain, candidate.noise_reach);
+    case CandidateOutcome::kKeptBesideOthers:
+      return "kept: improves the model beside the others";
+    case CandidateOutcome::kAlternative:
+      return "these logs cannot tell it from a kept cause";
+    case CandidateOutcome::kFitFailed:
+      return "dropped: its fit cannot be simulated, does not determine the inertia, or is a tone "
+             "at the command's own frequency";
+    case CandidateOutcome::kScoreWithinNoise:
+      return fmt::format("dropped: score {:.1f}; noise alone reaches {:.1f}",
+                         candidate.score,
+                         candidate.noise_reach);
+    case CandidateOutcome::kOthersScoreHigher:
+      return fmt::format("not refitted: score {:.1f}; others score higher", candidate.score);
+    case CandidateOutcome::kGainWithinNoise:
+      return fmt::format("dropped: gain {:.1f}; noise alone reaches {:.1f}",
+                         std::max(0.0, gain),
+                         candidate.noise_reach);
+    case CandidateOutcome::kFailsOnHeldOut:
+      return fmt::format("dropped: gain {:.0f}, but the best fit fails on held-out data", gain);
+    case CandidateOutcome::kNeedless:
+      return fmt::format(
+          "dropped: helps alone (gain {:.0f}), adds nothing once the kept causes are in", gain);
+  }
+  return "";
+}
+
+}  // namespace fathom

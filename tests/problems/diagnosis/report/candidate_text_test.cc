@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/candidate_text.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+std::string TextOf(CandidateOutcome outcome) {
+  Candidate candidate;
+  candidate.score = 2.04;
+  candidate.gain = 60.2;
+  candidate.noise_reach = 11.2;
+  candidate.outcome = outcome;
+  return WhyText(candidate);
+}
+
+TEST(WhyText, SaysWithItsNumbersWhyACandidateWasKeptOrDropped) {
+  EXPECT_EQ(TextOf(CandidateOutcome::kKept), "kept: gain 60; noise alone reaches 11.2");
+  EXPECT_EQ(TextOf(CandidateOutcome::kScoreWithinNoise),
+            "dropped: score 2.0; noise alone reaches 11.2");
+  EXPECT_EQ(TextOf(CandidateOutcome::kOthersScoreHigher),
+            "not refitted: score 2.0; others score higher");
+  EXPECT_EQ(TextOf(CandidateOutcome::kGainWithinNoise),
+            "dropped: gain 60.2; noise alone reaches 11.2");
+  EXPECT_EQ(TextOf(CandidateOutcome::kAlternative), "these logs cannot tell it from a kept cause");
+  EXPECT_EQ(TextOf(CandidateOutcome::kNeedless),
+            "dropped: helps alone (gain 60), adds nothing once the kept causes are in");
+  EXPECT_EQ(TextOf(CandidateOutcome::kFailsOnHeldOut),
+            "dropped: gain 60, but the best fit fails on held-out data");
+}
+
+}  // namespace
+}  // namespace fathom
