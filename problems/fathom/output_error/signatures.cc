@@ -5,6 +5,9 @@
 
 #include "fathom/output_error/reduced_normal.h"
 
+#include <span>
+#include <vector>
+
 namespace fathom {
 namespace {
 
@@ -73,11 +76,13 @@ void FillSamples(const UncoupledModel<double>& model,
   J.leftCols(kNumParameters) = dy.topLeftCorner(n, kNumParameters);
   J.col(kSharedColumns) = dy.col(kNumParameters).head(n);
   residual.resize(n);
+  const std::vector<double> force =
+      segment.command.At(std::span(segment.time).subspan(begin, end - begin));
   for (Eigen::Index i = 0; i < n; ++i) {
     const size_t k = begin + i;
-    const double v = stretch.v[i], force = segment.command.At(segment.time[k]);
+    const double v = stretch.v[i];
     // A command that comes later shifts the response: d y / d offset = -dy/dt.
-    J(i, kNumParameters) = is_velocity ? -model.Acceleration(v, force) : -v;
+    J(i, kNumParameters) = is_velocity ? -model.Acceleration(v, force[i]) : -v;
     residual[i] = is_velocity ? v - segment.velocity[k] : stretch.x[i] - segment.position[k];
   }
   J /= sigma;

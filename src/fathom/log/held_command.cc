@@ -5,12 +5,26 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace fathom {
 
 double HeldCommand::At(double t) const {
   const auto next = std::upper_bound(time.begin(), time.end(), t);
   return next == time.begin() ? 0.0 : value[next - time.begin() - 1];
+}
+
+std::vector<double> HeldCommand::At(std::span<const double> stamps) const {
+  if (stamps.empty()) return {};
+  const auto first = std::upper_bound(time.begin(), time.end(), stamps.front());
+  auto num_given = static_cast<std::size_t>(first - time.begin());
+  std::vector<double> values;
+  values.reserve(stamps.size());
+  for (const double t : stamps) {
+    while (num_given < time.size() && time[num_given] <= t) ++num_given;
+    values.push_back(num_given > 0 ? value[num_given - 1] : 0.0);
+  }
+  return values;
 }
 
 HeldCommand HeldCommand::Between(double from, double to) const {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace fathom {
@@ -15,6 +16,9 @@ struct HeldCommand {
 
   // The value that holds at `t`. Before the first stamp nothing was commanded: 0.
   double At(double t) const;
+
+  // The values that hold at these stamps, which must not fall.
+  std::vector<double> At(std::span<const double> stamps) const;
 
   // What acts from `from` to `to`: the stamp whose value holds at `from`, and those up to `to`.
   HeldCommand Between(double from, double to) const;

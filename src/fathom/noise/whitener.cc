@@ -23,9 +23,10 @@ bool Has(std::span<const NoiseSample> samples, NoiseChannel channel) {
   });
 }
 
-// W times kWidth columns that stand side by side; strides from one sample to the next.
+// W times kWidth columns that stand side by side; strides from one sample to the next. Flattened: the
+// compiler would call some of Eigen's one-line functions, at a tenth of a whole diagnosis.
 template <typename States, int kWidth>
-void ApplySteps(const std::vector<int>& step_of,
+[[gnu::flatten]] void ApplySteps(const std::vector<int>& step_of,
                 const std::vector<WhiteningStep>& steps,
                 const double* in,
                 std::ptrdiff_t in_stride,

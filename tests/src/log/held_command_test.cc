@@ -19,6 +19,14 @@ TEST(HeldCommand, HoldsEachValueUntilTheNextStampAndTheLastForEver) {
   EXPECT_EQ(command.At(1e9), -4.0);
 }
 
+TEST(HeldCommand, GivesTheValuesAtRisingStampsInOneGo) {
+  const HeldCommand command = {{0.0, 1.0, 2.0}, {5.0, 6.0, 7.0}};
+  const std::vector<double> stamps = {-1.0, 0.0, 0.5, 0.5, 1.0, 9.0};
+  EXPECT_EQ(command.At(stamps), (std::vector<double>{0.0, 5.0, 5.0, 5.0, 6.0, 7.0}));
+  EXPECT_EQ(command.At(std::vector<double>{1.5}), std::vector<double>{6.0});
+  EXPECT_TRUE(HeldCommand().At(std::vector<double>{}).empty());
+}
+
 TEST(HeldCommand, GivesWhatActsBetweenTwoTimes) {
   const HeldCommand command = {{0.0, 1.0, 2.0, 3.0}, {5.0, 6.0, 7.0, 8.0}};
   const HeldCommand part = command.Between(1.5, 3.0);

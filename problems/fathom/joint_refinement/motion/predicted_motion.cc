@@ -34,7 +34,7 @@ void PredictedMotion::LayOut(double clock_offset) {
   std::vector<double> shifted = time_;
   for (double& t : shifted) t += clock_offset;
   simulation_ = Simulation(command_, shifted);
-  for (size_t k = 0; k < shifted.size(); ++k) force_[k] = command_.At(shifted[k]);
+  force_ = command_.At(shifted);
   is_laid_out_ = true;
 }
 
