@@ -23,15 +23,15 @@ bool Has(std::span<const NoiseSample> samples, NoiseChannel channel) {
   });
 }
 
-// W times kWidth columns that stand side by side; strides from one sample to the next. Flattened: the
-// compiler would call some of Eigen's one-line functions, at a tenth of a whole diagnosis.
+// W times kWidth columns that stand side by side; strides from one sample to the next. Flattened:
+// the compiler would call some of Eigen's one-line functions, at a tenth of a whole diagnosis.
 template <typename States, int kWidth>
 [[gnu::flatten]] void ApplySteps(const std::vector<int>& step_of,
-                const std::vector<WhiteningStep>& steps,
-                const double* in,
-                std::ptrdiff_t in_stride,
-                double* out,
-                std::ptrdiff_t out_stride) {
+                                 const std::vector<WhiteningStep>& steps,
+                                 const double* in,
+                                 std::ptrdiff_t in_stride,
+                                 double* out,
+                                 std::ptrdiff_t out_stride) {
   using Row = Eigen::Array<double, kWidth, 1>;
   using S = States;
   std::array<Row, S::kNumStates> x;
