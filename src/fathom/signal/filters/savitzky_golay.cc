@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include <Eigen/Core>
 #include <glog/logging.h>
 
 namespace fathom {
@@ -19,6 +20,10 @@ constexpr int kHighestOrder = 9;
 // may lie outside.
 constexpr double kRounding = 1e-6;
 
+// Samples that stand this near to where the last window's stood, as a share of half the window,
+// have its weights: equal steps, but for the rounding of stamps of up to a day.
+constexpr double kSamePlace = 1e-9;
+
 // A column of the monomials adds nothing if what the lower ones leave of it is below this share of
 // what it would be at the window's edge.
 constexpr double kIllPlaced = 1e-7;
@@ -28,10 +33,13 @@ constexpr double kTolerance = 1.01;  // of the best score
 constexpr double kLeftOut = 0.26;    // of the shortest window, on either side of a sample
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-double Dot(const double* a, const double* b, size_t n) {
-  double sum = 0.0;
-  for (size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-  return sum;
+// One per power of the polynomial.
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kHighestOrder + 1, 1>;
+
+bool IsNear(std::span<const double> a, std::span<const double> b, double tolerance) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [tolerance](double x, double y) {
+    return std::abs(x - y) <= tolerance;
+  });
 }
 
 size_t LowerBound(std::span<const double> time, double t) {
@@ -83,36 +91,50 @@ bool LocalPolynomial::MoveTo(size_t i) {
   while (past_last < piece_end_ && time_[past_last] <= to + slack) ++past_last;
   while (past_last > first_ && time_[past_last - 1] > to + slack) --past_last;
   size_ = past_last - first_;
-  return Factorize(t);
+  if (PlaceSamples(t)) {
+    derivative_ = -1;
+    is_factorized_ = Factorize();
+  }
+  return is_factorized_;
 }
 
-// Modified Gram-Schmidt, each column twice, of the monomials in s = (t_j - t) / (w/2).
-bool LocalPolynomial::Factorize(double t) {
+// False if the samples stand where they stood in the last window.
+bool LocalPolynomial::PlaceSamples(double t) {
+  const double scale = 2.0 / options_.window;
+  bool is_new = place_.size() != size_;
+  for (size_t j = 0; j < size_ && !is_new; ++j) {
+    is_new = std::abs((time_[first_ + j] - t) * scale - place_[j]) > kSamePlace;
+  }
+  if (!is_new) return false;
+  place_.resize(size_);
+  for (size_t j = 0; j < size_; ++j) place_[j] = (time_[first_ + j] - t) * scale;
+  return true;
+}
+
+// Gram-Schmidt, each column twice, of the monomials in place_.
+bool LocalPolynomial::Factorize() {
   const int n = options_.order + 1;
   const size_t m = size_;
   if (m < static_cast<size_t>(n)) return false;
   if (Q_.size() < m * n) Q_.resize(m * n);
   if (weights_.size() < m) weights_.resize(m);
-  const double scale = 2.0 / options_.window;
   for (size_t j = 0; j < m; ++j) {
-    const double s = (time_[first_ + j] - t) * scale;
     double power = 1.0;
-    for (int k = 0; k < n; ++k, power *= s) Q_[k * m + j] = power;
+    for (int k = 0; k < n; ++k, power *= place_[j]) Q_[k * m + j] = power;
   }
   std::fill(R_.begin(), R_.end(), 0.0);
+  Eigen::Map<Eigen::MatrixXd> Q(Q_.data(), static_cast<Eigen::Index>(m), n);
   for (int k = 0; k < n; ++k) {
-    double* const column = &Q_[k * m];
+    auto column = Q.col(k);
     for (int repeat = 0; repeat < 2; ++repeat) {
-      for (int l = 0; l < k; ++l) {
-        const double r = Dot(&Q_[l * m], column, m);
-        for (size_t j = 0; j < m; ++j) column[j] -= r * Q_[l * m + j];
-        R_[l * n + k] += r;
-      }
+      const Coefficients r = Q.leftCols(k).transpose() * column;
+      column.noalias() -= Q.leftCols(k) * r;
+      for (int l = 0; l < k; ++l) R_[l * n + k] += r[l];
     }
-    const double length = std::sqrt(Dot(column, column, m));
+    const double length = column.norm();
     if (!(length > kIllPlaced * std::sqrt(static_cast<double>(m)))) return false;
     R_[k * n + k] = length;
-    for (size_t j = 0; j < m; ++j) column[j] /= length;
+    column /= length;
   }
   return true;
 }
@@ -120,6 +142,8 @@ bool LocalPolynomial::Factorize(double t) {
 std::span<const double> LocalPolynomial::Weights(int derivative) {
   CHECK_GE(derivative, 0);
   CHECK_LE(derivative, options_.order);
+  if (derivative == derivative_) return {weights_.data(), size_};
+  derivative_ = derivative;
   // c = R^-1 Q' y and the derivative is d! (2/w)^d c_d: weights = d! (2/w)^d Q (R^-T e_d).
   const int n = options_.order + 1;
   double x[kHighestOrder + 1];
@@ -140,7 +164,9 @@ std::span<const double> LocalPolynomial::Weights(int derivative) {
 
 double LocalPolynomial::Apply(std::span<const double> weights,
                               std::span<const double> values) const {
-  return Dot(weights.data(), values.data() + first_, size_);
+  const auto size = static_cast<Eigen::Index>(size_);
+  return Eigen::VectorXd::Map(weights.data(), size)
+      .dot(Eigen::VectorXd::Map(values.data() + first_, size));
 }
 
 std::vector<double> SavitzkyGolay(std::span<const double> time,
@@ -174,7 +200,10 @@ double ChooseWindow(std::span<const double> time,
   const size_t begin = LowerBound(time, time.front() + reach);
   const size_t end = LowerBound(time, time.back() - reach);
   const size_t stride = 1 + (end - std::min(begin, end)) / kMostScored;
-  std::vector<double> near_time, near_values;
+  std::vector<double> near_time, near_values;  // about the sample
+  std::vector<double> fitted_time;
+  std::vector<LocalPolynomial> fits;  // one per window, at the sample
+  std::vector<bool> is_fitted(windows.size());
   for (size_t i = begin; i < end; i += stride) {
     // The sample and those around it, but for its neighbours: noise that they share with it must
     // not predict it.
@@ -186,12 +215,21 @@ double ChooseWindow(std::span<const double> time,
          ++j) {
       if (j != i && std::abs(time[j] - time[i]) <= kLeftOut * shortest) continue;
       if (j == i) own = near_time.size();
-      near_time.push_back(time[j]);
+      near_time.push_back(time[j] - time[i]);
       near_values.push_back(values[j]);
     }
+    if (!IsNear(near_time, fitted_time, kSamePlace * 0.5 * shortest)) {
+      fits.clear();  // they view fitted_time
+      fitted_time = near_time;
+      for (const double window : windows) {
+        LocalPolynomial& fit =
+            fits.emplace_back(fitted_time, SavitzkyGolayOptions{.window = window, .order = order});
+        is_fitted[fits.size() - 1] = fit.MoveTo(own);
+      }
+    }
     for (size_t k = 0; k < windows.size(); ++k) {
-      LocalPolynomial fit(near_time, {.window = windows[k], .order = order});
-      if (!fit.MoveTo(own)) continue;
+      if (!is_fitted[k]) continue;
+      LocalPolynomial& fit = fits[k];
       const auto weights = fit.Weights(0);
       const double own_weight = weights[own - fit.first()];
       if (own_weight > 0.999) continue;  // nothing but the sample itself

@@ -56,15 +56,19 @@ class LocalPolynomial {
 
  private:
   void FindPiece(size_t i);
-  bool Factorize(double t);
+  bool PlaceSamples(double t);
+  bool Factorize();
 
   std::span<const double> time_;
   SavitzkyGolayOptions options_;
   size_t piece_begin_ = 0, piece_end_ = 0;  // between two silences
   size_t first_ = 0, size_ = 0;
   bool is_centred_ = false;
-  std::vector<double> Q_;  // one column of size_ after the other
-  std::vector<double> R_;  // upper triangle, row-major
+  std::vector<double> place_;   // of the samples: (t_j - t_i) / (w/2)
+  bool is_factorized_ = false;  // for the samples at place_
+  std::vector<double> Q_;       // one column of size_ after the other
+  std::vector<double> R_;       // upper triangle, row-major
+  int derivative_ = -1;         // that weights_ are of, for the samples at place_; -1: of none
   std::vector<double> weights_;
 };
 

@@ -58,6 +58,43 @@ TEST_P(SavitzkyGolayOrder, IsExactOnPolynomialsOfItsOrderOnIrregularStamps) {
 
 INSTANTIATE_TEST_SUITE_P(Orders, SavitzkyGolayOrder, ::testing::Range(0, 7));
 
+// Equal steps, whose windows share their weights, then a missing sample, another step, jitter and
+// equal steps once more: each stamp as a fit that has seen no other.
+TEST(SavitzkyGolay, GivesEachStampWhatItWouldGiveItAlone) {
+  std::vector<double> time = EqualSteps(60, 0.02);
+  time.erase(time.begin() + 30);
+  for (int i = 0; i < 40; ++i) time.push_back(time.back() + 0.03);
+  for (const double t : IrregularStamps(40, 0.02, 7, time.back() + 0.02)) time.push_back(t);
+  for (int i = 0; i < 40; ++i) time.push_back(time.back() + 0.02);
+  std::vector<double> values;
+  for (const double t : time) values.push_back(std::sin(3.0 * t) + 0.1 * std::cos(41.0 * t));
+  const SavitzkyGolayOptions options = {.window = 0.4, .order = 3};
+  for (const int d : {0, 1}) {
+    const auto result = SavitzkyGolay(time, values, d, options);
+    for (size_t i = 0; i < time.size(); ++i) {
+      LocalPolynomial alone(time, options);
+      ASSERT_TRUE(alone.MoveTo(i));
+      // Places differ by 1e-15 s at most, a share of 5e-15 of half a window.
+      EXPECT_NEAR(result[i], alone.Apply(alone.Weights(d), values), 1e-12 * std::pow(20.0, d)) << i;
+    }
+  }
+}
+
+TEST(LocalPolynomial, GivesAllDerivativesInAnyOrder) {
+  const std::vector<double> time = EqualSteps(50, 0.1);
+  std::vector<double> values;
+  for (const double t : time) values.push_back(1.0 - 2.0 * t + 3.0 * t * t);
+  LocalPolynomial fit(time, {.window = 1.0, .order = 2});
+  for (const size_t i : {20, 21, 21, 22, 0, 1, 49}) {
+    ASSERT_TRUE(fit.MoveTo(i));
+    for (const int d : {1, 0, 0, 2, 1}) {
+      EXPECT_NEAR(
+          fit.Apply(fit.Weights(d), values), Polynomial({1.0, -2.0, 3.0}, time[i], d), 1e-11)
+          << i << " " << d;
+    }
+  }
+}
+
 // Numbers of scipy.signal.savgol_filter(y, 7, 3, deriv, delta=0.1), mode "interp".
 TEST(SavitzkyGolay, AgreesWithScipyOnEqualSteps) {
   const std::vector<double> y = {0.3, -1.2, 2.5, 0.7, 1.9, -0.4, 3.1, 2.2, -1.7, 0.9, 1.1, 4.2};
