@@ -16,6 +16,12 @@ constexpr int kPatience = 10;
 
 constexpr Eigen::Index kBlock = 512;  // rows filtered at once: they fit into the fastest cache
 
+// The echo behind a piece is followed in blocks until one adds less than this share, or to a length
+// beyond any log.
+constexpr Eigen::Index kEchoBlock = 64;
+constexpr int kMostEchoBlocks = 1 << 14;
+constexpr double kSmallestEcho = 1e-15;
+
 // Forward and backward prediction errors of one piece, as Burg's recursion carries them. At
 // `order`, forward[i] belongs to sample i, backward[i] to sample i + order.
 struct PredictionErrors {
@@ -65,26 +71,6 @@ void Extend(double reflection, std::vector<double>* coefficients) {
   coefficients->push_back(reflection);
 }
 
-// P such that S' P S is what the filtered rows beyond the end of a piece add to the Gram matrix,
-// S holding the last rows inside, the latest first. With the recursion as z_{i+1} = F z_i over such
-// states, P = f f' + F' P F, where f' is the first row of F; summed up by doubling.
-Eigen::MatrixXd EchoOf(const Autoregression& noise) {
-  constexpr int kMostDoublings = 40;  // more samples than any log has
-  const Eigen::Index order = noise.order();
-  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(order, order);
-  if (order == 0) return F;
-  F.row(0) = Eigen::RowVectorXd::Map(noise.coefficients.data(), order);
-  F.diagonal(-1).setOnes();
-  Eigen::MatrixXd P = F.row(0).transpose() * F.row(0);
-  for (int i = 0; i < kMostDoublings; ++i) {
-    const Eigen::MatrixXd before = P;
-    P += F.transpose() * before * F;
-    if (P == before) break;
-    F = (F * F).eval();
-  }
-  return P;
-}
-
 }  // namespace
 
 Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int max_order) {
@@ -124,7 +110,6 @@ Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int ma
 
 ColouredGram::ColouredGram(Autoregression noise, Eigen::Index num_columns)
     : noise_(std::move(noise)),
-      echo_(EchoOf(noise_)),
       gram_(Eigen::MatrixXd::Zero(num_columns, num_columns)),
       filtered_(Eigen::MatrixXd::Zero(noise_.order() + kBlock, num_columns)) {}
 
@@ -135,12 +120,24 @@ void ColouredGram::Add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
 }
 
 Eigen::MatrixXd ColouredGram::EndPiece() {
-  const Eigen::MatrixXd last = filtered_.topRows(noise_.order()).colwise().reverse();
-  const Eigen::MatrixXd gram =
-      noise_.innovation_variance * (gram_ + last.transpose() * echo_ * last);
+  FollowEcho();
+  const Eigen::MatrixXd gram = noise_.innovation_variance * gram_;
   gram_.setZero();
   filtered_.setZero();
   return gram;
+}
+
+// Row by row: powers of the recursion's matrix, which would sum this up faster, lose it to rounding
+// where the noise is very smooth.
+void ColouredGram::FollowEcho() {
+  if (noise_.order() == 0) return;
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(kEchoBlock, gram_.cols());
+  for (int block = 0; block < kMostEchoBlocks; ++block) {
+    const Eigen::VectorXd before = gram_.diagonal();
+    AddBlock(nothing);
+    const Eigen::VectorXd added = gram_.diagonal() - before;
+    if ((added.array() <= kSmallestEcho * before.array()).all()) return;
+  }
 }
 
 // e = H w with H the recursion's impulse responses and w white, so J' Gamma J = s^2 (H'J)'(H'J).

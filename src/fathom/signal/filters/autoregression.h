@@ -43,11 +43,11 @@ class ColouredGram {
 
  private:
   void AddBlock(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  void FollowEcho();  // adds what the last filtered rows still cause after a piece
 
   const Autoregression noise_;
-  const Eigen::MatrixXd echo_;  // what the last filtered rows still cause after a piece
-  Eigen::MatrixXd gram_;        // of the filtered rows so far
-  Eigen::MatrixXd filtered_;    // the last order() filtered rows, then the block's
+  Eigen::MatrixXd gram_;      // of the filtered rows so far
+  Eigen::MatrixXd filtered_;  // the last order() filtered rows, then the block's
 };
 
 }  // namespace fathom

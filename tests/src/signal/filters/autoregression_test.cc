@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -90,6 +91,38 @@ TEST(ColouredGram, TakesRowsInAnyPortionsAndOnePieceAfterTheOther) {
   coloured.Add(J.middleRows(1, 1100));
   coloured.Add(J.bottomRows(199));
   ExpectClose(coloured.EndPiece(), DenseGram(1.2, -0.5, 0.3, J));
+}
+
+// Three moving averages over 31 samples in a row: what a derivative by a window of a second leaves
+// of noise at 100 Hz.
+std::vector<double> Smoothed(std::vector<double> values) {
+  for (int pass = 0; pass < 6; ++pass) {
+    std::vector<double> averages(values.size() - 30);
+    for (size_t i = 0; i < averages.size(); ++i) {
+      for (size_t k = 0; k < 31; ++k) averages[i] += values[i + k] / 31.0;
+    }
+    values = std::move(averages);
+  }
+  return values;
+}
+
+TEST(ColouredGram, HoldsForNoiseOfWhichAlmostNothingIsNew) {
+  std::vector<double> white = SimulateAr2(0.0, 0.0, 1.0, 40000, 5);
+  const Autoregression noise = FitAutoregression({Smoothed(white)}, 60);
+  ASSERT_GT(noise.order(), 15);
+  const int n = 1500;
+  Eigen::MatrixXd J(n, 1);
+  for (int i = 0; i < n; ++i) J(i, 0) = std::sin(0.01 * i);
+  ColouredGram coloured(noise, 1);
+  coloured.Add(J);
+  // Written out: sum_i J_i e_i is a sum over the white samples, each with the average of J about
+  // it.
+  std::vector<double> padded(n + 360, 0.0);
+  for (int i = 0; i < n; ++i) padded[180 + i] = J(i, 0);
+  double variance = 0.0;
+  for (const double a : Smoothed(padded)) variance += a * a;
+  // A spectral density by an order of p from n samples: sqrt(2 p / n) is 5.5 %.
+  EXPECT_NEAR(coloured.EndPiece()(0, 0) / variance, 1.0, 0.2);
 }
 
 TEST(ColouredGram, IsThePlainGramForWhiteNoise) {
