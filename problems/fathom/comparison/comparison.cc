@@ -5,8 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
-#include "fathom/signal/sources/sources_of_log.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include "fathom/report/parameter_chart.h"
 #include "fathom/report/scatter_chart.h"
 #include "fathom/report/table_html.h"
-#include "fathom/report/time_chart.h"
+#include "fathom/report/time_chart_json.h"
 #include "fathom/report/web/assets.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "fathom/signal/joined_signals.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/dof_of_log.h"
-#include "fathom/signal/sources/sources_of_log.h"
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 #include "fathom/report/figures/gnuplot.h"
 #include "fathom/report/palette.h"
 #include "fathom/report/thinning.h"
-#include "fathom/report/time_chart.h"
+#include "fathom/report/time_chart_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 "use strict";
 // Draws the charts over time. The data stand in the element #data: a list of panels for each section,
-// written by time_chart.cc.
+// written by time_chart_json.cc.
 (() => {
   const errors = [];
   window.addEventListener("error", (event) => errors.push(event.message));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/report/time_chart.h"
+#include "fathom/report/time_chart_json.h"
 
 #include "fathom/report/format_value.h"
 #include "fathom/report/thinning.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/signal/sources/sources_of_log.h"
+#include "fathom/signal/sources/choose_source.h"
 
 namespace fathom {
 
