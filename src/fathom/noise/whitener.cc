@@ -3,6 +3,7 @@
 
 #include "fathom/noise/whitener.h"
 
+#include "fathom/base/flattened.h"
 #include "fathom/noise/filter_states.h"
 #include "fathom/noise/whitening_gains.h"
 
@@ -26,7 +27,7 @@ bool Has(std::span<const NoiseSample> samples, NoiseChannel channel) {
 // W times kWidth columns that stand side by side; strides from one sample to the next. Flattened:
 // the compiler would call some of Eigen's one-line functions, at a tenth of a whole diagnosis.
 template <typename States, int kWidth>
-[[gnu::flatten]] void ApplySteps(const std::vector<int>& step_of,
+FATHOM_FLATTENED void ApplySteps(const std::vector<int>& step_of,
                                  const std::vector<WhiteningStep>& steps,
                                  const double* in,
                                  std::ptrdiff_t in_stride,

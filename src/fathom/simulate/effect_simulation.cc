@@ -3,7 +3,7 @@
 
 #include "fathom/simulate/effect_simulation.h"
 
-#include "fathom/simulate/integration/run_effects.h"
+#include "fathom/simulate/integration/integrate_with_effects.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ bool RunIn(const EffectInputs& inputs,
       matrix->row(i) = value.v.head(matrix->cols()).transpose();
     }
   };
-  return RunEffects(
+  return IntegrateWithEffects(
       inputs,
       InScalars<T>(model, initial, inputs.log),
       stamps,

@@ -44,11 +44,11 @@ RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, 
 // stamp; false if the state diverges or is too stiff. All times of the steps are on the command's
 // clock, s = t - delay of the command: the steps then never move, and only the outputs do.
 template <typename T, typename EmitVelocity, typename EmitDisplacement>
-FATHOM_FLATTENED bool RunEffects(const EffectInputs& inputs,
-                                 const ScalarModel<T>& model,
-                                 const OutputStamps& stamps,
-                                 const EmitVelocity& emit_velocity,
-                                 const EmitDisplacement& emit_displacement) {
+FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
+                                           const ScalarModel<T>& model,
+                                           const OutputStamps& stamps,
+                                           const EmitVelocity& emit_velocity,
+                                           const EmitDisplacement& emit_displacement) {
   // What a vehicle in water does takes longer than a few of these; a search that gets here has run
   // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
   constexpr double kShortestStep = 2.5e-3;  // [s]
