@@ -48,7 +48,7 @@ double PlainSecondsPerIteration(const SyntheticCameraRun& run) {
   GlobalsPrior prior;  // clock, size and mount are known
   for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
   prior.std[kClockColumn] = 0.0;
-  const JointSolve solve =
+  const BoundedSolve solve =
       SolveJoint(&truth.data, processes, {prior}, {.without_model = true}, &truth.unknowns);
   return solve.seconds_per_iteration;
 }

@@ -64,7 +64,7 @@ struct Problem {
     from.model[kLinearDamping] = linear_damping;
     GlobalsPrior held = prior;
     held.std[kLinearDamping] = 0.0;
-    const JointSolve solve = SolveJoint(&data, processes, {held}, {}, &from);
+    const BoundedSolve solve = SolveJoint(&data, processes, {held}, {}, &from);
     EXPECT_TRUE(solve.converged) << solve.message;
     return solve.cost;
   }
@@ -90,7 +90,7 @@ TEST(DampingBounds, HoldExactlyWhereTheProfileOfTheCostRises) {
     guess.linear_damping = 100.0 * (factor - 1.0);  // every other time below 0
     factor = 1.0 / factor;
     JointUnknowns unknowns = problem.Start(guess);
-    const JointSolve solve =
+    const BoundedSolve solve =
         SolveJoint(&problem.data, problem.processes, {problem.prior}, {}, &unknowns);
     ASSERT_TRUE(solve.converged) << clock_offset << " s: " << solve.message;
     EXPECT_GT(unknowns.model[kQuadraticDamping], 0.0);
@@ -99,11 +99,11 @@ TEST(DampingBounds, HoldExactlyWhereTheProfileOfTheCostRises) {
     // Costs of some 1700, right to 1e-8 and bent by 1/20^2, put the parabola's least where it is
     // to 0.01, if that is near 0; its sign is right anywhere.
     if (least < -0.1) {
-      EXPECT_EQ(solve.held_at_zero, std::vector<int>{kLinearDamping}) << least;
+      EXPECT_EQ(solve.held, std::vector<int>{kLinearDamping}) << least;
       EXPECT_EQ(found, 0.0);
       ++held;
     } else if (least > 0.1) {
-      EXPECT_TRUE(solve.held_at_zero.empty()) << least;
+      EXPECT_TRUE(solve.held.empty()) << least;
       EXPECT_LT(solve.cost, problem.Profile(found + 2.0, unknowns));
       EXPECT_LT(solve.cost, problem.Profile(found - 2.0, unknowns));
       ++free;

@@ -8,12 +8,10 @@
 #include "fathom/joint_refinement/problem/deviation_blocks.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
 #include "fathom/joint_refinement/problem/motion_callback.h"
-#include "fathom/solve/solve_with_bounds.h"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <ceres/cost_function.h>
@@ -139,10 +137,10 @@ void AddPriors(const Assembly& to, size_t r, const GlobalsPrior& prior) {
   add(MakePriorCost({prior.std[kClockColumn]}, {mean}), &own.clock_offset);
 }
 
-JointSolve SolveWithDampings(const std::vector<double>& model_std,
-                             int max_iterations,
-                             double* model,
-                             ceres::Problem* problem) {
+BoundedSolve SolveWithDampings(const std::vector<double>& model_std,
+                               int max_iterations,
+                               double* model,
+                               ceres::Problem* problem) {
   BoundedSolveOptions options;
   options.max_iterations = max_iterations;
   options.function_tolerance = 1e-8;  // of a cost of half the rows: no parameter moves visibly
@@ -151,23 +149,16 @@ JointSolve SolveWithDampings(const std::vector<double>& model_std,
   for (const int i : {kQuadraticDamping, kLinearDamping}) {
     if (model_std[i] > 0.0) bounded.push_back(i);
   }
-  BoundedSolve solve = SolveWithBounds(options, bounded, Certain(model_std), model, problem);
-  return {.converged = solve.converged,
-          .message = std::move(solve.message),
-          .initial_cost = solve.initial_cost,
-          .cost = solve.cost,
-          .num_iterations = solve.num_iterations,
-          .seconds_per_iteration = solve.seconds_per_iteration,
-          .held_at_zero = std::move(solve.held)};
+  return SolveWithBounds(options, bounded, Certain(model_std), model, problem);
 }
 
 }  // namespace
 
-JointSolve SolveJoint(JointData* data,
-                      const ProcessSet& processes,
-                      const std::vector<GlobalsPrior>& priors,
-                      const JointSolveOptions& options,
-                      JointUnknowns* unknowns) {
+BoundedSolve SolveJoint(JointData* data,
+                        const ProcessSet& processes,
+                        const std::vector<GlobalsPrior>& priors,
+                        const JointSolveOptions& options,
+                        JointUnknowns* unknowns) {
   const std::vector<int> moving = options.without_model
                                       ? std::vector<int>{0, 1, 2, 3, 4, 5}
                                       : MovingCoordinates(processes, data->excited);
@@ -192,7 +183,7 @@ JointSolve SolveJoint(JointData* data,
   }
   std::vector<double> model_std(kModelColumns);
   if (!options.without_model) std::copy_n(priors[0].std.begin(), kModelColumns, model_std.begin());
-  JointSolve result =
+  BoundedSolve result =
       SolveWithDampings(model_std, options.max_iterations, unknowns->model.data(), &problem);
   blocks.Store(moving, unknowns);
   return result;

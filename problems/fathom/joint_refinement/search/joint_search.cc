@@ -16,18 +16,18 @@ namespace {
 // The mode over all but processes and setup. False, with the reason in the summary, if it was not
 // found.
 bool FindMode(const JointOptions& options, JointStart* at, SearchEnd* end, JointSummary* summary) {
-  const JointSolve solve = SolveJoint(&at->data,
-                                      at->processes,
-                                      PriorsOf(options, at->unknowns, {}),
-                                      {.max_iterations = options.max_iterations},
-                                      &at->unknowns);
+  const BoundedSolve solve = SolveJoint(&at->data,
+                                        at->processes,
+                                        PriorsOf(options, at->unknowns, {}),
+                                        {.max_iterations = options.max_iterations},
+                                        &at->unknowns);
   if (!(summary->initial_cost > 0.0)) summary->initial_cost = solve.initial_cost;
   summary->num_iterations += solve.num_iterations;
   summary->seconds_per_iteration = solve.seconds_per_iteration;
   summary->final_cost = solve.cost;
   summary->message = solve.message;
   summary->converged = solve.converged;
-  end->held_at_zero = solve.held_at_zero;
+  end->held_at_zero = solve.held;
   return solve.converged;
 }
 

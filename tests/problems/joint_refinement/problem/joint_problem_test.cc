@@ -41,7 +41,7 @@ TEST(JointProblem, WithoutTheModelIsABundleAdjustment) {
   GlobalsPrior prior;  // clock, size and mount are known
   for (int i = kSizeColumn; i < kNumShared; ++i) prior.std[i] = 0.0;
   prior.std[kClockColumn] = 0.0;
-  const JointSolve solve =
+  const BoundedSolve solve =
       SolveJoint(&data, processes, {prior}, {.without_model = true}, &unknowns);
   ASSERT_TRUE(solve.converged) << solve.message;
   for (size_t k = 0; k < camera.time.size(); ++k) {
