@@ -7,11 +7,12 @@
 #   diff -r /tmp/before /tmp/after
 #
 # Each case has a folder with its files, out.txt, err.txt and exit_code.txt. What no build writes
-# twice alike (films, the seconds that a search took) is left out. KEEP_OUTPUTS_JOBS: cases at a time
-# (all cores); KEEP_OUTPUTS_ONLY: a pattern of case names (grep -E). The real logs are looked for in FATHOM_REALDATA (../shared/realdata).
+# twice alike (films, the seconds that a search took) is left out. KEEP_OUTPUTS_JOBS: cases at a
+# time (all cores); KEEP_OUTPUTS_ONLY: a pattern of case names (grep -E). The real logs are looked
+# for in FATHOM_REALDATA (../shared/realdata).
 set -uo pipefail
 if [[ $# -ne 2 ]]; then
-  sed -n '2,12p' "$0" >&2
+  sed -n '2,13p' "$0" >&2
   exit 1
 fi
 build=$(realpath "$1") results=$(realpath -m "$2")

@@ -79,8 +79,8 @@ BoundedOptimum SearchActiveSet(const std::vector<int>& bounded,
       search->GoTo(best_point);
       best.converged = false;
       best.message = trial.converged
-                         ? "releasing what is held at zero gives no better feasible optimum."
-                         : "after releasing what is held at zero: " + trial.message;
+                         ? "releasing the parameters held at zero gives no better feasible optimum."
+                         : "after releasing the parameters held at zero: " + trial.message;
       return best;
     }
     best = std::move(trial);
