@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,86 @@ RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, 
   return state;
 }
 
+// From the start to the last stamp [s].
+inline double DurationOf(const OutputStamps& stamps) {
+  const double last_velocity = stamps.velocity.empty() ? stamps.start : stamps.velocity.back();
+  const double last_pose = stamps.displacement.empty() ? stamps.start : stamps.displacement.back();
+  return std::max(last_velocity, last_pose) - stamps.start;
+}
+
+// Takes a step whose ends and force are known. The first one alone may have a length with
+// derivatives.
+template <typename T>
+void Take(bool is_stiff, bool is_first, double rate, WaterIntegrator<T>* water, RunStep<T>* step) {
+  const auto take = [&](const auto& h) {
+    if (is_stiff) {
+      water->StiffStep(step->before, step->force, step->begin, h, rate, &step->slope, &step->after);
+    } else {
+      water->Step(step->before, step->force, step->begin, h, &step->slope, &step->after);
+    }
+  };
+  if (is_first) {
+    take(step->duration);
+  } else {
+    take(Value(step->duration));
+  }
+}
+
+// Puts the end of the next step at most `longest` [s] on, on an even way to the command's `edge`,
+// with the force over it. True if it ends at the edge.
+template <typename T>
+bool SetEnd(const EffectStack<T>& effects,
+            double edge,
+            double longest,
+            bool is_first,
+            Instants<T>* instants,
+            RunStep<T>* step) {
+  const double s = Value(step->begin);
+  const double num_steps = std::max(1.0, std::ceil((edge - s) / longest * (1.0 - 1e-9)));
+  const bool reaches_edge = num_steps == 1.0;
+  step->end = reaches_edge ? edge : s + (edge - s) / num_steps;
+  step->duration = is_first ? T(T(step->end) - step->begin) : T(step->end - s);
+  instants->held_time = s + 0.5 * Value(step->duration) + Value(instants->delay());
+  step->thrust_after = step->thrust;
+  step->force =
+      MeanForce(effects, step->command, step->begin, step->duration, instants, &step->thrust_after);
+  return reaches_edge;
+}
+
+// How long a stiff step may be, from one to the next.
+struct StiffPace {
+  double longest = 0.1;  // [s]
+  int repeats_left = 0;  // of steps that were too long
+};
+
+// A stiff step, halved until it is short enough. True if it ends at the edge; nothing if there are
+// no repeats left.
+template <typename T>
+std::optional<bool> TakeStiff(const EffectStack<T>& effects,
+                              double edge,
+                              double longest,
+                              bool is_first,
+                              Instants<T>* instants,
+                              WaterIntegrator<T>* water,
+                              StiffPace* pace,
+                              RunStep<T>* step) {
+  const double s = Value(step->begin);
+  const double rate =
+      water->SpeedRate(step->before, Value(step->before.velocity), step->command, s);
+  pace->longest = std::min(2.0 * pace->longest, longest);
+  for (; pace->repeats_left > 0; --pace->repeats_left) {
+    const bool reaches_edge = SetEnd(effects, edge, pace->longest, is_first, instants, step);
+    Take(true, is_first, rate, water, step);
+    const double h = Value(step->duration);
+    const double force = Value(step->force);
+    if (water->IsShortEnough(step->before, step->slope, step->after, force, s, h, rate)) {
+      return reaches_edge;
+    }
+    pace->longest = 0.5 * h;
+  }
+  return std::nullopt;
+}
+
 // One run. Calls emit_velocity(row, reading) and emit_displacement(row, reading) at every output
 // stamp; false if the state diverges or is too stiff. All times of the steps are on the command's
 // clock, s = t - delay of the command: the steps then never move, and only the outputs do.
@@ -53,6 +134,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
   constexpr double kShortestStep = 2.5e-3;  // [s]
   constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
+  constexpr double kMostRepeats = 200.0;    // of stiff steps, per second
   Instants<T> instants(inputs, model.effects);
   WaterIntegrator<T> water(model, !stamps.displacement.empty(), &instants);
   ShownReadings<T> readings(model, stamps.start, stamps.velocity, &instants);
@@ -66,33 +148,31 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
   std::size_t next_edge =
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
+  StiffPace stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * DurationOf(stamps))};
   for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
     const double s = Value(step.begin);
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
-    const double longest = water.LongestStep(step.after, step.command, s);
-    if (!(longest > kShortestStep)) return false;
-    const double num_steps = std::max(1.0, std::ceil((edge - s) / longest * (1.0 - 1e-9)));
-    step.end = num_steps == 1.0 ? edge : s + (edge - s) / num_steps;
-    step.duration = is_first ? T(T(step.end) - step.begin) : T(step.end - s);
-
-    instants.held_time = s + 0.5 * Value(step.duration) + Value(instants.delay());
+    const auto pace = water.PaceFrom(step.after, step.command, s);
+    if (!(pace.longest > kShortestStep)) return false;
     step.thrust = step.thrust_after;
-    step.force = MeanForce(
-        model.effects, step.command, step.begin, step.duration, &instants, &step.thrust_after);
     step.before = step.after;
-    // The first step alone may have a length with derivatives.
-    if (is_first) {
-      water.Step(step.before, step.force, step.begin, step.duration, &step.slope, &step.after);
+    bool reaches_edge = false;
+    if (pace.is_stiff) {
+      const auto taken =
+          TakeStiff(model.effects, edge, pace.longest, is_first, &instants, &water, &stiff, &step);
+      if (!taken) return false;
+      reaches_edge = *taken;
     } else {
-      water.Step(step.before, step.force, step.begin, step.end - s, &step.slope, &step.after);
+      reaches_edge = SetEnd(model.effects, edge, pace.longest, is_first, &instants, &step);
+      Take(false, is_first, 0.0, &water, &step);
     }
     if (!(std::abs(Value(step.after.velocity)) < kLargestSpeed)) return false;
 
     readings.Pass(step, &water, emit_velocity);
     displacements.Pass(step, emit_displacement);
     step.begin = T(step.end);
-    if (num_steps == 1.0) ++next_edge;
+    if (reaches_edge) ++next_edge;
   }
   return true;
 }

@@ -82,23 +82,91 @@ class WaterIntegrator {
     Move(*after, H(h / 6.0), k4_, after);
   }
 
-  // The longest step [s] from `state` at time `s`: of the water's quickest rate now and about rest,
-  // where friction turns.
-  double LongestStep(const RunState<T>& state, double command, double s) {
+  // How a step may go on from a state.
+  struct Pace {
+    double longest = 0.0;   // [s], of the classical scheme
+    bool is_stiff = false;  // about rest it would be far shorter: StiffStep(), which is checked
+  };
+
+  // From `state` at time `s`: by the water's quickest rate now and about rest, where friction
+  // turns.
+  Pace PaceFrom(const RunState<T>& state, double command, double s) {
     const double inertia = Value(model_.baseline.inertia);
     const double v = Value(state.velocity);
     const double d_L = Value(model_.baseline.linear_damping);
     const double d_Q = Value(model_.baseline.quadratic_damping);
     const double reached =
         std::abs(v) + std::abs(command - Value(model_.baseline.buoyancy)) * kLongestStep / inertia;
-    double rate = std::abs(d_L + 2.0 * d_Q * reached) / inertia;
-    if (acts_on_water_) rate = std::max(rate, WaterRate(state, command, s));
-    return std::min(kLongestStep, kRateTimesStep / rate);
+    const double rate = std::abs(d_L + 2.0 * d_Q * reached) / inertia;
+    const double of_baseline = std::min(kLongestStep, kRateTimesStep / rate);
+    if (!acts_on_water_) return {of_baseline, false};
+    const double with_effects =
+        std::min(of_baseline, kRateTimesStep / WaterRate(state, command, s));
+    if (with_effects > kShortestClassical) return {with_effects, false};
+    return {of_baseline, true};
+  }
+
+  // Step() where dry friction or the like holds the vehicle: one step of the exponential Rosenbrock
+  // scheme of second order, which keeps to a balance of forces whatever its length. `rate`:
+  // SpeedRate() at `before` [1/s]. Where that is slow, the classical step.
+  template <typename H>
+  void StiffStep(const RunState<T>& before,
+                 const T& mean_force,
+                 const T& s,
+                 const H& h,
+                 double rate,
+                 RunState<T>* slope,
+                 RunState<T>* after) {
+    using std::expm1;
+    if (!(rate * Value(h) < -kRateTimesStep)) {
+      Step(before, mean_force, s, h, slope, after);
+      return;
+    }
+    Slope(before, mean_force, s, slope);
+    const H reach = expm1(H(rate * h)) / rate;
+    after->velocity = before.velocity + reach * slope->velocity;
+    after->position = before.position;
+    if (with_position_) after->position += 0.5 * h * (before.velocity + after->velocity);
+    after->memory.resize(before.memory.size());
+    for (std::size_t k = 0; k < before.memory.size(); ++k) {
+      after->memory[k] = before.memory[k] + h * slope->memory[k];
+    }
+    // Outputs in between lie on a line: the slope at its begin is of an instant.
+    slope->velocity = (after->velocity - before.velocity) / h;
+  }
+
+  // How fast a small difference in speed grows, below 0 shrinks [1/s], at `state` and `speed`.
+  double SpeedRate(const RunState<T>& state, double speed, double command, double s) {
+    constexpr double kProbe = 1e-4;  // of speed
+    RunState<T> here = state, there = state;
+    here.velocity = T(speed - kProbe);
+    there.velocity = T(speed + kProbe);
+    const double a0 = Value(Acceleration(here, T(command), T(s)));
+    const double a1 = Value(Acceleration(there, T(command), T(s)));
+    return (a1 - a0) / (2.0 * kProbe);
+  }
+
+  // Whether a stiff step of `h` [s] was short enough for what changes on its way, also where it
+  // passes rest, or would at the slope that it began with. `rate` as in StiffStep().
+  bool IsShortEnough(const RunState<T>& before,
+                     const RunState<T>& slope,
+                     const RunState<T>& after,
+                     double command,
+                     double s,
+                     double h,
+                     double rate) {
+    const double v0 = Value(before.velocity), v1 = Value(after.velocity);
+    double change = std::abs(SpeedRate(after, v1, command, s + h) - rate);
+    if (v0 * v1 < 0.0 || v0 * (v0 + h * Value(slope.velocity)) < 0.0) {
+      change = std::max(change, std::abs(SpeedRate(after, 0.0, command, s + h) - rate));
+    }
+    return change * h < 2.0 * kRateTimesStep;
   }
 
  private:
-  static constexpr double kLongestStep = 0.1;     // [s]
-  static constexpr double kRateTimesStep = 0.25;  // at most
+  static constexpr double kLongestStep = 0.1;         // [s]
+  static constexpr double kShortestClassical = 0.02;  // [s]
+  static constexpr double kRateTimesStep = 0.25;      // at most
 
   void Slope(const RunState<T>& at, const T& mean_force, const T& s, RunState<T>* slope) {
     slope->velocity = Acceleration(at, mean_force, s);
@@ -125,15 +193,8 @@ class WaterIntegrator {
     }
     since_look_ = 0;
     water_rate_ = 0.0;
-    constexpr double kProbe = 1e-4;  // of speed
     for (const double at : {Value(state.velocity), 0.0}) {
-      RunState<T> here = state;
-      RunState<T> there = state;
-      here.velocity = T(at - kProbe);
-      there.velocity = T(at + kProbe);
-      const double a0 = Value(Acceleration(here, T(command), T(s)));
-      const double a1 = Value(Acceleration(there, T(command), T(s)));
-      water_rate_ = std::max(water_rate_, std::abs(a1 - a0) / (2.0 * kProbe));
+      water_rate_ = std::max(water_rate_, std::abs(SpeedRate(state, at, command, s)));
     }
     return water_rate_;
   }
