@@ -382,7 +382,7 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err,
             "fathom_diagnose: no diagnosis: output error finds no physical baseline model for "
-            "surge, so nothing can be diagnosed. fathom_identify says why.\n");
+            "surge, and no effect that was tried makes up for it. fathom_identify says why.\n");
   EXPECT_EQ(ListOf(folder), before);
 }
 

@@ -33,21 +33,15 @@ double StructureShare(const StartedModel& baseline, const StartedModel& extended
 
 // What a cause gains on the held-out data beside the others; where there are none, what all gain on
 // blocks left out in turn.
-double HeldOutGain(const Prepared& prepared,
-                   const std::vector<Suspect>& suspects,
-                   const HypothesisBook& book,
-                   const Judgement& judgement,
-                   const Cause& cause,
-                   std::uint64_t seed) {
+double HeldOutGain(const Prepared& prepared, const Judgement& judgement, const Cause& cause) {
   if (prepared.held_out.empty()) return judgement.runs.gain.value;
   const Choice& choice = judgement.choice;
   const ExtendedModel& extended = choice.fit().model;
-  const ExtendedModel without = extended.effects.size() == 1
-                                    ? prepared.users.model
-                                    : WithoutCause(book, choice, suspects, cause);
+  const ExtendedModel without =
+      extended.effects.size() == 1 ? prepared.users.model : WithoutCause(judgement, cause);
   const ActiveEffect& active = extended.effects[cause.effect_index];
   const Scored scored = Score(prepared.held_out, without, extended);
-  return GainOf(scored, active.effect->info().needs_pose, seed).value;
+  return GainOf(scored, active.effect->info().needs_pose).value;
 }
 
 // Over training data first, each segment from where the fit starts it, then over those held out.
@@ -91,25 +85,22 @@ std::vector<ResidualTrace> PoseTraces(const MeasuredSegments& segments,
 
 Diagnosis Described(const MeasuredSegments& segments,
                     const Prepared& prepared,
-                    const std::vector<Suspect>& suspects,
-                    const SearchResult& search,
                     const Judgement& judgement,
-                    std::uint64_t seed,
                     Diagnosis diagnosis) {
   const StartedModel& users = prepared.users;
   const StructureFit& fit = judgement.choice.fit();
   const StartedModel extended = judgement.choice.chosen == 0 ? users : StartedFrom(fit);
   const auto& [train_before, train_after, unseen, gain] = judgement.runs;
   diagnosis.verdict = judgement.verdict;
-  diagnosis.baseline = Described(users, train_before, unseen.before, prepared.baseline);
+  diagnosis.baseline = Described(users, train_before, unseen.before, judgement.search.baseline);
   diagnosis.extended = Described(extended, train_after, unseen.after, fit);
-  diagnosis.causes = CausesOf(search.book, judgement, suspects);
+  diagnosis.causes = CausesOf(judgement);
   for (Cause& cause : diagnosis.causes) {
-    cause.held_out_gain = HeldOutGain(prepared, suspects, search.book, judgement, cause, seed);
+    cause.held_out_gain = HeldOutGain(prepared, judgement, cause);
   }
-  diagnosis.candidates = RankCandidates(search, judgement, suspects);
+  diagnosis.candidates = RankCandidates(judgement);
 
-  const double explained = search.book[judgement.choice.chosen].gain;
+  const double explained = judgement.book()[judgement.choice.chosen].gain;
   const double all_structure = explained + judgement.remaining.gain;
   diagnosis.structure_share = StructureShare(users, extended);
   diagnosis.explained_share = all_structure > 0.0 ? explained / all_structure : 0.0;
@@ -130,7 +121,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   if (MayLieInPoses(judgement.verdict, extended.model)) {
     diagnosis.pose_traces = PoseTraces(segments, users.model, extended.model);
   }
-  for (std::string& remark : RemarksOnJudgement(judgement, suspects, segments.has_velocity)) {
+  for (std::string& remark : RemarksOnJudgement(judgement, segments.has_velocity)) {
     diagnosis.remarks.push_back(std::move(remark));
   }
   return diagnosis;

@@ -14,10 +14,7 @@ namespace fathom {
 // Adds what is told of a judgement to `diagnosis`, which holds what is told of its data.
 Diagnosis Described(const MeasuredSegments& segments,
                     const Prepared& prepared,
-                    const std::vector<Suspect>& suspects,
-                    const SearchResult& search,
                     const Judgement& judgement,
-                    std::uint64_t seed,
                     Diagnosis diagnosis);
 
 }  // namespace fathom

@@ -10,7 +10,6 @@
 #include "fathom/diagnosis/judge/judgement.h"
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/diagnosis/search/suspects.h"
-#include "fathom/diagnosis/search/thinned_search.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <utility>
@@ -52,9 +51,12 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const Prepared& prepared = *preparation.prepared;
   const Evidence evidence = EvidenceOf(prepared.data, prepared.baseline);
   const std::vector<Suspect> suspects = SuspectsIn(segments, evidence, options, dof);
-  const SearchResult search = SearchThinned(prepared, suspects, options);
-  const Judgement judgement = Judge(prepared, suspects, search, evidence, options);
-  return Described(segments, prepared, suspects, search, judgement, options.seed, std::move(begun));
+  const Judgement judgement = Judge(prepared, suspects, evidence, options);
+  if (!prepared.has_baseline && judgement.choice.chosen == 0) {
+    begun.message = NoBaseline(dof);
+    return begun;
+  }
+  return Described(segments, prepared, judgement, std::move(begun));
 }
 
 }  // namespace fathom

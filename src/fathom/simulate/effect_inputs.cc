@@ -97,7 +97,7 @@ void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, con
                       VelocityColumn(dof)));
     };
     if (reads.velocity) require_velocity(active.setting.partner);
-    if (reads.yaw_rate) require_velocity(Dof::kYaw);
+    if (reads.yaw_rate && active.setting.dof != Dof::kYaw) require_velocity(Dof::kYaw);
     if (reads.force && inputs.force[Index(active.setting.partner)].time.empty()) {
       throw InputError(
           fmt::format("{}: the model's {} needs the command of {}, expected column '{}' in "

@@ -102,9 +102,20 @@ class EffectStack {
       const auto& [law, setting, has_partner, values] = effects_[k];
       if (!law->resistance) continue;
       if (memories) water->memory = memories[k];
-      resistance = resistance + law->resistance(values.data(), *water, at(k));
+      const Instant<T>& now = at(k);
+      if (has_partner && setting.dof == Dof::kYaw) {
+        resistance = resistance + law->resistance(values.data(), *water, Turning(now, *water));
+      } else {
+        resistance = resistance + law->resistance(values.data(), *water, now);
+      }
     }
     return resistance;
+  }
+
+  // What is read along yaw: its own rate is the model's, not the measured one.
+  static Instant<T> Turning(Instant<T> now, const WaterState<T>& water) {
+    now.partner.yaw_rate = water.speed;
+    return now;
   }
 
   // 0 of those that have no memory.

@@ -201,7 +201,7 @@ double ChiSquaredWith(const std::string& label,
 }
 
 // Below this no log-likelihood tells two causes apart; under a single sine five times as much.
-constexpr double kSeparation = 8.0, kHarderUnderASine = 5.0;
+constexpr double kSeparation = 8.0, kHarderUnderASine = 10.0;
 
 class AnEquivalence : public testing::TestWithParam<std::tuple<Equivalence, int>> {};
 

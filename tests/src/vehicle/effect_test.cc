@@ -223,6 +223,7 @@ TEST(EffectCatalogue, KnowsWhichDofsCanTakePart) {
   EXPECT_THAT(partners("lever_arm", Dof::kYaw), ElementsAre());
   EXPECT_THAT(partners("coriolis_coupling", Dof::kSurge), ElementsAre(Dof::kSway));
   EXPECT_THAT(partners("coriolis_coupling", Dof::kHeave), ElementsAre());
+  EXPECT_THAT(partners("coriolis_coupling", Dof::kYaw), ElementsAre(Dof::kSurge, Dof::kSway));
   EXPECT_THAT(partners("sensor_misalignment", Dof::kRoll), ElementsAre(Dof::kPitch, Dof::kYaw));
   EXPECT_THAT(partners("velocity_coupling", Dof::kHeave),
               ElementsAre(Dof::kSurge, Dof::kSway, Dof::kRoll, Dof::kPitch, Dof::kYaw));

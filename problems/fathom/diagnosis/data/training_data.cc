@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace fathom {
@@ -55,6 +57,7 @@ TrainingData::TrainingData(std::vector<MeasuredSegment> segments,
   for (const MeasuredSegment& segment : segments_) {
     longest_duration_ = std::max(longest_duration_, segment.duration());
     const HeldCommand& command = segment.inputs->command;
+    for (const double force : command.value) most_force_ = std::max(most_force_, std::abs(force));
     const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
     const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
     if (tone.share <= command_tone_.share) command_tone_ = tone;
@@ -93,6 +96,13 @@ void TrainingData::SetDamping(const UncoupledModel<double>& about) {
 double TrainingData::DampingRate(const UncoupledModel<double>& model) const {
   constexpr double kLeast = 1e-3, kMost = 5.0;  // [1/s]
   return std::clamp(DampingAt(model, usual_speed_) / model.inertia, kLeast, kMost);
+}
+
+double TrainingData::most_offset() const {
+  constexpr double kShare = 0.125;
+  const double half_period = command_tone_.IsAlone() ? std::numbers::pi / command_tone_.frequency
+                                                     : std::numeric_limits<double>::infinity();
+  return std::min(kShare * longest_duration_, half_period);
 }
 
 std::optional<Eigen::VectorXd> TrainingData::Simulate(const ExtendedModel& model,

@@ -53,6 +53,13 @@ class TrainingData {
   // The strongest line of the command that is least of a tone.
   const Tone& command_tone() const { return command_tone_; }
 
+  double most_force() const { return most_force_; }  // commanded [N] or [N m]
+
+  // The greatest offset between clocks that these data tell [s]: an eighth of the longest segment,
+  // since what is commanded and measured outside of it is not known, and half a period of a command
+  // that is a tone alone.
+  double most_offset() const;
+
   double longest_duration() const { return longest_duration_; }  // of a segment [s]
 
   // Measured, averaged over the bins.
@@ -89,6 +96,7 @@ class TrainingData {
   double least_inertia_ = 0.0;
   bool has_displacement_ = false;
   Tone command_tone_;
+  double most_force_ = 0.0;
   double longest_duration_ = 0.0;
   Eigen::VectorXd measured_;
 };

@@ -47,7 +47,38 @@ StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel nois
   return fit;
 }
 
+// The same with each channel's noise as large as its residual.
+StructureFit FitFreeRun(const TrainingData& data, StructureFit fit) {
+  double previous = -std::numeric_limits<double>::infinity();
+  for (int turn = 0; fit.IsSimulated(); ++turn) {
+    fit.noise = WhiteNoise(data, fit.residual);
+    const Whitener whitener(fit.noise, data.samples());
+    fit.log_likelihood =
+        whitener.LogLikelihood(std::span(fit.residual.data(), fit.residual.size()));
+    if (fit.log_likelihood < previous + kLeastGain || turn == kMostTurns) break;
+    previous = fit.log_likelihood;
+    fit = FitStructure(data, std::move(fit), whitener);
+  }
+  return fit;
+}
+
 }  // namespace
+
+StructureFit FitBy(Criterion criterion, const TrainingData& data, const StructureFit& start) {
+  return criterion == Criterion::kFreeRun ? FitFreeRun(data, start)
+                                          : FitStructureAndNoise(data, start);
+}
+
+StructureFit FitBy(Criterion criterion,
+                   const TrainingData& data,
+                   const ExtendedModel& start,
+                   std::span<const InitialState> initial,
+                   const NoiseModel& noise) {
+  if (criterion == Criterion::kLearnedNoise) {
+    return FitStructureAndNoise(data, start, initial, noise);
+  }
+  return FitFreeRun(data, FitStructure(data, start, initial, Whitener(noise, data.samples())));
+}
 
 StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,

@@ -9,6 +9,25 @@
 
 namespace fathom {
 
+// What a fit takes its residual for, and is weighed by.
+enum class Criterion {
+  kLearnedNoise,  // sensor noise and disturbance, learned along: of least variance if nothing is
+                  // missing, but what is missing passes for a disturbance where it can
+  kFreeRun,       // white noise, as large in each channel as what the free run misses of it: output
+                  // error's own
+};
+
+// FitStructure() on from a fit whose residual and Jacobian are those of its model, its noise
+// learned in turns with it.
+StructureFit FitBy(Criterion criterion, const TrainingData& data, const StructureFit& start);
+
+// The same from a model that was not run yet.
+StructureFit FitBy(Criterion criterion,
+                   const TrainingData& data,
+                   const ExtendedModel& start,
+                   std::span<const InitialState> initial,
+                   const NoiseModel& noise);
+
 // FitStructure() with the noise learned along: fit and noise in turns, from `noise`.
 StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,

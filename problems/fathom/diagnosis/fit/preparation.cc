@@ -5,9 +5,13 @@
 
 #include "fathom/diagnosis/data/thinned.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/momentum_balance.h"
 #include "fathom/diagnosis/fit/outliers.h"
+#include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/vehicle/parameters.h"
 
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +21,8 @@ namespace {
 
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
+
+constexpr double kPiece = 2.0;  // [s], of the momentum's balance
 
 std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {
   std::vector<MeasuredSegment> part;
@@ -33,20 +39,60 @@ size_t NumSamples(const std::vector<MeasuredSegment>& segments) {
   return count;
 }
 
+// Of the inertia that the measured motion shows: beyond it a fit has run away from any motion.
+constexpr double kRunAway = 1e3;
+
+// Where the momentum along the measured motion puts the baseline; where that is nowhere (a spring
+// carries most of the motion), an inertia that takes the forces for all there is.
+std::optional<RobustStart> StartByMomentum(const std::vector<MeasuredSegment>& segments) {
+  const MomentumBalance balance(segments, kPiece);
+  auto fit = balance.Fit();
+  if (!fit) fit = balance.FitInertiaAlone();
+  if (!fit) return std::nullopt;
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  RobustStart start = {
+      fit->model, {}, Eigen::MatrixXd::Constant(kNumParameters, kNumParameters, kUnknown)};
+  for (const MeasuredSegment& segment : segments) start.initial.push_back(segment.initial);
+  return start;
+}
+
+// Both models as they were started, not fitted; nothing if that cannot be simulated.
+std::optional<StructureFit> Unfitted(const TrainingData& data, const RobustStart& start) {
+  auto at = data.Linearise(start.model, start.initial);
+  if (!at) return std::nullopt;
+  StructureFit fit;
+  fit.model = start.model;
+  fit.initial = start.initial;
+  fit.residual = data.measured() - at->simulated;
+  fit.jacobian = std::move(at->jacobian);
+  fit.covariance = start.covariance;
+  fit.is_on_bound.assign(kNumParameters, false);
+  fit.noise = WhiteNoise(data, fit.residual);
+  fit.log_likelihood = Whitener(fit.noise, data.samples())
+                           .LogLikelihood(std::span(fit.residual.data(), fit.residual.size()));
+  return fit;
+}
+
 }  // namespace
 
 Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   Preparation preparation;
   std::vector<MeasuredSegment> train = Part(segments.all, false);
-  const auto start = FindRobustStart(train);
-  if (!start) {
-    preparation.message = fmt::format(
-        "output error finds no physical baseline model for {}, so nothing can be diagnosed. "
-        "fathom_identify says why.",
-        Name(dof));
+  auto by_output_error = FindRobustStart(train);
+  const auto by_momentum = StartByMomentum(train);
+  if (!by_output_error && !by_momentum) {
+    preparation.message = NoBaseline(dof);
     return preparation;
   }
-  preparation.num_outliers = RemoveOutliers(start->model, start->initial, &train);
+  const double inertia_by_momentum = by_momentum ? by_momentum->model.baseline.inertia : 0.0;
+  if (by_momentum && by_output_error &&
+      by_output_error->model.baseline.inertia > kRunAway * inertia_by_momentum) {
+    by_output_error.reset();
+  }
+  if (by_output_error) {
+    preparation.num_outliers =
+        RemoveOutliers(by_output_error->model, by_output_error->initial, &train);
+  }
   std::vector<MeasuredSegment> thinned = Thinned(train);
   if (NumSamples(thinned) < kLeastSamples) {
     preparation.message = fmt::format(
@@ -56,20 +102,40 @@ Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
         kLeastSamples);
     return preparation;
   }
-  const UncoupledModel<double>& about = start->model.baseline;
-  TrainingData data(std::move(train), about, kLeastInertiaIfOpen * about.inertia);
-  StructureFit baseline = FitBaseline(data, start->model, start->initial);
-  if (!baseline.IsSimulated()) {
-    preparation.message = "the baseline model cannot be simulated over these logs.";
-    return preparation;
+  const UncoupledModel<double>& about =
+      (by_output_error ? by_output_error : by_momentum)->model.baseline;
+  Prepared prepared = {TrainingData(std::move(train), about, kLeastInertiaIfOpen * about.inertia),
+                       std::move(thinned),
+                       Part(segments.all, true),
+                       {},
+                       {}};
+  prepared.inertia_by_momentum = inertia_by_momentum;
+  const TrainingData& data = prepared.data;
+  if (by_output_error) {
+    prepared.baseline = FitBaseline(data, by_output_error->model, by_output_error->initial);
+    if (prepared.baseline.IsSimulated()) {
+      prepared.users = UsersModel(data, *by_output_error).value_or(StartedFrom(prepared.baseline));
+    }
   }
-  StartedModel users = UsersModel(data, *start).value_or(StartedFrom(baseline));
-  preparation.prepared.emplace(Prepared{std::move(data),
-                                        std::move(thinned),
-                                        Part(segments.all, true),
-                                        std::move(baseline),
-                                        std::move(users)});
+  if (!prepared.baseline.IsSimulated()) {
+    auto unfitted = by_momentum ? Unfitted(data, *by_momentum) : std::nullopt;
+    if (!unfitted) {
+      preparation.message = NoBaseline(dof);
+      return preparation;
+    }
+    prepared.has_baseline = false;
+    prepared.users = StartedFrom(*unfitted);
+    prepared.baseline = *std::move(unfitted);
+  }
+  preparation.prepared = std::move(prepared);
   return preparation;
+}
+
+std::string NoBaseline(Dof dof) {
+  return fmt::format(
+      "output error finds no physical baseline model for {}, and no effect that was tried makes up "
+      "for it. fathom_identify says why.",
+      Name(dof));
 }
 
 }  // namespace fathom

@@ -24,6 +24,14 @@ struct Prepared {
 
   StructureFit baseline;  // FitBaseline(): what causes are weighed against
   StartedModel users;     // UsersModel(), or the baseline: what free runs are judged against
+
+  // Where the momentum along the measured motion puts the inertia [kg] or [kg m^2]; of no use where
+  // not positive.
+  double inertia_by_momentum = 0.0;
+
+  // False where output error finds no baseline, or one that has run away from
+  // the motion: then both models are MomentumBalance's, to start from, and mean nothing.
+  bool has_baseline = true;
 };
 
 struct Preparation {
@@ -31,6 +39,9 @@ struct Preparation {
   std::string message;               // why there can be no diagnosis; empty if there can
   std::optional<Prepared> prepared;  // there if no message is
 };
+
+// Why there is no diagnosis where there is no baseline and nothing is named.
+std::string NoBaseline(Dof dof);
 
 // Takes outliers out of what is not held out, fits the baseline to the rest along `dof`, and thins
 // it.

@@ -3,12 +3,12 @@
 
 #include "fathom/diagnosis/fit/unknowns.h"
 
+#include "fathom/diagnosis/fit/parameter_bounds.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <limits>
 
 namespace fathom {
-
 Unknowns Pack(const TrainingData& data,
               const ExtendedModel& model,
               std::span<const InitialState> initial) {
@@ -27,8 +27,9 @@ Unknowns Pack(const TrainingData& data,
     for (size_t k = 0; k < active.values.size(); ++k, ++i) {
       const EffectParameter& parameter = active.effect->info().parameters[k];
       unknowns.value[i] = active.values[k];
-      unknowns.lower[i] = parameter.lower;
-      unknowns.upper[i] = parameter.upper;
+      const auto [lower, upper] = BoundsOf(parameter, data);
+      unknowns.lower[i] = lower;
+      unknowns.upper[i] = upper;
     }
   }
   for (const InitialState& state : initial) {

@@ -11,9 +11,9 @@
 namespace fathom {
 namespace {
 
-StructureFit FitToAll(const TrainingData& data, const Hypothesis& hypothesis) {
-  const StructureFit& rough = hypothesis.fit;
-  return FitStructureAndNoise(data, rough.model, rough.initial, rough.noise);
+StructureFit FitToAll(const TrainingData& data, const WeighedSearch& search, int index) {
+  const StructureFit& rough = search.found.book[index].fit;
+  return FitBy(search.criterion, data, rough.model, rough.initial, rough.noise);
 }
 
 }  // namespace
@@ -23,21 +23,20 @@ const StructureFit& FitOf(const HypothesisBook& book, const Choice& choice, int 
   return found == choice.fits.end() ? book[index].fit : found->second;
 }
 
-Choice ConfirmedOnAllData(const TrainingData& data,
-                          const StructureFit& baseline,
-                          const SearchResult& search) {
-  const HypothesisBook& book = search.book;
+Choice ConfirmedOnAllData(const TrainingData& data, const WeighedSearch& search) {
+  const StructureFit& baseline = search.baseline;
+  const HypothesisBook& book = search.found.book;
   std::map<int, StructureFit> fits = {{0, baseline}};
   const auto fit_of = [&](int index) -> const StructureFit& {
     if (const auto found = fits.find(index); found != fits.end()) return found->second;
-    return fits[index] = FitToAll(data, book[index]);
+    return fits[index] = FitToAll(data, search, index);
   };
   const auto worth = [&](int index) {
     return 2.0 * (fit_of(index).log_likelihood - baseline.log_likelihood) -
            PriceOfStarts(data, fit_of(index).start_gains) -
            book.calibration().ThresholdOf(book[index].suspects);
   };
-  int best = search.best;
+  int best = search.found.best;
   for (bool is_settled = false; !is_settled;) {
     is_settled = true;
     const int challenged = best;
@@ -55,9 +54,9 @@ Choice ConfirmedOnAllData(const TrainingData& data,
   return choice;
 }
 
-Choice WithChosen(const TrainingData& data, const HypothesisBook& book, int index, Choice choice) {
+Choice WithChosen(const TrainingData& data, const WeighedSearch& search, int index, Choice choice) {
   if (!choice.fits.contains(index)) {
-    StructureFit fit = FitToAll(data, book[index]);
+    StructureFit fit = FitToAll(data, search, index);
     if (fit.IsSimulated()) {
       choice.fits[index] = std::move(fit);
     } else {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/search/search.h"
+#include "fathom/diagnosis/search/thinned_search.h"
 
 #include <map>
 
@@ -23,12 +23,10 @@ const StructureFit& FitOf(const HypothesisBook& book, const Choice& choice, int 
 
 // Fits the best hypothesis of a search to all data, and takes from it every cause that they do not
 // call for: what answers to the thinning itself shows here.
-Choice ConfirmedOnAllData(const TrainingData& data,
-                          const StructureFit& baseline,
-                          const SearchResult& search);
+Choice ConfirmedOnAllData(const TrainingData& data, const WeighedSearch& search);
 
 // The same choice with another hypothesis, fitted to all data; the baseline where that cannot be
 // simulated.
-Choice WithChosen(const TrainingData& data, const HypothesisBook& book, int index, Choice choice);
+Choice WithChosen(const TrainingData& data, const WeighedSearch& search, int index, Choice choice);
 
 }  // namespace fathom

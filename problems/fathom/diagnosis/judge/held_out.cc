@@ -3,33 +3,36 @@
 
 #include "fathom/diagnosis/judge/held_out.h"
 
-#include "fathom/base/random_stream.h"
+#include "fathom/diagnosis/judge/fitted_start.h"
 #include "fathom/simulate/prediction.h"
-#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fathom {
 namespace {
 
 constexpr double kBlock = 10.0;  // [s], several times the vehicle's memory of an error
-constexpr double kStart = 2.0;   // [s], over which a run is made to begin as measured
-constexpr int kNumResamples = 2000;
+constexpr double kShortestBlock = 5.0;
+constexpr double kWantedBlocks = 8.0;
+constexpr size_t kFewestBlocks = 4;
 
 struct BlockSums {
   double before = 0.0, after = 0.0;
 };
 
+// In blocks of so many seconds each.
 std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
-                                   std::span<const FreeRun> after) {
+                                   std::span<const FreeRun> after,
+                                   double length) {
   std::vector<BlockSums> blocks;
   for (size_t r = 0; r < before.size(); ++r) {
     double block_end = -1e300;
     for (size_t i = 0; i < before[r].time.size(); ++i) {
       if (before[r].time[i] >= block_end) {
-        block_end = before[r].time[i] + kBlock;
+        block_end = before[r].time[i] + length;
         blocks.emplace_back();
       }
       blocks.back().before += std::abs(before[r].predicted[i] - before[r].measured[i]);
@@ -39,10 +42,31 @@ std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
   return blocks;
 }
 
-// Measured less predicted: the mean; and the straight line, at the first stamp and per second. 0 if
-// there is nothing.
+// Of blocks [s]: shorter ones where the runs are short.
+double BlockLength(std::span<const FreeRun> runs) {
+  double total = 0.0;
+  for (const FreeRun& run : runs) {
+    if (!run.time.empty()) total += run.time.back() - run.time.front();
+  }
+  return std::clamp(total / kWantedBlocks, kShortestBlock, kBlock);
+}
+
+// Student's t at 97.5 %, by degrees of freedom: Cornish-Fisher's expansion about the normal
+// quantile, which is right to 1 % from three on; Abramowitz, Stegun, 26.7.5.
+double StudentQuantile(double freedom) {
+  constexpr double z = 1.959963985;
+  if (freedom < 2.0) return 12.706;
+  if (freedom < 3.0) return 4.303;
+  constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4.0 * freedom) +
+         (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom) +
+         (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
+}
+
+// Measured less predicted, as a straight line: at the first stamp and per second. 0 if there is
+// nothing.
 struct Miss {
-  double mean = 0.0, first = 0.0, slope = 0.0;
+  double first = 0.0, slope = 0.0;
 };
 Miss MissOf(std::span<const double> time,
             std::span<const double> measured,
@@ -59,47 +83,7 @@ Miss MissOf(std::span<const double> time,
   if (n == 0.0) return {};
   const double spread = n * stt - st * st;
   const double slope = spread > 0.0 ? (n * sty - st * sy) / spread : 0.0;
-  return {.mean = sy / n, .first = (sy - slope * st) / n, .slope = slope};
-}
-
-// Over the first seconds.
-Miss FirstMiss(const std::vector<double>& time,
-               const std::vector<double>& measured,
-               const std::vector<double>& predicted) {
-  if (time.empty()) return {};
-  const auto end = std::lower_bound(time.begin(), time.end(), time.front() + kStart);
-  const auto n = static_cast<size_t>(end - time.begin());
-  return MissOf(
-      std::span(time).first(n), std::span(measured).first(n), std::span(predicted).first(n));
-}
-
-// The state from which a run over the segment begins as measured; see FreeRunOver().
-std::optional<InitialState> StartOver(const MeasuredSegment& segment, const ExtendedModel& model) {
-  const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
-  InitialState start = segment.initial;
-  EffectOutputs outputs;
-  const bool has_memory = !segment.velocity.empty() && EffectSimulation::HasReadingMemory(model);
-  for (int repeat = 0; repeat < 2; ++repeat) {
-    if (has_memory) {
-      const auto behind = StateBehind(model,
-                                      *segment.inputs,
-                                      segment.stamps.start,
-                                      segment.stamps.velocity,
-                                      segment.velocity,
-                                      start);
-      if (!behind) return std::nullopt;
-      start = *behind;
-    }
-    if (!simulation.Run(model, start, &outputs)) return std::nullopt;
-    const Miss in_velocity = FirstMiss(segment.stamps.velocity, segment.velocity, outputs.velocity);
-    const Miss in_place =
-        FirstMiss(segment.stamps.displacement, segment.displacement, outputs.displacement);
-    // Without velocities the poses tell the first speed too.
-    const bool by_poses = segment.velocity.empty();
-    if (!has_memory) start.velocity += by_poses ? in_place.slope : in_velocity.mean;
-    start.position += by_poses ? in_place.first : in_place.mean;
-  }
-  return start;
+  return {.first = (sy - slope * st) / n, .slope = slope};
 }
 
 std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
@@ -139,14 +123,14 @@ FreeRun PosesByBlock(const MeasuredSegment& segment, const EffectOutputs& output
 }  // namespace
 
 std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model) {
-  const auto start = StartOver(segment, model);
+  const auto start = FittedStart(segment, model);
   if (!start) return std::nullopt;
   return FreeRunOver(segment, model, *start);
 }
 
 std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const ExtendedModel& model) {
   if (segment.velocity.empty() || segment.displacement.empty()) return std::nullopt;
-  const auto start = StartOver(segment, model);
+  const auto start = FittedStart(segment, model);
   const auto outputs = start ? OutputsOver(segment, model, *start) : std::nullopt;
   if (!outputs) return std::nullopt;
   return PosesByBlock(segment, *outputs);
@@ -166,34 +150,30 @@ FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
   return sums.Figures();
 }
 
-Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed) {
-  const std::vector<BlockSums> blocks = SumsByBlock(before, after);
-  if (blocks.empty()) {
-    return {.value = std::nan(""), .low = std::nan(""), .high = std::nan("")};
-  }
-  const auto gain = [](const BlockSums& sums) { return 1.0 - sums.after / sums.before; };
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<BlockSums> blocks = SumsByBlock(before, after, BlockLength(before));
   BlockSums all;
   for (const BlockSums& block : blocks) {
     all.before += block.before;
     all.after += block.after;
   }
-  RandomStream random(seed, "diagnosis.gain");
-  std::vector<double> gains;
-  for (int k = 0; k < kNumResamples; ++k) {
-    BlockSums sums;
-    for (size_t i = 0; i < blocks.size(); ++i) {
-      const auto pick =
-          std::min(blocks.size() - 1,
-                   static_cast<size_t>(random.Uniform() * static_cast<double>(blocks.size())));
-      sums.before += blocks[pick].before;
-      sums.after += blocks[pick].after;
-    }
-    gains.push_back(gain(sums));
+  if (blocks.empty()) return {.value = kNone, .low = kNone, .high = kNone};
+  const double left = all.after / all.before;
+  const auto n = static_cast<double>(blocks.size());
+  if (blocks.size() < kFewestBlocks) return {.value = 1.0 - left, .low = kNone, .high = kNone};
+  double sum = 0.0, neighbours = 0.0, last = 0.0;
+  for (const BlockSums& block : blocks) {
+    const double apart = block.after - left * block.before;
+    sum += apart * apart;
+    neighbours += 2.0 * apart * last;
+    last = apart;
   }
-  std::sort(gains.begin(), gains.end());
-  return {.value = gain(all),
-          .low = gains[kNumResamples / 40],
-          .high = gains[kNumResamples - 1 - kNumResamples / 40]};
+  // Neighbours share the errors about their edge.
+  const double variance = std::max(sum, sum + neighbours) * n / (n - 1.0);
+  const double std = std::sqrt(variance) / all.before;
+  const double reach = StudentQuantile(n - 1.0) * std;
+  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = 1.0 - left + reach};
 }
 
 Scored Score(const std::vector<MeasuredSegment>& segments,
@@ -202,7 +182,7 @@ Scored Score(const std::vector<MeasuredSegment>& segments,
   Scored scored;
   for (const MeasuredSegment& segment : segments) {
     const auto outputs_of = [&](const ExtendedModel& model) -> std::optional<EffectOutputs> {
-      const auto start = StartOver(segment, model);
+      const auto start = FittedStart(segment, model);
       if (!start) return std::nullopt;
       return OutputsOver(segment, model, *start);
     };
@@ -218,11 +198,11 @@ Scored Score(const std::vector<MeasuredSegment>& segments,
   return scored;
 }
 
-Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed) {
+Gain GainOf(const Scored& scored, bool acts_on_poses_alone) {
   if (!acts_on_poses_alone || scored.poses_before.empty()) {
-    return GainOf(scored.before, scored.after, seed);
+    return GainOf(scored.before, scored.after);
   }
-  Gain gain = GainOf(scored.poses_before, scored.poses_after, seed);
+  Gain gain = GainOf(scored.poses_before, scored.poses_after);
   gain.is_in_poses = true;
   return gain;
 }

@@ -7,7 +7,6 @@
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,10 +20,10 @@ struct FreeRun {
   std::vector<double> predicted;  // the same
 };
 
-// The free run of a model over a segment, from the state at which its readings agree with the first
-// two seconds of the measured ones on average, StateBehind() of a sensor with a memory, or, of
-// poses without velocities, in a straight line; nothing if it diverges. (What is measured is not
-// the state: a sensor's bias would start the run at a wrong speed.)
+// The free run of a model over a segment, from the state whose run fits the first two seconds of
+// what was measured (ten samples at least) best, in least squares; nothing if it diverges. Every
+// model starts by this rule, each from a state of its own: what is measured is not the state, and a
+// straight line through it is none where the motion turns within these seconds.
 std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model);
 
 // The same from a given start.
@@ -41,12 +40,13 @@ std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const Extend
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
 
 // How much less the second model's runs miss than the first's, over the same segments:
-// 1 - sum |miss after| / sum |miss before|, with a 95 % interval from resampling blocks of 10 s.
+// 1 - sum |miss after| / sum |miss before|, with a 95 % interval from blocks of 10 s (of 5 s at
+// least, where the runs are short), Student's for their number; NaN from fewer than four.
 struct Gain {
   double value = 0.0, low = 0.0, high = 0.0;
   bool is_in_poses = false;  // Scored::poses_before and poses_after
 };
-Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after, std::uint64_t seed);
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after);
 
 // Free runs of two models over the same segments, which neither was fitted to.
 struct Scored {
@@ -57,7 +57,7 @@ struct Scored {
 
 // The gain; of an effect that acts on the poses alone, which velocities know nothing of, in the
 // poses, where there are both.
-Gain GainOf(const Scored& scored, bool acts_on_poses_alone, std::uint64_t seed);
+Gain GainOf(const Scored& scored, bool acts_on_poses_alone);
 
 // The runs over the segments that both models can run over.
 Scored Score(const std::vector<MeasuredSegment>& segments,

@@ -3,10 +3,13 @@
 
 #include "fathom/diagnosis/judge/judgement.h"
 
-#include "fathom/diagnosis/judge/left_out_blocks.h"
+#include "fathom/diagnosis/fit/residual_noise.h"
+#include "fathom/diagnosis/judge/ladder.h"
 #include "fathom/diagnosis/search/suspects.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -15,6 +18,8 @@ namespace {
 
 constexpr double kMaterialShare = 0.05;  // of all structure, below which the rest is no matter
 constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is named
+constexpr double kMoreThanScatter = 2.0;        // RMS of a free run's error over what scatters
+constexpr double kBetterThanNamed = 0.2;        // of unseen error, to take the place of a cause
 
 RemainingStructure RemainingOf(const Prepared& prepared,
                                const Choice& choice,
@@ -31,19 +36,13 @@ bool Remains(const RemainingStructure& remaining, double gain) {
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
-Sifted SiftedBest(const Prepared& prepared,
-                  const std::vector<Suspect>& suspects,
-                  const SearchResult& search,
-                  const Evidence& evidence,
-                  std::uint64_t seed) {
+Sifted SiftedBest(const Prepared& prepared, const WeighedSearch& search, const Evidence& evidence) {
   const auto sift = [&](Choice choice, Burden burden) {
-    return LeaveOutTheRefuted(
-        prepared.data, prepared.held_out, suspects, search.book, burden, seed, std::move(choice));
+    return LeaveOutTheRefuted(prepared.data, prepared.held_out, search, burden, std::move(choice));
   };
-  Sifted sifted =
-      sift(ConfirmedOnAllData(prepared.data, prepared.baseline, search), Burden::kNotToLose);
+  Sifted sifted = sift(ConfirmedOnAllData(prepared.data, search), Burden::kNotToLose);
   if (prepared.held_out.empty()) return sifted;
-  const double gain = search.book[sifted.choice.chosen].gain;
+  const double gain = search.found.book[sifted.choice.chosen].gain;
   if (!Remains(RemainingOf(prepared, sifted.choice, evidence), gain)) return sifted;
   // The causes may stand in for what nothing explains; unseen data tell.
   Sifted strict = sift(std::move(sifted.choice), Burden::kToGain);
@@ -51,52 +50,13 @@ Sifted SiftedBest(const Prepared& prepared,
   return strict;
 }
 
-// Of free runs over the training data.
-FitFigures TrainFigures(const TrainingData& data,
-                        const ExtendedModel& model,
-                        const std::vector<InitialState>& initial) {
-  std::vector<FreeRun> runs;
-  for (size_t r = 0; r < data.segments().size(); ++r) {
-    if (auto run = FreeRunOver(data.segments()[r], model, initial[r])) {
-      runs.push_back(std::move(*run));
-    }
-  }
-  return FiguresOfRuns(runs);
-}
-
-// Nothing is named: the user's model twice.
-FreeRunComparison OfUsersAlone(FreeRunComparison runs, std::uint64_t seed) {
-  runs.train_after = runs.train_before;
-  runs.unseen.after = runs.unseen.before;
-  runs.unseen.poses_after = runs.unseen.poses_before;
-  runs.gain = GainOf(runs.unseen, false, seed);
-  return runs;
-}
-
-FreeRunComparison RunsOf(const Prepared& prepared,
-                         const Choice& choice,
-                         bool acts_on_poses_alone,
-                         std::uint64_t seed) {
-  const StartedModel& users = prepared.users;
-  const StructureFit& fit = choice.fit();
-  FreeRunComparison runs;
-  runs.unseen = prepared.held_out.empty() ? LeaveBlocksOut(prepared.data, users.model, fit)
-                                          : Score(prepared.held_out, users.model, fit.model);
-  runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
-  if (choice.chosen == 0) return OfUsersAlone(std::move(runs), seed);
-  runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
-  runs.gain = GainOf(runs.unseen, acts_on_poses_alone, seed);
-  return runs;
-}
-
 // Why nothing of what was chosen is to be named after all; nothing if it is.
 std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
                                     const FreeRunComparison& runs,
-                                    bool by_left_out_blocks,
-                                    std::uint64_t seed) {
+                                    bool by_left_out_blocks) {
   if (causes.empty()) return std::nullopt;
   const Gain& gain = runs.gain;
-  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses, seed);
+  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
   const bool counts = !by_left_out_blocks || gain.is_in_poses || gain.high < 0.0;
   if (loss && counts) {
@@ -124,23 +84,20 @@ Verdict VerdictOf(bool is_open, bool is_named, bool has_rivals) {
   return has_rivals ? Verdict::kAmbiguous : Verdict::kExplained;
 }
 
-}  // namespace
-
-Judgement Judge(const Prepared& prepared,
-                const std::vector<Suspect>& suspects,
-                const SearchResult& search,
-                const Evidence& evidence,
-                const DiagnosisOptions& options) {
-  const HypothesisBook& book = search.book;
-  Sifted sifted = SiftedBest(prepared, suspects, search, evidence, options.seed);
-  const std::vector<int>& causes = book[sifted.choice.chosen].suspects;
-  FreeRunComparison runs =
-      RunsOf(prepared, sifted.choice, ActOnPosesAlone(causes, suspects), options.seed);
-  const auto refusal = RefusalOfAll(causes, runs, prepared.held_out.empty(), options.seed);
+// What comes of a choice that unseen data do not refuse as a whole.
+Judgement Concluded(const Prepared& prepared,
+                    WeighedSearch search,
+                    Sifted sifted,
+                    FreeRunComparison runs,
+                    const Evidence& evidence,
+                    const DiagnosisOptions& options) {
+  const HypothesisBook& book = search.found.book;
+  const auto refusal =
+      RefusalOfAll(book[sifted.choice.chosen].suspects, runs, prepared.held_out.empty());
   if (refusal) {
     sifted.choice.chosen = 0;
     sifted.refusals.push_back(*refusal);
-    runs = OfUsersAlone(std::move(runs), options.seed);
+    runs = OfUsersAlone(std::move(runs));
   }
   const int chosen = sifted.choice.chosen;
   const RemainingStructure remaining = RemainingOf(prepared, sifted.choice, evidence);
@@ -149,12 +106,84 @@ Judgement Judge(const Prepared& prepared,
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
   const Verdict verdict = VerdictOf(remains || refusal, chosen != 0, !rivals.empty());
   return {verdict,
+          std::move(search),
           std::move(sifted.choice),
           std::move(rivals),
           std::move(sifted.refusals),
           evidence,
           std::move(runs),
           remaining};
+}
+
+Judgement JudgedByLikelihood(const Prepared& prepared,
+                             const std::vector<Suspect>& suspects,
+                             const Evidence& evidence,
+                             const DiagnosisOptions& options) {
+  WeighedSearch search = SearchByLikelihood(prepared, suspects, options);
+  Sifted sifted = SiftedBest(prepared, search, evidence);
+  const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
+  FreeRunComparison runs = CompareWithUsers(
+      prepared, sifted.choice.fit(), search.criterion, ActOnPosesAlone(causes, search.suspects));
+  if (causes.empty()) runs = OfUsersAlone(std::move(runs));
+  return Concluded(
+      prepared, std::move(search), std::move(sifted), std::move(runs), evidence, options);
+}
+
+// True if the free run of what is named leaves more than the sensors' scatter: something may be
+// missing that the noise has taken up.
+bool LeavesMoreThanScatter(const Prepared& prepared, const Judgement& judgement) {
+  const Choice& choice = judgement.choice;
+  return WanderRatio(prepared.data,
+                     choice.chosen == 0 ? prepared.users.residual : choice.fit().residual) >
+         kMoreThanScatter;
+}
+
+// Whether likelihood does not speak against what free runs propose: with the noise learned along it
+// is at least better than the baseline by BIC. Turbulence wears an effect's form now and then.
+bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
+  const TrainingData& data = prepared.data;
+  const StructureFit fit =
+      FitStructureAndNoise(data, proposed.model, proposed.initial, prepared.baseline.noise);
+  const auto num_more = static_cast<double>(fit.covariance.rows() - kNumParameters);
+  const double price = num_more * std::log(static_cast<double>(data.bins().size()));
+  return 2.0 * (fit.log_likelihood - prepared.baseline.log_likelihood) > price;
+}
+
+// Whether what free runs propose is named instead of what likelihood does. It predicts unseen data
+// better for certain, and by more where that is a cause that they have not refused.
+bool TakesThePlaceOf(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
+  const std::vector<FreeRun>& standing = by_likelihood.runs.unseen.after;
+  if (rung.choice.chosen == 0 || standing.size() != rung.runs.unseen.after.size()) return false;
+  const Gain gain = GainOf(standing, rung.runs.unseen.after);
+  const bool is_better = IsBetterForCertain(gain) &&
+                         (by_likelihood.choice.chosen == 0 || gain.value > kBetterThanNamed);
+  return is_better && IsLikely(prepared, rung.choice.fit());
+}
+
+}  // namespace
+
+Judgement Judge(const Prepared& prepared,
+                const std::vector<Suspect>& suspects,
+                const Evidence& evidence,
+                const DiagnosisOptions& options) {
+  std::optional<Judgement> by_likelihood;
+  if (prepared.has_baseline) {
+    by_likelihood = JudgedByLikelihood(prepared, suspects, evidence, options);
+    if (evidence.IsNegligible() || !LeavesMoreThanScatter(prepared, *by_likelihood)) {
+      return *std::move(by_likelihood);
+    }
+  }
+  WeighedSearch search = SearchByFreeRuns(prepared, suspects, options);
+  Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes);
+  if (by_likelihood && !TakesThePlaceOf(prepared, *by_likelihood, rung)) {
+    return *std::move(by_likelihood);
+  }
+  return Concluded(prepared,
+                   std::move(search),
+                   {std::move(rung.choice), {}},
+                   std::move(rung.runs),
+                   evidence,
+                   options);
 }
 
 }  // namespace fathom

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/fit/remaining_structure.h"
 #include "fathom/diagnosis/judge/evidence.h"
+#include "fathom/diagnosis/judge/free_run_comparison.h"
 #include "fathom/diagnosis/judge/refutation.h"
 #include "fathom/diagnosis/options.h"
 #include "fathom/diagnosis/result.h"
@@ -14,16 +15,10 @@
 
 namespace fathom {
 
-// The user's model beside what is named (itself, where nothing is), by free runs.
-struct FreeRunComparison {
-  FitFigures train_before, train_after;
-  Scored unseen;  // on data that no fit has seen
-  Gain gain;      // of it
-};
-
 // What is named, what is refused, and what both rest on.
 struct Judgement {
   Verdict verdict = Verdict::kConsistent;
+  WeighedSearch search;           // that what is named comes from
   Choice choice;                  // what is named: a hypothesis of the search, or the baseline
   std::vector<int> rivals;        // FindRivals() of it
   std::vector<Refusal> refusals;  // in the order in which they were made
@@ -31,16 +26,19 @@ struct Judgement {
   FreeRunComparison runs;
   RemainingStructure remaining;  // that what is named leaves
 
+  const HypothesisBook& book() const { return search.found.book; }
+
   // False where it was looked for and the data are too few.
   bool IsRemainingTried() const { return evidence.IsNegligible() || remaining.num_columns > 0; }
 };
 
-// Confirms the best hypothesis of a search on all training data, asks the data that no fit has seen
-// for each of its causes and for all of them, and looks for what it leaves. docs/diagnosis.md,
-// "Verdict".
+// Confirms the best hypothesis of a search by likelihood on all training data, asks the data that
+// no fit has seen for each of its causes and for all of them, and looks for what it leaves. Where
+// its free run leaves more than scatter, the noise may have taken up what is missing: then free
+// runs propose causes too, and those stand that predict unseen data better for certain.
+// docs/diagnosis.md, "Verdict".
 Judgement Judge(const Prepared& prepared,
                 const std::vector<Suspect>& suspects,
-                const SearchResult& search,
                 const Evidence& evidence,
                 const DiagnosisOptions& options);
 

@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/structure_fit.h"
+#include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/judge/held_out.h"
 
 namespace fathom {
 
 // For logs that hold nothing out: with a quarter of the data left out at a time, the baseline by
-// output error (`baseline` itself where that finds none) and the extended structure under its own
-// noise are fitted anew and run freely over that quarter. Nothing if the data are too few.
+// output error (`baseline` itself where that finds none) and the extended structure by its
+// criterion are fitted anew and run freely over that quarter. Nothing if the data are too few.
 Scored LeaveBlocksOut(const TrainingData& data,
                       const ExtendedModel& baseline,
-                      const StructureFit& extended);
+                      const StructureFit& extended,
+                      Criterion criterion);
 
 }  // namespace fathom

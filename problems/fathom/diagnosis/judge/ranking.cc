@@ -73,9 +73,9 @@ Candidate CandidateOf(const Suspect& suspect, double score, const StructureFit* 
 
 }  // namespace
 
-std::vector<Cause> CausesOf(const HypothesisBook& book,
-                            const Judgement& judgement,
-                            const std::vector<Suspect>& suspects) {
+std::vector<Cause> CausesOf(const Judgement& judgement) {
+  const HypothesisBook& book = judgement.book();
+  const std::vector<Suspect>& suspects = judgement.search.suspects;
   const int chosen = judgement.choice.chosen;
   const Hypothesis& best = book[chosen];
   std::vector<Cause> causes;
@@ -101,16 +101,16 @@ std::vector<Cause> CausesOf(const HypothesisBook& book,
   return causes;
 }
 
-std::vector<Candidate> RankCandidates(const SearchResult& search,
-                                      const Judgement& judgement,
-                                      const std::vector<Suspect>& suspects) {
-  const HypothesisBook& book = search.book;
+std::vector<Candidate> RankCandidates(const Judgement& judgement) {
+  const HypothesisBook& book = judgement.book();
+  const std::vector<Suspect>& suspects = judgement.search.suspects;
+  const std::vector<double>& scores = judgement.search.found.scores;
   const Significance& significance = book.calibration().significance;
   std::vector<Candidate> candidates;
   for (int k = 0; k < static_cast<int>(suspects.size()); ++k) {
     const int alone = book.IndexOf({k});
     Candidate candidate = CandidateOf(
-        suspects[k], search.scores[k], alone < 0 ? nullptr : &FitOf(book, judgement.choice, alone));
+        suspects[k], scores[k], alone < 0 ? nullptr : &FitOf(book, judgement.choice, alone));
     if (alone >= 0) {
       candidate.gain = book[alone].gain;
       candidate.delta_bic = book[alone].delta_bic;
@@ -131,10 +131,10 @@ std::vector<Candidate> RankCandidates(const SearchResult& search,
   return candidates;
 }
 
-ExtendedModel WithoutCause(const HypothesisBook& book,
-                           const Choice& choice,
-                           const std::vector<Suspect>& suspects,
-                           const Cause& cause) {
+ExtendedModel WithoutCause(const Judgement& judgement, const Cause& cause) {
+  const HypothesisBook& book = judgement.book();
+  const Choice& choice = judgement.choice;
+  const std::vector<Suspect>& suspects = judgement.search.suspects;
   const ExtendedModel& model = choice.fit().model;
   for (const int suspect : book[choice.chosen].suspects) {
     if (PlaceIn(model, suspects[suspect]) != cause.effect_index) continue;

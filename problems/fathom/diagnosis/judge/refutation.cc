@@ -25,9 +25,9 @@ bool IsLoss(const Gain& gain, double trace) {
 }
 
 // Whether the held-out data refuse a cause, from the runs without it and with it.
-bool IsRefused(const Scored& scored, bool acts_on_poses_alone, Burden burden, std::uint64_t seed) {
-  const Gain in_velocities = GainOf(scored, false, seed);
-  const Gain gain = GainOf(scored, acts_on_poses_alone, seed);
+bool IsRefused(const Scored& scored, bool acts_on_poses_alone, Burden burden) {
+  const Gain in_velocities = GainOf(scored, false);
+  const Gain gain = GainOf(scored, acts_on_poses_alone);
   const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
   if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) return true;
   return burden == Burden::kToGain && !(gain.low > 0.0);
@@ -51,18 +51,17 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const Hypothe
 
 Sifted LeaveOutTheRefuted(const TrainingData& data,
                           const std::vector<MeasuredSegment>& held_out,
-                          const std::vector<Suspect>& suspects,
-                          const HypothesisBook& book,
+                          const WeighedSearch& search,
                           Burden burden,
-                          std::uint64_t seed,
                           Choice choice) {
+  const HypothesisBook& book = search.found.book;
   Sifted sifted = {std::move(choice), {}};
   const auto is_refused = [&](int suspect) {
     const int without = book.IndexWithout(sifted.choice.chosen, suspect);
     if (without < 0) return false;
     const ExtendedModel& before = FitOf(book, sifted.choice, without).model;
     const Scored scored = Score(held_out, before, sifted.choice.fit().model);
-    return IsRefused(scored, ActOnPosesAlone({suspect}, suspects), burden, seed);
+    return IsRefused(scored, ActOnPosesAlone({suspect}, search.suspects), burden);
   };
   std::set<int> left_out;
   const size_t fewest = burden == Burden::kToGain ? 0 : 1;
@@ -72,7 +71,7 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
     if (refused == causes.end()) break;
     left_out.insert(*refused);
     const int next = BestWithout(left_out, causes.size() - 1, book);
-    sifted.choice = WithChosen(data, book, next, std::move(sifted.choice));
+    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
     sifted.refusals.push_back({.reason = burden == Burden::kToGain
                                              ? Refusal::Reason::kGainsNothing
                                              : Refusal::Reason::kLosesBesideOthers,
@@ -82,13 +81,11 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
   return sifted;
 }
 
-std::optional<Gain> RefutingGain(const Scored& scored,
-                                 bool acts_on_poses_alone,
-                                 std::uint64_t seed) {
-  const Gain gain = GainOf(scored, acts_on_poses_alone, seed);
+std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone) {
+  const Gain gain = GainOf(scored, acts_on_poses_alone);
   if (IsLoss(gain, TraceOf(gain))) return gain;
   if (!gain.is_in_poses) return std::nullopt;
-  const Gain in_velocities = GainOf(scored, false, seed);
+  const Gain in_velocities = GainOf(scored, false);
   if (IsLoss(in_velocities, kTraceInVelocities)) return in_velocities;
   return std::nullopt;
 }

@@ -6,7 +6,6 @@
 #include "fathom/diagnosis/judge/confirmation.h"
 #include "fathom/diagnosis/judge/held_out.h"
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -45,10 +44,8 @@ struct Sifted {
 // causes need only not to lose, the last one stays: Judge() asks all data of it.
 Sifted LeaveOutTheRefuted(const TrainingData& data,
                           const std::vector<MeasuredSegment>& held_out,
-                          const std::vector<Suspect>& suspects,
-                          const HypothesisBook& book,
+                          const WeighedSearch& search,
                           Burden burden,
-                          std::uint64_t seed,
                           Choice choice);
 
 // The gain by which data that no fit has seen speak against what is named, where that is all there
@@ -56,8 +53,6 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
 // they do not. What acts on the poses alone is judged by them, where a loss of 1 % is a trace, as
 // of a jump before the held-out data; the velocities, which it moves no more than the fit moves,
 // speak against it from half a percent on.
-std::optional<Gain> RefutingGain(const Scored& scored,
-                                 bool acts_on_poses_alone,
-                                 std::uint64_t seed);
+std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone);
 
 }  // namespace fathom

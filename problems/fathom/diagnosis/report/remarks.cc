@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/search/suspects.h"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -48,10 +49,12 @@ std::string RemarkOn(const Refusal& refusal, const std::vector<Suspect>& suspect
       return NotNamed(
           refusal,
           suspects,
-          fmt::format("the error on held-out data grows by {:.0f} % ({:.0f} to {:.0f} %)",
+          fmt::format("the error on held-out data grows by {:.0f} %{}",
                       -100.0 * refusal.loss.value,
-                      -100.0 * refusal.loss.high,
-                      -100.0 * refusal.loss.low));
+                      std::isnan(refusal.loss.low) ? ""
+                                                   : fmt::format(" ({:.0f} to {:.0f} %)",
+                                                                 -100.0 * refusal.loss.high,
+                                                                 -100.0 * refusal.loss.low)));
     case Refusal::Reason::kLosesInTraining:
       return NotNamed(
           refusal,
@@ -116,9 +119,8 @@ std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num
   return remarks;
 }
 
-std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
-                                            const std::vector<Suspect>& suspects,
-                                            bool has_velocity) {
+std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity) {
+  const std::vector<Suspect>& suspects = judgement.search.suspects;
   std::vector<std::string> remarks;
   for (const Refusal& refusal : judgement.refusals) remarks.push_back(RemarkOn(refusal, suspects));
   if (!judgement.IsRemainingTried()) {

@@ -16,8 +16,6 @@ namespace fathom {
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers);
 
 // What is to be said of a judgement: what was refused, and why; how far the data carry it.
-std::vector<std::string> RemarksOnJudgement(const Judgement& judgement,
-                                            const std::vector<Suspect>& suspects,
-                                            bool has_velocity);
+std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity);
 
 }  // namespace fathom

@@ -15,7 +15,7 @@ namespace fathom {
 namespace {
 
 constexpr double kExplainsNothing = 0.05;  // p-value of a rival alone
-constexpr double kHarderUnderASine = 5.0;
+constexpr double kHarderUnderASine = 10.0;
 
 // The suspects of one that are those of another too, and the others.
 struct Overlap {

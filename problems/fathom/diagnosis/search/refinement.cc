@@ -84,18 +84,20 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
                                          const StructureFit& rough) {
   Hypothesis hypothesis;
   hypothesis.suspects = suspects;
-  hypothesis.fit = FitStructureAndNoise(task.data, rough);
+  const Criterion criterion = task.options.criterion;
+  hypothesis.fit = FitBy(criterion, task.data, rough);
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;
     model.baseline = baseline.fit.model.baseline;
     StructureFit again =
-        FitStructureAndNoise(task.data, model, baseline.fit.initial, baseline.fit.noise);
+        FitBy(criterion, task.data, model, baseline.fit.initial, baseline.fit.noise);
     if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
   }
   if (!MeansSomething(task, hypothesis.fit)) return std::nullopt;
-  const double log_num_data = std::log(static_cast<double>(task.data.bins().size()));
-  hypothesis.gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
+  const double share = task.options.effective_share;
+  const double log_num_data = std::log(share * static_cast<double>(task.data.bins().size()));
+  hypothesis.gain = share * 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
                     PriceOfStarts(task.data, hypothesis.fit.start_gains);
   hypothesis.delta_bic =
       hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));

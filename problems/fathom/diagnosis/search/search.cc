@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/search/search.h"
 
+#include "fathom/diagnosis/search/momentum_starts.h"
 #include "fathom/diagnosis/search/pairs.h"
 #include "fathom/diagnosis/search/refinement.h"
 
@@ -71,6 +72,7 @@ HypothesisBook WithOneMore(const SearchTask& task, int from, int best, Hypothesi
 bool HoldsUnderTheBaselinesNoise(const SearchTask& task,
                                  const HypothesisBook& book,
                                  const Hypothesis& hypothesis) {
+  if (task.options.criterion == Criterion::kFreeRun) return true;
   const StructureFit& baseline = book.baseline().fit;
   const StructureFit refit = FitStructure(task.data,
                                           hypothesis.fit.model,
@@ -100,6 +102,9 @@ SearchResult SearchCauses(const TrainingData& data,
   std::vector<int> beam;
   for (int size = 1; size <= wanted.most_causes; ++size) {
     if (size == 1) book = WithSingles(task, screens, std::move(book));
+    if (size == 1 && options.criterion == Criterion::kFreeRun) {
+      book = WithSinglesByMomentum(task, std::move(book));
+    }
     for (const int from : beam) book = WithOneMore(task, from, standing.best, std::move(book));
     if (size == 2) book = WithPairs(task, about_baseline, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);

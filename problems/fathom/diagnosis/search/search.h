@@ -11,9 +11,9 @@ namespace fathom {
 
 // What came of a search.
 struct SearchResult {
-  HypothesisBook book;         // all that was tried, with what a suspect must gain
-  int best = 0;                // in the book
-  std::vector<double> scores;  // by suspect: the best one on the baseline's own screen
+  HypothesisBook book = {{}, {}};  // all that was tried, with what a suspect must gain
+  int best = 0;                    // in the book
+  std::vector<double> scores;      // by suspect: the best one on the baseline's own screen
 };
 
 // Searches the sets of up to wanted.most_causes suspects for the one that the data call for: they

@@ -3,10 +3,18 @@
 
 #pragma once
 
+#include "fathom/diagnosis/fit/fit_with_noise.h"
+
 namespace fathom {
 
 // How widely causes are searched. Scores and gains are twice a log-likelihood.
 struct SearchOptions {
+  // What fits are weighed by.
+  Criterion criterion = Criterion::kLearnedNoise;
+
+  // Of free runs: how many of the samples count, since what is missing makes neighbours alike.
+  double effective_share = 1.0;
+
   // Draws of what noise alone reaches, behind the thresholds: quantiles of 0.9 have 50 beyond them.
   int null_draws = 512;
 
@@ -18,6 +26,9 @@ struct SearchOptions {
   // `beam` for each size: a refit with its noise is what takes the time.
   int most_refined = 10;
   int most_refined_beside = 4;
+
+  // Suspects refitted from where the momentum along the measured motion puts them.
+  int most_from_momentum = 8;
 
   // Starts of a suspect with more than amounts to look for, from which its error may end in
   // different minima; one that has amounts alone has one minimum.

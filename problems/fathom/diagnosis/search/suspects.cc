@@ -66,7 +66,7 @@ bool CanTakePart(const MeasuredSegments& segments, const EffectInfo& info, Dof d
   if (!CanBePartner(info, dof, partner)) return false;
   if (info.partner->force && !IsCommanded(segments, partner)) return false;
   if (info.partner->velocity && !Moves(segments, partner)) return false;
-  return !info.partner->yaw_rate || Moves(segments, Dof::kYaw);
+  return !info.partner->yaw_rate || dof == Dof::kYaw || Moves(segments, Dof::kYaw);
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include "fathom/diagnosis/search/thinned_search.h"
 
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fathom {
 namespace {
@@ -21,11 +23,42 @@ bool IsInertiaOpen(const StructureFit& fit) {
   return !fit.is_on_bound[kInertia] && !(std < fit.model.baseline.inertia);
 }
 
+std::vector<Suspect> OfTheVehicle(std::vector<Suspect> suspects) {
+  std::erase_if(suspects, [](const Suspect& suspect) {
+    return suspect.effect->info().scope != Scope::kVehicle;
+  });
+  return suspects;
+}
+
+// Share of the samples that count where a residual is alike from one to the next: n over the sum of
+// its autocorrelation, up to where that is no longer above 0.
+double EffectiveShare(const TrainingData& data, const Eigen::VectorXd& residual) {
+  constexpr double kLeast = 0.1;
+  double most = 1.0;
+  for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
+    std::vector<double> values;
+    for (int i = 0; i < data.bins().size(); ++i) {
+      if (data.samples()[i].channel == channel) values.push_back(residual[i]);
+    }
+    double power = 0.0;
+    for (const double value : values) power += value * value;
+    double sum = 1.0;
+    for (size_t lag = 1; lag < values.size() / 2; ++lag) {
+      double product = 0.0;
+      for (size_t i = lag; i < values.size(); ++i) product += values[i] * values[i - lag];
+      if (!(product > 0.05 * power)) break;
+      sum += 2.0 * product / power;
+    }
+    most = std::max(most, sum);
+  }
+  return std::max(kLeast, 1.0 / most);
+}
+
 }  // namespace
 
-SearchResult SearchThinned(const Prepared& prepared,
-                           const std::vector<Suspect>& suspects,
-                           const DiagnosisOptions& wanted) {
+WeighedSearch SearchByLikelihood(const Prepared& prepared,
+                                 const std::vector<Suspect>& suspects,
+                                 const DiagnosisOptions& wanted) {
   const StructureFit& baseline = prepared.baseline;
   const double inertia =
       std::min(baseline.model.baseline.inertia, prepared.users.model.baseline.inertia);
@@ -33,7 +66,36 @@ SearchResult SearchThinned(const Prepared& prepared,
   const TrainingData thinned(prepared.thinned, baseline.model.baseline, share * inertia);
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
-  return SearchCauses(thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted);
+  return {Criterion::kLearnedNoise,
+          suspects,
+          SearchCauses(thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted),
+          baseline};
+}
+
+WeighedSearch SearchByFreeRuns(const Prepared& prepared,
+                               const std::vector<Suspect>& suspects,
+                               const DiagnosisOptions& wanted) {
+  constexpr double kLeastOfMomentums = 0.05;  // inertia
+  const StartedModel& users = prepared.users;
+  double inertia = users.model.baseline.inertia;
+  if (prepared.inertia_by_momentum > 0.0) inertia = std::min(inertia, prepared.inertia_by_momentum);
+  const TrainingData thinned(prepared.thinned, users.model.baseline, kLeastOfMomentums * inertia);
+  const auto fitted = [&](const TrainingData& data) {
+    return FitBy(Criterion::kFreeRun,
+                 data,
+                 users.model,
+                 users.initial,
+                 WhiteNoise(prepared.data, users.residual));
+  };
+  const StructureFit rough = fitted(thinned);
+  SearchOptions options;
+  options.criterion = Criterion::kFreeRun;
+  options.effective_share = EffectiveShare(thinned, rough.residual);
+  options.beam = 2;
+  options.most_refined = 6;
+  std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);
+  SearchResult found = SearchCauses(thinned, rough, of_the_vehicle, wanted, options);
+  return {Criterion::kFreeRun, std::move(of_the_vehicle), std::move(found), fitted(prepared.data)};
 }
 
 }  // namespace fathom

@@ -10,10 +10,23 @@
 
 namespace fathom {
 
-// SearchCauses() over the thinned data: the cost of a search grows with the samples, and what it
-// finds is confirmed on all of them (judge/confirmation.h).
-SearchResult SearchThinned(const Prepared& prepared,
-                           const std::vector<Suspect>& suspects,
-                           const DiagnosisOptions& wanted);
+// A search by one criterion, over thinned data.
+struct WeighedSearch {
+  Criterion criterion = Criterion::kLearnedNoise;
+  std::vector<Suspect> suspects;
+  SearchResult found;
+  StructureFit baseline;  // by the same criterion, to all data
+};
+
+// SearchCauses() by likelihood, the noise learned along.
+WeighedSearch SearchByLikelihood(const Prepared& prepared,
+                                 const std::vector<Suspect>& suspects,
+                                 const DiagnosisOptions& wanted);
+
+// SearchCauses() by what free runs miss, for effects of the vehicle alone: what belongs to a run
+// fits what else is missing in it too well to be weighed so.
+WeighedSearch SearchByFreeRuns(const Prepared& prepared,
+                               const std::vector<Suspect>& suspects,
+                               const DiagnosisOptions& wanted);
 
 }  // namespace fathom

@@ -12,24 +12,27 @@
 // What another DOF does to this one. Equations: docs/effects.md.
 namespace fathom {
 
-// Turning about z couples surge and sway.
+// Turning about z couples surge and sway, and the way made damps the turn. Along yaw the yaw rate
+// is the vehicle's own, EffectStack sees to that.
 struct CoriolisCoupling {
   static EffectInfo Info() {
-    return {.name = "coriolis_coupling",
-            .place = Place::kWater,
-            .scope = Scope::kVehicle,
-            .parameters = {{.name = "coefficient",
-                            .quantity = kMass,
-                            .null = 0.0,
-                            .lower = -kInfinity,
-                            .upper = kInfinity,
-                            .drawn = {0.1, 0.8, natural::Coriolis, true}}},
-            .partner = PartnerInfo{.rule = IsHorizontalPair, .velocity = true, .yaw_rate = true},
-            .cause = "the Coriolis force of turning while moving",
-            .advice = "Use a model of coupled DOFs, or identify without turning."};
+    return {
+        .name = "coriolis_coupling",
+        .place = Place::kWater,
+        .scope = Scope::kVehicle,
+        .parameters = {{.name = "coefficient",
+                        .quantity = kMass,
+                        .null = 0.0,
+                        .lower = -kInfinity,
+                        .upper = kInfinity,
+                        .drawn = {0.1, 0.8, natural::Coriolis, true}}},
+        .partner = PartnerInfo{.rule = IsInThePlane, .velocity = true, .yaw_rate = true},
+        .cause = "turning while moving: a Coriolis force, or damping of the turn by the way made",
+        .advice = "Use a model of coupled DOFs, or identify without turning."};
   }
-  static bool IsHorizontalPair(Dof dof, Dof partner) {
-    return Index(dof) <= Index(Dof::kSway) && Index(partner) <= Index(Dof::kSway);
+  static bool IsInThePlane(Dof dof, Dof partner) {
+    const bool may_turn = Index(dof) <= Index(Dof::kSway) || dof == Dof::kYaw;
+    return may_turn && Index(partner) <= Index(Dof::kSway);
   }
   template <typename T>
   static EffectLaw<T> Law() {

@@ -32,16 +32,16 @@ class RankCandidatesTest : public testing::Test {
                              "thrust_curve",
                              "cubic_damping",
                              "steady_current"}) {
-      suspects_.push_back({FindEffect(name), {}});
+      Suspects().push_back({FindEffect(name), {}});
     }
-    const int n = static_cast<int>(suspects_.size());
+    const int n = static_cast<int>(Suspects().size());
     RandomStream random(1, "test");
     Eigen::MatrixXd maxima(512, n);
     for (double& number : maxima.reshaped()) number = std::pow(random.Normal(), 2);
     Calibration calibration;
     calibration.significance =
         Significance(maxima, std::vector<int>(n, 1), std::vector<double>(n, 1.0), 0.05);
-    search_ = {HypothesisBook({}, calibration), 0, std::vector<double>(n, 0.0)};
+    Found() = {HypothesisBook({}, calibration), 0, std::vector<double>(n, 0.0)};
   }
 
   void Try(const std::vector<int>& suspects, double gain) {
@@ -51,31 +51,33 @@ class RankCandidatesTest : public testing::Test {
     hypothesis.delta_bic = gain - 7.0 * static_cast<double>(suspects.size());
     Eigen::Index num_parameters = kNumParameters;
     for (const int suspect : suspects) {
-      const auto size = suspects_[suspect].effect->info().parameters.size();
-      hypothesis.fit.model.effects.push_back(
-          {suspects_[suspect].effect, suspects_[suspect].setting, std::vector<double>(size, 0.5)});
+      const auto size = Suspects()[suspect].effect->info().parameters.size();
+      hypothesis.fit.model.effects.push_back({Suspects()[suspect].effect,
+                                              Suspects()[suspect].setting,
+                                              std::vector<double>(size, 0.5)});
       num_parameters += static_cast<Eigen::Index>(size);
     }
     hypothesis.fit.covariance = Eigen::MatrixXd::Identity(num_parameters, num_parameters);
-    search_.book.Add(std::move(hypothesis));
+    Found().book.Add(std::move(hypothesis));
   }
 
   std::map<std::string, Candidate> Ranked() const {
     std::map<std::string, Candidate> by_label;
-    for (Candidate& candidate : RankCandidates(search_, judgement_, suspects_)) {
+    for (Candidate& candidate : RankCandidates(judgement_)) {
       by_label[candidate.label] = std::move(candidate);
     }
     return by_label;
   }
 
-  std::vector<Suspect> suspects_;
-  SearchResult search_ = {HypothesisBook({}, {}), 0, {}};
+  std::vector<Suspect>& Suspects() { return judgement_.search.suspects; }
+  SearchResult& Found() { return judgement_.search.found; }
+
   Judgement judgement_;
 };
 
 TEST_F(RankCandidatesTest, SayWhyAScoreHasNoRefit) {
-  search_.scores = {40.9, 2.0, 300.0, 0.0, 0.0, 0.0};
-  search_.book.AddAttempt({2});
+  Found().scores = {40.9, 2.0, 300.0, 0.0, 0.0, 0.0};
+  Found().book.AddAttempt({2});
   auto ranked = Ranked();
   // Far above noise, and not among the ten that were refitted.
   EXPECT_LT(ranked["thruster_lag"].p_value, 1e-6);
@@ -87,7 +89,7 @@ TEST_F(RankCandidatesTest, SayWhyAScoreHasNoRefit) {
 
 TEST_F(RankCandidatesTest, CallItNoiseJustWhereThePValueDoes) {
   for (double score = 0.0; score < 60.0; score += 1.5) {
-    search_.scores.assign(suspects_.size(), score);
+    Found().scores.assign(Suspects().size(), score);
     for (const auto& [label, candidate] : Ranked()) {
       const bool is_noise = candidate.outcome == CandidateOutcome::kScoreWithinNoise;
       EXPECT_EQ(is_noise, candidate.p_value > 0.05) << label << ' ' << score;
@@ -96,7 +98,7 @@ TEST_F(RankCandidatesTest, CallItNoiseJustWhereThePValueDoes) {
 }
 
 TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
-  search_.scores.assign(suspects_.size(), 50.0);
+  Found().scores.assign(Suspects().size(), 50.0);
   Try({0}, 90.0);  // index 1
   Try({1}, 3.0);
   Try({2}, 88.0);  // index 3: a rival
@@ -108,7 +110,7 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
   EXPECT_EQ(ranked["thrust_dead_zone"].outcome, CandidateOutcome::kGainWithinNoise);
   EXPECT_EQ(ranked["time_offset"].outcome, CandidateOutcome::kAlternative);
   EXPECT_EQ(ranked["thrust_curve"].outcome, CandidateOutcome::kNeedless);
-  EXPECT_EQ(RankCandidates(search_, judgement_, suspects_).front().label, "thruster_lag");
+  EXPECT_EQ(RankCandidates(judgement_).front().label, "thruster_lag");
 
   judgement_.choice.chosen = 0;
   judgement_.rivals.clear();
@@ -117,12 +119,12 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
 
 // The same effect in two logs is two suspects.
 TEST_F(RankCandidatesTest, TellTheLogsOfOneEffectApart) {
-  suspects_[0] = {FindEffect("buoyancy_step"), {.log = "first"}};
-  suspects_[1] = {FindEffect("buoyancy_step"), {.log = "second"}};
+  Suspects()[0] = {FindEffect("buoyancy_step"), {.log = "first"}};
+  Suspects()[1] = {FindEffect("buoyancy_step"), {.log = "second"}};
   Try({1}, 90.0);
   judgement_.choice.chosen = 1;
-  EXPECT_EQ(PlaceIn(search_.book[1].fit.model, suspects_[0]), -1);
-  EXPECT_EQ(PlaceIn(search_.book[1].fit.model, suspects_[1]), 0);
+  EXPECT_EQ(PlaceIn(Found().book[1].fit.model, Suspects()[0]), -1);
+  EXPECT_EQ(PlaceIn(Found().book[1].fit.model, Suspects()[1]), 0);
   const auto ranked = Ranked();
   EXPECT_FALSE(ranked.at("buoyancy_step(first)").IsKept());
   EXPECT_TRUE(ranked.at("buoyancy_step(second)").IsKept());

@@ -22,15 +22,14 @@ using testing::StartsWith;
 // One that leaves nothing to say.
 Judgement Plain() {
   Judgement judgement;
+  judgement.search.suspects = {{FindEffect("thruster_lag"), {}}, {FindEffect("sensor_bias"), {}}};
   judgement.evidence = {.inertia = 800.0, .inertia_std = 9.0, .share_left = 0.1};
   judgement.remaining.num_columns = 3;
   return judgement;
 }
 
 std::vector<std::string> RemarksOn(const Judgement& judgement, bool has_velocity = true) {
-  const std::vector<Suspect> suspects = {{FindEffect("thruster_lag"), {}},
-                                         {FindEffect("sensor_bias"), {}}};
-  return RemarksOnJudgement(judgement, suspects, has_velocity);
+  return RemarksOnJudgement(judgement, has_velocity);
 }
 
 TEST(RemarksOnJudgement, AreNoneWhereThereIsNothingToSay) {

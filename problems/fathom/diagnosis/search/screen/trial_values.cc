@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/search/screen/trial_values.h"
 
+#include "fathom/diagnosis/fit/parameter_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,11 +39,13 @@ void SetTimes(const TrainingData& data, const std::string& log, RunScale* scale)
 }
 
 // As many of the parameter's own trials as lie within its bounds.
-std::vector<double> TrialsWithin(const EffectParameter& parameter, double natural) {
+std::vector<double> TrialsWithin(const EffectParameter& parameter,
+                                 const ParameterBounds& bounds,
+                                 double natural) {
   std::vector<double> values;
   for (const double trial : parameter.trials) {
     const double value = trial * natural;
-    if (value > parameter.lower && value < parameter.upper) values.push_back(value);
+    if (value > bounds.lower && value < bounds.upper) values.push_back(value);
   }
   return values;
 }
@@ -68,6 +72,22 @@ std::vector<double> FrequenciesOf(const RunScale& scale) {
 
 }  // namespace
 
+RunScale MeasuredScale(const TrainingData& data) {
+  double force = 0.0, speed = 0.0, n = 0.0;
+  for (const MeasuredSegment& segment : data.segments()) {
+    const Segment plain = PlainSegment(segment);
+    for (size_t i = 0; i < plain.time.size(); ++i, n += 1.0) {
+      const double command = plain.command.At(plain.time[i]);
+      force += command * command;
+      speed += plain.velocity[i] * plain.velocity[i];
+    }
+  }
+  RunScale scale = {.force = std::max(1e-9, std::sqrt(force / n)),
+                    .speed = std::max(1e-9, std::sqrt(speed / n))};
+  SetTimes(data, "", &scale);
+  return scale;
+}
+
 RunScale ScaleOf(const TrainingData& data, const ForceResponse& response, const Suspect& suspect) {
   RunScale scale;
   double force = 0.0, speed = 0.0;
@@ -87,7 +107,9 @@ double SpacingOfTimes(const RunScale& scale) {
   return span / std::clamp(static_cast<int>(span / kSpacing), kFewestTimes, kMostTimes);
 }
 
-std::vector<double> ValuesToTry(const EffectParameter& parameter, const RunScale& scale) {
+std::vector<double> ValuesToTry(const EffectParameter& parameter,
+                                const TrainingData& data,
+                                const RunScale& scale) {
   const double natural = NaturalSize(parameter.quantity, scale);
   switch (parameter.search) {
     case Search::kAmount: {
@@ -96,13 +118,30 @@ std::vector<double> ValuesToTry(const EffectParameter& parameter, const RunScale
     }
     case Search::kSize:
     case Search::kShape:
-      return TrialsWithin(parameter, natural);
+      return TrialsWithin(parameter, BoundsOf(parameter, data), natural);
     case Search::kTimeOfRun:
       return TimesOf(scale);
     case Search::kFrequencyOfRun:
       return FrequenciesOf(scale);
   }
   return {};
+}
+
+std::vector<std::vector<double>> CombinationsOf(const EffectInfo& info,
+                                                const TrainingData& data,
+                                                const RunScale& scale) {
+  std::vector<std::vector<double>> combinations = {{}};
+  for (const EffectParameter& parameter : info.parameters) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& begun : combinations) {
+      for (const double value : ValuesToTry(parameter, data, scale)) {
+        longer.push_back(begun);
+        longer.back().push_back(value);
+      }
+    }
+    combinations = std::move(longer);
+  }
+  return combinations;
 }
 
 }  // namespace fathom

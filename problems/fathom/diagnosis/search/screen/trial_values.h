@@ -20,10 +20,20 @@ struct RunScale {
 // Of all logs but for the times, which are of one where the suspect acts there alone.
 RunScale ScaleOf(const TrainingData& data, const ForceResponse& response, const Suspect& suspect);
 
+// The same of the measured motion.
+RunScale MeasuredScale(const TrainingData& data);
+
 // Between neighbouring times of the run that are tried [s].
 double SpacingOfTimes(const RunScale& scale);
 
 // The values at which a parameter is tried; docs/diagnosis.md (4).
-std::vector<double> ValuesToTry(const EffectParameter& parameter, const RunScale& scale);
+std::vector<double> ValuesToTry(const EffectParameter& parameter,
+                                const TrainingData& data,
+                                const RunScale& scale);
+
+// All combinations of these values of an effect's parameters.
+std::vector<std::vector<double>> CombinationsOf(const EffectInfo& info,
+                                                const TrainingData& data,
+                                                const RunScale& scale);
 
 }  // namespace fathom

@@ -21,7 +21,7 @@ constexpr double kShareOfATone = 0.3;  // of the command's variance, from which 
 
 bool IsShape(const EffectParameter& parameter) { return std::isnan(parameter.null); }
 
-// The trials of one suspect: every combination of its parameters' values; a column per amount.
+// The trials of one suspect, with a column per amount.
 void AppendTrials(const TrainingData& data,
                   int suspect,
                   const EffectInfo& info,
@@ -31,19 +31,8 @@ void AppendTrials(const TrainingData& data,
   for (size_t k = 0; k < info.parameters.size(); ++k) {
     if (!IsShape(info.parameters[k])) amounts.push_back(static_cast<int>(k));
   }
-  std::vector<std::vector<double>> combinations = {{}};
-  for (const EffectParameter& parameter : info.parameters) {
-    std::vector<std::vector<double>> longer;
-    for (const auto& begun : combinations) {
-      for (const double value : ValuesToTry(parameter, scale)) {
-        longer.push_back(begun);
-        longer.back().push_back(value);
-      }
-    }
-    combinations = std::move(longer);
-  }
   const EffectParameter& amount = info.parameters[amounts.front()];
-  for (auto& values : combinations) {
+  for (auto& values : CombinationsOf(info, data, scale)) {
     if (IsAtTheCommandsTone(data, info, values)) continue;
     Trial trial;
     trial.suspect = suspect;
@@ -96,6 +85,7 @@ std::vector<double> ForceAlongRun(const TrainingData& data,
     Instant<double> now;
     now.time = point.time - time_zero;
     if (!partner.empty()) now.partner = partner.At(point.time, point.time, point.time);
+    if (suspect.setting.dof == Dof::kYaw) now.partner.yaw_rate = point.velocity;
     const WaterState<double> water = {point.velocity,
                                       point.velocity,
                                       point.position,

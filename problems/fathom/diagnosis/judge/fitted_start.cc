@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/judge/fitted_start.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+namespace {
+
+constexpr double kStart = 2.0;          // [s]
+constexpr std::ptrdiff_t kFewest = 10;  // samples of the same
+
+// The first seconds of a segment, with ten samples at least.
+OutputStamps FirstStamps(const OutputStamps& stamps) {
+  OutputStamps first;
+  first.start = stamps.start;
+  const auto part = [&](const std::vector<double>& time) {
+    const auto end = std::upper_bound(time.begin(), time.end(), stamps.start + kStart);
+    const auto count = std::max<std::ptrdiff_t>(
+        end - time.begin(), std::min<std::ptrdiff_t>(std::ssize(time), kFewest));
+    return std::vector<double>(time.begin(), time.begin() + count);
+  };
+  first.velocity = part(stamps.velocity);
+  first.displacement = part(stamps.displacement);
+  return first;
+}
+
+// The state at the start that the first seconds tell: the speed, the place where it is measured,
+// and what a sensor with a memory shows. (What the water remembers comes from what was measured
+// before; two seconds would tell it badly.)
+struct StartUnknown {
+  double InitialState::*value;
+  Eigen::Index column;  // in a run's sensitivities
+};
+
+std::vector<StartUnknown> StartUnknownsOf(const MeasuredSegment& segment,
+                                          const ExtendedModel& model) {
+  std::vector<StartUnknown> unknowns = {
+      {&InitialState::velocity, EffectSimulation::kInitialVelocityColumn}};
+  if (!segment.displacement.empty()) {
+    unknowns.push_back({&InitialState::position, EffectSimulation::kInitialPositionColumn});
+  }
+  const std::vector<Excess> excesses = EffectSimulation::ExcessesOf(model);
+  Eigen::Index column = EffectSimulation::NumColumns(model) - std::ssize(excesses);
+  for (const Excess excess : excesses) {
+    if (excess == &InitialState::reading_excess) unknowns.push_back({excess, column});
+    ++column;
+  }
+  return unknowns;
+}
+
+// A least-squares step of the state at the start, and the error there.
+struct StartStep {
+  Eigen::VectorXd change;  // of StartUnknownsOf()
+  double squared_error = 0.0;
+};
+
+// Velocities, where they are measured, tell the speed, and displacements the place: these weigh
+// next to nothing beside them.
+StartStep StepTowards(const MeasuredSegment& segment,
+                      const EffectOutputs& outputs,
+                      const std::vector<StartUnknown>& unknowns) {
+  constexpr double kWeightOfPlace = 1e-2;
+  const auto num_velocities = static_cast<Eigen::Index>(outputs.velocity.size());
+  const auto num_displacements = static_cast<Eigen::Index>(outputs.displacement.size());
+  Eigen::MatrixXd rows(num_velocities + num_displacements, std::ssize(unknowns));
+  Eigen::VectorXd miss(rows.rows());
+  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+    rows.col(j).head(num_velocities) = outputs.velocity_sensitivity.col(unknowns[j].column);
+    rows.col(j).tail(num_displacements) = outputs.displacement_sensitivity.col(unknowns[j].column);
+  }
+  for (Eigen::Index i = 0; i < num_velocities; ++i) {
+    miss[i] = segment.velocity[i] - outputs.velocity[i];
+  }
+  for (Eigen::Index i = 0; i < num_displacements; ++i) {
+    miss[num_velocities + i] = segment.displacement[i] - outputs.displacement[i];
+  }
+  if (num_velocities > 0) {
+    rows.bottomRows(num_displacements) *= kWeightOfPlace;
+    miss.tail(num_displacements) *= kWeightOfPlace;
+  }
+  return {rows.completeOrthogonalDecomposition().solve(miss), miss.squaredNorm()};
+}
+
+InitialState Moved(InitialState state,
+                   const std::vector<StartUnknown>& unknowns,
+                   const Eigen::VectorXd& change) {
+  for (size_t i = 0; i < unknowns.size(); ++i) {
+    state.*unknowns[i].value += change[static_cast<Eigen::Index>(i)];
+  }
+  return state;
+}
+
+}  // namespace
+
+std::optional<InitialState> FittedStart(const MeasuredSegment& segment,
+                                        const ExtendedModel& model) {
+  constexpr int kMostSteps = 6;
+  const EffectSimulation simulation(segment.inputs.get(), FirstStamps(segment.stamps));
+  const std::vector<StartUnknown> unknowns = StartUnknownsOf(segment, model);
+  EffectOutputs outputs;
+  InitialState best = segment.initial;
+  if (!simulation.RunWithSensitivities(model, best, &outputs)) return std::nullopt;
+  StartStep step = StepTowards(segment, outputs, unknowns);
+  double share = 1.0;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const InitialState next = Moved(best, unknowns, share * step.change);
+    const bool runs = simulation.RunWithSensitivities(model, next, &outputs);
+    const StartStep on = runs ? StepTowards(segment, outputs, unknowns) : StartStep{};
+    if (!runs || !(on.squared_error < step.squared_error)) {
+      share *= 0.3;
+      continue;
+    }
+    const bool has_arrived = on.squared_error > 0.999 * step.squared_error;
+    best = next;
+    step = on;
+    share = 1.0;
+    if (has_arrived) break;
+  }
+  return best;
+}
+
+}  // namespace fathom

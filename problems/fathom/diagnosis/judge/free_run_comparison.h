@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/preparation.h"
+#include "fathom/diagnosis/judge/held_out.h"
+
+namespace fathom {
+
+// The user's model beside what is named (itself, where nothing is), by free runs.
+struct FreeRunComparison {
+  FitFigures train_before, train_after;
+  Scored unseen;  // on data that no fit has seen: held out, or blocks left out in turn
+  Gain gain;      // of it
+};
+
+// `fit`: of all training data, by `criterion`.
+FreeRunComparison CompareWithUsers(const Prepared& prepared,
+                                   const StructureFit& fit,
+                                   Criterion criterion,
+                                   bool acts_on_poses_alone);
+
+// Nothing is named: the user's model twice.
+FreeRunComparison OfUsersAlone(FreeRunComparison runs);
+
+}  // namespace fathom
