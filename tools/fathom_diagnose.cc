@@ -114,6 +114,7 @@ void Print(const Diagnosis& diagnosis) {
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
   if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
+  if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));
   std::printf("\n");
   for (const std::string& step : NextSteps(diagnosis)) std::printf("next: %s\n", step.c_str());
   for (const std::string& remark : diagnosis.remarks) std::printf("note: %s\n", remark.c_str());

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/description.h"
 
+#include "fathom/diagnosis/judge/limits.h"
 #include "fathom/diagnosis/judge/missing_force.h"
 #include "fathom/diagnosis/judge/ranking.h"
 #include "fathom/diagnosis/report/remarks.h"
@@ -99,6 +100,9 @@ Diagnosis Described(const MeasuredSegments& segments,
     cause.held_out_gain = HeldOutGain(prepared, judgement, cause);
   }
   diagnosis.candidates = RankCandidates(judgement);
+  diagnosis.limits = LimitsOf(judgement.search.thinned,
+                              judgement.book()[judgement.choice.chosen].fit,
+                              judgement.search.suspects);
 
   const double explained = judgement.book()[judgement.choice.chosen].gain;
   const double all_structure = explained + judgement.remaining.gain;

@@ -102,6 +102,20 @@ struct Cause {
   DecidingRun experiment;
 };
 
+// What the logs leave room for of an effect that is not named.
+struct ExclusionLimit {
+  const Effect* effect = nullptr;  // of one parameter
+  EffectSetting setting;
+  std::string label;  // as Candidate's
+
+  // False where the logs could not have shown the effect at any size that was tried; `low` and
+  // `high` then mean nothing.
+  bool is_told = false;
+
+  // The parameter's values that are not 95 % excluded.
+  double low = 0.0, high = 0.0;
+};
+
 // What the baseline's free run misses, as a force in time; with its standard deviation.
 struct MissingForce {
   std::vector<double> time;       // log time [s]
@@ -142,7 +156,8 @@ struct Diagnosis {
   DiagnosedModel baseline;  // by output error, as fathom_identify gives it
   DiagnosedModel extended;  // the baseline again where nothing is named
   std::vector<Cause> causes;
-  std::vector<Candidate> candidates;  // best first
+  std::vector<Candidate> candidates;   // best first
+  std::vector<ExclusionLimit> limits;  // of effects of one parameter that are not named
 
   // Share of the baseline's squared error that is structure rather than noise, 0 to 1; and of that
   // structure, what the causes account for.

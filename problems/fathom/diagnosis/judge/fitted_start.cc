@@ -3,8 +3,12 @@
 
 #include "fathom/diagnosis/judge/fitted_start.h"
 
+#include "fathom/base/median.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -16,18 +20,38 @@ constexpr double kStart = 2.0;          // [s]
 constexpr std::ptrdiff_t kFewest = 10;  // samples of the same
 
 // The first seconds of a segment, with ten samples at least.
-OutputStamps FirstStamps(const OutputStamps& stamps) {
-  OutputStamps first;
-  first.start = stamps.start;
-  const auto part = [&](const std::vector<double>& time) {
-    const auto end = std::upper_bound(time.begin(), time.end(), stamps.start + kStart);
-    const auto count = std::max<std::ptrdiff_t>(
-        end - time.begin(), std::min<std::ptrdiff_t>(std::ssize(time), kFewest));
-    return std::vector<double>(time.begin(), time.begin() + count);
+MeasuredSegment FirstSeconds(const MeasuredSegment& segment) {
+  MeasuredSegment first = segment;
+  const auto cut = [&](std::vector<double>* time, std::vector<double>* value) {
+    const auto end = std::upper_bound(time->begin(), time->end(), segment.stamps.start + kStart);
+    const std::ptrdiff_t count =
+        std::max(end - time->begin(), std::min(std::ssize(*time), kFewest));
+    time->resize(count);
+    value->resize(count);
   };
-  first.velocity = part(stamps.velocity);
-  first.displacement = part(stamps.displacement);
+  cut(&first.stamps.velocity, &first.velocity);
+  cut(&first.stamps.displacement, &first.displacement);
   return first;
+}
+
+// Takes out what is far from what a run shows, as a single wrong sample among a few is.
+void TakeOutOutliers(const std::vector<double>& shown,
+                     std::vector<double>* time,
+                     std::vector<double>* value) {
+  constexpr double kFar = 5.0;  // robust standard deviations
+  std::vector<double> miss;
+  for (size_t i = 0; i < value->size(); ++i) miss.push_back(std::abs((*value)[i] - shown[i]));
+  if (miss.empty()) return;
+  const double far = kFar * 1.4826 * Median(miss);
+  size_t kept = 0;
+  for (size_t i = 0; i < miss.size(); ++i) {
+    if (miss[i] > far) continue;
+    (*time)[kept] = (*time)[i];
+    (*value)[kept++] = (*value)[i];
+  }
+  if (kept < 3) return;
+  time->resize(kept);
+  value->resize(kept);
 }
 
 // The state at the start that the first seconds tell: the speed, the place where it is measured,
@@ -96,33 +120,50 @@ InitialState Moved(InitialState state,
   return state;
 }
 
-}  // namespace
-
-std::optional<InitialState> FittedStart(const MeasuredSegment& segment,
-                                        const ExtendedModel& model) {
-  constexpr int kMostSteps = 6;
-  const EffectSimulation simulation(segment.inputs.get(), FirstStamps(segment.stamps));
-  const std::vector<StartUnknown> unknowns = StartUnknownsOf(segment, model);
+// The best state and what the run from it shows.
+struct Fitted {
+  InitialState state;
   EffectOutputs outputs;
-  InitialState best = segment.initial;
-  if (!simulation.RunWithSensitivities(model, best, &outputs)) return std::nullopt;
-  StartStep step = StepTowards(segment, outputs, unknowns);
+};
+
+std::optional<Fitted> FitStart(const MeasuredSegment& first,
+                               const ExtendedModel& model,
+                               const InitialState& guess) {
+  constexpr int kMostSteps = 6;
+  const EffectSimulation simulation(first.inputs.get(), first.stamps);
+  const std::vector<StartUnknown> unknowns = StartUnknownsOf(first, model);
+  Fitted best = {guess, {}};
+  if (!simulation.RunWithSensitivities(model, guess, &best.outputs)) return std::nullopt;
+  StartStep step = StepTowards(first, best.outputs, unknowns);
   double share = 1.0;
   for (int i = 0; i < kMostSteps; ++i) {
-    const InitialState next = Moved(best, unknowns, share * step.change);
-    const bool runs = simulation.RunWithSensitivities(model, next, &outputs);
-    const StartStep on = runs ? StepTowards(segment, outputs, unknowns) : StartStep{};
+    Fitted next = {Moved(best.state, unknowns, share * step.change), {}};
+    const bool runs = simulation.RunWithSensitivities(model, next.state, &next.outputs);
+    const StartStep on = runs ? StepTowards(first, next.outputs, unknowns) : StartStep{};
     if (!runs || !(on.squared_error < step.squared_error)) {
       share *= 0.3;
       continue;
     }
     const bool has_arrived = on.squared_error > 0.999 * step.squared_error;
-    best = next;
+    best = std::move(next);
     step = on;
     share = 1.0;
     if (has_arrived) break;
   }
   return best;
+}
+
+}  // namespace
+
+std::optional<InitialState> FittedStart(const MeasuredSegment& segment,
+                                        const ExtendedModel& model) {
+  MeasuredSegment first = FirstSeconds(segment);
+  const auto rough = FitStart(first, model, segment.initial);
+  if (!rough) return std::nullopt;
+  TakeOutOutliers(rough->outputs.velocity, &first.stamps.velocity, &first.velocity);
+  TakeOutOutliers(rough->outputs.displacement, &first.stamps.displacement, &first.displacement);
+  const auto fitted = FitStart(first, model, rough->state);
+  return fitted ? fitted->state : rough->state;
 }
 
 }  // namespace fathom

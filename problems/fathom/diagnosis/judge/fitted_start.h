@@ -12,7 +12,7 @@ namespace fathom {
 
 // The state from which a model's run fits the first two seconds of a segment (ten samples at least)
 // best, in least squares: the speed, the place where it is measured, and what a sensor with a
-// memory shows. Nothing if the run diverges.
+// memory shows. Samples far from the others count for nothing. Nothing if the run diverges.
 std::optional<InitialState> FittedStart(const MeasuredSegment& segment, const ExtendedModel& model);
 
 }  // namespace fathom

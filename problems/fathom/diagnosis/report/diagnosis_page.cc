@@ -109,6 +109,16 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
   return section;
 }
 
+PageSection LimitSection(const Diagnosis& diagnosis) {
+  PageSection section;
+  section.heading = "What these logs rule out";
+  section.text = {
+      "Values of effects that are not named, 95 % excluded each. An effect smaller than that may "
+      "be there."};
+  section.tables.push_back(LimitTable(diagnosis));
+  return section;
+}
+
 // "sensor_lag or thruster_lag": a cause and what it may be instead.
 std::string LabelsOf(const Diagnosis& diagnosis, const Cause& cause) {
   const ActiveEffect& active = EffectOfCause(diagnosis, cause);
@@ -167,6 +177,7 @@ Page DiagnosisPage(const Diagnosis& diagnosis) {
   }
   page.sections.push_back(ParameterSection(diagnosis));
   if (!diagnosis.candidates.empty()) page.sections.push_back(CandidateSection(diagnosis));
+  if (!diagnosis.limits.empty()) page.sections.push_back(LimitSection(diagnosis));
   if (!diagnosis.remarks.empty()) {
     PageSection notes;
     notes.heading = "Remarks";

@@ -141,4 +141,24 @@ Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
   return table;
 }
 
+Table LimitTable(const Diagnosis& diagnosis) {
+  Table table;
+  table.columns = {{"effect not named"}, {"parameter"}, {"95 % excluded"}};
+  for (const ExclusionLimit& limit : diagnosis.limits) {
+    const EffectParameter& parameter = limit.effect->info().parameters.front();
+    const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+    const auto text = [&](double value) {
+      return fmt::format("{:.3g}{}", value, unit == "-" ? "" : " " + UnitText(unit));
+    };
+    const std::string excluded =
+        !limit.is_told           ? "nothing: these logs cannot show it"
+        : std::isinf(limit.high) ? "below " + text(limit.low)
+        : limit.low <= parameter.lower
+            ? "above " + text(limit.high)
+            : fmt::format("below {}, above {}", text(limit.low), text(limit.high));
+    table.rows.push_back({{limit.label, std::string(parameter.name), excluded}});
+  }
+  return table;
+}
+
 }  // namespace fathom

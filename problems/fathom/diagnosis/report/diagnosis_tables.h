@@ -22,4 +22,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis);
 Table CandidateTable(const Diagnosis& diagnosis,
                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
+// What these logs leave room for of every effect that is not named (95 %).
+Table LimitTable(const Diagnosis& diagnosis);
+
 }  // namespace fathom

@@ -92,6 +92,18 @@ Json FormatCandidate(const Diagnosis& diagnosis, const Candidate& candidate) {
   return json;
 }
 
+Json FormatLimit(const Diagnosis& diagnosis, const ExclusionLimit& limit) {
+  const EffectParameter& parameter = limit.effect->info().parameters.front();
+  Json json = FormatEffect(*limit.effect, limit.setting);
+  json["label"] = limit.label;
+  json["parameter"] = parameter.name;
+  json["unit"] = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+  json["is_told"] = limit.is_told;
+  json["low"] = limit.is_told ? limit.low : kNotKnown;
+  json["high"] = limit.is_told ? limit.high : kNotKnown;
+  return json;
+}
+
 }  // namespace
 
 FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
@@ -115,10 +127,13 @@ FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
 
 std::string FormatVerdict(const Diagnosis& diagnosis,
                           const std::vector<std::string>& log_fingerprints) {
-  Json causes = Json::array(), candidates = Json::array();
+  Json causes = Json::array(), candidates = Json::array(), limits = Json::array();
   for (const Cause& cause : diagnosis.causes) causes.push_back(FormatCause(diagnosis, cause));
   for (const Candidate& candidate : diagnosis.candidates) {
     candidates.push_back(FormatCandidate(diagnosis, candidate));
+  }
+  for (const ExclusionLimit& limit : diagnosis.limits) {
+    limits.push_back(FormatLimit(diagnosis, limit));
   }
   const Json json = {{"schema", "fathom-verdict-1"},
                      {"log", fmt::format("{}", fmt::join(diagnosis.logs, ", "))},
@@ -139,6 +154,7 @@ std::string FormatVerdict(const Diagnosis& diagnosis,
                        {"is_in_poses", diagnosis.gain_is_in_poses},
                        {"by_left_out_blocks", diagnosis.by_left_out_blocks}}},
                      {"candidates", candidates},
+                     {"limits", limits},
                      {"logs", diagnosis.logs},
                      {"log_fingerprints", log_fingerprints},
                      {"remarks", diagnosis.remarks}};

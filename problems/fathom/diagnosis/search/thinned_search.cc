@@ -63,13 +63,12 @@ WeighedSearch SearchByLikelihood(const Prepared& prepared,
   const double inertia =
       std::min(baseline.model.baseline.inertia, prepared.users.model.baseline.inertia);
   const double share = IsInertiaOpen(baseline) ? kLeastInertiaIfOpen : kLeastInertia;
-  const TrainingData thinned(prepared.thinned, baseline.model.baseline, share * inertia);
+  TrainingData thinned(prepared.thinned, baseline.model.baseline, share * inertia);
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
-  return {Criterion::kLearnedNoise,
-          suspects,
-          SearchCauses(thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted),
-          baseline};
+  SearchResult found =
+      SearchCauses(thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted);
+  return {Criterion::kLearnedNoise, suspects, std::move(found), std::move(thinned), baseline};
 }
 
 WeighedSearch SearchByFreeRuns(const Prepared& prepared,
@@ -79,7 +78,7 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   const StartedModel& users = prepared.users;
   double inertia = users.model.baseline.inertia;
   if (prepared.inertia_by_momentum > 0.0) inertia = std::min(inertia, prepared.inertia_by_momentum);
-  const TrainingData thinned(prepared.thinned, users.model.baseline, kLeastOfMomentums * inertia);
+  TrainingData thinned(prepared.thinned, users.model.baseline, kLeastOfMomentums * inertia);
   const auto fitted = [&](const TrainingData& data) {
     return FitBy(Criterion::kFreeRun,
                  data,
@@ -95,7 +94,11 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   options.most_refined = 6;
   std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);
   SearchResult found = SearchCauses(thinned, rough, of_the_vehicle, wanted, options);
-  return {Criterion::kFreeRun, std::move(of_the_vehicle), std::move(found), fitted(prepared.data)};
+  return {Criterion::kFreeRun,
+          std::move(of_the_vehicle),
+          std::move(found),
+          std::move(thinned),
+          fitted(prepared.data)};
 }
 
 }  // namespace fathom

@@ -15,7 +15,8 @@ struct WeighedSearch {
   Criterion criterion = Criterion::kLearnedNoise;
   std::vector<Suspect> suspects;
   SearchResult found;
-  StructureFit baseline;  // by the same criterion, to all data
+  TrainingData thinned = TrainingData({});  // that it is over
+  StructureFit baseline;                    // by the same criterion, to all data
 };
 
 // SearchCauses() by likelihood, the noise learned along.

@@ -71,6 +71,7 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
   scores_.assign(num_trials, 0.0);
   surviving_shares_.assign(num_trials, 0.0);
   amounts_.resize(num_trials);
+  responses_.resize(num_trials);
   for (size_t t = 0; t < num_trials; ++t) {
     const Trial& trial = trials->trials[t];
     const int first = trial.first_column, count = trial.num_columns;
@@ -84,6 +85,7 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
     if (!(surviving_shares_[t] > kLeastShare)) continue;
     const Eigen::MatrixXd basis = UnitColumns(own, norms);
     unit_.middleCols(first, count) = basis;
+    if (count == 1) responses_[t] = {own.col(0).dot(cleared.residual), own.col(0).squaredNorm()};
     const Eigen::VectorXd amounts = own.colPivHouseholderQr().solve(cleared.residual);
     if (!trial.any_sign && count == 1 && amounts[0] <= 0.0) continue;
     for (int k = 0; k < count; ++k) amounts_[t][k] = amounts[k];

@@ -30,6 +30,14 @@ class Screen {
   // Share of the signature that the fitted model cannot imitate.
   const std::vector<double>& surviving_shares() const { return surviving_shares_; }
 
+  // Of a trial with one column c, so many times as large: chi squared falls by
+  // 2 times inner - times^2 squared. Both 0 where nothing of it is left.
+  struct Response {
+    double inner = 0.0;    // c' r
+    double squared = 0.0;  // c' c
+  };
+  const Response& response(int trial) const { return responses_[trial]; }
+
   // Score of two trials taken together.
   double PairScore(int a, int b) const;
 
@@ -43,6 +51,7 @@ class Screen {
   Eigen::VectorXd projected_;  // unit' residual
   std::vector<double> scores_, surviving_shares_;
   std::vector<std::vector<double>> amounts_;
+  std::vector<Response> responses_;
 };
 
 }  // namespace fathom
