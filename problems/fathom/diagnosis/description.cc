@@ -9,6 +9,7 @@
 #include "fathom/diagnosis/report/remarks.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -82,6 +83,25 @@ std::vector<ResidualTrace> PoseTraces(const MeasuredSegments& segments,
   return traces;
 }
 
+// A diagnosis whose baseline only was where searches started from: nothing is said of it.
+Diagnosis WithoutBaseline(Diagnosis diagnosis) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  diagnosis.has_baseline = false;
+  diagnosis.baseline = {
+      .model = {{kNone, kNone, kNone, kNone}, {}},
+      .covariance = Eigen::MatrixXd::Constant(kNumParameters, kNumParameters, kNone),
+      .train = {kNone, kNone},
+      .held_out = {kNone, kNone}};
+  diagnosis.structure_share = diagnosis.explained_share = kNone;
+  diagnosis.held_out_gain = diagnosis.held_out_gain_low = diagnosis.held_out_gain_high = kNone;
+  for (Cause& cause : diagnosis.causes) cause.held_out_gain = kNone;
+  diagnosis.missing_force = {};
+  for (auto* traces : {&diagnosis.traces, &diagnosis.pose_traces}) {
+    for (ResidualTrace& trace : *traces) trace.before.clear();
+  }
+  return diagnosis;
+}
+
 }  // namespace
 
 Diagnosis Described(const MeasuredSegments& segments,
@@ -128,7 +148,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   for (std::string& remark : RemarksOnJudgement(judgement, segments.has_velocity)) {
     diagnosis.remarks.push_back(std::move(remark));
   }
-  return diagnosis;
+  return prepared.has_baseline ? diagnosis : WithoutBaseline(std::move(diagnosis));
 }
 
 }  // namespace fathom

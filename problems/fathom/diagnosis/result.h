@@ -153,6 +153,10 @@ struct Diagnosis {
   bool IsUsable() const { return message.empty(); }
 
   Verdict verdict = Verdict::kConsistent;
+
+  // False where no model without a cause fits these logs, but one with a cause does. Then all that
+  // is of the baseline, or of a comparison with it, is NaN or empty.
+  bool has_baseline = true;
   DiagnosedModel baseline;  // by output error, as fathom_identify gives it
   DiagnosedModel extended;  // the baseline again where nothing is named
   std::vector<Cause> causes;
@@ -186,6 +190,9 @@ struct Diagnosis {
   // too: the same of the displacements, as PosesByBlock() has them [m] or [rad].
   std::vector<ResidualTrace> pose_traces;
   std::vector<std::string> remarks;  // what was dropped, counted; what could not be tried, and why
+
+  // Whether there is a model without and one with causes.
+  bool ComparesTwoModels() const { return has_baseline && !causes.empty(); }
 };
 
 // Why a diagnosis is of no use to anyone: its message; or nothing is missing from a baseline that

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace fathom {
@@ -12,6 +13,13 @@ struct OutputStamps {
   double start = 0.0;
   std::vector<double> velocity;      // strictly increasing, from `start` on
   std::vector<double> displacement;  // strictly increasing, from `start` on
+
+  // From the start to the last of either [s].
+  double Duration() const {
+    const double last_velocity = velocity.empty() ? start : velocity.back();
+    const double last_displacement = displacement.empty() ? start : displacement.back();
+    return std::max(last_velocity, last_displacement) - start;
+  }
 };
 
 }  // namespace fathom

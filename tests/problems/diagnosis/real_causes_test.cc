@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/options.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/log/read_log.h"
 
 #include <algorithm>
@@ -66,6 +67,12 @@ TEST_F(RealCauses, ASpringIsNamedWhereThereIsNoBaseline) {
     EXPECT_EQ(Named(diagnosis), Names{"position_stiffness"}) << log;
     EXPECT_GT(diagnosis.extended.model.effects[0].values[0], 0.9) << log;
     EXPECT_LT(diagnosis.extended.model.effects[0].values[0], 1.3) << log;
+    // Without the spring there is no model to compare with, so nothing is said of one.
+    EXPECT_FALSE(diagnosis.has_baseline) << log;
+    EXPECT_TRUE(std::isnan(diagnosis.baseline.held_out.nmae)) << log;
+    EXPECT_TRUE(VerdictSentence(diagnosis).starts_with("No surge model without a cause fits this "
+                                                       "log. One with this cause does:"))
+        << VerdictSentence(diagnosis);
   }
 }
 

@@ -141,12 +141,6 @@ std::vector<Dof> PartnersIn(std::span<const MeasuredSegment> segments, Dof dof) 
 
 }  // namespace
 
-double MeasuredSegment::duration() const {
-  const double last_velocity = stamps.velocity.empty() ? stamps.start : stamps.velocity.back();
-  const double last_pose = stamps.displacement.empty() ? stamps.start : stamps.displacement.back();
-  return std::max(last_velocity, last_pose) - stamps.start;
-}
-
 MeasuredSegments MeasuredSegmentsOf(std::span<const Log> logs, Dof dof) {
   if (logs.empty()) throw InputError("A diagnosis needs at least one log.");
   MeasuredSegments segments;

@@ -26,7 +26,7 @@ struct MeasuredSegment {
   std::vector<double> displacement_variance;  // VarianceOverUsual() of its noise; empty: all alike
   InitialState initial;                       // guessed from the first samples
 
-  double duration() const;
+  double duration() const { return stamps.Duration(); }  // [s]
 };
 
 struct MeasuredSegments {

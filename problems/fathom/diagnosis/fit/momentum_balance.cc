@@ -19,6 +19,7 @@
 namespace fathom {
 namespace {
 
+constexpr double kPiece = 2.0;          // [s]
 constexpr std::size_t kLeastPiece = 8;  // samples
 
 struct Motion {
@@ -116,7 +117,7 @@ Eigen::VectorXd Solved(const Eigen::MatrixXd& A,
 
 }  // namespace
 
-MomentumBalance::MomentumBalance(std::span<const MeasuredSegment> segments, double longest_piece) {
+MomentumBalance::MomentumBalance(std::span<const MeasuredSegment> segments) {
   for (const MeasuredSegment& segment : segments) {
     const Motion motion = MotionOf(segment);
     const std::vector<bool> rest = RestOf(motion.velocity);
@@ -127,7 +128,7 @@ MomentumBalance::MomentumBalance(std::span<const MeasuredSegment> segments, doub
       std::size_t i = begin;
       for (; i < motion.time.size(); ++i) {
         const bool is_long =
-            motion.time[i] - motion.time[begin] > longest_piece && i - begin >= kLeastPiece;
+            motion.time[i] - motion.time[begin] > kPiece && i - begin >= kLeastPiece;
         if (is_long || rest[i] || !std::isfinite(motion.velocity[i])) break;
         piece.time.push_back(motion.time[i]);
         piece.velocity.push_back(motion.velocity[i]);
@@ -264,8 +265,6 @@ std::optional<MomentumFit> MomentumBalance::Solve(const ActiveEffect* effect) co
   return fit;
 }
 
-std::optional<MomentumFit> MomentumBalance::Fit() const { return Solve(nullptr); }
-
 std::optional<MomentumFit> MomentumBalance::FitInertiaAlone() const {
   constexpr double kDampingRate = 0.1;  // [1/s], of a vehicle that is not slowed down in a second
   double push = 0.0, change = 0.0;
@@ -282,6 +281,11 @@ std::optional<MomentumFit> MomentumBalance::FitInertiaAlone() const {
   const double inertia = push / change;
   fit.model.baseline = {inertia, 0.0, kDampingRate * inertia, 0.0};
   return fit;
+}
+
+std::optional<MomentumFit> MomentumBalance::Fit() const {
+  auto fit = Solve(nullptr);
+  return fit ? fit : FitInertiaAlone();
 }
 
 std::optional<MomentumFit> MomentumBalance::FitWith(const ActiveEffect& effect) const {

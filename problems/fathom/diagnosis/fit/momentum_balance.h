@@ -32,16 +32,14 @@ struct MomentumFit {
 // baseline.
 class MomentumBalance {
  public:
-  // `longest_piece` [s]: long ones average noise, short ones are right where the motion is quick
-  // against it. `segments` must outlive this.
-  MomentumBalance(std::span<const MeasuredSegment> segments, double longest_piece);
+  // Pieces of 2 s: long ones average noise, short ones are right where the motion is quick against
+  // them. `segments` must outlive this.
+  explicit MomentumBalance(std::span<const MeasuredSegment> segments);
 
-  // The baseline; nothing if no positive inertia comes of it.
+  // The baseline. Where no positive inertia comes of it (a spring carries most of the motion), an
+  // inertia whose speed changes by as much as the forces push, and little damping; nothing if no
+  // force ever acted.
   std::optional<MomentumFit> Fit() const;
-
-  // An inertia whose speed changes by as much as the forces push, and no resistance to speak of;
-  // nothing if no force ever acted.
-  std::optional<MomentumFit> FitInertiaAlone() const;
 
   // The baseline and one effect, whose amounts (Search::kAmount) are fitted, from a probe that is
   // not their null; its other parameters stay. Nothing if no positive inertia comes of it, or if
@@ -63,6 +61,7 @@ class MomentumBalance {
                             const ActiveEffect* probe,
                             std::span<const std::size_t> amounts) const;
   std::optional<MomentumFit> Solve(const ActiveEffect* effect) const;
+  std::optional<MomentumFit> FitInertiaAlone() const;
 
   std::vector<Piece> pieces_;
 };

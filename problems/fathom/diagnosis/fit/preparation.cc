@@ -22,8 +22,6 @@ namespace {
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
 
-constexpr double kPiece = 2.0;  // [s], of the momentum's balance
-
 std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {
   std::vector<MeasuredSegment> part;
   for (const MeasuredSegment& segment : segments) {
@@ -42,12 +40,9 @@ size_t NumSamples(const std::vector<MeasuredSegment>& segments) {
 // Of the inertia that the measured motion shows: beyond it a fit has run away from any motion.
 constexpr double kRunAway = 1e3;
 
-// Where the momentum along the measured motion puts the baseline; where that is nowhere (a spring
-// carries most of the motion), an inertia that takes the forces for all there is.
+// Where the momentum along the measured motion puts the baseline.
 std::optional<RobustStart> StartByMomentum(const std::vector<MeasuredSegment>& segments) {
-  const MomentumBalance balance(segments, kPiece);
-  auto fit = balance.Fit();
-  if (!fit) fit = balance.FitInertiaAlone();
+  const auto fit = MomentumBalance(segments).Fit();
   if (!fit) return std::nullopt;
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   RobustStart start = {
@@ -56,7 +51,7 @@ std::optional<RobustStart> StartByMomentum(const std::vector<MeasuredSegment>& s
   return start;
 }
 
-// Both models as they were started, not fitted; nothing if that cannot be simulated.
+// A model as it was started, not fitted; nothing if that cannot be simulated.
 std::optional<StructureFit> Unfitted(const TrainingData& data, const RobustStart& start) {
   auto at = data.Linearise(start.model, start.initial);
   if (!at) return std::nullopt;
@@ -78,15 +73,14 @@ std::optional<StructureFit> Unfitted(const TrainingData& data, const RobustStart
 Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   Preparation preparation;
   std::vector<MeasuredSegment> train = Part(segments.all, false);
-  auto by_output_error = FindRobustStart(train);
   const auto by_momentum = StartByMomentum(train);
-  if (!by_output_error && !by_momentum) {
+  if (!by_momentum) {
     preparation.message = NoBaseline(dof);
     return preparation;
   }
-  const double inertia_by_momentum = by_momentum ? by_momentum->model.baseline.inertia : 0.0;
-  if (by_momentum && by_output_error &&
-      by_output_error->model.baseline.inertia > kRunAway * inertia_by_momentum) {
+  const double inertia_by_momentum = by_momentum->model.baseline.inertia;
+  auto by_output_error = FindRobustStart(train);
+  if (by_output_error && by_output_error->model.baseline.inertia > kRunAway * inertia_by_momentum) {
     by_output_error.reset();
   }
   if (by_output_error) {
@@ -118,7 +112,7 @@ Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
     }
   }
   if (!prepared.baseline.IsSimulated()) {
-    auto unfitted = by_momentum ? Unfitted(data, *by_momentum) : std::nullopt;
+    auto unfitted = Unfitted(data, *by_momentum);
     if (!unfitted) {
       preparation.message = NoBaseline(dof);
       return preparation;

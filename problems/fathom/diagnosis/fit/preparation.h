@@ -25,12 +25,11 @@ struct Prepared {
   StructureFit baseline;  // FitBaseline(): what causes are weighed against
   StartedModel users;     // UsersModel(), or the baseline: what free runs are judged against
 
-  // Where the momentum along the measured motion puts the inertia [kg] or [kg m^2]; of no use where
-  // not positive.
+  // Where the momentum along the measured motion puts the inertia [kg] or [kg m^2].
   double inertia_by_momentum = 0.0;
 
-  // False where output error finds no baseline, or one that has run away from
-  // the motion: then both models are MomentumBalance's, to start from, and mean nothing.
+  // False where output error finds no baseline, or one that has run away from the motion: then both
+  // models are MomentumBalance's, to start from, and mean nothing.
   bool has_baseline = true;
 };
 

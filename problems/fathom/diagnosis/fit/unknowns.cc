@@ -9,6 +9,7 @@
 #include <limits>
 
 namespace fathom {
+
 Unknowns Pack(const TrainingData& data,
               const ExtendedModel& model,
               std::span<const InitialState> initial) {

@@ -3,8 +3,6 @@
 
 #include "fathom/diagnosis/judge/free_run_comparison.h"
 
-#include "fathom/diagnosis/judge/left_out_blocks.h"
-
 #include <utility>
 #include <vector>
 
@@ -27,14 +25,14 @@ FitFigures TrainFigures(const TrainingData& data,
 }  // namespace
 
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
+                                   const std::vector<LeftOut>& parts,
                                    const StructureFit& fit,
                                    Criterion criterion,
                                    bool acts_on_poses_alone) {
   const StartedModel& users = prepared.users;
   FreeRunComparison runs;
-  runs.unseen = prepared.held_out.empty()
-                    ? LeaveBlocksOut(prepared.data, users.model, fit, criterion)
-                    : Score(prepared.held_out, users.model, fit.model);
+  runs.unseen = prepared.held_out.empty() ? Score(parts, fit, criterion)
+                                          : Score(prepared.held_out, users.model, fit.model);
   runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
   runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
   runs.gain = GainOf(runs.unseen, acts_on_poses_alone);

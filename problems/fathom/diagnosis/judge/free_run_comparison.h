@@ -3,9 +3,11 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/judge/left_out_blocks.h"
+
+#include <vector>
 
 namespace fathom {
 
@@ -16,8 +18,9 @@ struct FreeRunComparison {
   Gain gain;      // of it
 };
 
-// `fit`: of all training data, by `criterion`.
+// `fit`: of all training data, by `criterion`. `parts`: where nothing is held out.
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
+                                   const std::vector<LeftOut>& parts,
                                    const StructureFit& fit,
                                    Criterion criterion,
                                    bool acts_on_poses_alone);

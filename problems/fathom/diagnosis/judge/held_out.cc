@@ -150,6 +150,12 @@ FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
   return sums.Figures();
 }
 
+bool AreOverTheSame(std::span<const FreeRun> a, std::span<const FreeRun> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const FreeRun& x, const FreeRun& y) {
+    return x.time == y.time;
+  });
+}
+
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::vector<BlockSums> blocks = SumsByBlock(before, after, BlockLength(before));

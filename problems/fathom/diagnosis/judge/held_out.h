@@ -39,6 +39,10 @@ std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const Extend
 // MAE and NMAE over several runs together (docs/models.md (7), (8)); NaN if there are none.
 FitFigures FiguresOfRuns(std::span<const FreeRun> runs);
 
+// Whether two sets of runs are over the same samples. A run that diverges is left out, and blocks
+// may be left out of all logs together or of each.
+bool AreOverTheSame(std::span<const FreeRun> a, std::span<const FreeRun> b);
+
 // How much less the second model's runs miss than the first's, over the same segments:
 // 1 - sum |miss after| / sum |miss before|, with a 95 % interval from blocks of 10 s (of 5 s at
 // least, where the runs are short), Student's for their number; NaN from fewer than four.

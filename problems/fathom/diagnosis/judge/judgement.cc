@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/judge/ladder.h"
+#include "fathom/diagnosis/judge/left_out_blocks.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -28,9 +29,13 @@ RemainingStructure RemainingOf(const Prepared& prepared,
   return FindRemainingStructure(prepared.data, choice.fit());
 }
 
-// True if what a hypothesis that gains so much leaves is more than noise, and a matter.
-bool Remains(const RemainingStructure& remaining, double gain) {
-  const double all_structure = gain + remaining.gain;
+// True if what a hypothesis that gains so much leaves is more than noise, and a matter. Where there
+// is no baseline to gain over, it is a matter of what is left of the error: of a share of its
+// square much below 1 the gain is as many times the number of samples.
+bool Remains(const Prepared& prepared, const RemainingStructure& remaining, double gain) {
+  const double all_structure = prepared.has_baseline
+                                   ? gain + remaining.gain
+                                   : static_cast<double>(prepared.data.bins().size());
   return remaining.p_value < RemainingStructure::kClear &&
          remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
 }
@@ -43,7 +48,7 @@ Sifted SiftedBest(const Prepared& prepared, const WeighedSearch& search, const E
   Sifted sifted = sift(ConfirmedOnAllData(prepared.data, search), Burden::kNotToLose);
   if (prepared.held_out.empty()) return sifted;
   const double gain = search.found.book[sifted.choice.chosen].gain;
-  if (!Remains(RemainingOf(prepared, sifted.choice, evidence), gain)) return sifted;
+  if (!Remains(prepared, RemainingOf(prepared, sifted.choice, evidence), gain)) return sifted;
   // The causes may stand in for what nothing explains; unseen data tell.
   Sifted strict = sift(std::move(sifted.choice), Burden::kToGain);
   strict.refusals.insert(strict.refusals.begin(), sifted.refusals.begin(), sifted.refusals.end());
@@ -101,7 +106,7 @@ Judgement Concluded(const Prepared& prepared,
   }
   const int chosen = sifted.choice.chosen;
   const RemainingStructure remaining = RemainingOf(prepared, sifted.choice, evidence);
-  const bool remains = Remains(remaining, book[chosen].gain);
+  const bool remains = Remains(prepared, remaining, book[chosen].gain);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
   const Verdict verdict = VerdictOf(remains || refusal, chosen != 0, !rivals.empty());
@@ -122,8 +127,19 @@ Judgement JudgedByLikelihood(const Prepared& prepared,
   WeighedSearch search = SearchByLikelihood(prepared, suspects, options);
   Sifted sifted = SiftedBest(prepared, search, evidence);
   const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
-  FreeRunComparison runs = CompareWithUsers(
-      prepared, sifted.choice.fit(), search.criterion, ActOnPosesAlone(causes, search.suspects));
+  const auto& effects = sifted.choice.fit().model.effects;
+  const bool is_of_a_log = std::any_of(effects.begin(), effects.end(), [](const auto& active) {
+    return !active.setting.log.empty();
+  });
+  std::vector<LeftOut> parts;
+  if (prepared.held_out.empty()) {
+    parts = LeaveBlocksOut(prepared, is_of_a_log ? LeavingOut::kOfEachLog : LeavingOut::kOfAll);
+  }
+  FreeRunComparison runs = CompareWithUsers(prepared,
+                                            parts,
+                                            sifted.choice.fit(),
+                                            search.criterion,
+                                            ActOnPosesAlone(causes, search.suspects));
   if (causes.empty()) runs = OfUsersAlone(std::move(runs));
   return Concluded(
       prepared, std::move(search), std::move(sifted), std::move(runs), evidence, options);
@@ -153,7 +169,7 @@ bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
 // better for certain, and by more where that is a cause that they have not refused.
 bool TakesThePlaceOf(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
   const std::vector<FreeRun>& standing = by_likelihood.runs.unseen.after;
-  if (rung.choice.chosen == 0 || standing.size() != rung.runs.unseen.after.size()) return false;
+  if (rung.choice.chosen == 0 || !AreOverTheSame(standing, rung.runs.unseen.after)) return false;
   const Gain gain = GainOf(standing, rung.runs.unseen.after);
   const bool is_better = IsBetterForCertain(gain) &&
                          (by_likelihood.choice.chosen == 0 || gain.value > kBetterThanNamed);

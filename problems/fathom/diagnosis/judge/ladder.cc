@@ -43,6 +43,8 @@ bool IsBetterForCertain(const Gain& gain) {
 
 Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int most_causes) {
   const HypothesisBook& book = search.found.book;
+  std::vector<LeftOut> parts;
+  if (prepared.held_out.empty()) parts = LeaveBlocksOut(prepared, LeavingOut::kOfAll);
   Rung at;
   at.choice.fits[0] = search.baseline;
   bool is_first = true;
@@ -53,14 +55,17 @@ Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int 
       next.choice = WithChosen(prepared.data, search, index, at.choice);
       if (next.choice.chosen == 0) continue;
       next.runs = CompareWithUsers(prepared,
+                                   parts,
                                    next.choice.fit(),
                                    search.criterion,
                                    ActOnPosesAlone(book[index].suspects, search.suspects));
       if (is_first) at.runs = best.runs = OfUsersAlone(next.runs);
       is_first = false;
       const auto& tried = next.runs.unseen.after;
-      const bool same_runs = tried.size() == at.runs.unseen.after.size();
-      if (!same_runs || !IsBetterForCertain(GainOf(at.runs.unseen.after, tried))) continue;
+      const auto& standing = at.runs.unseen.after;
+      const bool is_better =
+          AreOverTheSame(standing, tried) && IsBetterForCertain(GainOf(standing, tried));
+      if (!is_better) continue;
       if (best.choice.chosen == at.choice.chosen || Total(tried) < Total(best.runs.unseen.after)) {
         best = std::move(next);
       }

@@ -28,21 +28,14 @@ void Append(Scored part, Scored* all) {
 
 }  // namespace
 
-Scored LeaveBlocksOut(const TrainingData& data,
-                      const ExtendedModel& baseline,
-                      const StructureFit& extended,
-                      Criterion criterion) {
-  Scored scored;
-  // What belongs to one log alone is known from its other blocks only: then each log leaves out its
-  // own.
-  const auto& effects = extended.model.effects;
-  const bool is_by_log = std::any_of(effects.begin(), effects.end(), [](const auto& active) {
-    return !active.setting.log.empty();
-  });
+std::vector<LeftOut> LeaveBlocksOut(const Prepared& prepared, LeavingOut leaving_out) {
+  const TrainingData& data = prepared.data;
+  const bool is_by_log = leaving_out == LeavingOut::kOfEachLog;
   std::map<std::string, double> totals;
   for (const MeasuredSegment& segment : data.segments()) {
     totals[is_by_log ? segment.log : ""] += segment.duration();
   }
+  std::vector<LeftOut> parts;
   for (int fold = 0; fold < kNumFolds; ++fold) {
     std::vector<MeasuredSegment> kept, left_out;
     std::map<std::string, double> passed_of;
@@ -64,15 +57,24 @@ Scored LeaveBlocksOut(const TrainingData& data,
       if (high < end) add(PartOf(segment, high + 1e-9, end), &kept);
     }
     if (kept.empty() || left_out.empty()) continue;
+    const ExtendedModel& users = prepared.users.model;
+    TrainingData rest(std::move(kept), users.baseline, data.least_inertia());
+    const auto anew = FindRobustStart(rest.segments());
+    parts.push_back({std::move(left_out), std::move(rest), anew ? anew->model : users});
+  }
+  return parts;
+}
+
+Scored Score(const std::vector<LeftOut>& parts, const StructureFit& extended, Criterion criterion) {
+  Scored scored;
+  for (const auto& [left_out, rest, users] : parts) {
     std::vector<InitialState> initial;
-    for (const MeasuredSegment& segment : kept) initial.push_back(segment.initial);
-    const TrainingData rest(std::move(kept), baseline.baseline, data.least_inertia());
-    const auto before = FindRobustStart(rest.segments());
-    const StructureFit after =
+    for (const MeasuredSegment& segment : rest.segments()) initial.push_back(segment.initial);
+    const StructureFit anew =
         criterion == Criterion::kFreeRun
             ? FitBy(criterion, rest, extended.model, initial, extended.noise)
             : FitStructure(rest, extended.model, initial, Whitener(extended.noise, rest.samples()));
-    Append(Score(left_out, before ? before->model : baseline, after.model), &scored);
+    Append(Score(left_out, users, anew.model), &scored);
   }
   return scored;
 }

@@ -48,20 +48,21 @@ void AddSections(std::vector<TimePanel> panels,
 
 void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
   AddSections(FreeRunPanels(diagnosis),
-              diagnosis.causes.empty() ? "The model and the measurement" : "Before and after",
+              diagnosis.ComparesTwoModels() ? "Before and after" : "The model and the measurement",
               {},
               diagnosis.logs.size() > 1,
               page);
 }
 
 void AddPoses(const Diagnosis& diagnosis, Page* page) {
-  AddSections(PosePanels(diagnosis),
-              diagnosis.causes.empty() ? "The model and the poses" : "The poses before and after",
-              {"Every 10 s the modelled displacement is reset to the measured straight line, "
-               "because the drift of a simulation from the command alone would soon hide the "
-               "errors of the poses."},
-              diagnosis.logs.size() > 1,
-              page);
+  AddSections(
+      PosePanels(diagnosis),
+      diagnosis.ComparesTwoModels() ? "The poses before and after" : "The model and the poses",
+      {"Every 10 s the modelled displacement is reset to the measured straight line, "
+       "because the drift of a simulation from the command alone would soon hide the "
+       "errors of the poses."},
+      diagnosis.logs.size() > 1,
+      page);
 }
 
 // What was measured against both models, where the causes show first.
@@ -92,7 +93,8 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
 
 PageSection ParameterSection(const Diagnosis& diagnosis) {
   PageSection section;
-  section.heading = diagnosis.causes.empty() ? "The parameters" : "The parameters before and after";
+  section.heading =
+      diagnosis.ComparesTwoModels() ? "The parameters before and after" : "The parameters";
   section.parameter_panels = ParameterPanels(diagnosis);
   section.tables.push_back(BeforeAndAfterTable(diagnosis));
   return section;
@@ -152,12 +154,11 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
         {"error on held-out poses",
          fmt::format("{:.0f} % {}", 100.0 * std::abs(gain), gain < 0.0 ? "more" : "less")});
   }
-  if (std::isfinite(diagnosis.baseline.held_out.nmae)) {
-    const std::string before = fmt::format("{:.3f}", diagnosis.baseline.held_out.nmae);
+  const double before = diagnosis.baseline.held_out.nmae, after = diagnosis.extended.held_out.nmae;
+  if (std::isfinite(after)) {
     facts.push_back({std::string(NameOfNmae(diagnosis)),
-                     names.empty()
-                         ? before
-                         : fmt::format("{} → {:.3f}", before, diagnosis.extended.held_out.nmae)});
+                     diagnosis.ComparesTwoModels() ? fmt::format("{:.3f} → {:.3f}", before, after)
+                                                   : fmt::format("{:.3f}", after)});
   }
   return facts;
 }

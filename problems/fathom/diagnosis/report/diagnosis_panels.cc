@@ -21,7 +21,11 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEpoch = 1e6;  // stamps beyond this count from some epoch [s]
 constexpr const char* kBefore = "before";
 constexpr const char* kAccounted = "explained by the causes";
-constexpr const char* kAfter = "after";
+
+// The model with all that is named.
+const char* NameOfExtended(const Diagnosis& diagnosis) {
+  return diagnosis.ComparesTwoModels() ? "after" : "model";
+}
 
 std::string WithSpaces(std::string_view name) {
   std::string text(name);
@@ -56,18 +60,33 @@ void AddGap(TimePanel* panel) {
   }
 }
 
+// A model's free runs, in every trace.
+struct Curve {
+  const char* name = "";
+  std::string note;
+  std::vector<double> ResidualTrace::*run = nullptr;
+};
+
+std::vector<Curve> CurvesOf(const Diagnosis& diagnosis,
+                            const std::string& before_note,
+                            const std::string& after_note) {
+  const Curve after = {NameOfExtended(diagnosis), after_note, &ResidualTrace::after};
+  if (!diagnosis.ComparesTwoModels()) return {after};
+  return {{kBefore, before_note, &ResidualTrace::before}, after};
+}
+
 // Curves break where nothing was measured for long, as where no marker is in view.
-void AddTrace(const ResidualTrace& trace, TimePanel* panel) {
+void AddTrace(const ResidualTrace& trace, const std::vector<Curve>& curves, TimePanel* panel) {
   if (!panel->time.empty()) AddGap(panel);
   const double longest_step = LongestStep(trace.time);
   for (std::size_t i = 0; i < trace.time.size(); ++i) {
     if (i > 0 && trace.time[i] - trace.time[i - 1] > longest_step) AddGap(panel);
     panel->time.push_back(trace.time[i]);
     panel->measured->values.push_back(trace.measured[i]);
-    panel->responses[0].values.push_back(trace.before[i]);
-    // A run that diverged is left out.
-    if (panel->responses.size() > 1) {
-      panel->responses[1].values.push_back(i < trace.after.size() ? trace.after[i] : kNotKnown);
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const std::vector<double>& run = trace.*curves[k].run;
+      // A run that diverged is left out.
+      panel->responses[k].values.push_back(i < run.size() ? run[i] : kNotKnown);
     }
   }
   if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
@@ -79,6 +98,7 @@ std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
                                 bool are_velocities,
                                 const std::string& before_note,
                                 const std::string& after_note) {
+  const std::vector<Curve> curves = CurvesOf(diagnosis, before_note, after_note);
   std::vector<TimePanel> panels;
   for (const std::string& log : diagnosis.logs) {
     std::vector<const ResidualTrace*> traces;
@@ -95,10 +115,8 @@ std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
         fmt::format("{} {}", Name(diagnosis.dof), are_velocities ? "velocity" : "displacement");
     panel.unit = are_velocities ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
     panel.measured = Series{"measured", {}, ""};
-    const bool has_causes = !diagnosis.extended.model.effects.empty();
-    panel.responses.push_back({has_causes ? kBefore : "model", {}, before_note});
-    if (has_causes) panel.responses.push_back({kAfter, {}, after_note});
-    for (const ResidualTrace* trace : traces) AddTrace(*trace, &panel);
+    for (const Curve& curve : curves) panel.responses.push_back({curve.name, {}, curve.note});
+    for (const ResidualTrace* trace : traces) AddTrace(*trace, curves, &panel);
     panels.push_back(std::move(panel));
   }
   return panels;
@@ -199,18 +217,17 @@ std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
   const auto std_of = [](const DiagnosedModel& model, int i) {
     return i < model.covariance.rows() ? std::sqrt(model.covariance(i, i)) : kNotKnown;
   };
-  const bool has_causes = !diagnosis.extended.model.effects.empty();
+  const auto estimate_of = [&](const char* name, const DiagnosedModel& model, int i) {
+    return Estimate{name, ToVector(model.model.baseline)[i], std_of(model, i)};
+  };
   for (int i = 0; i < kNumParameters; ++i) {
     ParameterPanel panel;
     panel.name = WithSpaces(kParameterInfo[i].name);
     panel.unit = ParameterUnit(i, diagnosis.dof, diagnosis.force_unit);
-    panel.estimates.push_back({has_causes ? kBefore : "model",
-                               ToVector(diagnosis.baseline.model.baseline)[i],
-                               std_of(diagnosis.baseline, i)});
-    if (has_causes) {
-      panel.estimates.push_back(
-          {kAfter, ToVector(diagnosis.extended.model.baseline)[i], std_of(diagnosis.extended, i)});
+    if (diagnosis.ComparesTwoModels()) {
+      panel.estimates.push_back(estimate_of(kBefore, diagnosis.baseline, i));
     }
+    panel.estimates.push_back(estimate_of(NameOfExtended(diagnosis), diagnosis.extended, i));
     panels.push_back(std::move(panel));
   }
   int index = kNumParameters;
@@ -222,7 +239,8 @@ std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
       panel.name = fmt::format(
           "{}: {}", LabelOf(active.effect->info(), active.setting), WithSpaces(parameter.name));
       panel.unit = unit == "-" ? "" : unit;
-      panel.estimates = {{kAfter, active.values[k], std_of(diagnosis.extended, index++)}};
+      panel.estimates = {
+          {NameOfExtended(diagnosis), active.values[k], std_of(diagnosis.extended, index++)}};
       if (std::isfinite(parameter.null)) {
         panel.reference = parameter.null;
         panel.reference_name = "no effect";

@@ -79,13 +79,21 @@ Table CauseTable(const Diagnosis& diagnosis) {
 }
 
 Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
-  const bool has_causes = !diagnosis.extended.model.effects.empty();
   Table table;
-  table.columns = {{"parameter"}, {has_causes ? "before" : "value", true}};
-  if (has_causes) table.columns.insert(table.columns.end(), {{"after", true}, {"change", true}});
-  const auto add = [&](std::vector<std::string> cells) {
-    cells.resize(table.columns.size());
-    table.rows.push_back({std::move(cells)});
+  table.columns = {{"parameter"}};
+  if (diagnosis.ComparesTwoModels()) {
+    table.columns.insert(table.columns.end(),
+                         {{"before", true}, {"after", true}, {"change", true}});
+  } else {
+    table.columns.push_back({"value", true});
+  }
+  const auto add = [&](const std::string& name,
+                       const std::string& was,
+                       const std::string& is,
+                       const std::string& change) {
+    table.rows.push_back({diagnosis.ComparesTwoModels()
+                              ? std::vector<std::string>{name, was, is, change}
+                              : std::vector<std::string>{name, is}});
   };
   const auto moves_by = [](double was, double is) {
     return Figure(100.0 * (is - was) / std::abs(was), "{:+.1f} %");
@@ -93,24 +101,24 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
   const ParameterVector before = ToVector(diagnosis.baseline.model.baseline);
   const ParameterVector after = ToVector(diagnosis.extended.model.baseline);
   for (int i = 0; i < kNumParameters; ++i) {
-    add({kParameterInfo[i].name + InBrackets(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit)),
-         FormatValue(before[i], StdOf(diagnosis.baseline, i)),
-         FormatValue(after[i], StdOf(diagnosis.extended, i)),
-         i == kBuoyancy ? "-" : moves_by(before[i], after[i])});
+    add(kParameterInfo[i].name + InBrackets(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit)),
+        FormatValue(before[i], StdOf(diagnosis.baseline, i)),
+        FormatValue(after[i], StdOf(diagnosis.extended, i)),
+        i == kBuoyancy ? "-" : moves_by(before[i], after[i]));
   }
   int index = kNumParameters;
   for (const ActiveEffect& active : diagnosis.extended.model.effects) {
     for (std::size_t k = 0; k < active.values.size(); ++k) {
       const EffectParameter& parameter = active.effect->info().parameters[k];
-      add({KeyOf(active, parameter) +
-               InBrackets(UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit)),
-           "-",
-           FormatValue(active.values[k], StdOf(diagnosis.extended, index++)),
-           "-"});
+      add(KeyOf(active, parameter) +
+              InBrackets(UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit)),
+          "-",
+          FormatValue(active.values[k], StdOf(diagnosis.extended, index++)),
+          "-");
     }
   }
   const auto add_figure = [&](const std::string& name, double was, double is) {
-    add({name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is)});
+    add(name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is));
   };
   add_figure("NMAE, training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
   add_figure(diagnosis.by_left_out_blocks ? "NMAE, cross-validated" : "NMAE, held-out data",

@@ -73,11 +73,17 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
                                            bool has_causes) {
   std::vector<std::string> remarks;
   if (!(evidence.inertia_std < evidence.inertia)) {
+    const std::string figures = std::isfinite(evidence.inertia_std)
+                                    ? fmt::format(
+                                          ": the inertia is {:.3g} with a standard "
+                                          "deviation of {:.2g}",
+                                          evidence.inertia,
+                                          evidence.inertia_std)
+                                    : "";
     remarks.push_back(
-        fmt::format("Without causes these logs do not determine the model: the inertia is {:.3g} "
-                    "with a standard deviation of {:.2g}. Treat this result as a hint.",
-                    evidence.inertia,
-                    evidence.inertia_std));
+        fmt::format("Without causes these logs do not determine the model{}. Treat this result as "
+                    "a hint.",
+                    figures));
   }
   if (!has_velocity) {
     remarks.push_back(

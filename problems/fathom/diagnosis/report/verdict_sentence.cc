@@ -40,6 +40,13 @@ std::string Capitalised(std::string text) {
   return text;
 }
 
+// So many digits, those at the end that are zero among them: "0.080".
+std::string WithDigits(double value, int digits) {
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 // Why the error is there, all causes together.
 std::string WhyItMisses(const Diagnosis& diagnosis) {
   const std::string share = Percent(diagnosis.structure_share * diagnosis.explained_share);
@@ -56,6 +63,26 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
   const std::string count =
       reasons.size() < kCounts.size() ? kCounts[reasons.size()] : fmt::format("{}", reasons.size());
   return fmt::format("{} has {} causes: {}.", subject, count, fmt::join(reasons, "; "));
+}
+
+// The same where no model without a cause fits.
+std::string WhatItTakes(const Diagnosis& diagnosis) {
+  const bool is_one = diagnosis.causes.size() == 1;
+  std::vector<std::string> reasons;
+  for (const Cause& cause : diagnosis.causes) {
+    reasons.push_back(ReasonText(diagnosis, cause, ""));
+  }
+  std::string text = fmt::format("No {} model without {} fits {}. One with {} does: {}.",
+                                 Name(diagnosis.dof),
+                                 is_one ? "a cause" : "causes",
+                                 TheseLogs(diagnosis),
+                                 is_one ? "this cause" : "these causes",
+                                 fmt::join(reasons, "; "));
+  const double nmae = diagnosis.extended.held_out.nmae;
+  if (std::isfinite(nmae)) {
+    text += fmt::format(" Its {} is {}.", NameOfNmae(diagnosis), WithDigits(nmae, 2));
+  }
+  return text;
 }
 
 // What cannot be told apart, and what would tell; empty if everything can.
@@ -78,13 +105,6 @@ std::string WhatIsOpen(const Diagnosis& diagnosis) {
     sentences.push_back(experiment);
   }
   return fmt::format("{}", fmt::join(sentences, " "));
-}
-
-// So many digits, those at the end that are zero among them: "0.080".
-std::string WithDigits(double value, int digits) {
-  std::string text = fmt::format("{:#.{}g}", value, digits);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
 }
 
 // Two figures with as few digits as tell them apart, two at least.
@@ -223,7 +243,8 @@ std::string_view NameOfNmae(const Diagnosis& diagnosis) {
 
 std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis) {
   if (diagnosis.causes.empty()) return {WithoutCauses(diagnosis)};
-  std::vector<std::string> paragraphs = {WhyItMisses(diagnosis)};
+  std::vector<std::string> paragraphs = {diagnosis.has_baseline ? WhyItMisses(diagnosis)
+                                                                : WhatItTakes(diagnosis)};
   const auto add = [&](const std::string& text) {
     if (!text.empty()) paragraphs.push_back(text);
   };

@@ -17,7 +17,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kPiece = 2.0;  // [s]
+constexpr double kShortestPiece = 2.0;  // [s]
 constexpr double kMostPieces = 40.0;
 constexpr std::size_t kLeastSamples = 6;  // of a piece
 
@@ -28,7 +28,7 @@ struct MomentumStart {
 
 // The best value of each suspect that the measured motion tells of, the best suspect first.
 std::vector<MomentumStart> StartsByMomentum(const SearchTask& task) {
-  const MomentumBalance balance(task.data.segments(), kPiece);
+  const MomentumBalance balance(task.data.segments());
   const RunScale scale = MeasuredScale(task.data);
   std::vector<MomentumStart> starts;
   for (int k = 0; k < task.num_suspects(); ++k) {
@@ -62,7 +62,7 @@ StructureFit RoughFit(const TrainingData& data, const ExtendedModel& start, doub
 TrainingData InPieces(const TrainingData& data) {
   double total = 0.0;
   for (const MeasuredSegment& segment : data.segments()) total += segment.duration();
-  const double length = std::max(kPiece, total / kMostPieces);
+  const double length = std::max(kShortestPiece, total / kMostPieces);
   std::vector<MeasuredSegment> pieces;
   for (const MeasuredSegment& segment : data.segments()) {
     const double start = segment.stamps.start;

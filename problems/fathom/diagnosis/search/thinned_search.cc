@@ -76,8 +76,7 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
                                const DiagnosisOptions& wanted) {
   constexpr double kLeastOfMomentums = 0.05;  // inertia
   const StartedModel& users = prepared.users;
-  double inertia = users.model.baseline.inertia;
-  if (prepared.inertia_by_momentum > 0.0) inertia = std::min(inertia, prepared.inertia_by_momentum);
+  const double inertia = std::min(users.model.baseline.inertia, prepared.inertia_by_momentum);
   TrainingData thinned(prepared.thinned, users.model.baseline, kLeastOfMomentums * inertia);
   const auto fitted = [&](const TrainingData& data) {
     return FitBy(Criterion::kFreeRun,

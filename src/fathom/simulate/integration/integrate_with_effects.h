@@ -41,13 +41,6 @@ RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, 
   return state;
 }
 
-// From the start to the last stamp [s].
-inline double DurationOf(const OutputStamps& stamps) {
-  const double last_velocity = stamps.velocity.empty() ? stamps.start : stamps.velocity.back();
-  const double last_pose = stamps.displacement.empty() ? stamps.start : stamps.displacement.back();
-  return std::max(last_velocity, last_pose) - stamps.start;
-}
-
 // Takes a step whose ends and force are known. The first one alone may have a length with
 // derivatives.
 template <typename T>
@@ -148,7 +141,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
   std::size_t next_edge =
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
-  StiffPace stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * DurationOf(stamps))};
+  StiffPace stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * stamps.Duration())};
   for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
     const double s = Value(step.begin);
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;

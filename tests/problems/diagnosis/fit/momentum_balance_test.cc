@@ -15,8 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kPiece = 2.0;  // [s]
-
 MeasuredSegments SegmentsOf(SurgeRun run, int seed) {
   const Log log = LogOf(run, seed);
   return MeasuredSegmentsOf(std::span<const Log>(&log, 1), Dof::kSurge);
@@ -32,7 +30,7 @@ SurgeRun QuietRun(const std::string& effects) {
 
 TEST(MomentumBalance, FindsTheModelThatMovedTheVehicle) {
   const MeasuredSegments segments = SegmentsOf(QuietRun(""), 3);
-  const auto fit = MomentumBalance(segments.all, kPiece).Fit();
+  const auto fit = MomentumBalance(segments.all).Fit();
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->model.baseline.inertia, kSurgeTruth.inertia, 0.03 * kSurgeTruth.inertia);
 }
@@ -41,7 +39,7 @@ TEST(MomentumBalance, FindsTheModelThatMovedTheVehicle) {
 TEST(MomentumBalance, FindsASpringThatNoBaselineComesNear) {
   const MeasuredSegments segments = SegmentsOf(QuietRun("position_stiffness:stiffness=400"), 3);
   const auto fit =
-      MomentumBalance(segments.all, kPiece).FitWith({FindEffect("position_stiffness"), {}, {1.0}});
+      MomentumBalance(segments.all).FitWith({FindEffect("position_stiffness"), {}, {1.0}});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->model.baseline.inertia, kSurgeTruth.inertia, 0.05 * kSurgeTruth.inertia);
   EXPECT_NEAR(fit->model.effects[0].values[0], 400.0, 20.0);
@@ -55,7 +53,7 @@ TEST(MomentumBalance, FindsASpringFromPosesAlone) {
   run.position_noise = 1e-4;
   const MeasuredSegments segments = SegmentsOf(run, 3);
   const auto fit =
-      MomentumBalance(segments.all, kPiece).FitWith({FindEffect("position_stiffness"), {}, {1.0}});
+      MomentumBalance(segments.all).FitWith({FindEffect("position_stiffness"), {}, {1.0}});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->model.effects[0].values[0], 400.0, 40.0);
 }
@@ -64,7 +62,7 @@ TEST(MomentumBalance, FindsASpringFromPosesAlone) {
 TEST(MomentumBalance, FindsFrictionBetweenTheStops) {
   const MeasuredSegments segments = SegmentsOf(QuietRun("coulomb_friction:force=20"), 3);
   const auto fit =
-      MomentumBalance(segments.all, kPiece).FitWith({FindEffect("coulomb_friction"), {}, {1.0}});
+      MomentumBalance(segments.all).FitWith({FindEffect("coulomb_friction"), {}, {1.0}});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->model.effects[0].values[0], 20.0, 3.0);
 }

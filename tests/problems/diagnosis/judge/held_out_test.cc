@@ -57,7 +57,7 @@ TEST(GainOf, IsTheShareOfTheErrorThatGoes) {
   EXPECT_TRUE(std::isnan(GainOf({}, {}).value));
 }
 
-// The same with less data: five blocks, whose interval is Student's of four degrees of freedom.
+// The same with 50 s: eight blocks, whose interval is Student's of seven degrees of freedom.
 TEST(GainOf, HasAWiderIntervalFromFewBlocks) {
   const int num_runs = 1000;
   int outside = 0;

@@ -80,8 +80,7 @@ TEST(LimitsOf, HoldSmallEffectsAsOftenAsTheySay) {
   EXPECT_LT(share, 0.97);
 }
 
-// A command that stays below the limit of the thrust shows no limit, and one without a change no
-// delay of it.
+// A command of one level shows any thrust curve and any asymmetry as another scale.
 TEST(LimitsOf, SayWhatCouldNotHaveBeenSeen) {
   SurgeRun run;
   run.input = Steps({20.0}, 120.0);
