@@ -94,7 +94,7 @@ class WhiteningGains {
 
   // What is true at one damping rate, with the kinds met last.
   struct Regime {
-    static constexpr int kNumKinds = 8;
+    static constexpr int kNumKinds = 32;
 
     Regime(const NoiseModel& model, double factor)
         : damping_factor(factor), dynamics(model, factor) {}

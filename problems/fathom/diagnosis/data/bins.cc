@@ -8,9 +8,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace fathom {
 namespace {
+
+constexpr double kShortest = 0.2, kLongest = 0.5;  // [s]
+constexpr double kMostBins = 3000.0;               // of a segment, unless they get too long
+constexpr double kLeastBins = 750.0;               // of all segments
+constexpr double kMostLost = 0.01;                 // of the variance of the speed
+
+// A mean over a bin has no sharper time than this, of its width. Few intervals that differ make the
+// noise's filter quick.
+constexpr double kGrain = 1.0 / 16.0;
 
 // The mean of some variances as a power of two, so that there are few.
 double Rounded(std::span<const double> variances) {
@@ -19,13 +29,47 @@ double Rounded(std::span<const double> variances) {
   return std::exp2(std::round(std::log2(sum / static_cast<double>(variances.size()))));
 }
 
+// Share of the variance of the speed that means over bins of a width lose.
+double LostTo(double width, std::span<const Segment> segments) {
+  double lost = 0.0, all = 0.0;
+  for (const Segment& segment : segments) {
+    const std::vector<double>& t = segment.time;
+    const Eigen::Map<const Eigen::ArrayXd> v(segment.velocity.data(), std::ssize(t));
+    all += (v - v.mean()).square().sum();
+    for (std::size_t begin = 0, end = 0; begin < t.size(); begin = end) {
+      while (end < t.size() && t[end] - t[begin] < width) ++end;
+      const auto own =
+          v.segment(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin));
+      lost += (own - own.mean()).square().sum();
+    }
+  }
+  return all > 0.0 ? lost / all : 1.0;
+}
+
+// The longest bins [s] that lose little more than the shortest and leave many.
+double WidthFor(std::span<const MeasuredSegment> segments) {
+  std::vector<Segment> plain;
+  double duration = 0.0;
+  for (const MeasuredSegment& segment : segments) {
+    duration += segment.duration();
+    plain.push_back(PlainSegment(segment));
+    if (plain.back().time.empty()) plain.pop_back();
+  }
+  const double most = LostTo(kShortest, plain) + kMostLost;
+  double width = std::min(kLongest, duration / kLeastBins);
+  while (width > kShortest && LostTo(width, plain) > most) width -= 0.1;
+  return std::max(width, kShortest);
+}
+
 }  // namespace
 
 Bins::Bins(std::span<const MeasuredSegment> segments) {
+  const double width_of_motion = WidthFor(segments);
   for (size_t index = 0; index < segments.size(); ++index) {
     const MeasuredSegment& segment = segments[index];
     first_rows_.push_back(size());
-    const double width = std::clamp(segment.duration() / 3000.0, 0.2, 0.5);
+    const double width = std::clamp(segment.duration() / kMostBins, width_of_motion, kLongest);
+    const double grain = kGrain * width;
     struct Row {
       double time;
       Bin bin;
@@ -36,7 +80,9 @@ Bins::Bins(std::span<const MeasuredSegment> segments) {
         size_t end = begin + 1;
         double sum = time[begin];
         while (end < time.size() && time[end] - time[begin] < width - 1e-6) sum += time[end++];
-        rows.push_back({sum / static_cast<double>(end - begin), {channel, begin, end}});
+        const double middle = sum / static_cast<double>(end - begin) - segment.stamps.start;
+        rows.push_back(
+            {segment.stamps.start + grain * std::round(middle / grain), {channel, begin, end}});
         begin = end;
       }
     };

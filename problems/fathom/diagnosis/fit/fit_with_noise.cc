@@ -34,6 +34,29 @@ NoiseModel LearnNoise(const TrainingData& data,
   return learned.model;
 }
 
+// The likeliest of a noise that was learned with another model and of ones of the same kind that
+// are smaller: a better model leaves less to the disturbance and to slow sensor errors.
+NoiseModel LikeliestSize(const TrainingData& data,
+                         const StructureFit& fit,
+                         const NoiseModel& known) {
+  const std::span<const double> residual(fit.residual.data(), fit.residual.size());
+  NoiseModel best = known;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const double of_disturbance : {1.0, 0.3, 0.1, 0.03}) {
+    for (const double of_coloured : {1.0, 0.3, 0.1}) {
+      NoiseModel noise = known;
+      noise.disturbance.std *= of_disturbance;
+      noise.velocity.coloured.std *= of_coloured;
+      noise.displacement.coloured.std *= of_coloured;
+      const double log_likelihood = Whitener(noise, data.samples()).LogLikelihood(residual);
+      if (!(log_likelihood > most)) continue;
+      most = log_likelihood;
+      best = noise;
+    }
+  }
+  return best;
+}
+
 // Learns noise and parameters in turn, from a fit under a first noise.
 StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel noise) {
   double previous = -std::numeric_limits<double>::infinity();
@@ -64,9 +87,13 @@ StructureFit FitFreeRun(const TrainingData& data, StructureFit fit) {
 
 }  // namespace
 
-StructureFit FitBy(Criterion criterion, const TrainingData& data, const StructureFit& start) {
-  return criterion == Criterion::kFreeRun ? FitFreeRun(data, start)
-                                          : FitStructureAndNoise(data, start);
+StructureFit FitBy(Criterion criterion,
+                   const TrainingData& data,
+                   const StructureFit& start,
+                   const NoiseModel& known) {
+  if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start);
+  const NoiseModel noise = LearnNoise(data, start, LikeliestSize(data, start, known));
+  return LearnOn(data, FitStructure(data, start, Whitener(noise, data.samples())), noise);
 }
 
 StructureFit FitBy(Criterion criterion,

@@ -19,7 +19,10 @@ enum class Criterion {
 
 // FitStructure() on from a fit whose residual and Jacobian are those of its model, its noise
 // learned in turns with it.
-StructureFit FitBy(Criterion criterion, const TrainingData& data, const StructureFit& start);
+StructureFit FitBy(Criterion criterion,
+                   const TrainingData& data,
+                   const StructureFit& start,
+                   const NoiseModel& known);
 
 // The same from a model that was not run yet.
 StructureFit FitBy(Criterion criterion,

@@ -5,17 +5,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fathom {
 namespace {
 
 constexpr double kStep = 0.1;  // [s]; longer on long segments
 
+// How fast a model's forces in the water resist more, at every point of its run.
+struct Slopes {
+  std::vector<double> over_velocity, over_position;
+};
+
+Slopes SlopesOf(const std::vector<RunPoint>& points,
+                const TrainingData& data,
+                const ExtendedModel& model) {
+  constexpr double kProbe = 1e-4;  // [m/s] or [rad/s], [m] or [rad]
+  Slopes slopes = {std::vector<double>(points.size(), 0.0),
+                   std::vector<double>(points.size(), 0.0)};
+  for (const ActiveEffect& active : model.effects) {
+    if (!IsForceInWater(*active.effect)) continue;
+    for (const auto& [of, slope] : {std::pair(&RunPoint::velocity, &slopes.over_velocity),
+                                    std::pair(&RunPoint::position, &slopes.over_position)}) {
+      std::vector<RunPoint> more = points, less = points;
+      for (RunPoint& point : more) point.*of += kProbe;
+      for (RunPoint& point : less) point.*of -= kProbe;
+      const auto with_more = ForceAlong(more, data.segments(), model.baseline, active);
+      const auto with_less = ForceAlong(less, data.segments(), model.baseline, active);
+      for (size_t i = 0; i < points.size(); ++i) {
+        (*slope)[i] += (with_less[i] - with_more[i]) / (2.0 * kProbe);
+      }
+    }
+  }
+  return slopes;
+}
+
 }  // namespace
 
 ForceResponse::ForceResponse(const TrainingData* data, const StructureFit& fit) : data_(data) {
   const UncoupledModel<double>& model = fit.model.baseline;
-  inertia_ = model.inertia;
+  std::vector<double> durations;  // of the steps [s]
   for (size_t r = 0; r < data->segments().size(); ++r) {
     const MeasuredSegment& segment = data->segments()[r];
     first_points_.push_back(static_cast<int>(points_.size()));
@@ -36,20 +65,57 @@ ForceResponse::ForceResponse(const TrainingData* data, const StructureFit& fit) 
       return;
     }
     for (int i = 0; i < count; ++i) {
-      const double v = outputs.velocity[i];
-      const double rate = std::max(
-          1e-9, (model.linear_damping + 2.0 * model.quadratic_damping * std::abs(v)) / inertia_);
-      const double kept = std::exp(-rate * step);
       points_.push_back({stamps.velocity[i],
-                         v,
+                         outputs.velocity[i],
                          outputs.displacement[i],
                          segment.inputs->command.At(stamps.velocity[i]),
                          static_cast<int>(r)});
-      kept_.push_back(kept);
-      given_.push_back((1.0 - kept) / (rate * inertia_));
+      durations.push_back(step);
     }
   }
   first_points_.push_back(static_cast<int>(points_.size()));
+  const Slopes slopes = SlopesOf(points_, *data, fit.model);
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const double damping = model.linear_damping +
+                           2.0 * model.quadratic_damping * std::abs(points_[i].velocity) +
+                           slopes.over_velocity[i];
+    steps_.push_back(StepOver(durations[i],
+                              std::max(1e-9, damping / model.inertia),
+                              slopes.over_position[i] / model.inertia,
+                              model.inertia));
+  }
+}
+
+// The matrix exponential in closed form, the force being constant; without a stiffness the position
+// is the mean speed's.
+ForceResponse::Step ForceResponse::StepOver(double h, double a, double b, double inertia) {
+  Step step;
+  if (b == 0.0) {
+    step.v_from_v = std::exp(-a * h);
+    step.v_from_force = (1.0 - step.v_from_v) / (a * inertia);
+    step.x_from_v = 0.5 * h * (1.0 + step.v_from_v);
+    step.x_from_force = 0.5 * h * step.v_from_force;
+    return step;
+  }
+  const double half = 0.5 * a, square = b - half * half;
+  const double root = std::sqrt(std::max(std::abs(square), 1e-18));
+  double c = 0.0, s = 0.0;
+  if (square > 0.0) {
+    const double decay = std::exp(-half * h);
+    c = decay * std::cos(root * h);
+    s = decay * std::sin(root * h) / root;
+  } else {
+    const double slow = std::exp((root - half) * h), fast = std::exp(-(root + half) * h);
+    c = 0.5 * (slow + fast);
+    s = 0.5 * (slow - fast) / root;
+  }
+  step.v_from_v = c - half * s;
+  step.v_from_x = -b * s;
+  step.v_from_force = s / inertia;
+  step.x_from_v = s;
+  step.x_from_x = c + half * s;
+  step.x_from_force = (1.0 - step.x_from_x) / (b * inertia);
+  return step;
 }
 
 Eigen::VectorXd ForceResponse::Outputs(const std::vector<double>& force) const {
@@ -59,9 +125,11 @@ Eigen::VectorXd ForceResponse::Outputs(const std::vector<double>& force) const {
     const int first = first_points_[r], end = first_points_[r + 1];
     velocity[first] = position[first] = 0.0;
     for (int i = first + 1; i < end; ++i) {
-      velocity[i] = kept_[i] * velocity[i - 1] + given_[i] * 0.5 * (force[i - 1] + force[i]);
-      const double step = points_[i].time - points_[i - 1].time;
-      position[i] = position[i - 1] + 0.5 * step * (velocity[i - 1] + velocity[i]);
+      const Step& step = steps_[i];
+      const double mean = 0.5 * (force[i - 1] + force[i]);
+      const double v = velocity[i - 1], x = position[i - 1];
+      velocity[i] = step.v_from_v * v + step.v_from_x * x + step.v_from_force * mean;
+      position[i] = step.x_from_v * v + step.x_from_x * x + step.x_from_force * mean;
     }
     const double start = points_[first].time;
     const double step = end > first + 1 ? points_[first + 1].time - start : 1.0;

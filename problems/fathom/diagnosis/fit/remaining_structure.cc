@@ -20,7 +20,7 @@
 namespace fathom {
 namespace {
 
-using Points = std::vector<ForceResponse::Point>;
+using Points = std::vector<RunPoint>;
 
 // Triangles over the range of x, each 1 at its own quantile and 0 at its neighbours'.
 void AppendHats(const std::vector<double>& x, int count, std::vector<std::vector<double>>* forces) {
@@ -133,6 +133,7 @@ RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
+  options.start = fit.noise;
   const NoiseFit noise =
       FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options);
   if (!std::isfinite(noise.log_likelihood)) return remaining;

@@ -32,16 +32,20 @@ std::vector<int> BestTrials(const SearchTask& task, const Screens& screens, int 
 
 // Every pair that explains anything, the best first.
 std::vector<Pair> RankedPairs(const SearchTask& task, const Screens& screens) {
-  std::vector<std::vector<int>> trials;
-  for (int k = 0; k < task.num_suspects(); ++k) trials.push_back(BestTrials(task, screens, k));
+  std::vector<int> trials, first = {0};  // of all suspects; where those of one begin
+  for (int k = 0; k < task.num_suspects(); ++k) {
+    const std::vector<int> own = BestTrials(task, screens, k);
+    trials.insert(trials.end(), own.begin(), own.end());
+    first.push_back(static_cast<int>(trials.size()));
+  }
+  const Eigen::MatrixXd scores = screens.own->screen().PairScores(trials);
   std::vector<Pair> pairs;
   for (int a = 0; a < task.num_suspects(); ++a) {
     for (int b = a + 1; b < task.num_suspects(); ++b) {
       Pair best;
-      for (const int trial_a : trials[a]) {
-        for (const int trial_b : trials[b]) {
-          const double score = screens.own->screen().PairScore(trial_a, trial_b);
-          if (score > best.score) best = {score, a, b, trial_a, trial_b};
+      for (int i = first[a]; i < first[a + 1]; ++i) {
+        for (int j = first[b]; j < first[b + 1]; ++j) {
+          if (scores(i, j) > best.score) best = {scores(i, j), a, b, trials[i], trials[j]};
         }
       }
       if (best.trial_a >= 0) pairs.push_back(best);
@@ -81,8 +85,15 @@ HypothesisBook WithPairs(const SearchTask& task,
   if (!screens.own) return book;
   std::vector<Pair> pairs = RankedPairs(task, screens);
   pairs.resize(std::min<size_t>(pairs.size(), task.options.most_pairs));
+  const auto& calibration = book.calibration();
   for (const Pair& pair : pairs) {
-    if (pair.score < book.calibration().ThresholdOf({pair.a, pair.b})) continue;
+    if (pair.score < calibration.ThresholdOf({pair.a, pair.b})) continue;
+    // As much as one suspect alone, and what noise adds to it.
+    const double least =
+        screens.own->BestScore() +
+        task.options.worth_refining_beside *
+            std::min(calibration.thresholds_beside[pair.a], calibration.thresholds_beside[pair.b]);
+    if (pair.score < least) continue;
     const StructureFit rough = FitStructure(task.data,
                                             ModelWith(pair, task, *baseline),
                                             baseline->fit.initial,

@@ -85,7 +85,7 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
   Hypothesis hypothesis;
   hypothesis.suspects = suspects;
   const Criterion criterion = task.options.criterion;
-  hypothesis.fit = FitBy(criterion, task.data, rough);
+  hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise);
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;

@@ -49,12 +49,17 @@ HypothesisBook WithSingles(const SearchTask& task, const Screens& screens, Hypot
   return book;
 }
 
+struct Widened {
+  HypothesisBook book;
+  bool shows = false;  // whether anything showed beside the hypothesis
+};
+
 // The same with a hypothesis that has causes.
-HypothesisBook WithOneMore(const SearchTask& task, int from, int best, HypothesisBook book) {
+Widened WithOneMore(const SearchTask& task, int from, int best, HypothesisBook book) {
   const Hypothesis base = book[from];
   const Screens screens =
       ScreensAbout(task, WithTrials(task, base.fit), base.fit.noise, Sharpness::kWithSensor);
-  if (!screens.own) return book;
+  if (!screens.own) return {std::move(book)};
   int num_refined = 0;
   for (const int suspect : InOrder(screens.scores)) {
     if (num_refined == task.options.most_refined_beside) break;
@@ -64,6 +69,20 @@ HypothesisBook WithOneMore(const SearchTask& task, int from, int best, Hypothesi
     ++num_refined;
     if (HoldsTheBest(book[best], base, suspect)) continue;
     book = Refined(task, screens, base, suspect, std::move(book));
+  }
+  return {std::move(book), num_refined > 0};
+}
+
+// The book with one suspect more beside each of some hypotheses, the best first. Where nothing
+// shows beside that one, nothing is left for others to explain together.
+HypothesisBook WithOneMoreEach(const SearchTask& task,
+                               const std::vector<int>& beam,
+                               int best,
+                               HypothesisBook book) {
+  for (const int from : beam) {
+    Widened widened = WithOneMore(task, from, best, std::move(book));
+    book = std::move(widened.book);
+    if (from == beam.front() && !widened.shows) break;
   }
   return book;
 }
@@ -105,7 +124,7 @@ SearchResult SearchCauses(const TrainingData& data,
     if (size == 1 && options.criterion == Criterion::kFreeRun) {
       book = WithSinglesByMomentum(task, std::move(book));
     }
-    for (const int from : beam) book = WithOneMore(task, from, standing.best, std::move(book));
+    book = WithOneMoreEach(task, beam, standing.best, std::move(book));
     if (size == 2) book = WithPairs(task, about_baseline, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);
     const bool is_better =

@@ -47,9 +47,7 @@ class ForceResponses : public testing::TestWithParam<bool> {
     EXPECT_LT((outputs - expected).norm(), 0.01 * expected.norm());
   }
 
-  std::vector<ForceResponse::Point> points() const {
-    return ForceResponse(data_.get(), fit_).points();
-  }
+  std::vector<RunPoint> points() const { return ForceResponse(data_.get(), fit_).points(); }
 
   std::unique_ptr<TrainingData> data_;
   StructureFit fit_;
@@ -71,6 +69,23 @@ TEST_P(ForceResponses, OfADragIsThatOfTheSimulation) {
   std::vector<double> force;
   for (const auto& point : points()) force.push_back(-std::pow(point.velocity, 3));
   ExpectClose(force, Difference("cubic_damping", {0.0}, 0.5));
+}
+
+// What is active already resists the answer too: beside a spring, a force makes the vehicle swing.
+TEST_P(ForceResponses, BesideASpringIsThatOfTheSimulation) {
+  fit_.model = WithEffect(fit_.model, {FindEffect("position_stiffness"), {}, {400.0}});
+  std::vector<double> force;
+  for (const auto& point : points()) force.push_back(std::sin(0.7 * point.time));
+  ExpectClose(force, Difference("periodic_force", {0.0, 0.0, 0.7}, 0.05));
+}
+
+// Strongly damped, with a spring that brings the vehicle back slowly.
+TEST_P(ForceResponses, BesideASoftSpringAndDragIsThatOfTheSimulation) {
+  fit_.model.baseline.linear_damping = 2000.0;
+  fit_.model = WithEffect(fit_.model, {FindEffect("position_stiffness"), {}, {100.0}});
+  std::vector<double> force;
+  for (const auto& point : points()) force.push_back(std::sin(0.7 * point.time));
+  ExpectClose(force, Difference("periodic_force", {0.0, 0.0, 0.7}, 0.05));
 }
 
 INSTANTIATE_TEST_SUITE_P(VelocityAndBoth, ForceResponses, testing::Bool());

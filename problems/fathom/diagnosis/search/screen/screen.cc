@@ -40,10 +40,8 @@ Cleared Clear(const StructureFit& fit, const RowMajorMatrix& signatures, const W
   cleared.columns = block.rightCols(num_columns);
   cleared.residual = block.col(num_fitted);
   cleared.norms = cleared.columns.colwise().norm();
-  for (int repeat = 0; repeat < 2; ++repeat) {
-    cleared.columns -= Q * (Q.transpose() * cleared.columns);
-    cleared.residual -= Q * (Q.transpose() * cleared.residual);
-  }
+  cleared.columns -= Q * (Q.transpose() * cleared.columns);
+  cleared.residual -= Q * (Q.transpose() * cleared.residual);
   return cleared;
 }
 
@@ -94,18 +92,34 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
   projected_ = unit_.transpose() * cleared.residual;
 }
 
-double Screen::PairScore(int a, int b) const {
-  const Trial& first = trials_->trials[a];
-  const Trial& second = trials_->trials[b];
-  Eigen::MatrixXd basis(unit_.rows(), first.num_columns + second.num_columns);
-  basis << unit_.middleCols(first.first_column, first.num_columns),
-      unit_.middleCols(second.first_column, second.num_columns);
-  Eigen::VectorXd projected(basis.cols());
-  projected << projected_.segment(first.first_column, first.num_columns),
-      projected_.segment(second.first_column, second.num_columns);
-  const Eigen::MatrixXd gram = basis.transpose() * basis;
-  const Eigen::VectorXd solved = gram.ldlt().solve(projected);
-  return solved.allFinite() ? projected.dot(solved) : 0.0;
+Eigen::MatrixXd Screen::PairScores(const std::vector<int>& some) const {
+  std::vector<Eigen::Index> first, columns;
+  for (const int t : some) {
+    first.push_back(std::ssize(columns));
+    const Trial& trial = trials_->trials[t];
+    for (int k = 0; k < trial.num_columns; ++k) columns.push_back(trial.first_column + k);
+  }
+  first.push_back(std::ssize(columns));
+  const Eigen::MatrixXd unit = unit_(Eigen::all, columns);
+  const Eigen::VectorXd projected = projected_(columns);
+  const Eigen::MatrixXd products = unit.transpose() * unit;
+  const auto score = [&](std::size_t a, std::size_t b) {
+    std::vector<Eigen::Index> both;
+    for (const std::size_t t : {a, b}) {
+      for (Eigen::Index c = first[t]; c < first[t + 1]; ++c) both.push_back(c);
+    }
+    const Eigen::VectorXd inner = projected(both);
+    const Eigen::VectorXd solved = products(both, both).ldlt().solve(inner);
+    return solved.allFinite() ? inner.dot(solved) : 0.0;
+  };
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(std::ssize(some), std::ssize(some));
+  for (std::size_t a = 0; a < some.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
+      scores(i, j) = scores(j, i) = score(b, a);
+    }
+  }
+  return scores;
 }
 
 Eigen::MatrixXd Screen::NullMaxima(int num_draws, int num_suspects, std::uint64_t seed) const {

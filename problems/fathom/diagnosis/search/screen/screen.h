@@ -38,8 +38,8 @@ class Screen {
   };
   const Response& response(int trial) const { return responses_[trial]; }
 
-  // Score of two trials taken together.
-  double PairScore(int a, int b) const;
+  // Scores of every two of some trials taken together; 0 of one with itself.
+  Eigen::MatrixXd PairScores(const std::vector<int>& some) const;
 
   // Draws of each suspect's greatest score where nothing is missing: a row per draw, a column per
   // suspect.

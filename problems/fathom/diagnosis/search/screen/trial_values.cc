@@ -91,7 +91,7 @@ RunScale MeasuredScale(const TrainingData& data) {
 RunScale ScaleOf(const TrainingData& data, const ForceResponse& response, const Suspect& suspect) {
   RunScale scale;
   double force = 0.0, speed = 0.0;
-  for (const ForceResponse::Point& point : response.points()) {
+  for (const RunPoint& point : response.points()) {
     force += point.command * point.command;
     speed += point.velocity * point.velocity;
   }

@@ -5,7 +5,6 @@
 
 #include "fathom/diagnosis/fit/force_response.h"
 #include "fathom/diagnosis/search/screen/trial_values.h"
-#include "fathom/simulate/partner_signals.h"
 #include "fathom/vehicle/effect_law.h"
 
 #include <algorithm>
@@ -54,49 +53,6 @@ std::vector<double> WithOneAmount(const Trial& trial, const EffectInfo& info, in
   return values;
 }
 
-bool IsForceInWater(const EffectLaw<double>& law) {
-  return law.resistance && !law.memory_rate && !law.relative_speed;
-}
-
-// What an effect's resistance is along the run of the fitted model, as a force.
-std::vector<double> ForceAlongRun(const TrainingData& data,
-                                  const ForceResponse& response,
-                                  const StructureFit& fit,
-                                  const Suspect& suspect,
-                                  const std::vector<double>& values) {
-  std::vector<double> force;
-  force.reserve(response.points().size());
-  PartnerSignals partner;
-  int segment = -1;
-  double time_zero = 0.0;
-  bool acts = true;
-  for (const ForceResponse::Point& point : response.points()) {
-    if (point.segment != segment) {
-      segment = point.segment;
-      acts = suspect.setting.ActsIn(data.segments()[segment].log);
-      const EffectInputs& inputs = *data.segments()[segment].inputs;
-      if (suspect.effect->info().has_partner()) partner = PartnerSignals(inputs, suspect.setting);
-      time_zero = inputs.command.time.front();
-    }
-    if (!acts) {
-      force.push_back(0.0);
-      continue;
-    }
-    Instant<double> now;
-    now.time = point.time - time_zero;
-    if (!partner.empty()) now.partner = partner.At(point.time, point.time, point.time);
-    if (suspect.setting.dof == Dof::kYaw) now.partner.yaw_rate = point.velocity;
-    const WaterState<double> water = {point.velocity,
-                                      point.velocity,
-                                      point.position,
-                                      point.velocity,
-                                      fit.model.baseline.quadratic_damping,
-                                      fit.model.baseline.linear_damping};
-    force.push_back(-suspect.effect->law<double>().resistance(values.data(), water, now));
-  }
-  return force;
-}
-
 // Simulates every trial.
 void AppendSignatures(const TrainingData& data,
                       const ForceResponse& response,
@@ -115,8 +71,10 @@ void AppendSignatures(const TrainingData& data,
     for (int k = 0; k < trial.num_columns; ++k) {
       const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
       auto column = columns.col(trial.first_column + k);
-      if (IsForceInWater(suspect.effect->law<double>())) {
-        column = response.Outputs(ForceAlongRun(data, response, fit, suspect, values));
+      if (IsForceInWater(*suspect.effect)) {
+        const ActiveEffect active = {suspect.effect, suspect.setting, values};
+        column = response.Outputs(
+            ForceAlong(response.points(), data.segments(), fit.model.baseline, active));
         continue;
       }
       ExtendedModel model = WithEffect(fit.model, {suspect.effect, suspect.setting, values});

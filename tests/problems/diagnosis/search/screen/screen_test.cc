@@ -91,9 +91,11 @@ TEST(Screen, ScoresPairsAsDenseLeastSquaresOnBothDoes) {
   for (int seed = 0; seed < 5; ++seed) {
     const Made made(seed);
     const Screen screen(made.fit, &made.trials, Whitener(made.noise, made.samples));
-    EXPECT_NEAR(screen.PairScore(0, 1), made.Gain({0, 1}), 1e-6);
-    EXPECT_NEAR(screen.PairScore(0, 2), made.Gain({0, 2, 3}), 1e-6);
-    EXPECT_NEAR(screen.PairScore(2, 3), made.Gain({2, 3, 4}), 1e-6);
+    const Eigen::MatrixXd scores = screen.PairScores({0, 1, 2, 3});
+    EXPECT_NEAR(scores(0, 1), made.Gain({0, 1}), 1e-6);
+    EXPECT_NEAR(scores(0, 2), made.Gain({0, 2, 3}), 1e-6);
+    EXPECT_NEAR(scores(2, 3), made.Gain({2, 3, 4}), 1e-6);
+    EXPECT_EQ(scores(2, 0), scores(0, 2));
   }
 }
 
