@@ -95,7 +95,7 @@ Diagnosis WithoutBaseline(Diagnosis diagnosis) {
   diagnosis.structure_share = diagnosis.explained_share = kNone;
   diagnosis.held_out_gain = diagnosis.held_out_gain_low = diagnosis.held_out_gain_high = kNone;
   for (Cause& cause : diagnosis.causes) cause.held_out_gain = kNone;
-  diagnosis.missing_force = {};
+  diagnosis.missing_force.explained.clear();
   for (auto* traces : {&diagnosis.traces, &diagnosis.pose_traces}) {
     for (ResidualTrace& trace : *traces) trace.before.clear();
   }
@@ -139,8 +139,14 @@ Diagnosis Described(const MeasuredSegments& segments,
   diagnosis.gain_is_in_poses = gain.is_in_poses;
   diagnosis.by_left_out_blocks = prepared.held_out.empty();
 
-  diagnosis.missing_force =
-      FindMissingForce(prepared.data, users, extended, fit.noise, segments.partners);
+  diagnosis.missing_force = FindMissingForce(prepared.data,
+                                             prepared.has_baseline ? users : extended,
+                                             extended,
+                                             fit.noise,
+                                             segments.partners);
+  if (diagnosis.causes.empty() && !judgement.refusals.empty()) {
+    diagnosis.not_named = NotNamedOf(judgement.refusals.back(), judgement.search.suspects);
+  }
   diagnosis.traces = Traces(prepared, extended);
   if (MayLieInPoses(judgement.verdict, extended.model)) {
     diagnosis.pose_traces = PoseTraces(segments, users.model, extended.model);

@@ -8,6 +8,7 @@
 #include "fathom/vehicle/fitted_model.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -116,13 +117,21 @@ struct ExclusionLimit {
   double low = 0.0, high = 0.0;
 };
 
-// What the baseline's free run misses, as a force in time; with its standard deviation.
+// What fits best but is not named.
+struct NotNamed {
+  std::string label;  // of one effect or of several together
+  std::string why;    // a clause: "the error on held-out data grows by 12 %"
+};
+
+// What the baseline's free run misses, as a force in time; with its standard deviation. Where there
+// is no baseline, the same of the extended model.
 struct MissingForce {
   std::vector<double> time;       // log time [s]
   std::vector<double> mean;       // [N] or [N m]
   std::vector<double> std;        // [N] or [N m]
   std::vector<double> explained;  // the part that the named causes account for
-  // What it may depend on, at the same times.
+  // What it may depend on, at the same times; simulated, but for the displacement where that is
+  // measured.
   std::vector<double> command, command_rate, velocity, displacement;
   std::vector<std::vector<double>> partner_velocities;  // one per entry of partner_names
   std::vector<std::string> partner_names;               // "sway"
@@ -160,6 +169,7 @@ struct Diagnosis {
   DiagnosedModel baseline;  // by output error, as fathom_identify gives it
   DiagnosedModel extended;  // the baseline again where nothing is named
   std::vector<Cause> causes;
+  std::optional<NotNamed> not_named;   // where there are no causes and one was refused
   std::vector<Candidate> candidates;   // best first
   std::vector<ExclusionLimit> limits;  // of effects of one parameter that are not named
 

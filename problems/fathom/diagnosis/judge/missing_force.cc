@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace fathom {
@@ -27,6 +29,14 @@ NoiseModel WithDisturbance(NoiseModel noise, double damping_rate, const StartedM
   const double missed = std::max(RmsOf(baseline.residual), 1e-9);
   noise.disturbance.std = std::max(noise.disturbance.std, missed / noise.disturbance.time);
   return noise;
+}
+
+// The next one that was measured; nothing if none is.
+std::optional<double> MeasuredDisplacement(const MeasuredSegment& segment, double t) {
+  const std::vector<double>& stamps = segment.stamps.displacement;
+  if (stamps.empty()) return std::nullopt;
+  const auto next = std::lower_bound(stamps.begin(), stamps.end(), t);
+  return segment.displacement[std::min(next - stamps.begin(), std::ssize(stamps) - 1)];
 }
 
 }  // namespace
@@ -82,7 +92,9 @@ MissingForce FindMissingForce(const TrainingData& data,
                                       segment.inputs->command.At(t - 0.5 * kCommandRateStep)) /
                                      kCommandRateStep);
       missing.velocity.push_back(run.velocity[i]);
-      missing.displacement.push_back(run.displacement[i]);
+      // A model that misses much is soon elsewhere than the vehicle.
+      missing.displacement.push_back(
+          MeasuredDisplacement(segment, t).value_or(run.displacement[i]));
       for (size_t k = 0; k < partners.size(); ++k) {
         missing.partner_velocities[k].push_back(signals[k].At(t, t, t).velocity);
       }

@@ -76,11 +76,12 @@ PageSection MissingForceSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = IsAngular(diagnosis.dof) ? "The missing moment" : "The missing force";
   section.text = {
-      "This is the force that would have to be added to the command for the model without causes "
+      std::string("This is the force that would have to be added to the command for the model ") +
+      (diagnosis.has_baseline ? "without causes " : "") +
       "to follow the measurement. It is estimated as a random force that decays within seconds "
       "(an Ornstein-Uhlenbeck process), smoothed over the log. The band is two standard "
       "deviations. " +
-      std::string(diagnosis.causes.empty()
+      std::string(!diagnosis.ComparesTwoModels()
                       ? "If it follows one of the signals below, look there for the cause."
                       : "The force that the causes explain should lie inside the band. The "
                         "points show both forces over each signal.") +

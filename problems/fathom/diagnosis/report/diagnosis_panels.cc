@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 
 #include "fathom/base/median.h"
-#include "fathom/report/scatter_chart.h"
+#include "fathom/diagnosis/report/suspect_signals.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -18,7 +18,6 @@ namespace fathom {
 namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kEpoch = 1e6;  // stamps beyond this count from some epoch [s]
 constexpr const char* kBefore = "before";
 constexpr const char* kAccounted = "explained by the causes";
 
@@ -162,52 +161,23 @@ std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {
 
 std::vector<ScatterPanel> SuspectPanels(const Diagnosis& diagnosis) {
   const MissingForce& missing = diagnosis.missing_force;
-  constexpr int kNumBins = 24;
   std::vector<ScatterPanel> panels;
-  const auto add =
-      [&](const std::string& name, const std::string& unit, const std::vector<double>& values) {
-        if (values.empty() || values.size() != missing.mean.size()) return;
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        if (!(*most > *least)) return;
-        ScatterPanel panel = {name,
-                              unit,
-                              MissingName(diagnosis),
-                              diagnosis.force_unit,
-                              values,
-                              missing.mean,
-                              {},
-                              kAccounted,
-                              ""};
-        if (!diagnosis.causes.empty() && missing.explained.size() == values.size()) {
-          panel.second_y = missing.explained;
-        }
-        const double share = ShareBetweenBins(values, missing.mean, kNumBins);
-        if (std::isfinite(share)) {
-          panel.note = fmt::format("explains {:.0f} %", 100.0 * share);
-        }
-        panels.push_back(std::move(panel));
-      };
-  const std::string& force_unit = diagnosis.force_unit;
-  const std::string speed_unit(VelocityUnit(diagnosis.dof));
-  add("command", force_unit, missing.command);
-  add("command rate", force_unit + "/s", missing.command_rate);
-  add(fmt::format("{} velocity", Name(diagnosis.dof)), speed_unit, missing.velocity);
-  add("displacement", std::string(DisplacementUnit(diagnosis.dof)), missing.displacement);
-  std::vector<double> time = missing.time;
-  std::string time_name = "time";
-  if (!time.empty() && std::abs(time.front()) > kEpoch) {
-    const double offset = std::floor(time.front());
-    for (double& stamp : time) stamp -= offset;
-    time_name = fmt::format("time + {:.0f} s", offset);
-  }
-  add(time_name, "s", time);
-  for (std::size_t k = 0; k < missing.partner_velocities.size(); ++k) {
-    const std::string partner =
-        k < missing.partner_names.size() ? missing.partner_names[k] : "another DOF";
-    const auto dof = DofFromName(partner);
-    add(partner + " velocity",
-        dof ? std::string(VelocityUnit(*dof)) : "",
-        missing.partner_velocities[k]);
+  for (const SuspectSignal& signal : SuspectSignalsOf(diagnosis)) {
+    ScatterPanel panel = {signal.name,
+                          signal.unit,
+                          MissingName(diagnosis),
+                          diagnosis.force_unit,
+                          signal.values,
+                          missing.mean,
+                          {},
+                          kAccounted,
+                          ""};
+    if (!diagnosis.causes.empty() && missing.explained.size() == signal.values.size()) {
+      panel.second_y = missing.explained;
+    }
+    const double share = ShareExplainedBy(signal, missing.mean);
+    if (std::isfinite(share)) panel.note = fmt::format("explains {:.0f} %", 100.0 * share);
+    panels.push_back(std::move(panel));
   }
   return panels;
 }

@@ -16,54 +16,37 @@ namespace {
 
 constexpr double kLossWorthAWord = 0.02;  // of held-out NMAE
 
-// Of one that is refused beside others, which may be none.
-std::string NotNamedBeside(const Refusal& refusal,
-                           const std::vector<Suspect>& suspects,
-                           const char* why) {
-  const std::string kept = LabelsOf(refusal.kept, suspects);
-  return fmt::format("Not named{}{}: {}. {}.",
-                     kept.empty() ? "" : " beside ",
-                     kept,
-                     LabelsOf(refusal.refused, suspects),
-                     why);
-}
-
-// Of all that was found.
-std::string NotNamed(const Refusal& refusal,
-                     const std::vector<Suspect>& suspects,
-                     const std::string& why) {
-  return fmt::format(
-      "Not named: {}. It fits best, but {}.", LabelsOf(refusal.refused, suspects), why);
+// A clause.
+std::string WhyRefused(const Refusal& refusal) {
+  switch (refusal.reason) {
+    case Refusal::Reason::kLosesBesideOthers:
+      return "with it the error on held-out data grows";
+    case Refusal::Reason::kGainsNothing:
+      return "it has no significant gain on held-out data, and more structure remains that nothing "
+             "explains";
+    case Refusal::Reason::kLosesOnUnseenData:
+      return fmt::format("the error on held-out data grows by {:.0f} %{}",
+                         -100.0 * refusal.loss.value,
+                         std::isnan(refusal.loss.low) ? ""
+                                                      : fmt::format(" ({:.0f} to {:.0f} %)",
+                                                                    -100.0 * refusal.loss.high,
+                                                                    -100.0 * refusal.loss.low));
+    case Refusal::Reason::kLosesInTraining:
+      return fmt::format("the NMAE on the training data itself grows from {:.2g} to {:.2g}",
+                         refusal.nmae_before,
+                         refusal.nmae_after);
+  }
+  return "";
 }
 
 std::string RemarkOn(const Refusal& refusal, const std::vector<Suspect>& suspects) {
-  switch (refusal.reason) {
-    case Refusal::Reason::kLosesBesideOthers:
-      return NotNamedBeside(refusal, suspects, "With it the error on held-out data grows");
-    case Refusal::Reason::kGainsNothing:
-      return NotNamedBeside(refusal,
-                            suspects,
-                            "It fits the training data, but has no significant gain on held-out "
-                            "data, and more structure remains that nothing explains");
-    case Refusal::Reason::kLosesOnUnseenData:
-      return NotNamed(
-          refusal,
-          suspects,
-          fmt::format("the error on held-out data grows by {:.0f} %{}",
-                      -100.0 * refusal.loss.value,
-                      std::isnan(refusal.loss.low) ? ""
-                                                   : fmt::format(" ({:.0f} to {:.0f} %)",
-                                                                 -100.0 * refusal.loss.high,
-                                                                 -100.0 * refusal.loss.low)));
-    case Refusal::Reason::kLosesInTraining:
-      return NotNamed(
-          refusal,
-          suspects,
-          fmt::format("the NMAE on the training data itself grows from {:.2g} to {:.2g}",
-                      refusal.nmae_before,
-                      refusal.nmae_after));
-  }
-  return "";
+  const std::string kept = LabelsOf(refusal.kept, suspects);
+  const NotNamed not_named = NotNamedOf(refusal, suspects);
+  return fmt::format("Not named{}{}: {}. It fits best, but {}.",
+                     kept.empty() ? "" : " beside ",
+                     kept,
+                     not_named.label,
+                     not_named.why);
 }
 
 // On how far the data carry what is said of them: a baseline that they do not determine, poses
@@ -113,6 +96,10 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
 }
 
 }  // namespace
+
+NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects) {
+  return {LabelsOf(refusal.refused, suspects), WhyRefused(refusal)};
+}
 
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers) {
   std::vector<std::string> remarks = segments.remarks;

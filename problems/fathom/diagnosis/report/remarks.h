@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
+#include "fathom/diagnosis/result.h"
 
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ namespace fathom {
 // What is to be said of the data before anything is looked for: what was dropped, counted; what
 // could not be tried, and why.
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers);
+
+// What a refusal says of what it refuses.
+NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects);
 
 // What is to be said of a judgement: what was refused, and why; how far the data carry it.
 std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity);

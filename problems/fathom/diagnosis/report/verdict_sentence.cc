@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/moved_parameter.h"
+#include "fathom/diagnosis/report/suspect_signals.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -185,6 +186,16 @@ std::string Joined(const std::string& gains, const std::string& moves) {
   return gains.empty() ? Capitalised(moves) + "." : fmt::format("{}, and {}.", gains, moves);
 }
 
+// Empty where it follows nothing.
+std::string WhatTheRestFollows(const Diagnosis& diagnosis) {
+  const auto followed = FollowedByTheRest(diagnosis);
+  if (!followed) return "";
+  return fmt::format(" The missing {} follows the {}, which explains {:.0f} % of it.",
+                     IsAngular(diagnosis.dof) ? "moment" : "force",
+                     followed->name,
+                     100.0 * followed->share);
+}
+
 // What speaks against building on the causes; empty where nothing does.
 std::string WhatIsLeft(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
@@ -196,7 +207,8 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::kUnexplained) {
     sentences.push_back(
         "The remaining error is still more than noise, and no effect in the catalogue explains "
-        "it.");
+        "it." +
+        WhatTheRestFollows(diagnosis));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }
@@ -221,12 +233,22 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
       text = fmt::format(
           "{} {} no error of your {} model beyond noise.", logs, show, Name(diagnosis.dof));
     }
+  } else if (diagnosis.not_named) {
+    text = fmt::format(
+        "{} of the error of your {} model is not noise. It fits best with {}, but {}: no cause is "
+        "named.{}",
+        Percent(diagnosis.structure_share),
+        Name(diagnosis.dof),
+        diagnosis.not_named->label,
+        diagnosis.not_named->why,
+        WhatTheRestFollows(diagnosis));
   } else {
     text = fmt::format(
         "{} of the error of your {} model is not noise, and no effect in the catalogue explains "
-        "it.",
+        "it.{}",
         Percent(diagnosis.structure_share),
-        Name(diagnosis.dof));
+        Name(diagnosis.dof),
+        WhatTheRestFollows(diagnosis));
   }
   const double nmae = diagnosis.baseline.held_out.nmae;
   if (std::isfinite(nmae)) {

@@ -50,14 +50,15 @@ TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
        .nmae_after = 0.31}};
   EXPECT_THAT(
       RemarksOn(judgement),
-      ElementsAre("Not named beside thruster_lag: sensor_bias. With it the error on "
-                  "held-out data grows.",
-                  StartsWith("Not named: thruster_lag. It fits the training data, but has no "
-                             "significant gain on held-out data"),
-                  "Not named: thruster_lag with sensor_bias. It fits best, but the error on "
-                  "held-out data grows by 12 % (5 to 20 %).",
-                  "Not named: thruster_lag. It fits best, but the NMAE on the training data "
-                  "itself grows from 0.25 to 0.31."));
+      ElementsAre(
+          "Not named beside thruster_lag: sensor_bias. It fits best, but with it the error "
+          "on held-out data grows.",
+          StartsWith("Not named: thruster_lag. It fits best, but it has no significant gain "
+                     "on held-out data"),
+          "Not named: thruster_lag with sensor_bias. It fits best, but the error on "
+          "held-out data grows by 12 % (5 to 20 %).",
+          "Not named: thruster_lag. It fits best, but the NMAE on the training data "
+          "itself grows from 0.25 to 0.31."));
 }
 
 TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/verdict_sentence.h"
 
+#include <cmath>
 #include <limits>
 
 #include "handmade_diagnosis.h"
@@ -43,6 +44,34 @@ TEST(VerdictSentence, OfAnAmbiguousLog) {
             "linear drag lags commute). With sensor_lag in the model, the NMAE on held-out data "
             "falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), and the inertia "
             "changes from 1086 to 852 kg.");
+}
+
+TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
+  Diagnosis diagnosis = UnexplainedDiagnosis();
+  diagnosis.not_named = {"coulomb_friction", "the error on held-out data grows by 12 %"};
+  EXPECT_EQ(
+      VerdictSentence(diagnosis),
+      "62 % of the error of your surge model is not noise. It fits best with "
+      "coulomb_friction, but the error on held-out data grows by 12 %: no cause is named. The "
+      "NMAE on held-out data is 0.12.");
+}
+
+// A spring that hardens: what the linear one leaves goes with the cube of the displacement.
+TEST(VerdictSentence, SaysWhatTheMissingForceFollows) {
+  Diagnosis diagnosis = UnexplainedDiagnosis();
+  MissingForce& missing = diagnosis.missing_force = {};
+  for (int i = 0; i < 2000; ++i) {
+    const double x = std::sin(0.01 * i);
+    missing.time.push_back(0.1 * i);
+    missing.displacement.push_back(x);
+    missing.velocity.push_back(std::cos(0.01 * i));
+    missing.mean.push_back(20.0 * x + 30.0 * x * x * x);
+    missing.explained.push_back(20.0 * x);
+  }
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("The missing force follows the displacement, which explains "));
+  missing.explained = missing.mean;
+  EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("follows")));
 }
 
 TEST(VerdictSentence, OfAnUnexplainedLog) {
