@@ -69,7 +69,8 @@ const ToolInfo kInfo = {
     .details =
         "Several --log are fitted together. A log needs detections.csv (from fathom_track), "
         "camera.yaml, tags.yaml, mount.yaml and command.csv. The table compares the families on "
-        "the same images. Exit code 2: the refinement has no usable model. See "
+        "the same images. Exit code 2: no family has a usable model, or there are no refined "
+        "poses for --trajectory. See "
         "docs/joint_refinement.md.",
     .repeatable_flags = {"log"}};
 
@@ -159,7 +160,12 @@ int RunRefine() {
     return 2;
   }
   if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatModel(row.fitted));
-  if (!FLAGS_trajectory.empty()) WriteTrajectory(markers, images);
+  if (FLAGS_trajectory.empty()) return 0;
+  if (!images.joint.IsUsable()) {
+    std::fprintf(stderr, "fathom_refine: no refined poses: %s\n", images.joint.message.c_str());
+    return 2;
+  }
+  WriteTrajectory(markers, images);
   return 0;
 }
 

@@ -35,7 +35,7 @@ void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison
   std::vector<std::string> remarks;
   try {
     result->rows.push_back(
-        IdentifyJointly({log}, result->scored, options.identification.joint, &remarks));
+        IdentifyJointly({log}, result->scored, options.identification, &remarks));
   } catch (const InputError& error) {
     if (!is_default) throw;
     remarks = {std::string("left out: ") + error.what()};

@@ -75,7 +75,8 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   }
   const bool can_start = !options.initial_guess || joint.initial_guess;
   if (can_start) result.joint = FitJoint(logs.input, joint);
-  dof.rows.push_back(IdentificationOf(result.joint, dof.scored));
+  dof.rows.push_back(
+      OrBestGuess(IdentificationOf(result.joint, dof.scored), dof.rows, dof.scored.source));
   result.comparison.dofs.push_back(std::move(dof));
   return result;
 }

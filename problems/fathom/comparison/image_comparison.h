@@ -39,8 +39,9 @@ struct HeldDofFound {
 std::vector<HeldDofFound> HeldDofsOf(const ImageComparison& comparison);
 
 // Scored by free runs against the logs' velocity streams where all of them have one, else against
-// the derivative of the PnP poses: a remark says which. The joint row is not usable where the
-// family of `initial_guess` is not. Throws InputError for options that cannot be used.
+// the derivative of the PnP poses: a remark says which. The joint row is OrBestGuess(); the
+// search does not start where the family of `initial_guess` is not usable. Throws InputError for
+// options that cannot be used.
 ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOptions& options);
 
 }  // namespace fathom

@@ -39,9 +39,9 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   }
   identified.findings = CheckSanity(signals);
   identified.result =
-      is_joint ? IdentifyJointly(
-                     std::move(logs), signals, options.identification.joint, &identified.remarks)
-               : Identify(signals, signals, options.family, options.identification);
+      is_joint
+          ? IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks)
+          : Identify(signals, signals, options.family, options.identification);
   return identified;
 }
 

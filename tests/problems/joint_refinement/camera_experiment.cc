@@ -3,6 +3,9 @@
 
 #include "camera_experiment.h"
 
+#include "fathom/joint_refinement/logs/camera_segments.h"
+#include "fathom/marker_trajectory/marker_trajectory.h"
+
 #include <array>
 #include <cmath>
 #include <random>
@@ -71,21 +74,21 @@ JointInput RigOf(const CameraExperiment& experiment) {
   input.dof = experiment.dof;
   input.camera = {.width = 2040,
                   .height = 2040,
-                  .fx = 1400.0,
-                  .fy = 1405.0,
+                  .fx = experiment.focal_length,
+                  .fy = experiment.focal_length + 5.0,
                   .cx = 1018.0,
                   .cy = 1022.0,
                   .lens = LensModel::kPlumbBob,
                   .coefficients = {-0.05, 0.02, 0.0005, -0.0004, 0.0}};
   input.body_from_camera = {Ahead(), {0.9, 0.05, 0.1}};
-  const double wall = 4.2;  // [m] ahead of the body, 3.3 m of the camera
-  constexpr double kSide = 0.4;
+  const double wall = input.body_from_camera.translation.x() + experiment.distance;
+  const double side = experiment.marker_side;
   if (experiment.num_markers == 1) {
-    input.map.markers = {{3, kSide, "tag36h11", {Ahead(), {wall, 0.1, 0.1}}}};
+    input.map.markers = {{3, side, "tag36h11", {Ahead(), {wall, 0.1, 0.1}}}};
   } else {
     for (int i = 0; i < 4; ++i) {
       const Eigen::Vector3d place(wall, i % 2 == 0 ? -0.6 : 0.6, i / 2 == 0 ? -0.45 : 0.45);
-      input.map.markers.push_back({i, kSide, "tag36h11", {Ahead(), place}});
+      input.map.markers.push_back({i, side, "tag36h11", {Ahead(), place}});
     }
   }
   return input;
@@ -148,7 +151,7 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
                       static_cast<unsigned>(experiment.input)};
   std::mt19937 generator(seeds);
   SyntheticCameraRun run;
-  run.truth = FlatFish(experiment.dof);
+  run.truth = experiment.vehicle.value_or(FlatFish(experiment.dof));
   const TrueMotion motion = Move(experiment, run.truth, &generator);
   JointInput& input = run.input;
   input = RigOf(experiment);
@@ -159,6 +162,10 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
 
   std::array<std::vector<double>, 6> wander;
   for (auto& path : wander) path = Wander(experiment.wander, motion.x.size(), &generator);
+  const std::vector<double> pitching =
+      experiment.pitch_frequency > 0.0
+          ? Swing(motion.a, experiment.pitch_frequency, experiment.pitch_damping)
+          : motion.a;
   CornerErrors errors(experiment, &generator);
   CameraSegment segment;
   segment.command = motion.command;
@@ -173,7 +180,7 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
       const double path = wander[j][i] + s * (wander[j][i + 1] - wander[j][i]);
       eta[j] = (j < 3 ? experiment.wander_position : experiment.wander_angle) * path;
     }
-    eta[4] += experiment.pitch_per_acceleration * motion.a[i];
+    eta[4] += experiment.pitch_per_acceleration * pitching[i];
     eta[Index(experiment.dof)] = state.displacement;
     const Pose truth = PoseOf(eta);
     std::vector<Detection> seen = ObserveCorners(input.camera, true_map, truth * true_mount, t);
@@ -190,6 +197,40 @@ SyntheticCameraRun Synthesize(const CameraExperiment& experiment) {
   }
   input.segments.push_back(std::move(segment));
   return run;
+}
+
+JointInput Tracked(const SyntheticCameraRun& run) {
+  const CameraSegment& segment = run.input.segments[0];
+  std::vector<Detection> all;
+  for (size_t k = 0; k < segment.time.size(); ++k) {
+    for (Detection detection : segment.detections[k]) {
+      detection.time = segment.time[k];
+      all.push_back(detection);
+    }
+  }
+  const MarkerTrack track =
+      TrackMarkers(all, run.input.camera, run.input.map, run.input.body_from_camera);
+  JointInput input = run.input;
+  input.segments = CutIntoSegments(all, track).segments;
+  for (CameraSegment& own : input.segments) own.command = segment.command;
+  return input;
+}
+
+CameraExperiment BeforeADistantMarker(double duration, unsigned seed) {
+  CameraExperiment experiment = {.dof = Dof::kSurge,
+                                 .input = InputKind::kMultisine,
+                                 .duration = duration,
+                                 .corner_noise = 0.4,
+                                 .wander = WanderKind::kBand,
+                                 .wander_position = 0.02,
+                                 .wander_angle = 0.015,
+                                 .outliers = 0.02};
+  experiment.distance = 6.3;
+  experiment.marker_side = 0.25;
+  experiment.focal_length = 1000.0;
+  experiment.vehicle = UncoupledModel<double>{20.0, 20.0, 4.0, 0.13};
+  experiment.seed = seed;
+  return experiment;
 }
 
 Log PoseLog(const SyntheticCameraRun& run) {

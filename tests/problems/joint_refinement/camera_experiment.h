@@ -9,6 +9,7 @@
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace fathom {
@@ -18,6 +19,9 @@ enum class WanderKind {
   kFiltered,   // white noise through two lags
   kSinusoids,  // a dozen slow sines of random phase
   kRough,      // Ornstein-Uhlenbeck: no velocity at all
+  kBand,       // normal noise, flat from 0.01 to 0.25 Hz and nothing beyond
+  kCycle,      // hunts about its setpoint: a triangle of some 10 s, its period drifting
+  kSteps,      // goes to another level every 20 s or so
   kNone
 };
 
@@ -35,6 +39,8 @@ struct CameraExperiment {
   double wander_position = 0.01;        // std of each held coordinate [m]
   double wander_angle = 0.002;          // [rad]
   double pitch_per_acceleration = 0.0;  // pitch follows the excited DOF's acceleration [rad s^2/m]
+  // As a pendulum of this frequency [rad/s] and damping ratio; 0: at once.
+  double pitch_frequency = 0.0, pitch_damping = 1.0;
   double disturbance = 0.0;   // std of a random force on the excited DOF, slow by 2 s [N] or [N m]
   double outliers = 0.0;      // share of detections whose corners are somewhere else
   double flips = 0.0;         // share of frames whose first guess is the square's other solution
@@ -42,6 +48,11 @@ struct CameraExperiment {
   double size_scale = 1.0;    // true side of the markers over that of the map
   // Where the camera truly hangs less where its mount says, along the body's axes [m].
   std::array<double, 3> mount_error = {};
+  double distance = 3.3;         // of the markers from the camera [m]
+  double marker_side = 0.4;      // [m]
+  double focal_length = 1400.0;  // [px]
+  // Another vehicle, which the multisine moves in open loop along its DOF; absent: FlatFish.
+  std::optional<UncoupledModel<double>> vehicle = {};
   unsigned seed = 1;
 };
 
@@ -56,6 +67,14 @@ struct SyntheticCameraRun {
 UncoupledModel<double> FlatFish(Dof dof);
 
 SyntheticCameraRun Synthesize(const CameraExperiment& experiment);
+
+// The input with the segments that the tools make of its detections: by TrackMarkers(), as
+// PrepareMarkerLogs() does.
+JointInput Tracked(const SyntheticCameraRun& run);
+
+// A small vehicle that goes to and fro before a marker far away, which it sees face on: both poses
+// of the square fit in most frames, and neither is the right one.
+CameraExperiment BeforeADistantMarker(double duration, unsigned seed);
 
 // The run's first guesses as the poses of a log, for what works on poses.
 Log PoseLog(const SyntheticCameraRun& run);

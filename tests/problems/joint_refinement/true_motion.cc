@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 
@@ -78,12 +79,79 @@ struct Multisine {
   }
 };
 
+// 96 lines of normal amplitudes, evenly over the band.
+std::vector<double> BandPath(size_t n, std::mt19937* generator) {
+  constexpr int kLines = 96;
+  constexpr double kLow = 0.01, kHigh = 0.25;  // [Hz]
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  std::vector<double> path(n, 0.0);
+  for (int line = 0; line < kLines; ++line) {
+    const double frequency =
+        2.0 * std::numbers::pi * (kLow + (kHigh - kLow) * (line + any(*generator)) / kLines);
+    const std::complex<double> turn = std::polar(1.0, frequency * kTrueStep);
+    std::complex<double> at(normal(*generator), normal(*generator));
+    at /= std::sqrt(kLines);
+    for (size_t i = 0; i < n; ++i, at *= turn) path[i] += at.real();
+  }
+  return path;
+}
+
+std::vector<double> CyclePath(size_t n, std::mt19937* generator) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  const double period = 6.0 + 8.0 * any(*generator);  // [s]
+  double phase = any(*generator);                     // in periods
+  std::vector<double> path(n);
+  for (double& value : path) {
+    value = std::sqrt(3.0) * (4.0 * std::abs(phase - std::floor(phase) - 0.5) - 1.0);
+    phase += kTrueStep / period + 0.03 * std::sqrt(kTrueStep) * normal(*generator);
+  }
+  return path;
+}
+
+std::vector<double> StepPath(size_t n, std::mt19937* generator) {
+  std::normal_distribution<double> normal;
+  std::exponential_distribution<double> wait(1.0 / 20.0);  // [s]
+  std::vector<double> level(n);
+  double next = 0.0, now = 0.0;
+  for (size_t i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i) * kTrueStep;
+    if (t >= next) {
+      now = normal(*generator);
+      next = t + wait(*generator);
+    }
+    level[i] = now;
+  }
+  return Swing(level, 1.5, 0.9);
+}
+
 }  // namespace
+
+std::vector<double> Swing(const std::vector<double>& push, double frequency, double ratio) {
+  std::vector<double> path;
+  path.reserve(push.size());
+  double y = push.front(), rate = 0.0;
+  for (const double to : push) {
+    path.push_back(y);
+    rate += kTrueStep * (frequency * frequency * (to - y) - 2.0 * ratio * frequency * rate);
+    y += kTrueStep * rate;
+  }
+  return path;
+}
 
 TrueMotion Move(const CameraExperiment& experiment,
                 const UncoupledModel<double>& m,
                 std::mt19937* generator) {
   const double dt = 1.0 / experiment.rate;
+  if (experiment.vehicle) {
+    const Multisine x(0.15, generator);
+    return Integrate(m, experiment, x.At(0.0, 1), [&](double t, double) {
+      const double v = x.At(t, 1);
+      return m.inertia * x.At(t, 2) + m.quadratic_damping * v * std::abs(v) + m.linear_damping * v +
+             m.buoyancy;
+    });
+  }
   if (experiment.dof == Dof::kSurge) {  // open loop, trimmed by the buoyancy
     if (experiment.input == InputKind::kSine) {
       return Integrate(m, experiment, 0.0, [&](double t, double) {
@@ -141,6 +209,9 @@ std::vector<double> Wander(WanderKind kind, size_t n, std::mt19937* generator) {
     }
     return path;
   }
+  if (kind == WanderKind::kBand) return BandPath(n, generator);
+  if (kind == WanderKind::kCycle) return CyclePath(n, generator);
+  if (kind == WanderKind::kSteps) return StepPath(n, generator);
   const double slow = 3.0, quick = kind == WanderKind::kRough ? 0.0 : 0.5;  // time constants [s]
   const double decay = std::exp(-kTrueStep / slow);
   double u = normal(*generator), y = u;

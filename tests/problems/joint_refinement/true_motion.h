@@ -28,6 +28,10 @@ TrueMotion Move(const CameraExperiment& experiment,
 // What a held coordinate does, every kTrueStep, with standard deviation 1.
 std::vector<double> Wander(WanderKind kind, size_t n, std::mt19937* generator);
 
+// How a pendulum of this natural frequency [rad/s] and damping ratio follows `push`, every
+// kTrueStep; it would rest where the push is constant.
+std::vector<double> Swing(const std::vector<double>& push, double frequency, double ratio);
+
 struct TrueState {
   double displacement = 0.0, speed = 0.0;
 };

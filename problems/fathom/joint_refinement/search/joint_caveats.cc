@@ -106,6 +106,31 @@ std::string CaveatOnDelayOf(const JointInput& input,
   return CaveatOnDelay(longest.command.Between(longest.time.front(), longest.time.back()), doubt);
 }
 
+// That the camera's clock is not what the options hold it for: by where a step of the linear
+// problem would take it. Of the segment that is the most certain.
+std::string CaveatOnClock(const JointOptions& options,
+                          const JointStart& at,
+                          const SearchEnd& end,
+                          std::span<const LinearSegment> linear) {
+  if (options.clock_offset_std > 0.0) return "";
+  const LinearJoint free = WithClockFree(options, at, end, linear, 0, linear.size());
+  if (!free.is_usable()) return "";
+  constexpr double kFarOff = 5.0;  // standard deviations
+  double offset = 0.0, std = 1.0;
+  for (size_t r = 0; r < linear.size(); ++r) {
+    const double own = free.change(r)[kClockColumn];
+    const double own_std = std::sqrt(free.covariance(r)(kClockColumn, kClockColumn));
+    if (std::abs(own) / own_std > std::abs(offset) / std) offset = own, std = own_std;
+  }
+  if (!(std::abs(offset) > kFarOff * std)) return "";
+  return fmt::format(
+      "The corners contradict an exact camera clock: they suggest an offset of about {:.2g} s (± "
+      "{:.1g} s). The parameters are then wrong by more than their intervals. Correct the stamps, "
+      "or estimate the offset (--clock_offset_std=1).",
+      offset,
+      std);
+}
+
 }  // namespace
 
 std::vector<std::string> CaveatsOn(const JointInput& input,
@@ -118,7 +143,8 @@ std::vector<std::string> CaveatsOn(const JointInput& input,
   if (!options.moves_freely) {
     caveats = {CaveatOn(kQuadraticDamping, summary),
                CaveatOn(kLinearDamping, summary),
-               CaveatOnDelayOf(input, options, at, end, linear, summary)};
+               CaveatOnDelayOf(input, options, at, end, linear, summary),
+               CaveatOnClock(options, at, end, linear)};
   }
   caveats.push_back(CaveatOnAxis(input.dof, at, summary));
   std::erase(caveats, "");

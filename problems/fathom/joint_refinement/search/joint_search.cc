@@ -31,6 +31,15 @@ bool FindMode(const JointOptions& options, JointStart* at, SearchEnd* end, Joint
   return solve.converged;
 }
 
+// The mode with the model held where it is: poses that agree with its motion. A search that does
+// not end is no reason to stop, the next one goes on from there.
+void FindPoses(const JointOptions& options, JointStart* at) {
+  std::vector<GlobalsPrior> priors = PriorsOf(options, at->unknowns, {});
+  std::fill_n(priors[0].std.begin(), kModelColumns, 0.0);
+  SolveJoint(
+      &at->data, at->processes, priors, {.max_iterations = options.max_iterations}, &at->unknowns);
+}
+
 bool IsSetupFree(const JointOptions& options) {
   return options.size_scale_std > 0.0 || options.mount_position_std > 0.0 ||
          options.mount_angle_std > 0.0;
@@ -103,6 +112,7 @@ bool SearchJoint(const JointOptions& options,
   const int excited = at->data.excited;
   std::vector<LinearSegment> linear;
   bool is_setup_found = !IsSetupFree(options);
+  if (at->poses == StartPoses::kHeldStill) FindPoses(options, at);
   while (true) {
     if (options.on_round) options.on_round(summary->num_rounds + 1, options.max_rounds);
     if (!Linearise(&at->data, at->unknowns, at->processes.corner_sigma, &linear)) {

@@ -91,6 +91,23 @@ JointUnknowns FirstUnknowns(const UncoupledModel<double>& model,
   return unknowns;
 }
 
+// Takes the deviations away, and puts each held coordinate at its median.
+void HoldStill(const std::vector<std::vector<PoseVector>>& steady,
+               JointData* data,
+               JointUnknowns* unknowns) {
+  for (size_t r = 0; r < steady.size(); ++r) {
+    SegmentUnknowns& segment = unknowns->segments[r];
+    PredictedMotion& motion = data->segments[r].motion;
+    for (int j = 0; j < kNumHeld; ++j) {
+      std::vector<double> values;
+      for (const PoseVector& pose : steady[r]) values.push_back(pose[motion.HeldCoordinate(j)]);
+      segment.response[static_cast<size_t>(j) * kResponseTerms] = Median(std::move(values));
+    }
+    segment.deviation.assign(steady[r].size(), {});
+    motion.Update(unknowns->Motion(r));
+  }
+}
+
 // Robust size of a corner's error about the present poses [px]: from the median squared residual of
 // the detections, which for eight normal ones is 7.34 times the variance.
 double MedianCornerSigma(const JointData& data, const JointUnknowns& unknowns) {
@@ -141,6 +158,7 @@ double DisplacementStd(const std::vector<std::vector<PoseVector>>& steady, int e
 
 JointStart StartOf(const JointInput& input,
                    const JointOptions& options,
+                   StartPoses poses,
                    std::span<const Pose> world_from_frame,
                    std::span<const std::vector<Pose>> frame_from_body) {
   std::vector<std::vector<PoseVector>> steady;
@@ -164,6 +182,8 @@ JointStart StartOf(const JointInput& input,
          PredictedMotion(command, segment.time, start.data.excited, scales)});
   }
   start.unknowns = FirstUnknowns(model, steady, &start.data);
+  start.poses = poses;
+  if (poses == StartPoses::kHeldStill) HoldStill(steady, &start.data, &start.unknowns);
   start.processes.corner_sigma = MedianCornerSigma(start.data, start.unknowns);
   for (auto& wander : start.processes.wander) wander = {0.01, 0.5, 1.0};
   if (options.moves_freely) {  // a tenth of the motion in a second
