@@ -40,6 +40,7 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
     result.comparison.log_name += ", " + logs.logs[i].name;
   }
   result.comparison.remarks = logs.remarks;
+  result.moved_markers = logs.moved_markers;
   DofComparison dof;
   dof.dof = logs.dof;
   const JoinedSignals by_camera = JoinSignals(logs.logs, logs.dof, Source::kCamera);

@@ -25,6 +25,7 @@ struct ImageComparisonOptions {
 struct ImageComparison {
   Comparison comparison;  // of one DOF; the joint row is the last one
   JointSummary joint;
+  std::vector<MarkerLogs::Moved> moved_markers;
 };
 
 // What the joint refinement found a DOF to do that is not excited, along or about the mean body

@@ -63,6 +63,15 @@ std::string FormatImageComparison(const ImageComparison& comparison) {
   for (const std::string& remark : comparison.comparison.dofs.front().remarks) {
     json["remarks"].push_back(remark);
   }
+  json["moved_markers"] = Json::array();
+  for (const auto& [log, marker] : comparison.moved_markers) {
+    json["moved_markers"].push_back(
+        {{"log", log},
+         {"tag_id", marker.tag_id},
+         {"t", marker.time},
+         {"distance", ValueWithStd(marker.distance, marker.distance_std)},
+         {"angle", marker.angle}});
+  }
   json["joint"] = FormatJoint(comparison);
   return json.dump(2) + "\n";
 }

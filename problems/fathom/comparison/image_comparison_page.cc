@@ -104,6 +104,11 @@ Table RefinementTable(const ImageComparison& comparison) {
   add("detections", fmt::format("{}", joint.num_detections), "");
   add("of these, outliers", fmt::format("{}", num_outliers), "");
   add("corner sigma", fmt::format("{:.3g}", joint.processes.corner_sigma), "px");
+  for (const auto& [log, marker] : comparison.moved_markers) {
+    add(fmt::format("tag {} moved at t = {:.1f} s, by", marker.tag_id, marker.time),
+        FormatValue(marker.distance, marker.distance_std),
+        "m");
+  }
   for (const HeldDofFound& found : HeldDofsOf(comparison)) {
     add(fmt::format("wander of {}", Name(found.dof)),
         found.wander.IsPresent() ? fmt::format("{:.2g}", found.wander.std) : "0",

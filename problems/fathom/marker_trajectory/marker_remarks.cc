@@ -4,6 +4,7 @@
 #include "fathom/marker_trajectory/marker_remarks.h"
 
 #include "fathom/marker_trajectory/lost_motion.h"
+#include "fathom/marker_trajectory/moved_markers.h"
 #include "fathom/marker_trajectory/survey_misfit.h"
 
 #include <string>
@@ -35,6 +36,7 @@ std::vector<Remark> RemarksOn(const MarkerTrack& track,
     add(fmt::format("Not used, because never seen together with a tag of known position: tags {}.",
                     fmt::join(track.unplaced_ids, ", ")));
   }
+  for (const MovedMarker& moved : track.moved_markers) add(RemarkOn(moved));
   for (std::string& loss : RemarksOn(track.pnp, detections)) add(std::move(loss));
   add(RemarkOnSurveyMisfit(camera, detections, track));
   add(RemarkOnLostMotion(detections, track), RemarkKind::kLostMotion);

@@ -6,6 +6,7 @@
 #include "fathom/camera/marker_map.h"
 #include "fathom/geometry/stamped_pose.h"
 #include "fathom/log/remark.h"
+#include "fathom/marker_trajectory/moved_marker.h"
 #include "fathom/track/pose_track.h"
 
 #include <limits>
@@ -40,6 +41,8 @@ struct MarkerTrack {
   std::vector<PoseCovariance> marker_covariance;
   std::vector<int> unplaced_ids;  // seen, but never together with a marker that has a place
   std::vector<int> refuted_ids;   // seen together with one, but where no view agrees
+
+  std::vector<MovedMarker> moved_markers;  // during the record
 
   // The PnP track behind it, with the account of every frame and detection.
   PoseTrack pnp;

@@ -7,8 +7,10 @@
 #include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 #include "fathom/marker_trajectory/corner_noise.h"
 #include "fathom/marker_trajectory/marker_remarks.h"
+#include "fathom/marker_trajectory/moved_markers.h"
 #include "fathom/marker_trajectory/place_more_markers.h"
 #include "fathom/marker_trajectory/pose_bias.h"
+#include "fathom/marker_trajectory/survey_misfit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,13 +166,13 @@ std::vector<int> UnplacedOf(std::span<const Detection> detections, const PoseTra
   return {unplaced.begin(), unplaced.end()};
 }
 
-}  // namespace
-
-MarkerTrack TrackMarkers(std::span<const Detection> detections,
-                         const CameraModel& camera,
-                         const MarkerMap& map,
-                         const Pose& body_from_camera,
-                         const MarkerTrajectoryOptions& options) {
+// The track without its remarks.
+MarkerTrack TrackOnce(std::span<const Detection> detections,
+                      const CameraModel& camera,
+                      const MarkerMap& map,
+                      const Pose& body_from_camera,
+                      const MarkerTrajectoryOptions& options,
+                      std::optional<int>* reference) {
   MarkerTrack result;
   MarkerMap placed = map;
   result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
@@ -192,7 +194,28 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   if (summary.is_usable) TakeOver(summary, detections, camera, body_from_camera, &result);
   result.refuted_ids = TakeBackUnusedPlaces(map, result.estimated_ids, &result.map);
   result.unplaced_ids = UnplacedOf(detections, result.pnp);
-  result.remarks = RemarksOn(result, free.reference, detections, camera);
+  if (result.IsUsable()) result.moved_markers = FindMovedMarkers(camera, detections, result);
+  *reference = free.reference;
+  return result;
+}
+
+}  // namespace
+
+MarkerTrack TrackMarkers(std::span<const Detection> detections,
+                         const CameraModel& camera,
+                         const MarkerMap& map,
+                         const Pose& body_from_camera,
+                         const MarkerTrajectoryOptions& options) {
+  std::optional<int> reference;
+  MarkerTrack result = TrackOnce(detections, camera, map, body_from_camera, options, &reference);
+  if (IsSurveyInDoubt(result)) {
+    // A marker that moves in the first half of a record widens the gate to where it is no outlier.
+    MarkerTrajectoryOptions narrow = options;
+    narrow.pose_track.first_corner_sigma = result.corner_noise;
+    MarkerTrack other = TrackOnce(detections, camera, map, body_from_camera, narrow, &reference);
+    if (!other.moved_markers.empty() && !IsSurveyInDoubt(other)) result = std::move(other);
+  }
+  result.remarks = RemarksOn(result, reference, detections, camera);
   return result;
 }
 

@@ -60,10 +60,14 @@ Suspect WorstTag(const CameraModel& camera,
 
 }  // namespace
 
+bool IsSurveyInDoubt(const MarkerTrack& track) {
+  return track.corner_sigma > LargestSigma(track.corner_noise);
+}
+
 std::string RemarkOnSurveyMisfit(const CameraModel& camera,
                                  std::span<const Detection> detections,
                                  const MarkerTrack& track) {
-  if (!(track.corner_sigma > LargestSigma(track.corner_noise))) return "";
+  if (!IsSurveyInDoubt(track)) return "";
   const Suspect worst = WorstTag(camera, detections, track);
   const bool is_one_tag = worst.id >= 0 && worst.corner_sigma < LargestSigma(track.corner_noise);
   return fmt::format(

@@ -12,6 +12,9 @@
 
 namespace fathom {
 
+// Whether the corners of a track are further off than their noise allows.
+bool IsSurveyInDoubt(const MarkerTrack& track);
+
 // What to say of a track whose corners are further off than their noise allows: by how much, and
 // which tag's place would account for it, if that of a single one does. Empty where they are not,
 // or where no neighbouring frames tell the noise.

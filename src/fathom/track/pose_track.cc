@@ -189,7 +189,8 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
   ViewPoseOptions view_options = {.gate = options.first_gate};
   const auto squares = SquaresOf(detections, screened.frames, camera, map);
   auto candidates = CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
-  const std::optional<double> first_sigma = RobustSigma(candidates);
+  const std::optional<double> first_sigma =
+      options.first_corner_sigma ? options.first_corner_sigma : RobustSigma(candidates);
   double sigma = first_sigma.value_or(1.0);
   // The gate follows from the sigma, and the sigma from what is inside the gate.
   constexpr int kMostRounds = 3;

@@ -10,6 +10,7 @@
 #include "fathom/track/view_pose.h"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,9 @@ struct PoseTrackOptions {
 
   // While the corner sigma is not known yet, detections further off than this are outliers [px].
   double first_gate = 20.0;
+
+  // Where the search for the corner sigma starts [px]; absent: what half of the frames show.
+  std::optional<double> first_corner_sigma = {};
 
   // Then: rms residual of a detection's corners in corner sigmas.
   double gate = 4.0;

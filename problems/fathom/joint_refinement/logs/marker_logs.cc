@@ -164,6 +164,9 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
     result->input.segments.push_back(std::move(segment));
     result->log_of_segment.push_back(result->logs.size());
   }
+  for (const MovedMarker& moved : track.moved_markers) {
+    result->moved_markers.push_back({result->logs.size(), moved});
+  }
   const size_t num_before = remarks.size();
   Describe(cut, &remarks);
   for (size_t i = 0; i < remarks.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include "fathom/joint_refinement/input.h"
 #include "fathom/log/log.h"
+#include "fathom/marker_trajectory/moved_marker.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ struct MarkerLogs {
   // What is trained on: a segment for each unbroken stretch outside the held-out intervals.
   JointInput input;
   std::vector<size_t> log_of_segment;  // index into `logs`
+
+  // Markers that moved during a log, each with the index of that log.
+  struct Moved {
+    size_t log = 0;
+    MovedMarker marker;
+  };
+  std::vector<Moved> moved_markers;
 
   // What was left out or decided on the way, counted, a sentence each.
   std::vector<std::string> remarks;
