@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/geometry/pose.h"
+#include "fathom/joint_refinement/motion/global_columns.h"
 #include "fathom/joint_refinement/processes/process_set.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/parameters.h"
@@ -21,7 +22,7 @@ namespace fathom {
 // A segment as refined.
 struct RefinedSegment {
   InitialState start;
-  std::array<std::array<double, 4>, 5> response = {};  // see PredictedMotion
+  std::array<std::array<double, kResponseTerms>, kNumHeld> response = {};  // see PredictedMotion
   double clock_offset = 0.0;                           // [s], with its standard deviation
   double clock_offset_std = 0.0;
   std::vector<Pose> world_from_body;  // of each frame

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/joint_refinement/motion/global_columns.h"
+#include "fathom/joint_refinement/motion/lag.h"
 #include "fathom/joint_refinement/motion/pose_chart.h"
 #include "fathom/log/held_command.h"
 #include "fathom/simulate/simulate.h"
@@ -36,8 +37,9 @@ struct MotionUnknowns {
 // to (3).
 //
 //   eta_e = x(t)                                                  excited
-//   eta_j = c_j0 + c_j1 (x - x_0)/X + c_j2 v/V + c_j3 a/A         held
+//   eta_j = c_j0 + c_j1 (x - x_0)/X + c_j2 v/V + c_j3 a/A + sum_i c_j,3+i a_i/A     held
 //
+// a_i is the acceleration behind a lag of kResponseLags[i].
 // One simulation, with its sensitivities, gives the means of all frames and their derivatives.
 class PredictedMotion {
  public:
@@ -55,8 +57,8 @@ class PredictedMotion {
 
   // Of frame `k`, at the unknowns last given.
   PoseVector Mean(size_t k) const;
-  double displacement(size_t k) const { return position_[k]; }
-  double velocity(size_t k) const { return velocity_[k]; }
+  double displacement(size_t k) const { return position_[node_[k]]; }
+  double velocity(size_t k) const { return velocity_[node_[k]]; }
 
   // d Mean / d globals; the columns of the size and the mount are 0.
   using Derivatives = Eigen::Matrix<double, 6, kNumColumns>;
@@ -68,18 +70,33 @@ class PredictedMotion {
  private:
   static constexpr int kSensitivities = Simulation::kNumSensitivities;
 
+  // Sensitivities and the clock.
+  static constexpr int kSlopes = kSensitivities + 1;
+
   void LayOut(double clock_offset);
+  void FollowWithLags();
+
+  // Of frame k: displacement, velocity, acceleration and the lagged accelerations, each over its
+  // scale; with their slopes, the model's with log inertia.
+  Eigen::Vector<double, kNumRegressors> Regressors(size_t k) const;
+  Eigen::Matrix<double, kNumRegressors, kSlopes> RegressorSlopes(size_t k) const;
+  Eigen::Matrix<double, 3, kSlopes> StateSlopes(size_t node) const;
 
   HeldCommand command_;
   std::vector<double> time_;
+  // Instants that are simulated: the frames, and between distant ones as many as the lags ask for.
+  std::vector<size_t> node_;  // of each frame
+  std::vector<double> nodes_;
   int excited_;
   MotionScales scales_;
   MotionUnknowns at_;
   bool is_laid_out_ = false;
   Simulation simulation_;
-  std::vector<double> force_;  // at each frame
+  std::vector<double> force_;  // at each node, as all below
   std::vector<double> position_, velocity_, acceleration_;
   std::vector<double> position_sensitivity_, velocity_sensitivity_;
+  // The acceleration and its slopes behind each lag.
+  std::array<SignalRows, kResponseLags.size()> lagged_;
 };
 
 }  // namespace fathom

@@ -21,16 +21,22 @@ namespace {
 
 double HalfWidth(double variance) { return kStdsOf95 * std::sqrt(variance); }  // of a 95 % interval
 
-// How far the excited motion goes off the mean axis of its DOF [rad], by what the other
-// translations do along with it; 0 for an angle.
+// How far the excited motion goes off the mean axis of its DOF [rad], by the slopes of the other
+// translations' responses over it; 0 for an angle.
 double AngleOffAxis(const JointStart& at, size_t segment) {
-  if (at.data.excited >= 3) return 0.0;
-  double squares = 0.0;
-  for (int j = 0; j < 2; ++j) {  // the translations among the held ones
-    const double by_displacement = at.unknowns.segments[segment].response[j * kResponseTerms + 1];
-    squares += std::pow(by_displacement / at.scales.displacement, 2);
+  const int excited = at.data.excited;
+  if (excited >= 3) return 0.0;
+  const PredictedMotion& motion = at.data.segments[segment].motion;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), products = Eigen::Vector3d::Zero();
+  for (size_t k = 0; k < motion.size(); ++k) mean += motion.Mean(k).head<3>();
+  mean /= static_cast<double>(motion.size());
+  for (size_t k = 0; k < motion.size(); ++k) {
+    const Eigen::Vector3d off = motion.Mean(k).head<3>() - mean;
+    products += off[excited] * off;
   }
-  return std::atan(std::sqrt(squares));
+  Eigen::Vector3d slopes = products / products[excited];
+  slopes[excited] = 0.0;
+  return std::atan(slopes.norm());
 }
 
 std::string CaveatOnAxis(Dof dof, const JointStart& at, const JointSummary& summary) {

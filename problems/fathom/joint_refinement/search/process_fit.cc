@@ -88,10 +88,12 @@ struct Spread {
   double std = 0.0;
   double gain = 0.0;
 };
-Spread SpreadOf(const Eigen::Vector3d& c, const Eigen::Matrix3d& T) {
+using Coefficients = Eigen::Vector<double, kNumRegressors>;
+using CoefficientCovariance = Eigen::Matrix<double, kNumRegressors, kNumRegressors>;
+Spread SpreadOf(const Coefficients& c, const CoefficientCovariance& T) {
   const auto log_density = [&](double std) {
-    const Eigen::Matrix3d S = T + std * std * Eigen::Matrix3d::Identity();
-    return -0.5 * (std::log(S.determinant()) + c.dot(S.inverse() * c));
+    const Eigen::LLT<CoefficientCovariance> S(T + std * std * CoefficientCovariance::Identity());
+    return -S.matrixLLT().diagonal().array().log().sum() - 0.5 * c.dot(S.solve(c));
   };
   Spread best;
   const double none = log_density(0.0);
@@ -120,9 +122,11 @@ bool AddResponses(std::span<const LinearSegment> segments,
     Spread best;
     for (size_t r = 0; r < segments.size(); ++r) {
       const int first = kResponseColumns + j * kResponseTerms + 1;
-      const Eigen::Vector3d c = segments[r].response.segment<3>(first - kResponseColumns) +
-                                joint.change(r).segment<3>(first);
-      const Spread spread = SpreadOf(c, joint.covariance(r).block<3, 3>(first, first));
+      const Coefficients c =
+          segments[r].response.segment<kNumRegressors>(first - kResponseColumns) +
+          joint.change(r).segment<kNumRegressors>(first);
+      const Spread spread =
+          SpreadOf(c, joint.covariance(r).block<kNumRegressors, kNumRegressors>(first, first));
       if (spread.gain > best.gain) best = spread;
     }
     constexpr double kWorthATrial = 1.0;  // whether it stays, all segments together say
