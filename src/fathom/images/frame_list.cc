@@ -13,6 +13,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +28,7 @@ FrameList ParseFrameList(const std::string& name, const std::string& text) {
   FrameList list;
   std::size_t column = 0;
   std::map<std::string, int> line_of;
-  ForEachCsvRow(name, text, [&](int line, const std::vector<std::string>& cells) {
+  ForEachCsvRow(name, text, [&](int line, const std::vector<std::string_view>& cells) {
     if (line == 1) {
       const auto found = std::find(cells.begin(), cells.end(), "file");
       if (found == cells.end()) {
@@ -36,7 +39,7 @@ FrameList ParseFrameList(const std::string& name, const std::string& text) {
       column = found - cells.begin();
       return;
     }
-    const std::string& file = cells[column];
+    const std::string file(cells[column]);
     if (file.empty() || LeavesItsFolder(file)) {
       throw InputError(
           fmt::format("{}:{}: column 'file' is {}, expected the path of an image from this "

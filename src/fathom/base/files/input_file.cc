@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+#include <vector>
 
 namespace fathom {
 
@@ -23,8 +23,17 @@ std::string ReadFile(const std::filesystem::path& path) {
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file || file.bad()) {
+  std::string content;
+  const auto size = std::filesystem::file_size(path, error);  // none of a pipe
+  if (!error) content.reserve(size);
+  std::vector<char> chunk(1 << 16);
+  bool is_read = file.is_open();
+  while (is_read && !file.eof()) {
+    file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    content.append(chunk.data(), file.gcount());
+    is_read = !file.bad();
+  }
+  if (!is_read) {
     const std::string reason = errno == 0 ? "unknown reason" : std::strerror(errno);
     throw InputError(path.string() + ": cannot read this file: " + reason + ".");
   }

@@ -74,61 +74,77 @@ void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
   }
 }
 
-// The cells of the row that libcsv is in.
-struct Row {
-  std::vector<std::string> cells;
-  bool is_complete = false;
-};
-
-void TakeCell(void* text, std::size_t length, void* row) {
-  static_cast<Row*>(row)->cells.emplace_back(static_cast<const char*>(text), length);
+std::string_view Trimmed(std::string_view cell) {
+  const std::size_t begin = cell.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return cell.substr(begin, cell.find_last_not_of(" \t") + 1 - begin);
 }
 
-void TakeRow(int, void* row) { static_cast<Row*>(row)->is_complete = true; }
+// The cells of a line without quotes; none if it is blank.
+void SplitPlainLine(std::string_view line, std::vector<std::string_view>* cells) {
+  cells->clear();
+  if (Trimmed(line).empty()) return;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    cells->push_back(Trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+}
+
+void TakeCell(void* text, std::size_t length, void* cells) {
+  static_cast<std::vector<std::string>*>(cells)->emplace_back(static_cast<const char*>(text),
+                                                              length);
+}
+
+// The cells of a line that holds quotes; `place` names the line in messages.
+std::vector<std::string> CellsOfQuotedLine(const std::string& place, std::string_view line) {
+  csv_parser parser;
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+  const std::unique_ptr<csv_parser, void (*)(csv_parser*)> guard(&parser, csv_free);
+  std::vector<std::string> cells;
+  if (csv_parse(&parser, line.data(), line.size(), TakeCell, nullptr, &cells) != line.size()) {
+    throw InputError(place +
+                     "a quote (\") stands inside a cell, expected it around the whole cell.");
+  }
+  if (csv_fini(&parser, TakeCell, nullptr, &cells) != 0) {
+    throw InputError(place + "a quote (\") is opened and not closed on this line.");
+  }
+  return cells;
+}
 
 }  // namespace
 
 void ForEachCsvRow(
     const std::string& name,
     const std::string& text,
-    const std::function<void(int line, const std::vector<std::string>& cells)>& take_row) {
+    const std::function<void(int line, const std::vector<std::string_view>& cells)>& take_row) {
   RefuseWhatIsNoPlainText(name, text);
-
-  csv_parser parser;
-  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
-  const std::unique_ptr<csv_parser, void (*)(csv_parser*)> guard(&parser, csv_free);
-
-  // One line at a time, so that the line of each row is known exactly.
-  Row row;
+  const std::string_view all = text;
+  std::vector<std::string_view> cells;
+  std::vector<std::string> unquoted;
   int line = 1;
-  for (std::size_t begin = 0; begin < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::size_t length = end - begin;
-    if (length > kLongestLine) {
+  for (std::size_t begin = 0; begin < all.size(); ++line) {
+    const std::size_t end = std::min(all.find('\n', begin), all.size());
+    const std::string_view row = all.substr(begin, end - begin);
+    if (row.size() > kLongestLine) {
       throw InputError(
           fmt::format("{}:{}: the line has {} bytes, expected at most {}. Is this CSV?",
                       name,
                       line,
-                      length,
+                      row.size(),
                       kLongestLine));
     }
-    row.cells.clear();
-    row.is_complete = false;
-    if (csv_parse(&parser, text.data() + begin, length, TakeCell, TakeRow, &row) != length) {
-      throw InputError(fmt::format(
-          "{}:{}: a quote (\") stands inside a cell, expected it around the whole cell.",
-          name,
-          line));
+    if (row.find('"') == std::string_view::npos) {
+      SplitPlainLine(row, &cells);
+    } else {
+      unquoted = CellsOfQuotedLine(fmt::format("{}:{}: ", name, line), row);
+      cells.assign(unquoted.begin(), unquoted.end());
     }
-    if (csv_fini(&parser, TakeCell, TakeRow, &row) != 0) {
-      throw InputError(
-          fmt::format("{}:{}: a quote (\") is opened and not closed on this line.", name, line));
-    }
-    if (!row.is_complete) {
+    if (cells.empty()) {
       throw InputError(
           fmt::format("{}:{}: the line is empty, expected a row. Remove the line.", name, line));
     }
-    take_row(line, row.cells);
+    take_row(line, cells);
     begin = end + 1;
   }
 }

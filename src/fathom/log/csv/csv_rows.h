@@ -5,12 +5,13 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
 
 // Calls `take_row` with each row of a CSV text, in order: its line, counted from 1, and its cells
-// without the quotes and spaces around them. Rows do not span lines.
+// without the quotes and spaces around them; they last for the call. Rows do not span lines.
 //
 // Throws InputError, naming `name` and the line, for an empty text, a byte order mark, NUL bytes,
 // carriage returns, lines above 64 KiB, empty lines and quotes that are not closed or stand inside
@@ -18,6 +19,6 @@ namespace fathom {
 void ForEachCsvRow(
     const std::string& name,
     const std::string& text,
-    const std::function<void(int line, const std::vector<std::string>& cells)>& take_row);
+    const std::function<void(int line, const std::vector<std::string_view>& cells)>& take_row);
 
 }  // namespace fathom

@@ -61,10 +61,10 @@ class Header {
  public:
   Header(const std::string& name,
          int line,
-         const std::vector<std::string>& cells,
+         const std::vector<std::string_view>& cells,
          const CsvSpec& spec,
          CsvTable* table)
-      : name_(name), line_(line), cells_(cells), spec_(spec) {
+      : name_(name), line_(line), cells_(cells.begin(), cells.end()), spec_(spec) {
     RefuseWhatHoldsNoNames();
     RefuseRepeatedNames();
     for (const std::string& cell : cells_) {
@@ -176,7 +176,7 @@ bool MeansNoFiniteNumber(std::string_view cell) {
 double NumberOf(const std::string& name,
                 int line,
                 const std::string& column,
-                const std::string& cell) {
+                std::string_view cell) {
   if (const auto number = ParseFiniteNumber(cell)) return *number;
   const std::string place = fmt::format("{}:{}: column {} is ", name, line, Quoted(column));
   constexpr char kAdvice[] = "Remove the row or repair it upstream; this reader does not guess.";
@@ -214,6 +214,12 @@ void AppendStamp(double t, int line, bool allow_equal, CsvTable* table) {
   time.push_back(t);
 }
 
+void Reserve(std::size_t num_rows, CsvTable* table) {
+  table->stream.time.reserve(num_rows);
+  for (std::vector<double>& column : table->stream.values) column.reserve(num_rows);
+  table->line_of_row.reserve(num_rows);
+}
+
 }  // namespace
 
 std::string CsvTable::Remark() const {
@@ -234,9 +240,10 @@ CsvTable ParseCsvTable(const std::string& name, const std::string& text, const C
   CsvTable table;
   table.name = name;
   std::optional<Header> header;
-  ForEachCsvRow(name, text, [&](int line, const std::vector<std::string>& cells) {
+  ForEachCsvRow(name, text, [&](int line, const std::vector<std::string_view>& cells) {
     if (!header) {
       header.emplace(name, line, cells, spec, &table);
+      Reserve(std::count(text.begin(), text.end(), '\n'), &table);
       return;
     }
     const auto& names = header->names();
