@@ -100,7 +100,8 @@ BodyVelocity VelocityOf(const Poses& poses, const SavitzkyGolayOptions& options)
     if (!fit.MoveTo(i)) continue;
     const Eigen::Quaterniond& R_i = poses.world_from_body[i];
     phi.clear();
-    for (size_t j = fit.first(); j < fit.first() + fit.size(); ++j) {
+    const size_t first = fit.window().first();
+    for (size_t j = first; j < fit.window().past_last(); ++j) {
       phi.push_back(RotationVector(R_i.conjugate() * poses.world_from_body[j]));
     }
     Eigen::Vector3d phi_smooth = Eigen::Vector3d::Zero();
@@ -111,12 +112,12 @@ BodyVelocity VelocityOf(const Poses& poses, const SavitzkyGolayOptions& options)
     for (size_t j = 0; j < phi.size(); ++j) {
       phi_dot += slope_weights[j] * phi[j];
       // From the stamp's own position: small numbers, and the weights sum to 0.
-      p_dot += slope_weights[j] * (poses.position[fit.first() + j] - poses.position[i]);
+      p_dot += slope_weights[j] * (poses.position[first + j] - poses.position[i]);
     }
     const Eigen::Quaterniond R = R_i * RotationOf(phi_smooth);
     result.velocity[i].head<3>() = R.conjugate() * p_dot;          // (5)
     result.velocity[i].tail<3>() = BodyRate(phi_smooth, phi_dot);  // (6), (7)
-    result.is_centred[i] = fit.is_centred();
+    result.is_centred[i] = fit.window().is_centred();
   }
   return result;
 }

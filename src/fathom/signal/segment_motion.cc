@@ -4,8 +4,8 @@
 #include "fathom/signal/segment_motion.h"
 
 #include "fathom/signal/filters/integral.h"
+#include "fathom/signal/filters/moving_fit.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -80,21 +80,20 @@ Segment SegmentOf(Motion motion, HeldCommand command, const SavitzkyGolayOptions
   segment.smoothed_velocity.assign(n, kNaN);
   segment.smoothed_force.assign(n, kNaN);
   segment.smoothed_square.assign(n, kNaN);
-  LocalPolynomial fit(motion.time, filter);
-  if (fit.MoveTo(0)) segment.initial_velocity = fit.Apply(fit.Weights(0), motion.velocity);
+  MovingFit fit(motion.time, {motion.velocity, displacement, impulse, square}, filter);
+  if (fit.MoveTo(0, 0)) segment.initial_velocity = fit.Estimate(0);
+  size_t num_seen = 0, past_one_sided = 0;  // samples; the last of them from a one-sided window
   for (size_t i = 0; i < n; ++i) {
-    if (!fit.MoveTo(i) || !fit.is_centred()) continue;
-    const auto inside = motion.is_centred.begin() + static_cast<std::ptrdiff_t>(fit.first());
-    if (!std::all_of(inside, inside + static_cast<std::ptrdiff_t>(fit.size()), [](bool centred) {
-          return centred;
-        })) {
-      continue;
+    const bool is_fitted = fit.MoveTo(i, 1);
+    const MovingWindow& window = fit.window();
+    for (; num_seen < window.past_last(); ++num_seen) {
+      if (!motion.is_centred[num_seen]) past_one_sided = num_seen + 1;
     }
-    const auto weights = fit.Weights(1);
-    segment.acceleration[i] = fit.Apply(weights, motion.velocity);
-    segment.smoothed_velocity[i] = fit.Apply(weights, displacement);
-    segment.smoothed_force[i] = fit.Apply(weights, impulse);
-    segment.smoothed_square[i] = fit.Apply(weights, square);
+    if (!is_fitted || !window.is_centred() || past_one_sided > window.first()) continue;
+    segment.acceleration[i] = fit.Estimate(0);
+    segment.smoothed_velocity[i] = fit.Estimate(1);
+    segment.smoothed_force[i] = fit.Estimate(2);
+    segment.smoothed_square[i] = fit.Estimate(3);
   }
   segment.time = std::move(motion.time);
   segment.velocity = std::move(motion.velocity);
