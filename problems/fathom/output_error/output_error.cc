@@ -6,12 +6,14 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/output_error/caveats.h"
+#include "fathom/output_error/coarse_segments.h"
 #include "fathom/output_error/initial_guess.h"
 #include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -123,29 +125,65 @@ struct Found {
   double sigma = 0.0;      // noise level that the last pass went by
 };
 
-// Plain least squares first; then, with the noise level known, with the robust loss. Wild samples
-// spoil the first estimate of that level, so it is repeated until it settles.
+// Plain least squares first, but for a start that `is_near` the optimum; then, with the noise level
+// known, with the robust loss. Wild samples spoil the first estimate of that level, so it is
+// repeated until it settles.
 Found SearchFrom(const Unknowns& start,
+                 bool is_near,
                  std::span<const Segment> segments,
                  const std::vector<ShootingWindow>& windows,
                  const OutputErrorOptions& options) {
   constexpr int kMostRepetitions = 4;
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double spread = std::max(RootMeanSquare(segments, options.output), 1e-12);
-  double sigma = 0.1 * spread;
-  ConstrainedOptimum end = SearchWithinBounds(windows, sigma, kNever, options, start);
+  const auto noise_at = [&](const Unknowns& unknowns) {
+    return std::max(ResidualSpread(windows, unknowns), 1e-9 * spread);
+  };
+  const bool is_robust = options.huber_k < kNever;
+  double sigma = is_near && is_robust ? noise_at(start) : 0.1 * spread;
+  ConstrainedOptimum end =
+      SearchWithinBounds(windows, sigma, is_near ? options.huber_k : kNever, options, start);
   const double initial_cost = end.solve.initial_cost;
   int num_iterations = end.solve.num_iterations;
-  for (int i = 0; i < kMostRepetitions && end.solve.converged && options.huber_k < kNever; ++i) {
+  for (int i = 0; i < kMostRepetitions && end.solve.converged && is_robust; ++i) {
     const double previous_sigma = sigma;
-    sigma = std::max(ResidualSpread(windows, end.unknowns), 1e-9 * spread);
+    sigma = noise_at(end.unknowns);
+    const double change = std::abs(sigma - previous_sigma) / previous_sigma;
+    if (is_near && change < 0.01) break;
     end = SearchWithinBounds(windows, sigma, options.huber_k, options, end.unknowns);
     num_iterations += end.solve.num_iterations;
-    if (std::abs(sigma - previous_sigma) < 0.1 * previous_sigma) break;
+    if (change < 0.1) break;
   }
   end.solve.initial_cost = initial_cost;
   end.solve.num_iterations = num_iterations;
   return {std::move(end), sigma};
+}
+
+// The optimum of the coarse segments, which costs little, as a start for all data. Nothing if there
+// is none.
+std::optional<Unknowns> CoarseOptimum(const UncoupledModel<double>& guess,
+                                      std::span<const Segment> segments,
+                                      size_t num_windows,
+                                      const OutputErrorOptions& options) {
+  const std::vector<Segment> coarse = CoarseSegments(segments);
+  if (coarse.empty()) return std::nullopt;
+  const std::vector<ShootingWindow> windows = LayOutWindows(coarse, options);
+  if (windows.size() != num_windows) return std::nullopt;
+  Found found = SearchFrom(UnknownsAt(guess, windows), false, coarse, windows, options);
+  if (!found.end.solve.converged) return std::nullopt;
+  return std::move(found.end.unknowns);
+}
+
+// Coarse to fine where that works, else on all data from the guess.
+Found Search(const UncoupledModel<double>& guess,
+             std::span<const Segment> segments,
+             const std::vector<ShootingWindow>& windows,
+             const OutputErrorOptions& options) {
+  if (const auto near = CoarseOptimum(guess, segments, windows.size(), options)) {
+    Found found = SearchFrom(*near, true, segments, windows, options);
+    if (found.end.solve.converged) return found;
+  }
+  return SearchFrom(UnknownsAt(guess, windows), false, segments, windows, options);
 }
 
 }  // namespace
@@ -155,8 +193,7 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   RequireUsable(segments, options);
   const InitialGuess guess = GuessFor(segments, options);
   const std::vector<ShootingWindow> windows = LayOutWindows(segments, options);
-  const auto [end, sigma] =
-      SearchFrom(UnknownsAt(guess.model, windows), segments, windows, options);
+  const auto [end, sigma] = Search(guess.model, segments, windows, options);
   OutputErrorSummary summary;
   summary.initial_guess = guess.family;
   summary.initial_cost = end.solve.initial_cost;

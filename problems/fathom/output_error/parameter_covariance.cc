@@ -96,18 +96,21 @@ struct Residuals {
 // Nothing if a simulation diverges.
 std::optional<Residuals> ResidualsOf(const Optimum& at) {
   Residuals residuals;
-  std::vector<std::vector<double>>& influence = residuals.influence;
   for (size_t s = 0; s < at.segments.size(); ++s) {
-    const Pieces& pieces = residuals.pieces.emplace_back(UnbrokenPieces(at.segments[s].time));
-    size_t piece = influence.size();
-    for (const SampleRange& range : pieces) influence.emplace_back().reserve(range.size());
-    const auto visit = [&](const auto& /*J*/, const auto& residual, bool is_end) {
-      for (const double r : residual) {
-        influence[piece].push_back(std::clamp(r, -at.huber_k, at.huber_k));
+    const Segment& segment = at.segments[s];
+    const bool is_velocity = at.output == FittedOutput::kVelocity;
+    std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
+    const Simulation simulation(segment.command, segment.time);
+    if (!simulation.Run(at.model, at.initial_states[s], v, x)) return std::nullopt;
+    const std::vector<double>& simulated = is_velocity ? v : x;
+    const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
+    for (const SampleRange& piece : residuals.pieces.emplace_back(UnbrokenPieces(segment.time))) {
+      std::vector<double>& psi = residuals.influence.emplace_back();
+      psi.reserve(piece.size());
+      for (size_t i = piece.begin; i < piece.end; ++i) {
+        psi.push_back(std::clamp((simulated[i] - measured[i]) / at.sigma, -at.huber_k, at.huber_k));
       }
-      if (is_end) ++piece;
-    };
-    if (!VisitSamples(at, s, pieces, visit)) return std::nullopt;
+    }
   }
   return residuals;
 }

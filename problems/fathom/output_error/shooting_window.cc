@@ -90,7 +90,6 @@ class WindowCost final : public ceres::CostFunction {
  private:
   static constexpr int kMostColumns = kNumParameters + 2;
   using Row = Eigen::Matrix<double, 1, kMostColumns>;
-  using Square = Eigen::Matrix<double, kMostColumns, kMostColumns>;
 
   // Fills residuals_, reached_ and jacobian_ at this point. Ceres asks for the residuals at a trial
   // point and, if it is accepted, for the Jacobian at the same point: simulate once with
@@ -150,35 +149,58 @@ class WindowCost final : public ceres::CostFunction {
     return row;
   }
 
-  // The samples' rows, compressed; docs/output_error.md (9).
-  void AccumulateSamples(double inertia) const {
+  // Gram matrix of (J r) over the samples, J by the parameters and the initial state. The lower
+  // triangle; kColumns: of J.
+  template <int kColumns>
+  auto SampleGram() const {
     const bool is_velocity = window_.output == FittedOutput::kVelocity;
     const auto& measured = is_velocity ? window_.segment->velocity : window_.segment->position;
     const auto& simulated = is_velocity ? scratch_->velocity : scratch_->position;
-    Square JtJ = Square::Zero();
-    Row Jtr = Row::Zero();
-    double rtr = 0.0;
-    for (size_t i = window_.begin; i < window_.end; ++i) {
-      const auto output = static_cast<int>(i - window_.begin);
-      const double miss = simulated[output] - measured[i];
+    const auto& all = is_velocity ? scratch_->velocity_sensitivity : scratch_->position_sensitivity;
+    const double* sensitivity = all.data();
+    double sums[kColumns + 1][kColumns + 1] = {};
+    for (size_t i = window_.begin; i < window_.end; ++i, sensitivity += kSensitivities) {
+      const double miss = simulated[i - window_.begin] - measured[i];
       const RootHuber residual = RootHuber::Of(miss / window_.sigma, window_.huber_k);
-      const Row row =
-          (residual.derivative / window_.sigma) * Derivatives(output, is_velocity, inertia);
-      JtJ.noalias() += row.transpose() * row;
-      Jtr += residual.value * row;
-      rtr += residual.value * residual.value;
+      double row[kColumns + 1];
+      for (int j = 0; j < kSensitivities; ++j) row[j] = residual.derivative * sensitivity[j];
+      if (kColumns > kSensitivities) row[kSensitivities] = residual.derivative;
+      row[kColumns] = window_.sigma * residual.value;
+      for (int j = 0; j <= kColumns; ++j) {
+        for (int k = 0; k <= j; ++k) sums[j][k] += row[j] * row[k];
+      }
     }
+    Eigen::Matrix<double, kColumns + 1, kColumns + 1> gram;
+    for (int j = 0; j <= kColumns; ++j) {
+      for (int k = 0; k <= j; ++k) gram(j, k) = gram(k, j) = sums[j][k];
+    }
+    return gram;
+  }
+
+  // The samples' rows, compressed; docs/output_error.md (9).
+  void AccumulateSamples(double inertia) const {
+    Eigen::MatrixXd gram;
+    if (state_size_ == 1) {
+      gram = SampleGram<kNumParameters + 1>();
+    } else {
+      gram = SampleGram<kNumParameters + 2>();
+    }
+    gram /= window_.sigma * window_.sigma;
+    gram.row(kInertia) *= inertia;
+    gram.col(kInertia) *= inertia;
+    const int n = num_columns_;
+    const Eigen::MatrixXd JtJ = gram.topLeftCorner(n, n);
+    const Eigen::VectorXd Jtr = gram.col(n).head(n);
+    const double rtr = gram(n, n);
     // J'J = V L V': R = L^1/2 V' and q = L^-1/2 V' J'r, on columns of unit length. A direction that
     // leaves no trace has no part in J'r either.
-    const int n = num_columns_;
     const Eigen::VectorXd scale =
-        JtJ.diagonal().head(n).cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
+        JtJ.diagonal().cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     const Eigen::VectorXd unscale = scale.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        unscale.asDiagonal() * JtJ.topLeftCorner(n, n) * unscale.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * JtJ *
+                                                               unscale.asDiagonal());
     const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-    const Eigen::VectorXd projected =
-        eigen.eigenvectors().transpose() * unscale.asDiagonal() * Jtr.head(n).transpose();
+    const Eigen::VectorXd projected = eigen.eigenvectors().transpose() * unscale.asDiagonal() * Jtr;
     residuals_.setZero(n + 1);
     for (int k = 0; k < n; ++k) {
       if (root[k] > 1e-8) residuals_[k] = projected[k] / root[k];

@@ -22,7 +22,9 @@ constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, the state
 // By the four parameters, then by the initial velocity.
 using Derivatives = std::array<double, Simulation::kNumSensitivities>;
 
-// The model over its inertia, docs/models.md (1): a division less in every stage.
+// The model over its inertia, docs/models.md (1), so that no stage divides:
+//
+//   dv/dt = push - (quadratic |v| + linear) v,   push = (tau - b) / m
 struct ModelPerInertia {
   explicit ModelPerInertia(const UncoupledModel<double>& model)
       : inverse_inertia(1.0 / model.inertia),
@@ -31,9 +33,6 @@ struct ModelPerInertia {
         buoyancy(model.buoyancy) {}
 
   double Push(double force) const { return (force - buoyancy) * inverse_inertia; }
-  double Acceleration(double v, double push) const {
-    return push - (quadratic * std::abs(v) + linear) * v;
-  }
   // Derivative of the acceleration by the speed.
   double Slope(double v) const { return -(2.0 * quadratic * std::abs(v) + linear); }
 
@@ -45,15 +44,14 @@ struct State {
   Derivatives of_velocity = {}, of_position = {};
 };
 
-// Speeds and accelerations of the stages of one Runge-Kutta step, docs/models.md (5), and the speed
-// at its end.
+// Speeds of the stages of one Runge-Kutta step, docs/models.md (5), and at its end.
 struct Stages {
-  std::array<double, 4> v, a;
+  std::array<double, 4> v;
   double end;
 };
 
-// Each stage waits for the one before, so the way from speed to speed is kept short: what a step of
-// `h` adds is made of numbers that are known beforehand, and the accelerations stand aside.
+// Each stage waits for the one before, so the way from speed to speed is kept short: the numbers
+// that it takes are known beforehand.
 [[gnu::always_inline]] inline Stages StagesOf(const ModelPerInertia& model,
                                               double v,
                                               double push,
@@ -71,7 +69,6 @@ struct Stages {
   // h/6 (a_0 + 2 a_1 + 2 a_2 + a_3), where the first three are differences of the speeds.
   stages.end = (stages.v[1] + 2.0 * stages.v[2] + stages.v[3] - 4.0 * v) * (1.0 / 3.0) +
                after(h / 6.0, stages.v[3]);
-  for (int i = 0; i < 4; ++i) stages.a[i] = model.Acceleration(stages.v[i], push);
   return stages;
 }
 
@@ -79,6 +76,7 @@ struct Stages {
 // stages are passed backwards: weight_i grows by what a_i does to the stages after it.
 [[gnu::always_inline]] inline Derivatives DerivativesOf(const ModelPerInertia& model,
                                                         const Stages& at,
+                                                        double push,
                                                         double h,
                                                         std::array<double, 4> weight) {
   weight[2] += h * model.Slope(at.v[3]) * weight[3];
@@ -86,13 +84,16 @@ struct Stages {
   weight[0] += 0.5 * h * model.Slope(at.v[1]) * weight[1];
   Derivatives sum = {};
   for (int i = 0; i < 4; ++i) {
-    const double by_parameters = -weight[i] * model.inverse_inertia;
-    sum[kInertia] += by_parameters * at.a[i];
-    sum[kQuadraticDamping] += by_parameters * at.v[i] * std::abs(at.v[i]);
-    sum[kLinearDamping] += by_parameters * at.v[i];
-    sum[kBuoyancy] += by_parameters;
+    const double by_buoyancy = -weight[i] * model.inverse_inertia;
+    const double size = std::abs(at.v[i]);
+    sum[kQuadraticDamping] += by_buoyancy * at.v[i] * size;
+    sum[kLinearDamping] += by_buoyancy * at.v[i];
+    sum[kBuoyancy] += by_buoyancy;
     sum[kNumParameters] += weight[i] * model.Slope(at.v[i]);
   }
+  // d a_i / d m = -a_i / m, and a_i is made of what was just summed up.
+  sum[kInertia] = push * sum[kBuoyancy] - model.quadratic * sum[kQuadraticDamping] -
+                  model.linear * sum[kLinearDamping];
   return sum;
 }
 
@@ -114,13 +115,13 @@ void Advance(const ModelPerInertia& model, double push, double h, State* state) 
     const double third = h * h / 6.0;
     Chain(state->of_velocity,
           h,
-          DerivativesOf(model, at, h, {third, third, third, 0.0}),
+          DerivativesOf(model, at, push, h, {third, third, third, 0.0}),
           &state->of_position);
   }
   if constexpr (kWithDerivatives) {
     Chain(Derivatives(state->of_velocity),
           0.0,
-          DerivativesOf(model, at, h, {h / 6.0, h / 3.0, h / 3.0, h / 6.0}),
+          DerivativesOf(model, at, push, h, {h / 6.0, h / 3.0, h / 3.0, h / 6.0}),
           &state->of_velocity);
   }
   if constexpr (kWithPosition) state->position += (h / 6.0) * (v[0] + 2.0 * (v[1] + v[2]) + v[3]);
