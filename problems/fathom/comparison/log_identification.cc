@@ -38,10 +38,13 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
   identified.findings = CheckSanity(signals);
-  identified.result =
-      is_joint
-          ? IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks)
-          : Identify(signals, signals, options.family, options.identification);
+  if (is_joint) {
+    identified.result =
+        IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks);
+    return identified;
+  }
+  logs = {};  // a long one takes as much memory as its signals
+  identified.result = Identify(signals, signals, options.family, options.identification);
   return identified;
 }
 

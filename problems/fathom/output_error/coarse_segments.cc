@@ -22,6 +22,13 @@ double MeanOf(const std::vector<double>& values, std::size_t begin, std::size_t 
   return sum / static_cast<double>(end - begin);
 }
 
+// Every `size`-th value, from the middle of the first `size` on.
+std::vector<double> Thinned(const std::vector<double>& values, std::size_t size) {
+  std::vector<double> thinned;
+  for (std::size_t i = size / 2; i < values.size(); i += size) thinned.push_back(values[i]);
+  return thinned;
+}
+
 // Groups of `size` samples become one each; what is left over at the end is left out.
 Segment Coarsened(const Segment& segment, std::size_t size) {
   Segment coarse;
@@ -39,6 +46,11 @@ Segment Coarsened(const Segment& segment, std::size_t size) {
     coarse.command.value.push_back((impulse[i + 1] - impulse[i]) /
                                    (coarse.time[i + 1] - coarse.time[i]));
   }
+  coarse.initial_velocity = segment.initial_velocity;
+  coarse.acceleration = Thinned(segment.acceleration, size);
+  coarse.smoothed_velocity = Thinned(segment.smoothed_velocity, size);
+  coarse.smoothed_force = Thinned(segment.smoothed_force, size);
+  coarse.smoothed_square = Thinned(segment.smoothed_square, size);
   return coarse;
 }
 

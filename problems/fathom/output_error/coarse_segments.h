@@ -12,8 +12,8 @@ namespace fathom {
 
 // The segments with a sample for every few of theirs, for a search that only looks for where
 // another one starts: the means of the measurements, under the mean forces between them, at most
-// 0.25 s apart. Empty where the samples are too few for that. Only time, velocity, position and
-// command are filled.
+// 0.25 s apart. The columns for least squares, smooth already, are those of the middle samples.
+// Empty where the samples are too few for that.
 std::vector<Segment> CoarseSegments(std::span<const Segment> segments);
 
 }  // namespace fathom

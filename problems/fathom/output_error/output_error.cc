@@ -82,9 +82,11 @@ void RequireUsable(std::span<const Segment> segments, const OutputErrorOptions& 
   }
 }
 
-InitialGuess GuessFor(std::span<const Segment> segments, const OutputErrorOptions& options) {
+InitialGuess GuessFor(std::span<const Segment> segments,
+                      const std::vector<Segment>& coarse,
+                      const OutputErrorOptions& options) {
   if (options.initial_guess) return {*options.initial_guess, "given"};
-  return ChooseInitialGuess(segments);
+  return ChooseInitialGuess(coarse.empty() ? segments : coarse);
 }
 
 // The model, and each window's first measurement.
@@ -162,10 +164,9 @@ Found SearchFrom(const Unknowns& start,
 // The optimum of the coarse segments, which costs little, as a start for all data. Nothing if there
 // is none.
 std::optional<Unknowns> CoarseOptimum(const UncoupledModel<double>& guess,
-                                      std::span<const Segment> segments,
+                                      const std::vector<Segment>& coarse,
                                       size_t num_windows,
                                       const OutputErrorOptions& options) {
-  const std::vector<Segment> coarse = CoarseSegments(segments);
   if (coarse.empty()) return std::nullopt;
   const std::vector<ShootingWindow> windows = LayOutWindows(coarse, options);
   if (windows.size() != num_windows) return std::nullopt;
@@ -177,9 +178,10 @@ std::optional<Unknowns> CoarseOptimum(const UncoupledModel<double>& guess,
 // Coarse to fine where that works, else on all data from the guess.
 Found Search(const UncoupledModel<double>& guess,
              std::span<const Segment> segments,
+             const std::vector<Segment>& coarse,
              const std::vector<ShootingWindow>& windows,
              const OutputErrorOptions& options) {
-  if (const auto near = CoarseOptimum(guess, segments, windows.size(), options)) {
+  if (const auto near = CoarseOptimum(guess, coarse, windows.size(), options)) {
     Found found = SearchFrom(*near, true, segments, windows, options);
     if (found.end.solve.converged) return found;
   }
@@ -191,9 +193,10 @@ Found Search(const UncoupledModel<double>& guess,
 OutputErrorSummary FitOutputError(std::span<const Segment> segments,
                                   const OutputErrorOptions& options) {
   RequireUsable(segments, options);
-  const InitialGuess guess = GuessFor(segments, options);
+  const std::vector<Segment> coarse = CoarseSegments(segments);
+  const InitialGuess guess = GuessFor(segments, coarse, options);
   const std::vector<ShootingWindow> windows = LayOutWindows(segments, options);
-  const auto [end, sigma] = Search(guess.model, segments, windows, options);
+  const auto [end, sigma] = Search(guess.model, segments, coarse, windows, options);
   OutputErrorSummary summary;
   summary.initial_guess = guess.family;
   summary.initial_cost = end.solve.initial_cost;

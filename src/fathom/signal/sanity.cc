@@ -93,9 +93,22 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
 
 // What the columns (v, v|v|, 1) leave of `values`.
 Eigen::VectorXd WithoutVelocity(const Eigen::VectorXd& v, const Eigen::VectorXd& values) {
-  Eigen::MatrixX3d columns(v.size(), 3);
-  columns << v, v.cwiseProduct(v.cwiseAbs()), Eigen::VectorXd::Ones(v.size());
-  return values - columns * columns.colPivHouseholderQr().solve(values);
+  const double fastest = std::max(v.lpNorm<Eigen::Infinity>(), 1e-300);
+  const auto columns = [&](Eigen::Index i) {
+    const double x = v[i] / fastest;
+    return Eigen::Vector3d(x, x * std::abs(x), 1.0);
+  };
+  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    const Eigen::Vector3d row = columns(i);
+    gram += row * row.transpose();
+    right += values[i] * row;
+  }
+  const Eigen::Vector3d solution = gram.completeOrthogonalDecomposition().solve(right);
+  Eigen::VectorXd rest = values;
+  for (Eigen::Index i = 0; i < v.size(); ++i) rest[i] -= columns(i).dot(solution);
+  return rest;
 }
 
 // At equal velocity, acceleration against force; docs/signal.md (11).
@@ -120,6 +133,7 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   const Eigen::VectorXd a = WithoutVelocity(v, column(0)), force = WithoutVelocity(v, column(2));
   if (!(a.squaredNorm() > 0.0 && force.squaredNorm() > 0.0)) return;
   const double correlation = a.dot(force) / (a.norm() * force.norm());
+  if (correlation > -kSignCorrelation) return;
   const double slope = a.dot(force) / force.squaredNorm();
   const Eigen::VectorXd residual = a - slope * force;
   ColouredGram coloured(FitAutoregression({{residual.begin(), residual.end()}},
@@ -127,7 +141,7 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
                         1);
   coloured.Add(force);
   const double error = std::sqrt(coloured.EndPiece()(0, 0)) / force.squaredNorm();
-  if (correlation > -kSignCorrelation || slope > -kSignErrors * error) return;
+  if (slope > -kSignErrors * error) return;
   Warn("force_sign",
        fmt::format("At equal velocity a positive force decelerates the vehicle: acceleration "
                    "over force is {:.2g} ± {:.1g} (correlation {:.2f}). Check the sign of the "
