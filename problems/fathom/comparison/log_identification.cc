@@ -37,13 +37,13 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   if (IsAllHeldOut(signals)) {
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
+  if (!is_joint) logs = {};  // a long one takes as much memory as its signals
   identified.findings = CheckSanity(signals);
   if (is_joint) {
     identified.result =
         IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks);
     return identified;
   }
-  logs = {};  // a long one takes as much memory as its signals
   identified.result = Identify(signals, signals, options.family, options.identification);
   return identified;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <Eigen/Core>
@@ -50,21 +51,23 @@ struct Samples {
 };
 
 Samples SamplesOf(std::span<const Segment> segments) {
-  std::vector<double> force, velocity, step;
+  Eigen::Index num_steps = 0;
+  for (const Segment& segment : segments) {
+    num_steps += std::max<Eigen::Index>(std::ssize(segment.time) - 1, 0);
+  }
+  Samples samples = {
+      Eigen::ArrayXd(num_steps), Eigen::ArrayXd(num_steps), Eigen::ArrayXd(num_steps)};
+  Eigen::Index row = 0;
   for (const Segment& segment : segments) {
     const std::vector<double> impulse = IntegralsOf(segment.command, segment.time).once;
-    for (size_t i = 0; i + 1 < segment.time.size(); ++i) {
+    for (size_t i = 0; i + 1 < segment.time.size(); ++i, ++row) {
       const double h = segment.time[i + 1] - segment.time[i];
-      step.push_back(h);
-      force.push_back((impulse[i + 1] - impulse[i]) / h);
-      velocity.push_back(0.5 * (segment.velocity[i] + segment.velocity[i + 1]));
+      samples.step[row] = h;
+      samples.force[row] = (impulse[i + 1] - impulse[i]) / h;
+      samples.velocity[row] = 0.5 * (segment.velocity[i] + segment.velocity[i + 1]);
     }
   }
-  const auto array = [](const std::vector<double>& values) {
-    return Eigen::ArrayXd(
-        Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  };
-  return {array(force), array(velocity), array(step)};
+  return samples;
 }
 
 // The power of the fluctuations, docs/signal.md (10): a constant force (buoyancy) takes no part.

@@ -186,7 +186,7 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   RequireUsable(options);
   const Stream& stream = MotionStream(log, dof, options.source);
   const std::vector<double>& time = stream.time;
-  const HeldCommand command = CommandOf(log, dof);
+  HeldCommand command = CommandOf(log, dof);
   const Cut cut = CutMotion(log, stream, command, options);
   const Measured measured = MeasuredAlong(dof, stream, options.source);
   const double window = options.window > 0.0
@@ -201,14 +201,19 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   AddTo(&signals.remarks, measured.remarks);
   signals.remarks.push_back(WindowRemark(window, options, MedianStep(time)));
 
-  size_t num_dropped = 0;
+  std::vector<HeldCommand> commands;
   for (const SampleRange& range : cut.ranges) {
-    HeldCommand own = command.Between(time[range.begin], time[range.end - 1]);
-    Motion motion = MotionIn(range, dof, stream, measured, own, filter);
+    commands.push_back(command.Between(time[range.begin], time[range.end - 1]));
+  }
+  command = {};  // a long log's takes as much memory as its motion
+  size_t num_dropped = 0;
+  for (size_t k = 0; k < cut.ranges.size(); ++k) {
+    const SampleRange& range = cut.ranges[k];
+    Motion motion = MotionIn(range, dof, stream, measured, commands[k], filter);
     num_dropped += range.size() - motion.time.size();
     if (motion.time.size() < 2) continue;
     auto& to = range.is_held_out ? signals.held_out : signals.train;
-    to.push_back(SegmentOf(std::move(motion), std::move(own), filter));
+    to.push_back(SegmentOf(std::move(motion), std::move(commands[k]), filter));
   }
   if (num_dropped > 0) {
     signals.remarks.push_back(

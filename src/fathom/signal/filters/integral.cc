@@ -18,6 +18,8 @@ std::vector<double> Integral(std::span<const double> time, std::span<const doubl
 CommandIntegrals IntegralsOf(const HeldCommand& command, std::span<const double> time) {
   CommandIntegrals integrals;
   if (time.empty()) return integrals;
+  integrals.once.reserve(time.size());
+  integrals.twice.reserve(time.size());
   double t = time.front(), once = 0.0, twice = 0.0;
   double value = command.At(t);
   size_t next =
