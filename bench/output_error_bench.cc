@@ -120,7 +120,7 @@ void PeerFit(benchmark::State& state) {
 }
 
 constexpr int kLengths[] = {300, 3000, 30000};  // [s]
-constexpr double kMostOfPeer = 3.0;             // times its CPU time
+constexpr double kMostOfPeer = 1.6;             // times its CPU time
 constexpr double kMostGrowth = 11.5;  // for ten times the data, in the mean of two decades
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 

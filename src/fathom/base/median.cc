@@ -17,6 +17,7 @@ double Median(std::vector<double> values) {
 
 double MedianStep(std::span<const double> time) {
   std::vector<double> steps;
+  steps.reserve(time.size());
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
   return Median(std::move(steps));
 }

@@ -27,6 +27,7 @@ namespace fathom {
 namespace {
 
 void RequireDifferentData(const std::vector<Log>& logs) {
+  if (logs.size() < 2) return;
   std::map<std::string, std::string> path_of;
   for (const Log& log : logs) {
     const auto [other, is_new] = path_of.try_emplace(FingerprintOf(log), log.path.string());

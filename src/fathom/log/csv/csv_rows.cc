@@ -75,9 +75,10 @@ void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
 }
 
 std::string_view Trimmed(std::string_view cell) {
-  const std::size_t begin = cell.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return cell.substr(begin, cell.find_last_not_of(" \t") + 1 - begin);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
+  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
+  return cell;
 }
 
 // The cells of a line without quotes; none if it is blank.

@@ -61,16 +61,26 @@ void MovingFit::Renew() {
   }
 }
 
-void MovingFit::Count(std::size_t sample, double sign) {
+template <int kOrder>
+void MovingFit::CountUpTo(std::size_t sample, double sign) {
   const double x = (time_[sample] - origin_) / reach_;
-  double T[2 * kHighestOrder + 1];
+  double T[2 * kOrder + 1];
   T[0] = sign;
   T[1] = sign * x;
-  for (int k = 1; k < 2 * order_; ++k) T[k + 1] = 2.0 * x * T[k] - T[k - 1];
-  for (int k = 0; k <= 2 * order_; ++k) sums_[k] += T[k];
+  for (int k = 1; k < 2 * kOrder; ++k) T[k + 1] = 2.0 * x * T[k] - T[k - 1];
+  for (int k = 0; k <= 2 * kOrder; ++k) sums_[k] += T[k];
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const double y = columns_[c][sample] - references_[c];
-    for (int k = 0; k <= order_; ++k) column_sums_[c][k] += T[k] * y;
+    for (int k = 0; k <= kOrder; ++k) column_sums_[c][k] += T[k] * y;
+  }
+}
+
+void MovingFit::Count(std::size_t sample, double sign) {
+  // The usual order has loops of known length.
+  if (order_ == 3) {
+    CountUpTo<3>(sample, sign);
+  } else {
+    CountUpTo<kHighestOrder>(sample, sign);
   }
 }
 

@@ -50,6 +50,8 @@ class MovingFit {
 
   void Renew();
   void Count(std::size_t sample, double sign);
+  template <int kOrder>
+  void CountUpTo(std::size_t sample, double sign);
 
   std::span<const double> time_;
   std::vector<std::span<const double>> columns_;
