@@ -66,7 +66,7 @@ void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
     return;
   }
-  std::printf("%s: MAE %.5f %s, NMAE %s over %d samples, %.0f s\n",
+  std::printf("%s: velocity MAE %.5f %s, velocity NMAE %s over %d samples, %.0f s\n",
               std::string(Name(dof)).c_str(),
               figures.mae,
               std::string(VelocityUnit(dof)).c_str(),

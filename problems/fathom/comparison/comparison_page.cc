@@ -187,10 +187,10 @@ Table ParameterTable(const DofComparison& comparison) {
                    {heading("q. damping", kQuadraticDamping), true},
                    {heading("l. damping", kLinearDamping), true},
                    {heading("buoyancy", kBuoyancy), true},
-                   {fmt::format("MAE [{}]", speed_unit), true},
-                   {"NMAE", true},
-                   {"held-out MAE", true},
-                   {"held-out NMAE", true}};
+                   {fmt::format("velocity MAE [{}]", speed_unit), true},
+                   {"velocity NMAE", true},
+                   {"velocity MAE, held out", true},
+                   {"velocity NMAE, held out", true}};
   const Identification* best = BestRow(comparison);
   for (const Identification& row : comparison.rows) {
     TableRow line;
@@ -220,7 +220,7 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
   for (const Identification& row : comparison.rows) {
     if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
     panel.responses.push_back(
-        {ModelName(row), {}, fmt::format("NMAE {:.3f}", row.fitted.train.nmae)});
+        {ModelName(row), {}, fmt::format("velocity NMAE {:.3f}", row.fitted.train.nmae)});
   }
   const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);
   if (const size_t num_logs = NumLogs(placed); num_logs > 1) {
@@ -288,7 +288,8 @@ Page ComparisonPage(const Comparison& comparison) {
     page.sections.push_back(SectionOf(dof));
   }
   page.footer =
-      "MAE and NMAE are errors of the velocity when simulating from the command alone, started "
+      "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "
+      "started "
       "from the speed at each segment's first stamp (docs/models.md). In the table, ± is one "
       "standard deviation. Bars and the sentences above give 95 % intervals.";
   return page;

@@ -7,6 +7,8 @@
 #include "fathom/simulate/prediction.h"
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
@@ -24,25 +26,39 @@ void TakeOver(const Summary& summary, Identification* identification) {
   identification->fitted.caveats = summary.caveats;
 }
 
+// What to say of a model whose free runs miss this share of `motion`. One that misses almost all
+// of it is no model, whatever its intervals say. Empty for a good fit.
+std::string CaveatOnFit(double nmae, std::string_view motion) {
+  constexpr double kPoor = 0.3, kExplainsLittle = 0.8;
+  if (!(nmae > kPoor)) return "";
+  if (nmae > kExplainsLittle) {
+    return fmt::format(
+        "Simulated from the command alone, it misses {:.0f} % of {}: this model explains almost "
+        "nothing of these data. Check the warnings first. If it was fitted to poses and is "
+        "compared with velocities, check whether these agree (size of the markers, units).",
+        100.0 * nmae,
+        motion);
+  }
+  return fmt::format(
+      "The fit is poor: simulated from the command alone, it misses {:.0f} % of {}. Check "
+      "the warnings first. Then run fathom_diagnose on this log: it looks for what the model "
+      "lacks.",
+      100.0 * nmae,
+      motion);
+}
+
 }  // namespace
 
-// A model that misses almost all of the motion is no model, whatever its intervals say.
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
   fitted->train = FiguresOf({fitted->model}, scored.train);
   fitted->held_out = FiguresOf({fitted->model}, scored.held_out);
-  constexpr double kExplainsLittle = 0.8;
-  const double nmae = fitted->train.nmae;
   if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {
     fitted->caveats.push_back(
         "Its simulation from the command alone diverges, so it cannot predict.");
-  } else if (nmae > kExplainsLittle) {
-    fitted->caveats.push_back(
-        fmt::format("Simulated from the command alone, it misses {:.0f} % of the motion: this "
-                    "model explains almost nothing of these data. Check the warnings first. If "
-                    "it was fitted to poses and is compared with velocities, check whether these "
-                    "agree (size of the markers, units).",
-                    100.0 * nmae));
   }
+  std::string caveat = CaveatOnFit(fitted->train.nmae, "the motion");
+  if (caveat.empty()) caveat = CaveatOnFit(fitted->held_out.nmae, "the held-out motion");
+  if (!caveat.empty()) fitted->caveats.push_back(std::move(caveat));
   if (!scored.held_out.empty() && !std::isfinite(fitted->held_out.mae)) {
     fitted->caveats.push_back(
         "Its simulation from the command alone diverges on the held-out data.");

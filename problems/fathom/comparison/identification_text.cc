@@ -20,13 +20,14 @@ constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 std::string FiguresText(const char* where, const FitFigures& figures, std::string_view unit) {
   if (!std::isfinite(figures.nmae)) return "";
-  return fmt::format("{:<9} MAE {:.5f} {}, NMAE {:.4f}   ({} samples, {:.0f} s)\n",
-                     where,
-                     figures.mae,
-                     unit,
-                     figures.nmae,
-                     figures.num_samples,
-                     figures.duration);
+  return fmt::format(
+      "{:<9} velocity MAE {:.5f} {}, velocity NMAE {:.4f}   ({} samples, {:.0f} s)\n",
+      where,
+      figures.mae,
+      unit,
+      figures.nmae,
+      figures.num_samples,
+      figures.duration);
 }
 
 // A row of the table: a number with its interval, which does not reach below `lower_bound`.

@@ -59,9 +59,10 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
     dof.remarks.insert(dof.remarks.end(), camera.remarks.begin(), camera.remarks.end());
   }
   dof.remarks.push_back(
-      has_velocity ? "MAE and NMAE are against velocity.csv. No row was fitted to it."
-                   : "There is no velocity.csv. MAE and NMAE are against the derivative of "
-                     "the PnP poses and contain its noise.");
+      has_velocity
+          ? "Velocity MAE and NMAE are against velocity.csv. No row was fitted to it."
+          : "There is no velocity.csv. Velocity MAE and NMAE are against the derivative of "
+            "the PnP poses and contain its noise.");
   JointOptions joint = options.identification.joint;
   for (const Family family : kSignalFamilies) {
     dof.rows.push_back(Identify(camera, dof.scored, family, options.identification));

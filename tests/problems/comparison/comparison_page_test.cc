@@ -83,7 +83,7 @@ TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {
   const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
   ASSERT_EQ(table.columns.size(), 10u);
   EXPECT_EQ(table.columns[2].heading, "inertia [kg]");
-  EXPECT_EQ(table.columns[6].heading, "MAE [m/s]");
+  EXPECT_EQ(table.columns[6].heading, "velocity MAE [m/s]");
   // 40, standard deviation 2.0; the figures as HandmadeRow gives them.
   EXPECT_THAT(table.rows[0].cells,
               ::testing::ElementsAre("surge",
@@ -131,7 +131,7 @@ TEST(ResponsePanel, ShowsTheFreeRunOfEachModel) {
   // m)) without the quadratic term, which at 0.00125 m/s takes less than 30 (0.00125)^2 / 40 0.1
   // = 1.2e-7 m/s.
   EXPECT_NEAR(panel.responses[0].values[1], 0.1 * (1.0 - std::exp(-0.0125)), 2e-7);
-  EXPECT_EQ(panel.responses[0].note, "NMAE 0.020");
+  EXPECT_EQ(panel.responses[0].note, "velocity NMAE 0.020");
 }
 
 TEST(ResponsePanel, LeavesOutModelsThatAreNotUsable) {

@@ -76,8 +76,8 @@ TEST(FormatIdentification, ShowsParametersIntervalsFiguresAndCaveats) {
               AllOf(HasSubstr("surge by output error from velocity.csv: "),
                     HasSubstr("36.1 ... 43.9"),
                     HasSubstr("27.1 ... 32.9"),
-                    HasSubstr("MAE 0.01000 m/s, NMAE 0.0200   (90 samples, 9 s)"),
-                    HasSubstr("MAE 0.00750 m/s, NMAE 0.0300   (40 samples, 4 s)"),
+                    HasSubstr("velocity MAE 0.01000 m/s, velocity NMAE 0.0200   (90 samples, 9 s)"),
+                    HasSubstr("velocity MAE 0.00750 m/s, velocity NMAE 0.0300   (40 samples, 4 s)"),
                     HasSubstr("note: The log cannot tell them apart."),
                     Not(HasSubstr("/ inertia"))));
 }
