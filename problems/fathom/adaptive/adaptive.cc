@@ -4,12 +4,14 @@
 #include "fathom/adaptive/adaptive.h"
 
 #include "fathom/adaptive/choose_gains.h"
+#include "fathom/adaptive/inertia_step.h"
 #include "fathom/adaptive/pass.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,6 +23,7 @@ constexpr double kLastPart = 1.0 / 3.0;  // of the pass, over which the scatter 
 constexpr double kHeaviest = 0.99e5;     // [kg]: alpha has not left its lower bound
 constexpr double kMostScatter = 0.5;     // of the inertia's sd, by its value
 constexpr double kSettledChange = 0.1;   // of the inertia over the last part
+constexpr double kSettledStep = 0.04;    // of the inertia, by output error from the end
 
 using Models = std::vector<ParameterVector>;
 
@@ -33,14 +36,24 @@ ParameterCovariance ScatterAbout(const ParameterVector& final, const Models& mod
   return scatter / static_cast<double>(models.size());
 }
 
-void AddCaveats(const Models& last_part, AdaptiveSummary* summary) {
+// Whether the law has come to where the velocities ask it to be; empty if it has.
+std::string CaveatOnInertia(double inertia, double change, double step) {
+  if (std::isfinite(step) && std::abs(step) > kSettledStep) {
+    return fmt::format(
+        "The inertia has not settled: a step of output error from here would change it by "
+        "{:+.0f} %. Take the family output_error, or excite the vehicle faster.",
+        100.0 * step);
+  }
+  if (std::isfinite(step) && std::abs(change) <= kSettledChange * inertia) return "";
+  return fmt::format(
+      "The inertia has not settled: it changed by {:.3g} over the last third of the pass.", change);
+}
+
+void AddCaveats(const Models& last_part, double step, AdaptiveSummary* summary) {
   const double inertia = summary->model.inertia;
   const double change = inertia - last_part.front()[kInertia];
-  if (std::abs(change) > kSettledChange * inertia) {
-    summary->caveats.push_back(
-        fmt::format("The inertia has not settled: it changed by {:.3g} over the last third of the "
-                    "pass.",
-                    change));
+  if (std::string caveat = CaveatOnInertia(inertia, change, step); !caveat.empty()) {
+    summary->caveats.push_back(std::move(caveat));
   }
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
     const double value = ToVector(summary->model)[index];
@@ -108,7 +121,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   summary.covariance = scatter;
   summary.usable = true;
   summary.message = fmt::format("Adaptive law, one pass over {} samples.", n);
-  AddCaveats(last_part, &summary);
+  AddCaveats(last_part, InertiaStep(model, segments), &summary);
   return summary;
 }
 
