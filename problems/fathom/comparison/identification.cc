@@ -6,7 +6,9 @@
 #include "fathom/least_squares/least_squares.h"
 #include "fathom/simulate/prediction.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +26,16 @@ void TakeOver(const Summary& summary, Identification* identification) {
   identification->fitted.model = summary.model;
   identification->fitted.covariance = summary.covariance;
   identification->fitted.caveats = summary.caveats;
+}
+
+// Poses are fitted as they are, without a derivative between image and model, where all of them are
+// displacements along the DOF.
+FittedOutput OutputOf(std::span<const Segment> segments) {
+  const bool has_positions =
+      std::none_of(segments.begin(), segments.end(), [](const auto& segment) {
+        return segment.position.empty();
+      });
+  return has_positions ? FittedOutput::kPosition : FittedOutput::kVelocity;
 }
 
 // What to say of a model whose free runs miss this share of `motion`. One that misses almost all
@@ -92,10 +104,8 @@ Identification Identify(const Signals& signals,
       TakeOver(FitAdaptive(signals.train, options.adaptive), &result);
       break;
     case Family::kOutputError: {
-      // Poses are fitted as they are: no derivative between image and model.
       OutputErrorOptions output_error = options.output_error;
-      output_error.output =
-          signals.source == Source::kCamera ? FittedOutput::kPosition : FittedOutput::kVelocity;
+      output_error.output = OutputOf(signals.train);
       const OutputErrorSummary summary = FitOutputError(signals.train, output_error);
       TakeOver(summary, &result);
       result.share = summary.evidence.share;

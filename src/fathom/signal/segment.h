@@ -14,8 +14,10 @@ namespace fathom {
 struct Segment {
   std::vector<double> time;      // stamps of the motion stream [s], strictly increasing
   std::vector<double> velocity;  // as measured, or derived from the poses [m/s] or [rad/s]
-  std::vector<double> position;  // displacement along the DOF [m] or [rad]; empty without poses
-  HeldCommand command;           // at its own stamps
+  // Displacement along the DOF [m] or [rad]. Empty without poses, and where the DOF's axis turns in
+  // the world: no displacement along it then tells the speed.
+  std::vector<double> position;
+  HeldCommand command;  // at its own stamps
 
   // Velocity at the first stamp, by a local polynomial over the samples behind it, so that the
   // noise of one sample does not colour a whole free run. NaN if there are too few [m/s] or

@@ -60,7 +60,7 @@ Motion MotionFromPoses(const Poses& poses,
     if (!std::isfinite(velocity)) continue;
     motion.time.push_back(poses.time[i]);
     motion.velocity.push_back(velocity);
-    motion.position.push_back(position[i]);
+    if (!position.empty()) motion.position.push_back(position[i]);
     motion.force.push_back(impulse[i]);
     motion.is_centred.push_back(body.is_centred[i]);
   }

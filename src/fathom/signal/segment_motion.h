@@ -19,7 +19,7 @@ namespace fathom {
 struct Motion {
   std::vector<double> time;
   std::vector<double> velocity;
-  std::vector<double> position;  // empty without poses
+  std::vector<double> position;  // empty without poses, and where the DOF's axis turns
   std::vector<double> force;     // the command's first integral through the poses' filter; empty
                                  // without poses
   std::vector<bool> is_centred;  // false: the velocity itself comes from a one-sided window
@@ -29,7 +29,8 @@ struct Motion {
 Motion MotionFromVelocity(const Stream& stream, Dof dof, size_t begin, size_t end);
 
 // Velocity from poses, and the command's impulse through the same filter. `position` is the
-// displacement along the DOF. Stamps at which the filter fails are left out.
+// displacement along the DOF; empty where its axis turns. Stamps at which the filter fails are left
+// out.
 Motion MotionFromPoses(const Poses& poses,
                        Dof dof,
                        const std::vector<double>& position,

@@ -122,8 +122,9 @@ Cut CutMotion(const Log& log,
 
 // What a source measures along one DOF, and what is to be said of it.
 struct Measured {
-  Poses poses;                   // of the source camera only
-  std::vector<double> observed;  // its displacement; of the other source the velocity
+  Poses poses;                    // of the source camera only
+  std::vector<double> observed;   // its displacement; of the other source the velocity
+  bool has_displacement = false;  // false where the axis turns: `observed` is then no way made good
   std::vector<std::string> remarks;
 };
 
@@ -136,12 +137,14 @@ Measured MeasuredAlong(Dof dof, const Stream& stream, Source source) {
   measured.poses = PosesOf(stream);
   measured.observed = DisplacementAlong(dof, measured.poses);
   const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, measured.poses.world_from_body);
-  if (turn > kLargestAxisTurn) {
-    measured.remarks.push_back(fmt::format(
-        "The {} axis turns by {:.2f} rad RMS. The position is taken along its mean, which is "
-        "shorter than the true path.",
-        Name(dof),
-        turn));
+  measured.has_displacement = turn <= kLargestAxisTurn;
+  if (!measured.has_displacement) {
+    measured.remarks.push_back(
+        fmt::format("The {} axis turns by {:.2f} rad RMS, so the positions are no displacement "
+                    "along it. Output "
+                    "error is fitted to the body velocity from the poses.",
+                    Name(dof),
+                    turn));
   }
   if (const int flips = CountRotationFlips(measured.poses); flips > 0) {
     measured.remarks.push_back(fmt::format(
@@ -161,9 +164,12 @@ Motion MotionIn(const SampleRange& range,
                 const HeldCommand& command,
                 const SavitzkyGolayOptions& filter) {
   if (measured.poses.size() == 0) return MotionFromVelocity(stream, dof, range.begin, range.end);
-  const auto observed = measured.observed.begin();
-  const std::vector<double> position(observed + static_cast<std::ptrdiff_t>(range.begin),
-                                     observed + static_cast<std::ptrdiff_t>(range.end));
+  std::vector<double> position;
+  if (measured.has_displacement) {
+    const auto observed = measured.observed.begin();
+    position.assign(observed + static_cast<std::ptrdiff_t>(range.begin),
+                    observed + static_cast<std::ptrdiff_t>(range.end));
+  }
   return MotionFromPoses(
       measured.poses.Between(range.begin, range.end), dof, position, command, filter);
 }
