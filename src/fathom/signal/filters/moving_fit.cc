@@ -14,7 +14,7 @@ namespace {
 
 // The sums are about one origin while the window's middle is within this share of its width. They
 // are then made anew, lest the rounding of what came and went adds up.
-constexpr double kSameOrigin = 0.25;
+constexpr double kMostStray = 0.25;
 
 // Of the normal equations: hardly two digits are lost, and LocalPolynomial stands in beyond. High
 // orders need it.
@@ -42,7 +42,8 @@ MovingFit::MovingFit(std::span<const double> time,
     : time_(time),
       columns_(std::move(columns)),
       order_(options.order),
-      reach_((0.5 + kSameOrigin) * options.window),
+      stray_(kMostStray * options.window),
+      reach_(0.5 * options.window + stray_),
       window_(time, options.window),
       stand_in_(time, options),
       column_sums_(columns_.size()),
@@ -52,7 +53,7 @@ MovingFit::MovingFit(std::span<const double> time,
 }
 
 void MovingFit::Renew() {
-  origin_ = window_.centre() + kSameOrigin / (0.5 + kSameOrigin) * reach_;
+  origin_ = window_.centre() + stray_;
   first_ = past_last_ = window_.first();
   sums_.fill(0.0);
   for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -88,10 +89,9 @@ bool MovingFit::MoveTo(std::size_t i, int derivative) {
   CHECK_GE(derivative, 0);
   CHECK_LE(derivative, order_);
   window_.MoveTo(i);
-  const bool is_near =
-      std::abs(window_.centre() - origin_) <= kSameOrigin / (0.5 + kSameOrigin) * reach_ &&
-      window_.first() >= first_ && window_.first() <= past_last_ &&
-      window_.past_last() >= past_last_;
+  const bool is_near = std::abs(window_.centre() - origin_) <= stray_ &&
+                       window_.first() >= first_ && window_.first() <= past_last_ &&
+                       window_.past_last() >= past_last_;
   if (!is_near || past_last_ == first_) Renew();
   for (; past_last_ < window_.past_last(); ++past_last_) Count(past_last_, 1.0);
   for (; first_ < window_.first(); ++first_) Count(first_, -1.0);

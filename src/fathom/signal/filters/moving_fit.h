@@ -18,12 +18,12 @@ namespace fathom {
 // that moves along the stamps takes in one sample and gives up another, so a stamp costs the same
 // however long the window is.
 //
-//   sum_j T_k(x_j) (k = 0 to 2p)  and  sum_j T_k(x_j) y_j (k = 0 to p),   x_j = (t_j - origin) /
-//   reach
+//   sum_j T_k(x_j), k = 0 to 2p,   and   sum_j T_k(x_j) y_j, k = 0 to p
+//   x_j = (t_j - origin) / reach
 //
 // are the normal equations of docs/signal.md (1) in Chebyshev's polynomials, since
-// 2 T_a T_b = T_{a+b} + T_{|a-b|}: well conditioned for every order. Where they are not, as with
-// few samples or samples close together, LocalPolynomial stands in.
+// 2 T_a T_b = T_{a+b} + T_{|a-b|}. Where they are badly conditioned, as for high orders, few
+// samples or samples close together, LocalPolynomial stands in.
 //
 //   MovingFit fit(time, {position, impulse}, {.window = 1.0, .order = 3});
 //   for (size_t i = 0; i < time.size(); ++i) {
@@ -31,7 +31,7 @@ namespace fathom {
 //   }
 class MovingFit {
  public:
-  // Each column has a value for each stamp. Keeps views of `time` and `columns`.
+  // Each column has a finite value for each stamp. Keeps views of `time` and `columns`.
   MovingFit(std::span<const double> time,
             std::vector<std::span<const double>> columns,
             const SavitzkyGolayOptions& options);
@@ -56,7 +56,8 @@ class MovingFit {
   std::span<const double> time_;
   std::vector<std::span<const double>> columns_;
   int order_;
-  double reach_;  // [s]
+  double stray_;  // of the window's middle from the origin, at most [s]
+  double reach_;  // of the samples from it [s]
   MovingWindow window_;
   LocalPolynomial stand_in_;
 
