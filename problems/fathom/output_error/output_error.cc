@@ -161,18 +161,28 @@ Found SearchFrom(const Unknowns& start,
   return {std::move(end), sigma};
 }
 
-// The optimum of the coarse segments, which costs little, as a start for all data. Nothing if there
-// is none.
+// The optimum of the coarse segments, which costs little, as a start for all data in the windows
+// `fine`. Nothing if there is none.
 std::optional<Unknowns> CoarseOptimum(const UncoupledModel<double>& guess,
                                       const std::vector<Segment>& coarse,
-                                      size_t num_windows,
+                                      const std::vector<ShootingWindow>& fine,
                                       const OutputErrorOptions& options) {
   if (coarse.empty()) return std::nullopt;
   const std::vector<ShootingWindow> windows = LayOutWindows(coarse, options);
-  if (windows.size() != num_windows) return std::nullopt;
+  if (windows.size() != fine.size()) return std::nullopt;
   Found found = SearchFrom(UnknownsAt(guess, windows), false, coarse, windows, options);
   if (!found.end.solve.converged) return std::nullopt;
-  return std::move(found.end.unknowns);
+  Unknowns near = std::move(found.end.unknowns);
+  const UncoupledModel<double> model = ModelOf(near);
+  for (size_t w = 0; w < windows.size(); ++w) {
+    // A coarse window begins a little later, or earlier, than its fine one.
+    const double begin = windows[w].segment->time[windows[w].begin];
+    const double back = begin - fine[w].segment->time[fine[w].begin];
+    auto& [v, x] = near.states[w];
+    v -= back * model.Acceleration(v, fine[w].segment->command.At(begin));
+    x -= back * v;
+  }
+  return near;
 }
 
 // Coarse to fine where that works, else on all data from the guess.
@@ -181,7 +191,7 @@ Found Search(const UncoupledModel<double>& guess,
              const std::vector<Segment>& coarse,
              const std::vector<ShootingWindow>& windows,
              const OutputErrorOptions& options) {
-  if (const auto near = CoarseOptimum(guess, coarse, windows.size(), options)) {
+  if (const auto near = CoarseOptimum(guess, coarse, windows, options)) {
     Found found = SearchFrom(*near, true, segments, windows, options);
     if (found.end.solve.converged) return found;
   }
