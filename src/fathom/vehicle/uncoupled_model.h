@@ -37,6 +37,12 @@ struct UncoupledModel {
     const T damping = (quadratic_damping * abs(speed) + linear_damping) * speed;
     return (force - damping - buoyancy) / inertia;
   }
+
+  // Slope of the damping force over the speed [kg/s] or [kg m^2/s].
+  T DampingSlope(const T& speed) const {
+    using std::abs;
+    return linear_damping + 2.0 * quadratic_damping * abs(speed);
+  }
 };
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/data/training_data.h"
 
+#include "fathom/noise/damping_factors.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -14,34 +15,12 @@
 namespace fathom {
 namespace {
 
-// Slope of the damping force over speed.
-double DampingAt(const UncoupledModel<double>& model, double speed) {
-  return model.linear_damping + 2.0 * model.quadratic_damping * std::abs(speed);
-}
-
-// The damping over each interval between samples, by the mean speed in it, as a multiple of that
-// at the usual speed; docs/residual_noise.md (3).
-void SetDampingFactors(const Segment& segment,
-                       const UncoupledModel<double>& about,
-                       double usual_speed,
-                       std::span<NoiseSample> samples) {
-  constexpr double kStepsPerOctave = 4.0;  // few values, 9 % off at most
-  constexpr double kMostOctaves = 3.0;
-  const double usual = DampingAt(about, usual_speed);
-  if (!(usual > 0.0)) return;
-  size_t next = 0;
-  double damping = usual;
-  for (NoiseSample& sample : samples) {
-    double sum = 0.0, n = 0.0;
-    for (; next < segment.time.size() && segment.time[next] <= sample.time; ++next, n += 1.0) {
-      sum += DampingAt(about, segment.velocity[next]);
-    }
-    if (n > 0.0) damping = sum / n;
-    const double octaves = std::log2(std::max(damping, 1e-300) / usual);
-    sample.damping_factor =
-        std::exp2(std::round(kStepsPerOctave * std::clamp(octaves, -kMostOctaves, kMostOctaves)) /
-                  kStepsPerOctave);
-  }
+// At the stamps of a segment.
+std::vector<double> DampingAlong(const Segment& segment, const UncoupledModel<double>& model) {
+  std::vector<double> damping;
+  damping.reserve(segment.velocity.size());
+  for (const double v : segment.velocity) damping.push_back(model.DampingSlope(v));
+  return damping;
 }
 
 }  // namespace
@@ -86,16 +65,16 @@ void TrainingData::SetDamping(const UncoupledModel<double>& about) {
   usual_speed_ = n > 0.0 ? sum / n : 0.0;
   for (size_t r = 0; r < segments_.size(); ++r) {
     const int first = bins_.first_row(r);
-    SetDampingFactors(plain_segments[r],
-                      about,
-                      usual_speed_,
+    SetDampingFactors(plain_segments[r].time,
+                      DampingAlong(plain_segments[r], about),
+                      about.DampingSlope(usual_speed_),
                       std::span(samples_).subspan(first, bins_.first_row(r + 1) - first));
   }
 }
 
 double TrainingData::DampingRate(const UncoupledModel<double>& model) const {
   constexpr double kLeast = 1e-3, kMost = 5.0;  // [1/s]
-  return std::clamp(DampingAt(model, usual_speed_) / model.inertia, kLeast, kMost);
+  return std::clamp(model.DampingSlope(usual_speed_) / model.inertia, kLeast, kMost);
 }
 
 double TrainingData::most_offset() const {
