@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/output_error/shooting_window.h"
+#include "fathom/output_error/weighting.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <optional>
@@ -19,6 +20,10 @@ struct OutputErrorOptions {
 
   // What the simulation is compared with; the position needs poses.
   FittedOutput output = FittedOutput::kVelocity;
+
+  // Which squares count. The joint refinement and the diagnosis start from plain ones; the tools
+  // choose.
+  Weighting weighting = Weighting::kPlain;
 
   // Residuals beyond this many robust standard deviations count linearly, not squared. Above 0;
   // infinite: plain least squares.

@@ -8,6 +8,7 @@
 #include "fathom/output_error/caveats.h"
 #include "fathom/output_error/coarse_segments.h"
 #include "fathom/output_error/initial_guess.h"
+#include "fathom/output_error/learned/choose_weighting.h"
 #include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
@@ -103,13 +104,6 @@ Unknowns UnknownsAt(const UncoupledModel<double>& model,
   return unknowns;
 }
 
-UncoupledModel<double> ModelOf(const Unknowns& unknowns) {
-  return {std::exp(unknowns.parameters[kInertia]),
-          unknowns.parameters[kQuadraticDamping],
-          unknowns.parameters[kLinearDamping],
-          unknowns.parameters[kBuoyancy]};
-}
-
 // The states at the first stamps of the segments.
 std::vector<InitialState> SegmentStates(const Unknowns& unknowns,
                                         const std::vector<ShootingWindow>& windows) {
@@ -198,11 +192,8 @@ Found Search(const UncoupledModel<double>& guess,
   return SearchFrom(UnknownsAt(guess, windows), false, segments, windows, options);
 }
 
-}  // namespace
-
-OutputErrorSummary FitOutputError(std::span<const Segment> segments,
-                                  const OutputErrorOptions& options) {
-  RequireUsable(segments, options);
+OutputErrorSummary FitPlainly(std::span<const Segment> segments,
+                              const OutputErrorOptions& options) {
   const std::vector<Segment> coarse = CoarseSegments(segments);
   const InitialGuess guess = GuessFor(segments, coarse, options);
   const std::vector<ShootingWindow> windows = LayOutWindows(segments, options);
@@ -223,6 +214,14 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   summary.covariance = summary.evidence.covariance;
   DescribeEvidence(segments, &summary);
   return summary;
+}
+
+}  // namespace
+
+OutputErrorSummary FitOutputError(std::span<const Segment> segments,
+                                  const OutputErrorOptions& options) {
+  RequireUsable(segments, options);
+  return ChooseWeighting(segments, options, FitPlainly(segments, options));
 }
 
 }  // namespace fathom

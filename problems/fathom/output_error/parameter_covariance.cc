@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -39,13 +40,46 @@ struct Optimum {
   double huber_k;
 };
 
-// Simulates segment `s`, a stretch of it at a time so that memory does not grow with the log, and
-// calls visit(J, residual, is_end), as in Samples, for consecutive samples of an unbroken piece.
-// `is_end` tells that the piece ends. False if the simulation diverges.
+// Simulated segment by segment, a stretch at a time so that memory does not grow with the log.
+class SimulatedRows {
+ public:
+  explicit SimulatedRows(const Optimum& at) : at_(at) {}
+
+  size_t num_segments() const { return at_.segments.size(); }
+  int state_size() const { return StateSize(at_.output); }
+  double huber_k() const { return at_.huber_k; }
+  Pieces PiecesOf(size_t s) const { return UnbrokenPieces(at_.segments[s].time); }
+
+  // In standard deviations, of the samples of segment `s`. Nothing if the simulation diverges.
+  std::optional<Eigen::VectorXd> Residual(size_t s) const;
+
+  // Calls visit(J, residual, is_end), as in Samples, for consecutive samples of an unbroken piece
+  // of segment `s`. `is_end` tells that the piece ends. False if the simulation diverges.
+  template <typename Visit>
+  bool VisitRows(size_t s, const Pieces& pieces, Visit visit) const;
+
+ private:
+  const Optimum& at_;
+};
+
+std::optional<Eigen::VectorXd> SimulatedRows::Residual(size_t s) const {
+  const Segment& segment = at_.segments[s];
+  const bool is_velocity = at_.output == FittedOutput::kVelocity;
+  std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
+  const Simulation simulation(segment.command, segment.time);
+  if (!simulation.Run(at_.model, at_.initial_states[s], v, x)) return std::nullopt;
+  const std::vector<double>& simulated = is_velocity ? v : x;
+  const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
+  using Column = Eigen::Map<const Eigen::VectorXd>;
+  return (Column(simulated.data(), std::ssize(simulated)) -
+          Column(measured.data(), std::ssize(measured))) /
+         at_.sigma;
+}
+
 template <typename Visit>
-bool VisitSamples(const Optimum& at, size_t s, const Pieces& pieces, Visit visit) {
-  const Segment& segment = at.segments[s];
-  StretchStart start = SegmentStart(at.initial_states[s]);
+bool SimulatedRows::VisitRows(size_t s, const Pieces& pieces, Visit visit) const {
+  const Segment& segment = at_.segments[s];
+  StretchStart start = SegmentStart(at_.initial_states[s]);
   Stretch stretch;
   Samples samples;
   auto piece = pieces.begin();
@@ -54,10 +88,10 @@ bool VisitSamples(const Optimum& at, size_t s, const Pieces& pieces, Visit visit
     const size_t end = std::min(begin + kStretch, segment.time.size());
     const size_t num_outputs = std::min(end + 1, segment.time.size()) - begin;
     const auto time = std::span(segment.time).subspan(begin, num_outputs);
-    if (!SimulateStretch(at.model, segment.command, time, at.output, &start, &stretch)) {
+    if (!SimulateStretch(at_.model, segment.command, time, at_.output, &start, &stretch)) {
       return false;
     }
-    FillSamples(at.model, segment, begin, end, at.output, at.sigma, stretch, &samples);
+    FillSamples(at_.model, segment, begin, end, at_.output, at_.sigma, stretch, &samples);
     for (size_t first = begin; first < end;) {
       const size_t last = std::min(end, piece->end);
       const auto from = static_cast<Eigen::Index>(first - begin);
@@ -71,6 +105,30 @@ bool VisitSamples(const Optimum& at, size_t s, const Pieces& pieces, Visit visit
   }
   return true;
 }
+
+// Held in memory, whitened: a segment is one piece, and plain squares count.
+class WhitenedRows {
+ public:
+  explicit WhitenedRows(std::span<const Samples> segments) : segments_(segments) {}
+
+  size_t num_segments() const { return segments_.size(); }
+  int state_size() const { return static_cast<int>(segments_.front().J.cols()) - kSharedColumns; }
+  double huber_k() const { return std::numeric_limits<double>::infinity(); }
+  Pieces PiecesOf(size_t s) const {
+    return {{.begin = 0, .end = static_cast<size_t>(segments_[s].residual.size())}};
+  }
+
+  std::optional<Eigen::VectorXd> Residual(size_t s) const { return segments_[s].residual; }
+
+  template <typename Visit>
+  bool VisitRows(size_t s, const Pieces& /*pieces*/, Visit visit) const {
+    visit(segments_[s].J, segments_[s].residual, true);
+    return true;
+  }
+
+ private:
+  std::span<const Samples> segments_;
+};
 
 // The fit bends the residuals towards zero by as many degrees of freedom as it has unknowns, and
 // coloured residuals have fewer to give: the effective number of samples is n times the variance of
@@ -94,21 +152,18 @@ struct Residuals {
 };
 
 // Nothing if a simulation diverges.
-std::optional<Residuals> ResidualsOf(const Optimum& at) {
+template <typename Rows>
+std::optional<Residuals> ResidualsOf(const Rows& rows) {
   Residuals residuals;
-  for (size_t s = 0; s < at.segments.size(); ++s) {
-    const Segment& segment = at.segments[s];
-    const bool is_velocity = at.output == FittedOutput::kVelocity;
-    std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
-    const Simulation simulation(segment.command, segment.time);
-    if (!simulation.Run(at.model, at.initial_states[s], v, x)) return std::nullopt;
-    const std::vector<double>& simulated = is_velocity ? v : x;
-    const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
-    for (const SampleRange& piece : residuals.pieces.emplace_back(UnbrokenPieces(segment.time))) {
+  for (size_t s = 0; s < rows.num_segments(); ++s) {
+    const auto residual = rows.Residual(s);
+    if (!residual) return std::nullopt;
+    for (const SampleRange& piece : residuals.pieces.emplace_back(rows.PiecesOf(s))) {
       std::vector<double>& psi = residuals.influence.emplace_back();
       psi.reserve(piece.size());
       for (size_t i = piece.begin; i < piece.end; ++i) {
-        psi.push_back(std::clamp((simulated[i] - measured[i]) / at.sigma, -at.huber_k, at.huber_k));
+        const double r = (*residual)[static_cast<Eigen::Index>(i)];
+        psi.push_back(std::clamp(r, -rows.huber_k(), rows.huber_k()));
       }
     }
   }
@@ -135,21 +190,22 @@ InfluenceSums SumsOf(const std::vector<std::vector<double>>& influence) {
 }
 
 // What residuals of the colour `noise` do to the parameters.
-ReducedNormal NormalOf(const Optimum& at,
+template <typename Rows>
+ReducedNormal NormalOf(const Rows& rows,
                        const std::vector<Pieces>& pieces,
                        const Autoregression& noise) {
   ReducedNormal normal;
-  const int num_columns = kSharedColumns + StateSize(at.output);
+  const int num_columns = kSharedColumns + rows.state_size();
   ColouredGram coloured(noise, num_columns);
-  for (size_t s = 0; s < at.segments.size(); ++s) {
+  for (size_t s = 0; s < rows.num_segments(); ++s) {
     Matrix A = Matrix::Zero(num_columns, num_columns), B = A;
     const auto visit = [&](const auto& J, const auto& residual, bool is_end) {
-      const Eigen::VectorXd is_small = (residual.abs() <= at.huber_k).template cast<double>();
+      const Eigen::VectorXd is_small = (residual.abs() <= rows.huber_k()).template cast<double>();
       A += J.transpose() * is_small.asDiagonal() * J;
       coloured.Add(J);
       if (is_end) B += coloured.EndPiece();
     };
-    VisitSamples(at, s, pieces[s], visit);
+    rows.VisitRows(s, pieces[s], visit);
     AddSegment(A, B, &normal);
   }
   return normal;
@@ -173,6 +229,26 @@ void DescribeParameters(const ReducedNormal& normal, double freedom, ParameterEv
       -A_pp.ldlt().solve(normal.A.topRightCorner(kNumParameters, 1));
 }
 
+// First the residuals and their colour, then what the colour does to the parameters: simulating
+// twice is cheaper than keeping the signatures of a long log.
+template <typename Rows>
+ParameterEvidence EvidenceOfRows(const Rows& rows) {
+  ParameterEvidence evidence;
+  std::optional<Residuals> residuals = ResidualsOf(rows);
+  if (!residuals) return evidence;
+  const InfluenceSums sums = SumsOf(residuals->influence);
+  const double n = sums.num_samples;
+  const int max_order = static_cast<int>(std::min({60.0, 10.0 * std::log10(n), n / 10.0}));
+  evidence.noise = FitAutoregression(std::move(residuals->influence), max_order);
+  evidence.noise_correlation = sums.product / sums.power;
+  const ReducedNormal normal = NormalOf(rows, residuals->pieces, evidence.noise);
+  const double num_unknowns =
+      kNumParameters + static_cast<double>(rows.num_segments()) * rows.state_size();
+  const double freedom = FreedomFactor(evidence.noise, sums.power, n, num_unknowns);
+  DescribeParameters(normal, freedom, &evidence);
+  return evidence;
+}
+
 }  // namespace
 
 ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
@@ -182,22 +258,11 @@ ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
                              double sigma,
                              double huber_k) {
   const Optimum at = {model, segments, initial_states, output, sigma, huber_k};
-  ParameterEvidence evidence;
-  // First the residuals and their colour, then what the colour does to the parameters: simulating
-  // twice is cheaper than keeping the signatures of a long log.
-  std::optional<Residuals> residuals = ResidualsOf(at);
-  if (!residuals) return evidence;
-  const InfluenceSums sums = SumsOf(residuals->influence);
-  const double n = sums.num_samples;
-  const int max_order = static_cast<int>(std::min({60.0, 10.0 * std::log10(n), n / 10.0}));
-  evidence.noise = FitAutoregression(std::move(residuals->influence), max_order);
-  evidence.noise_correlation = sums.product / sums.power;
-  const ReducedNormal normal = NormalOf(at, residuals->pieces, evidence.noise);
-  const double num_unknowns =
-      kNumParameters + static_cast<double>(segments.size()) * StateSize(output);
-  const double freedom = FreedomFactor(evidence.noise, sums.power, n, num_unknowns);
-  DescribeParameters(normal, freedom, &evidence);
-  return evidence;
+  return EvidenceOfRows(SimulatedRows(at));
+}
+
+ParameterEvidence EvidenceOf(std::span<const Samples> whitened) {
+  return EvidenceOfRows(WhitenedRows(whitened));
 }
 
 }  // namespace fathom

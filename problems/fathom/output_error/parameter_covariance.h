@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/output_error/shooting_window.h"
+#include "fathom/output_error/signatures.h"
 #include "fathom/signal/filters/autoregression.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/parameters.h"
@@ -48,5 +49,9 @@ ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
                              FittedOutput output,
                              double sigma,
                              double huber_k);
+
+// The same from rows whose residuals are about white and of variance 1, weighed by plain squares:
+// consecutive ones of a segment each.
+ParameterEvidence EvidenceOf(std::span<const Samples> whitened);
 
 }  // namespace fathom

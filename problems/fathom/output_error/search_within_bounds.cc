@@ -5,6 +5,7 @@
 
 #include "fathom/output_error/window_layout.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -35,6 +36,13 @@ std::unique_ptr<ceres::Problem> BuildProblem(std::vector<ShootingWindow> windows
 }
 
 }  // namespace
+
+UncoupledModel<double> ModelOf(const Unknowns& unknowns) {
+  return {std::exp(unknowns.parameters[kInertia]),
+          unknowns.parameters[kQuadraticDamping],
+          unknowns.parameters[kLinearDamping],
+          unknowns.parameters[kBuoyancy]};
+}
 
 ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows,
                                       double sigma,

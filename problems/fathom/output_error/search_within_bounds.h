@@ -7,6 +7,7 @@
 #include "fathom/output_error/shooting_window.h"
 #include "fathom/solve/solve_with_bounds.h"
 #include "fathom/vehicle/parameters.h"
+#include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
 #include <vector>
@@ -18,6 +19,8 @@ struct Unknowns {
   std::array<double, kNumParameters> parameters = {};
   std::vector<std::array<double, 2>> states;  // of each window: velocity, position
 };
+
+UncoupledModel<double> ModelOf(const Unknowns& unknowns);
 
 struct ConstrainedOptimum {
   BoundedSolve solve;

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include "fathom/noise/noise_model.h"
 #include "fathom/output_error/parameter_covariance.h"
+#include "fathom/output_error/weighting.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/parameters.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -27,10 +29,19 @@ struct OutputErrorSummary {
 
   bool converged = false;
   bool determined = false;
+
+  // How the answer was weighed, kPlain or kLearned, and for a person why it was.
+  Weighting weighting = Weighting::kPlain;
+  std::string weighting_reason;
+
+  // What kLearned took the residuals for, averaged over bins as docs/output_error.md (10) says; the
+  // untouched model has none.
+  NoiseModel learned_noise;
+
   std::string initial_guess;  // "given", "least_squares", "adaptive" or "rough"
-  int num_iterations = -1;    // over all passes
+  int num_iterations = -1;    // over all passes by plain squares and the robust loss
   // Of the first pass, by plain squares, and of the last, by the robust loss with the noise level
-  // found: not to be compared with each other.
+  // found or by learned weights over bins: not to be compared with each other.
   double initial_cost = kNotComputed;
   double final_cost = kNotComputed;
 

@@ -22,6 +22,9 @@ struct SyntheticRun {
   double initial_velocity = 0.0;          // [m/s]
   double noise = 0.0;                     // sd of the measurement [m/s], and of the position [m]
   double noise_correlation = 0.0;         // of neighbouring samples
+
+  // Force of the water that no command knows of [N], at time t; none: still.
+  std::function<double(double)> disturbance = {};
 };
 
 // Four tones between 0.06 and 1.2 rad/s.
@@ -48,12 +51,14 @@ inline Segment Synthesize(const SyntheticRun& run, unsigned seed) {
     segment.velocity.push_back(v + e);
     segment.position.push_back(x + run.noise * normal(generator));
     e = run.noise_correlation * e + innovation * normal(generator);
+    double push = 0.0;
     const auto a = [&](double speed) {
-      return (tau - m.quadratic_damping * speed * std::abs(speed) - m.linear_damping * speed -
-              m.buoyancy) /
+      return (tau + push - m.quadratic_damping * speed * std::abs(speed) -
+              m.linear_damping * speed - m.buoyancy) /
              m.inertia;
     };
     for (int k = 0; k < 8; ++k) {
+      push = run.disturbance ? run.disturbance(t + (k + 0.5) * h) : 0.0;
       const double k1 = a(v), k2 = a(v + 0.5 * h * k1), k3 = a(v + 0.5 * h * k2),
                    k4 = a(v + h * k3);
       x += h * (v + h / 6.0 * (k1 + k2 + k3));

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/output_error/learned/choose_weighting.h"
+
+#include "fathom/output_error/caveats.h"
+#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/free_runs.h"
+#include "fathom/output_error/learned/learned_fit.h"
+#include "fathom/output_error/learned/learned_noise.h"
+#include "fathom/signal/filters/wild_samples.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// The samples averaged over bins, without those that are wild about the plain fit. Empty if that
+// cannot be simulated.
+std::vector<Bins> BinsAbout(const OutputErrorSummary& plain,
+                            std::span<const Segment> segments,
+                            FittedOutput output) {
+  const double width = BinWidth(segments);
+  std::vector<Bins> bins;
+  for (size_t s = 0; s < segments.size(); ++s) {
+    const auto residual = RunOverSamples(plain.model, plain.initial_states[s], segments[s], output);
+    if (residual.empty()) return {};
+    bins.push_back(BinsOf(segments[s], output, width, WildSamples(residual)));
+  }
+  SetDampingFactors(plain.model, bins);
+  return bins;
+}
+
+OutputErrorSummary SummaryOf(const LearnedFit& fit,
+                             std::span<const Segment> segments,
+                             const OutputErrorSummary& plain) {
+  OutputErrorSummary summary;
+  summary.converged = true;
+  summary.weighting = Weighting::kLearned;
+  summary.learned_noise = fit.noise;
+  summary.initial_guess = plain.initial_guess;
+  summary.initial_cost = plain.initial_cost;
+  summary.num_iterations = plain.num_iterations;
+  summary.model = fit.model;
+  for (const int index : fit.held) summary.on_bound[index] = true;
+  summary.initial_states = fit.initial_states;
+  std::vector<Samples> rows;
+  summary.final_cost = 0.0;
+  for (const BinnedRun& run : fit.runs) {
+    rows.push_back({run.J(), run.residual().array()});
+    summary.final_cost += 0.5 * run.residual().squaredNorm();
+  }
+  summary.evidence = EvidenceOf(rows);
+  summary.covariance = summary.evidence.covariance;
+  DescribeEvidence(segments, &summary);
+  return summary;
+}
+
+OutputErrorSummary Because(std::string reason, OutputErrorSummary summary) {
+  summary.weighting_reason = std::move(reason);
+  return summary;
+}
+
+// The learned answer, unless its free runs miss more than those of the plain one are expected to
+// miss of data that it was not fitted to; docs/output_error.md (13).
+OutputErrorSummary Judged(std::span<const Bins> bins,
+                          OutputErrorSummary plain,
+                          OutputErrorSummary learned) {
+  if (!learned.IsUsable()) {
+    return Because("Under the learned noise the data do not determine the model.",
+                   std::move(plain));
+  }
+  const auto by_plain = FreeRunsOf(plain.model, bins);
+  const auto by_learned = FreeRunsOf(learned.model, bins);
+  if (!by_plain || !by_learned) {
+    return Because("A free run diverges from a state within the log.", std::move(plain));
+  }
+  const auto more_by = [&](double sum_of_squares) {
+    return 100.0 * (std::sqrt(sum_of_squares / by_plain->sum_of_squares) - 1.0);
+  };
+  const double change = more_by(by_learned->sum_of_squares);
+  const double limit = more_by(by_plain->ExpectedOfLeftOutData(plain.covariance));
+  const std::string figures = fmt::format(
+      "free runs miss {:+.1f} % compared with plain squares, which are expected to miss {:.1f} % "
+      "more of left-out data",
+      change,
+      limit);
+  if (change <= limit) {
+    return Because("Left-out free runs do not suffer: " + figures + ".", std::move(learned));
+  }
+  return Because("Left-out free runs would suffer from learned weights: " + figures +
+                     ". What passes for a disturbance is structure that the model lacks.",
+                 std::move(plain));
+}
+
+}  // namespace
+
+OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
+                                   const OutputErrorOptions& options,
+                                   OutputErrorSummary plain) {
+  if (options.weighting == Weighting::kPlain) return Because("It was asked for.", std::move(plain));
+  if (!plain.converged) return Because("The plain search did not converge.", std::move(plain));
+  const bool is_auto = options.weighting == Weighting::kAuto;
+  if (is_auto && !plain.IsUsable()) {
+    return Because("The data do not determine the model by plain squares.", std::move(plain));
+  }
+  const std::vector<Bins> bins = BinsAbout(plain, segments, options.output);
+  if (bins.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
+  const LearnedFit fit =
+      FitLearned(bins, plain.model, plain.initial_states, options.max_iterations);
+  if (!fit.converged) {
+    return Because("No noise can be learned: " + fit.message, std::move(plain));
+  }
+  OutputErrorSummary learned = SummaryOf(fit, segments, plain);
+  if (!is_auto) return Because("It was asked for.", std::move(learned));
+  return Judged(bins, std::move(plain), std::move(learned));
+}
+
+}  // namespace fathom

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/output_error/learned/learned_fit.h"
+
+#include "fathom/output_error/learned/learned_noise.h"
+#include "fathom/output_error/learned/whitened_cost.h"
+#include "fathom/output_error/search_within_bounds.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <ceres/cost_function.h>
+#include <ceres/problem.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kMostTurns = 3;
+constexpr double kLeastGain = 0.1;  // of the log-likelihood, for another turn
+
+Unknowns UnknownsAt(const UncoupledModel<double>& model,
+                    std::span<const InitialState> initial_states) {
+  Unknowns unknowns;
+  unknowns.parameters = {
+      std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
+  for (const InitialState& state : initial_states) {
+    unknowns.states.push_back({state.velocity, state.position});
+  }
+  return unknowns;
+}
+
+std::optional<std::vector<BinnedRun>> RunsAt(const Unknowns& unknowns, std::span<const Bins> bins) {
+  std::vector<BinnedRun> runs;
+  for (size_t s = 0; s < bins.size(); ++s) {
+    auto run =
+        RunOverBins(ModelOf(unknowns), {unknowns.states[s][0], unknowns.states[s][1]}, bins[s]);
+    if (!run) return std::nullopt;
+    runs.push_back(*std::move(run));
+  }
+  return runs;
+}
+
+BoundedSolve SearchUnder(std::span<const Whitener> whiteners,
+                         std::span<const Bins> bins,
+                         int max_iterations,
+                         Unknowns* unknowns) {
+  ceres::Problem problem;
+  for (size_t s = 0; s < bins.size(); ++s) {
+    problem.AddResidualBlock(MakeWhitenedCost(bins[s], whiteners[s]).release(),
+                             nullptr,
+                             unknowns->parameters.data(),
+                             unknowns->states[s].data());
+  }
+  BoundedSolveOptions solver;
+  solver.max_iterations = max_iterations;
+  solver.is_dense = bins.size() <= 8;
+  return SolveWithBounds(
+      solver, {kQuadraticDamping, kLinearDamping}, {}, unknowns->parameters.data(), &problem);
+}
+
+}  // namespace
+
+LearnedFit FitLearned(std::span<const Bins> bins,
+                      const UncoupledModel<double>& model,
+                      std::span<const InitialState> initial_states,
+                      int max_iterations) {
+  LearnedFit fit;
+  fit.message = "The search under the learned noise does not converge.";
+  Unknowns unknowns = UnknownsAt(model, initial_states);
+  auto runs = RunsAt(unknowns, bins);
+  std::optional<NoiseModel> known;
+  std::vector<Whitener> whiteners;
+  double previous = -std::numeric_limits<double>::infinity();
+  for (int turn = 0; runs && turn < kMostTurns; ++turn) {
+    const NoiseFit learned = LearnNoise(bins, *runs, ModelOf(unknowns), known);
+    if (!learned.IsUsable()) {
+      fit.message = learned.message;
+      return fit;
+    }
+    if (learned.log_likelihood < previous + kLeastGain) break;
+    previous = learned.log_likelihood;
+    known = fit.noise = learned.model;
+    whiteners.clear();
+    for (const Bins& part : bins) whiteners.emplace_back(fit.noise, part.samples);
+    BoundedSolve solve = SearchUnder(whiteners, bins, max_iterations, &unknowns);
+    if (!solve.converged) return fit;
+    fit.held = std::move(solve.held);
+    runs = RunsAt(unknowns, bins);
+  }
+  if (!runs) return fit;
+  fit.converged = true;
+  fit.message = "Converged.";
+  fit.model = ModelOf(unknowns);
+  for (const auto& [velocity, position] : unknowns.states) {
+    fit.initial_states.push_back({velocity, position});
+  }
+  fit.runs = *std::move(runs);
+  for (size_t s = 0; s < bins.size(); ++s) {
+    whiteners[s].Apply(fit.runs[s].columns, fit.runs[s].columns);
+  }
+  return fit;
+}
+
+}  // namespace fathom

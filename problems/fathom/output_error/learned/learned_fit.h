@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/noise/noise_model.h"
+#include "fathom/output_error/learned/binned_run.h"
+#include "fathom/output_error/learned/bins.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/uncoupled_model.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// Output error weighed by the noise that it learns along, docs/output_error.md (10), (11).
+struct LearnedFit {
+  bool converged = false;
+  std::string message;  // why not
+  UncoupledModel<double> model;
+  std::vector<InitialState> initial_states;  // by segment
+  std::vector<int> held;                     // dampings on their bound
+  NoiseModel noise;                          // of the bins
+  std::vector<BinnedRun> runs;               // by segment, there; whitened
+};
+
+// Noise and model in turns, on from a plain fit's model and initial states.
+LearnedFit FitLearned(std::span<const Bins> bins,
+                      const UncoupledModel<double>& model,
+                      std::span<const InitialState> initial_states,
+                      int max_iterations);
+
+}  // namespace fathom
