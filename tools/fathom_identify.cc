@@ -91,15 +91,21 @@ void Print(const LogIdentification& identified) {
 }
 
 std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
-  return {{"log", FLAGS_log},
-          {"family", std::string(Name(result.family))},
-          {"source", std::string(Name(result.source))},
-          {"velocity", FLAGS_velocity},
-          {"gains", FLAGS_gains},
-          {"integrator", FLAGS_integrator},
-          {"huber", fmt::format("{}", FLAGS_huber)},
-          {"shooting_window", fmt::format("{}", FLAGS_shooting_window)},
-          {"version", FATHOM_VERSION}};
+  std::map<std::string, std::string> provenance = {
+      {"log", FLAGS_log},
+      {"family", std::string(Name(result.family))},
+      {"source", std::string(Name(result.source))},
+      {"velocity", FLAGS_velocity},
+      {"gains", FLAGS_gains},
+      {"integrator", FLAGS_integrator},
+      {"huber", fmt::format("{}", FLAGS_huber)},
+      {"shooting_window", fmt::format("{}", FLAGS_shooting_window)},
+      {"version", FATHOM_VERSION}};
+  if (!result.weighting.empty()) {
+    provenance["weighting"] = result.weighting;
+    provenance["weighting_reason"] = result.weighting_reason;
+  }
+  return provenance;
 }
 
 int Run() {

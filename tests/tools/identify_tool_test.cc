@@ -67,6 +67,26 @@ TEST_P(IdentifyFlatfish, TheAdaptiveLawAgreesWithinFivePercent) {
   EXPECT_NEAR(adaptive, output_error, 0.05 * output_error);
 }
 
+TEST(IdentifyTool, SaysHowItWeighedAndWhy) {
+  const std::vector<std::string> arguments = {"--log=" + kFlatfish, "--dof=surge"};
+  const auto weighed_by = [&](const std::string& weighting) {
+    auto all = arguments;
+    all.push_back("--weighting=" + weighting);
+    return IdentifiedModel(all)["provenance"];
+  };
+  EXPECT_EQ(weighed_by("plain")["weighting"], "plain");
+  EXPECT_EQ(weighed_by("learned")["weighting"], "learned");
+  // The bundled log is drawn from the model itself: nothing is missing.
+  const auto by_default = IdentifiedModel(arguments)["provenance"];
+  EXPECT_EQ(by_default["weighting"], "learned");
+  EXPECT_THAT(by_default["weighting_reason"].get<std::string>(), HasSubstr("do not suffer"));
+  auto unknown = arguments;
+  unknown.push_back("--weighting=best");
+  const ToolRun run = RunToolBinary("fathom_identify", unknown);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("expected one of auto, plain, learned"));
+}
+
 INSTANTIATE_TEST_SUITE_P(TableI,
                          IdentifyFlatfish,
                          ::testing::Values(DofTruth{"surge", 851.05, 0.01},
@@ -104,9 +124,10 @@ TEST(IdentifyTool, TheSameLogGivesTheSameBytes) {
 }
 
 // A log and its copy with another reading in surge, so that it passes for another run: the same
-// optimum in heave, counted as if known twice as well.
+// optimum in heave, counted as if known twice as well. By plain squares: a noise learned from twice
+// the data is another one.
 TEST(IdentifyTool, TakesSeveralLogsTogether) {
-  const auto once = IdentifiedModel({"--log=" + kFlatfish, "--dof=heave"});
+  const auto once = IdentifiedModel({"--log=" + kFlatfish, "--dof=heave", "--weighting=plain"});
   const Path copy = Path(::testing::TempDir()) / "identify_tool_flatfish_again";
   std::filesystem::remove_all(copy);
   std::filesystem::copy(kFlatfish, copy, std::filesystem::copy_options::recursive);
@@ -114,7 +135,8 @@ TEST(IdentifyTool, TakesSeveralLogsTogether) {
   ASSERT_EQ(velocity.find("t,u,"), 0u);
   velocity.insert(velocity.find(',', velocity.find('\n')) + 1, "1");
   WriteTestFile(copy / "velocity.csv", velocity);
-  const auto twice = IdentifiedModel({"--log=" + kFlatfish + "," + copy.string(), "--dof=heave"});
+  const auto twice = IdentifiedModel(
+      {"--log=" + kFlatfish + "," + copy.string(), "--dof=heave", "--weighting=plain"});
   EXPECT_EQ(twice["fit"]["n"].get<int>(), 2 * once["fit"]["n"].get<int>());
   const double std_once = once["parameters"]["inertia"]["std"];
   const double std_twice = twice["parameters"]["inertia"]["std"];

@@ -23,17 +23,22 @@ Json FormatRow(const Identification& row) {
         {"std", std::sqrt(fitted.covariance(i, i))},
         {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)}};
   }
-  return {{"dof", Name(fitted.dof)},
-          {"family", Name(row.family)},
-          {"source", Name(row.source)},
-          {"parameters", parameters},
-          {"mae", fitted.train.mae},
-          {"nmae", fitted.train.nmae},
-          {"heldout_mae", fitted.held_out.mae},
-          {"heldout_nmae", fitted.held_out.nmae},
-          {"usable", row.is_usable},
-          {"message", row.message},
-          {"caveats", fitted.caveats}};
+  Json json = {{"dof", Name(fitted.dof)},
+               {"family", Name(row.family)},
+               {"source", Name(row.source)},
+               {"parameters", parameters},
+               {"mae", fitted.train.mae},
+               {"nmae", fitted.train.nmae},
+               {"heldout_mae", fitted.held_out.mae},
+               {"heldout_nmae", fitted.held_out.nmae},
+               {"usable", row.is_usable},
+               {"message", row.message},
+               {"caveats", fitted.caveats}};
+  if (!row.weighting.empty()) {
+    json["weighting"] = row.weighting;
+    json["weighting_reason"] = row.weighting_reason;
+  }
+  return json;
 }
 
 }  // namespace

@@ -108,6 +108,8 @@ Identification Identify(const Signals& signals,
       output_error.output = OutputOf(signals.train);
       const OutputErrorSummary summary = FitOutputError(signals.train, output_error);
       TakeOver(summary, &result);
+      result.weighting = Name(summary.weighting);
+      result.weighting_reason = summary.weighting_reason;
       result.share = summary.evidence.share;
       result.condition_number = summary.evidence.condition_number;
       break;

@@ -29,6 +29,10 @@ struct Identification {
   std::string message;  // why it ended as it did, for a person
   FittedModel fitted;   // its figures by free runs; NaN where not usable
 
+  // Of output error alone, else empty: "plain" or "learned", and for a person why.
+  std::string weighting;
+  std::string weighting_reason;
+
   // How well the log excites each parameter: the share of its signature that the others cannot
   // imitate, 0 to 1, and the condition number of all four. NaN where the family does not compute
   // it.

@@ -119,6 +119,10 @@ std::string FormatIdentification(const Identification& identification,
         fmt::format("condition number {:.1f}; own share: share that only this parameter explains\n",
                     identification.condition_number);
   }
+  if (!identification.weighting_reason.empty()) {
+    text += fmt::format(
+        "weighting: {}. {}\n", identification.weighting, identification.weighting_reason);
+  }
   text += FiguresText("training", fitted.train, VelocityUnit(fitted.dof));
   text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));
   for (const std::string& caveat : fitted.caveats) text += fmt::format("note: {}\n", caveat);

@@ -62,6 +62,16 @@ TEST(ComparisonFile, ARowHoldsWhatTheFormatPromises) {
 }
 
 // A parameter that was never computed must not come out as a plausible number.
+TEST(ComparisonFile, SaysHowOutputErrorWeighed) {
+  Comparison comparison = TwoRows();
+  comparison.dofs[0].rows[0].weighting = "learned";
+  comparison.dofs[0].rows[0].weighting_reason = "a reason";
+  const Json rows = Json::parse(FormatComparison(comparison))["rows"];
+  EXPECT_EQ(rows[0]["weighting"], "learned");
+  EXPECT_EQ(rows[0]["weighting_reason"], "a reason");
+  EXPECT_FALSE(rows[1].contains("weighting"));
+}
+
 TEST(ComparisonFile, AnUnusableRowHoldsNullsAndSaysWhy) {
   const Json row = Json::parse(FormatComparison(TwoRows()))["rows"][1];
   EXPECT_EQ(row["usable"], false);

@@ -26,6 +26,10 @@ DEFINE_double(shooting_window,
               600.0,
               "Output error: longer segments are cut into windows of this length [s], each with "
               "its own initial state. 0: never.");
+DEFINE_string(weighting,
+              "auto",
+              "Output error: plain (all samples alike), learned (by sensor noise and disturbance, "
+              "learned along), or auto (learned, unless left-out free runs suffer).");
 
 namespace fathom {
 namespace {
@@ -67,6 +71,7 @@ IdentificationOptions IdentificationOptionsFromFlags() {
   }
   options.output_error.huber_k = NeverIfZero("--huber", FLAGS_huber);
   options.output_error.shooting_window = NeverIfZero("--shooting_window", FLAGS_shooting_window);
+  options.output_error.weighting = ParseFlag("weighting", FLAGS_weighting, ParseWeighting);
   return options;
 }
 

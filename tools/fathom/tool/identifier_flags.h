@@ -15,10 +15,12 @@ DECLARE_string(gains);
 DECLARE_string(integrator);
 DECLARE_double(huber);
 DECLARE_double(shooting_window);
+DECLARE_string(weighting);
 
 namespace fathom {
 
-// Options of the families as --gains, --integrator, --huber and --shooting_window say. Throws
+// Options of the families as --gains, --integrator, --huber, --shooting_window and
+// --weighting say. Throws
 // InputError for a value that cannot be used.
 IdentificationOptions IdentificationOptionsFromFlags();
 
