@@ -157,7 +157,7 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   }
   const double before = diagnosis.baseline.held_out.nmae, after = diagnosis.extended.held_out.nmae;
   if (std::isfinite(after)) {
-    facts.push_back({std::string(NameOfNmae(diagnosis)),
+    facts.push_back({NameOfNmae(diagnosis),
                      diagnosis.ComparesTwoModels() ? fmt::format("{:.3f} → {:.3f}", before, after)
                                                    : fmt::format("{:.3f}", after)});
   }

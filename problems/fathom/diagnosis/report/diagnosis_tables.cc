@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -120,8 +121,10 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
   const auto add_figure = [&](const std::string& name, double was, double is) {
     add(name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is));
   };
-  add_figure("NMAE, training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
-  add_figure(diagnosis.by_left_out_blocks ? "NMAE, cross-validated" : "NMAE, held-out data",
+  const std::string nmae = fmt::format("{} NMAE", FittedQuantity(diagnosis));
+  add_figure(
+      nmae + ", training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
+  add_figure(nmae + (diagnosis.by_left_out_blocks ? ", cross-validated" : ", held-out data"),
              diagnosis.baseline.held_out.nmae,
              diagnosis.extended.held_out.nmae);
   return table;

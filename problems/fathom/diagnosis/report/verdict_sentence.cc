@@ -259,8 +259,14 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string_view NameOfNmae(const Diagnosis& diagnosis) {
-  return diagnosis.by_left_out_blocks ? "cross-validated NMAE" : "NMAE on held-out data";
+std::string_view FittedQuantity(const Diagnosis& diagnosis) {
+  return diagnosis.has_velocity ? "velocity" : "position";
+}
+
+std::string NameOfNmae(const Diagnosis& diagnosis) {
+  const std::string_view quantity = FittedQuantity(diagnosis);
+  return diagnosis.by_left_out_blocks ? fmt::format("cross-validated {} NMAE", quantity)
+                                      : fmt::format("{} NMAE on held-out data", quantity);
 }
 
 std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis) {

@@ -19,8 +19,11 @@ std::string VerdictSentence(const Diagnosis& diagnosis);
 // The same in paragraphs, one for each of these; only the first is there in any case.
 std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis);
 
-// What the error on unseen data is called: "NMAE on held-out data", or "cross-validated NMAE" where
-// the logs held nothing out.
-std::string_view NameOfNmae(const Diagnosis& diagnosis);
+// What MAE and NMAE are of: "velocity", or "position" where no velocity is measured.
+std::string_view FittedQuantity(const Diagnosis& diagnosis);
+
+// What the error on unseen data is called: "velocity NMAE on held-out data", or "cross-validated
+// velocity NMAE" where the logs held nothing out.
+std::string NameOfNmae(const Diagnosis& diagnosis);
 
 }  // namespace fathom

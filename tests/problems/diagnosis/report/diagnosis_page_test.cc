@@ -125,13 +125,13 @@ TEST(DiagnosisPage, StatesTheFigures) {
   EXPECT_EQ(facts["cause"], "sensor_lag or thruster_lag");
   EXPECT_EQ(facts["squared error that is not noise"], "71 %");
   EXPECT_EQ(facts["of that, explained"], "99 %");
-  EXPECT_EQ(facts["NMAE on held-out data"], "0.117 → 0.080");
+  EXPECT_EQ(facts["velocity NMAE on held-out data"], "0.117 → 0.080");
   facts = FactsOf(DiagnosisPage(ConsistentDiagnosis()));
   EXPECT_EQ(facts.count("cause"), 0u);
-  EXPECT_EQ(facts["NMAE on held-out data"], "0.117");
+  EXPECT_EQ(facts["velocity NMAE on held-out data"], "0.117");
   Diagnosis cross_validated = ConsistentDiagnosis();
   cross_validated.by_left_out_blocks = true;
-  EXPECT_EQ(FactsOf(DiagnosisPage(cross_validated))["cross-validated NMAE"], "0.117");
+  EXPECT_EQ(FactsOf(DiagnosisPage(cross_validated))["cross-validated velocity NMAE"], "0.117");
 }
 
 TEST(DiagnosisPage, FetchesNothing) {
@@ -285,7 +285,7 @@ TEST(BeforeAndAfterTable, SaysHowFarEachParameterMoves) {
   EXPECT_THAT(table.rows[4].cells,
               ElementsAre("thrust_dead_zone.width [N]", "-", "8.00 ± 0.17", "-"));
   EXPECT_THAT(table.rows[6].cells,
-              ElementsAre("NMAE, held-out data", "0.1169", "0.0800", "-31.6 %"));
+              ElementsAre("velocity NMAE, held-out data", "0.1169", "0.0800", "-31.6 %"));
 }
 
 TEST(BeforeAndAfterTable, HasNoAfterWhereNothingIsNamed) {

@@ -20,7 +20,8 @@ using ::testing::StartsWith;
 
 TEST(VerdictSentence, OfAConsistentLog) {
   EXPECT_EQ(VerdictSentence(ConsistentDiagnosis()),
-            "This log shows no error of your surge model beyond noise. The NMAE on held-out data "
+            "This log shows no error of your surge model beyond noise. The velocity NMAE on "
+            "held-out data "
             "is 0.12.");
 }
 
@@ -36,14 +37,15 @@ TEST(VerdictSentence, OfAnExplainedLog) {
 
 // 0.4963 +- 1.96 * 0.0077 is 0.4812 to 0.5114, and 0.0151 starts with a 1.
 TEST(VerdictSentence, OfAnAmbiguousLog) {
-  EXPECT_EQ(VerdictSentence(AmbiguousDiagnosis()),
-            "70 % of the error of your surge model comes from a lag of the velocity measurement, "
-            "as smoothing causes it (sensor_lag), time constant 0.496 s (0.481 to 0.511 s), or "
-            "from a lag of the thrusters (thruster_lag). This log cannot tell sensor_lag from "
-            "thruster_lag. To decide: large steps, to speeds where quadratic drag matters (in "
-            "linear drag lags commute). With sensor_lag in the model, the NMAE on held-out data "
-            "falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), and the inertia "
-            "changes from 1086 to 852 kg.");
+  EXPECT_EQ(
+      VerdictSentence(AmbiguousDiagnosis()),
+      "70 % of the error of your surge model comes from a lag of the velocity measurement, "
+      "as smoothing causes it (sensor_lag), time constant 0.496 s (0.481 to 0.511 s), or "
+      "from a lag of the thrusters (thruster_lag). This log cannot tell sensor_lag from "
+      "thruster_lag. To decide: large steps, to speeds where quadratic drag matters (in "
+      "linear drag lags commute). With sensor_lag in the model, the velocity NMAE on held-out data "
+      "falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), and the inertia "
+      "changes from 1086 to 852 kg.");
 }
 
 TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
@@ -53,7 +55,7 @@ TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
       VerdictSentence(diagnosis),
       "62 % of the error of your surge model is not noise. It fits best with "
       "coulomb_friction, but the error on held-out data grows by 12 %: no cause is named. The "
-      "NMAE on held-out data is 0.12.");
+      "velocity NMAE on held-out data is 0.12.");
 }
 
 // A spring that hardens: what the linear one leaves goes with the cube of the displacement.
@@ -77,7 +79,7 @@ TEST(VerdictSentence, SaysWhatTheMissingForceFollows) {
 TEST(VerdictSentence, OfAnUnexplainedLog) {
   EXPECT_EQ(VerdictSentence(UnexplainedDiagnosis()),
             "62 % of the error of your surge model is not noise, and no effect in the catalogue "
-            "explains it. The NMAE on held-out data is 0.12.");
+            "explains it. The velocity NMAE on held-out data is 0.12.");
 }
 
 TEST(VerdictSentence, IsItsParagraphs) {
@@ -104,9 +106,10 @@ TEST(VerdictSentence, CallsALossALossAndWarns) {
   diagnosis.held_out_gain = -0.34;
   diagnosis.held_out_gain_low = -0.71;
   diagnosis.held_out_gain_high = -0.012;
-  EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("NMAE on held-out data rises from 0.12 to 0.16 (a loss of 34 %; 95 % "
-                        "interval 1 to 71 %)"));
+  EXPECT_THAT(
+      VerdictSentence(diagnosis),
+      HasSubstr("velocity NMAE on held-out data rises from 0.12 to 0.16 (a loss of 34 %; 95 % "
+                "interval 1 to 71 %)"));
   EXPECT_THAT(
       VerdictSentence(diagnosis),
       HasSubstr("On data that no fit has seen, this model is worse than the one without: do "
@@ -158,7 +161,7 @@ TEST(VerdictSentence, SaysOnWhichDataItGains) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.by_left_out_blocks = true;
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("With it in the model, the cross-validated NMAE falls"));
+              HasSubstr("With it in the model, the cross-validated velocity NMAE falls"));
   diagnosis.baseline.held_out.nmae = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("(7.7 to 8.3 N). The inertia changes from 1086 to 852 kg."));
