@@ -23,7 +23,7 @@ namespace fathom {
 struct RefinedSegment {
   InitialState start;
   std::array<std::array<double, kResponseTerms>, kNumHeld> response = {};  // see PredictedMotion
-  double clock_offset = 0.0;                           // [s], with its standard deviation
+  double clock_offset = 0.0;  // [s], with its standard deviation
   double clock_offset_std = 0.0;
   std::vector<Pose> world_from_body;  // of each frame
 

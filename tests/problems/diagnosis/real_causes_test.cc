@@ -70,8 +70,9 @@ TEST_F(RealCauses, ASpringIsNamedWhereThereIsNoBaseline) {
     // Without the spring there is no model to compare with, so nothing is said of one.
     EXPECT_FALSE(diagnosis.has_baseline) << log;
     EXPECT_TRUE(std::isnan(diagnosis.baseline.held_out.nmae)) << log;
-    EXPECT_TRUE(VerdictSentence(diagnosis).starts_with("No surge model without a cause fits this "
-                                                       "log. One with this cause does:"))
+    EXPECT_TRUE(
+        VerdictSentence(diagnosis).starts_with("No surge model without a cause fits this "
+                                               "log. One with this cause does:"))
         << VerdictSentence(diagnosis);
   }
 }

@@ -133,7 +133,6 @@ RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
-  options.start = fit.noise;
   const NoiseFit noise =
       FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options);
   if (!std::isfinite(noise.log_likelihood)) return remaining;

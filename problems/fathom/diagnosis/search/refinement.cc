@@ -86,6 +86,12 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
   hypothesis.suspects = suspects;
   const Criterion criterion = task.options.criterion;
   hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise);
+  // What is worth its price so may rest on a noise that was begun wrongly, on either side: then it
+  // is learned from nothing, as the baseline's was.
+  const double cheap_gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
+  if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining) {
+    hypothesis.fit = FitStructureAndNoise(task.data, rough);
+  }
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;

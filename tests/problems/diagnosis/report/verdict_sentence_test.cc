@@ -28,11 +28,12 @@ TEST(VerdictSentence, OfAConsistentLog) {
 // 0.71 times 0.99 is 70 %. The half interval of the width is 1.96 * 0.17 = 0.33 N: one decimal,
 // from 7.67 to 8.33. That of the inertia is 11.6 kg, which starts with a 1: to the kilogram.
 TEST(VerdictSentence, OfAnExplainedLog) {
-  EXPECT_EQ(VerdictSentence(ExplainedDiagnosis()),
-            "70 % of the error of your surge model comes from a thruster dead zone "
-            "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N). With it in the model, the NMAE on "
-            "held-out data falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), "
-            "and the inertia changes from 1086 to 852 kg.");
+  EXPECT_EQ(
+      VerdictSentence(ExplainedDiagnosis()),
+      "70 % of the error of your surge model comes from a thruster dead zone "
+      "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N). With it in the model, the velocity NMAE on "
+      "held-out data falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), "
+      "and the inertia changes from 1086 to 852 kg.");
 }
 
 // 0.4963 +- 1.96 * 0.0077 is 0.4812 to 0.5114, and 0.0151 starts with a 1.
@@ -87,7 +88,7 @@ TEST(VerdictSentence, IsItsParagraphs) {
   EXPECT_THAT(paragraphs,
               ElementsAre(StartsWith("70 % of the error"),
                           StartsWith("This log cannot tell sensor_lag"),
-                          StartsWith("With sensor_lag in the model, the NMAE")));
+                          StartsWith("With sensor_lag in the model, the velocity NMAE")));
   EXPECT_EQ(VerdictSentence(AmbiguousDiagnosis()),
             paragraphs[0] + " " + paragraphs[1] + " " + paragraphs[2]);
 }
@@ -126,7 +127,7 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
       StartsWith("70 % of the error of your surge model has two causes: a thruster dead zone "
                  "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); a steady current "
                  "(steady_current), "));
-  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in the model, the NMAE"));
+  EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in the model, the velocity NMAE"));
   diagnosis.causes[0].alternatives = AlternativesNamed({"thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("These 2 logs cannot tell thrust_dead_zone from thrust_curve."));
