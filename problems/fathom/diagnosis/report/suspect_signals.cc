@@ -17,7 +17,7 @@ constexpr double kEpoch = 1e6;           // stamps beyond this count from some e
 constexpr double kMoreThanChance = 0.3;  // of the variance
 
 SuspectSignal TimeOf(const MissingForce& missing) {
-  SuspectSignal time = {"time", "s", missing.time};
+  SuspectSignal time = {"time", "s", missing.time, true};
   if (missing.time.empty() || std::abs(missing.time.front()) <= kEpoch) return time;
   const double offset = std::floor(missing.time.front());
   for (double& stamp : time.values) stamp -= offset;
@@ -65,6 +65,7 @@ std::optional<FollowedSignal> FollowedByTheRest(const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < std::min(rest.size(), explained.size()); ++i) rest[i] -= explained[i];
   std::optional<FollowedSignal> best;
   for (const SuspectSignal& signal : SuspectSignalsOf(diagnosis)) {
+    if (signal.is_time) continue;
     const double share = ShareExplainedBy(signal, rest);
     if (share > (best ? best->share : kMoreThanChance)) best = {signal.name, share};
   }

@@ -16,6 +16,7 @@ struct SuspectSignal {
   std::string name;  // "command rate", "displacement"
   std::string unit;
   std::vector<double> values;
+  bool is_time = false;  // which any slow force follows
 };
 
 // The signals that are there and change.

@@ -75,6 +75,11 @@ TEST(VerdictSentence, SaysWhatTheMissingForceFollows) {
               HasSubstr("The missing force follows the displacement, which explains "));
   missing.explained = missing.mean;
   EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("follows")));
+  missing.explained.assign(missing.mean.size(), 0.0);
+  // Time is followed by any slow force.
+  missing.displacement.clear();
+  missing.velocity.clear();
+  EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("follows")));
 }
 
 TEST(VerdictSentence, OfAnUnexplainedLog) {
