@@ -30,7 +30,7 @@ const std::vector<double>& Measured(const Segment& segment, FittedOutput output)
 
 // Robust standard deviation of the measurement about the present simulation: 1.4826 times the
 // median absolute residual.
-double ResidualSpread(const std::vector<ShootingWindow>& windows, const Unknowns& unknowns) {
+double ResidualSpread(const std::vector<ShootingWindow>& windows, const WindowUnknowns& unknowns) {
   std::vector<double> sizes;
   for (size_t w = 0; w < windows.size(); ++w) {
     for (const double miss :
@@ -91,9 +91,9 @@ InitialGuess GuessFor(std::span<const Segment> segments,
 }
 
 // The model, and each window's first measurement.
-Unknowns UnknownsAt(const UncoupledModel<double>& model,
-                    const std::vector<ShootingWindow>& windows) {
-  Unknowns unknowns;
+WindowUnknowns UnknownsAt(const UncoupledModel<double>& model,
+                          const std::vector<ShootingWindow>& windows) {
+  WindowUnknowns unknowns;
   unknowns.parameters = {
       std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
   for (const ShootingWindow& window : windows) {
@@ -105,7 +105,7 @@ Unknowns UnknownsAt(const UncoupledModel<double>& model,
 }
 
 // The states at the first stamps of the segments.
-std::vector<InitialState> SegmentStates(const Unknowns& unknowns,
+std::vector<InitialState> SegmentStates(const WindowUnknowns& unknowns,
                                         const std::vector<ShootingWindow>& windows) {
   std::vector<InitialState> states;
   for (size_t w = 0; w < windows.size(); ++w) {
@@ -124,7 +124,7 @@ struct Found {
 // Plain least squares first, but for a start that `is_near` the optimum; then, with the noise level
 // known, with the robust loss. Wild samples spoil the first estimate of that level, so it is
 // repeated until it settles.
-Found SearchFrom(const Unknowns& start,
+Found SearchFrom(const WindowUnknowns& start,
                  bool is_near,
                  std::span<const Segment> segments,
                  const std::vector<ShootingWindow>& windows,
@@ -132,7 +132,7 @@ Found SearchFrom(const Unknowns& start,
   constexpr int kMostRepetitions = 4;
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double spread = std::max(RootMeanSquare(segments, options.output), 1e-12);
-  const auto noise_at = [&](const Unknowns& unknowns) {
+  const auto noise_at = [&](const WindowUnknowns& unknowns) {
     return std::max(ResidualSpread(windows, unknowns), 1e-9 * spread);
   };
   const bool is_robust = options.huber_k < kNever;
@@ -157,16 +157,16 @@ Found SearchFrom(const Unknowns& start,
 
 // The optimum of the coarse segments, which costs little, as a start for all data in the windows
 // `fine`. Nothing if there is none.
-std::optional<Unknowns> CoarseOptimum(const UncoupledModel<double>& guess,
-                                      const std::vector<Segment>& coarse,
-                                      const std::vector<ShootingWindow>& fine,
-                                      const OutputErrorOptions& options) {
+std::optional<WindowUnknowns> CoarseOptimum(const UncoupledModel<double>& guess,
+                                            const std::vector<Segment>& coarse,
+                                            const std::vector<ShootingWindow>& fine,
+                                            const OutputErrorOptions& options) {
   if (coarse.empty()) return std::nullopt;
   const std::vector<ShootingWindow> windows = LayOutWindows(coarse, options);
   if (windows.size() != fine.size()) return std::nullopt;
   Found found = SearchFrom(UnknownsAt(guess, windows), false, coarse, windows, options);
   if (!found.end.solve.converged) return std::nullopt;
-  Unknowns near = std::move(found.end.unknowns);
+  WindowUnknowns near = std::move(found.end.unknowns);
   const UncoupledModel<double> model = ModelOf(near);
   for (size_t w = 0; w < windows.size(); ++w) {
     // A coarse window begins a little later, or earlier, than its fine one.

@@ -19,7 +19,7 @@ std::unique_ptr<ceres::Problem> BuildProblem(std::vector<ShootingWindow> windows
                                              double sigma,
                                              double huber_k,
                                              double continuity,
-                                             Unknowns* unknowns) {
+                                             WindowUnknowns* unknowns) {
   auto problem = std::make_unique<ceres::Problem>();
   const auto scratch = std::make_shared<SimulationScratch>();
   for (size_t w = 0; w < windows.size(); ++w) {
@@ -37,7 +37,7 @@ std::unique_ptr<ceres::Problem> BuildProblem(std::vector<ShootingWindow> windows
 
 }  // namespace
 
-UncoupledModel<double> ModelOf(const Unknowns& unknowns) {
+UncoupledModel<double> ModelOf(const WindowUnknowns& unknowns) {
   return {std::exp(unknowns.parameters[kInertia]),
           unknowns.parameters[kQuadraticDamping],
           unknowns.parameters[kLinearDamping],
@@ -48,8 +48,8 @@ ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows
                                       double sigma,
                                       double huber_k,
                                       const OutputErrorOptions& options,
-                                      const Unknowns& start) {
-  Unknowns unknowns = start;
+                                      const WindowUnknowns& start) {
+  WindowUnknowns unknowns = start;
   const auto problem = BuildProblem(windows, sigma, huber_k, options.continuity, &unknowns);
   BoundedSolveOptions solver;
   solver.max_iterations = options.max_iterations;

@@ -15,16 +15,16 @@
 namespace fathom {
 
 // What the search moves. The inertia is carried as its logarithm, so it stays positive.
-struct Unknowns {
+struct WindowUnknowns {
   std::array<double, kNumParameters> parameters = {};
   std::vector<std::array<double, 2>> states;  // of each window: velocity, position
 };
 
-UncoupledModel<double> ModelOf(const Unknowns& unknowns);
+UncoupledModel<double> ModelOf(const WindowUnknowns& unknowns);
 
 struct ConstrainedOptimum {
   BoundedSolve solve;
-  Unknowns unknowns;  // where it began, if it did not converge
+  WindowUnknowns unknowns;  // where it began, if it did not converge
 };
 
 // The least cost with both dampings at least 0, from `start`; `sigma` and `huber_k` as in
@@ -33,6 +33,6 @@ ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows
                                       double sigma,
                                       double huber_k,
                                       const OutputErrorOptions& options,
-                                      const Unknowns& start);
+                                      const WindowUnknowns& start);
 
 }  // namespace fathom

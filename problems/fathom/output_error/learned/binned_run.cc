@@ -40,7 +40,7 @@ bool VisitStretches(const UncoupledModel<double>& model,
 
 std::optional<BinnedRun> RunOverBins(const UncoupledModel<double>& model,
                                      const InitialState& initial,
-                                     const Bins& bins) {
+                                     const BinnedSegment& bins) {
   BinnedRun run;
   run.output = bins.output;
   run.columns.setZero(bins.size(), BinnedRun::kNumColumns);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/noise/whitener.h"
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 #include "fathom/output_error/reduced_normal.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -34,7 +34,7 @@ struct BinnedRun {
 // Nothing if the simulation diverges.
 std::optional<BinnedRun> RunOverBins(const UncoupledModel<double>& model,
                                      const InitialState& initial,
-                                     const Bins& bins);
+                                     const BinnedSegment& bins);
 
 // The residual sample by sample, simulated - measured [unit of the output]; empty if the simulation
 // diverges.

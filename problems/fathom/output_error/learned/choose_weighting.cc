@@ -4,7 +4,7 @@
 #include "fathom/output_error/learned/choose_weighting.h"
 
 #include "fathom/output_error/caveats.h"
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 #include "fathom/output_error/learned/free_runs.h"
 #include "fathom/output_error/learned/learned_fit.h"
 #include "fathom/output_error/learned/learned_noise.h"
@@ -22,15 +22,15 @@ namespace {
 
 // The samples averaged over bins, without those that are wild about the plain fit. Empty if that
 // cannot be simulated.
-std::vector<Bins> BinsAbout(const OutputErrorSummary& plain,
-                            std::span<const Segment> segments,
-                            FittedOutput output) {
+std::vector<BinnedSegment> BinsAbout(const OutputErrorSummary& plain,
+                                     std::span<const Segment> segments,
+                                     FittedOutput output) {
   const double width = BinWidth(segments);
-  std::vector<Bins> bins;
+  std::vector<BinnedSegment> bins;
   for (size_t s = 0; s < segments.size(); ++s) {
     const auto residual = RunOverSamples(plain.model, plain.initial_states[s], segments[s], output);
     if (residual.empty()) return {};
-    bins.push_back(BinsOf(segments[s], output, width, WildSamples(residual)));
+    bins.push_back(BinnedSegmentOf(segments[s], output, width, WildSamples(residual)));
   }
   SetDampingFactors(plain.model, bins);
   return bins;
@@ -68,7 +68,7 @@ OutputErrorSummary Because(std::string reason, OutputErrorSummary summary) {
 
 // The learned answer, unless its free runs miss more than those of the plain one are expected to
 // miss of data that it was not fitted to; docs/output_error.md (13).
-OutputErrorSummary Judged(std::span<const Bins> bins,
+OutputErrorSummary Judged(std::span<const BinnedSegment> bins,
                           OutputErrorSummary plain,
                           OutputErrorSummary learned) {
   if (!learned.IsUsable()) {
@@ -109,7 +109,7 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   if (is_auto && !plain.IsUsable()) {
     return Because("The data do not determine the model by plain squares.", std::move(plain));
   }
-  const std::vector<Bins> bins = BinsAbout(plain, segments, options.output);
+  const std::vector<BinnedSegment> bins = BinsAbout(plain, segments, options.output);
   if (bins.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
   const LearnedFit fit =
       FitLearned(bins, plain.model, plain.initial_states, options.max_iterations);

@@ -34,7 +34,7 @@ Segment PartOf(const Segment& whole, std::size_t begin, std::size_t end) {
 
 // Adds the run over samples `begin` to `end` - 1. False if it diverges.
 bool AddRun(const UncoupledModel<double>& model,
-            const Bins& whole,
+            const BinnedSegment& whole,
             std::size_t begin,
             std::size_t end,
             FreeRuns* runs) {
@@ -45,7 +45,8 @@ bool AddRun(const UncoupledModel<double>& model,
   if (first == std::ssize(is_wild)) return true;
   const InitialState near = {segment.velocity[first],
                              segment.position.empty() ? 0.0 : segment.position[first]};
-  const auto run = RunOverBins(model, near, BinsOf(segment, whole.output, whole.width, is_wild));
+  const auto run =
+      RunOverBins(model, near, BinnedSegmentOf(segment, whole.output, whole.width, is_wild));
   if (!run) return false;
   Eigen::MatrixXd rows(run->columns.rows(), kNumParameters + 1);
   rows << run->parameters(), run->residual();
@@ -59,9 +60,9 @@ bool AddRun(const UncoupledModel<double>& model,
 }  // namespace
 
 std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model,
-                                   std::span<const Bins> bins) {
+                                   std::span<const BinnedSegment> bins) {
   FreeRuns runs;
-  for (const Bins& whole : bins) {
+  for (const BinnedSegment& whole : bins) {
     const std::vector<double>& time = whole.segment->time;
     const double duration = time.back() - time.front();
     const double num_runs = std::max(1.0, std::ceil(duration / kLongestRun));

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 #include "fathom/vehicle/parameters.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
@@ -32,6 +32,7 @@ struct FreeRuns {
 };
 
 // Nothing if a run diverges.
-std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model, std::span<const Bins> bins);
+std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model,
+                                   std::span<const BinnedSegment> bins);
 
 }  // namespace fathom

@@ -21,9 +21,9 @@ namespace {
 constexpr int kMostTurns = 3;
 constexpr double kLeastGain = 0.1;  // of the log-likelihood, for another turn
 
-Unknowns UnknownsAt(const UncoupledModel<double>& model,
-                    std::span<const InitialState> initial_states) {
-  Unknowns unknowns;
+WindowUnknowns UnknownsAt(const UncoupledModel<double>& model,
+                          std::span<const InitialState> initial_states) {
+  WindowUnknowns unknowns;
   unknowns.parameters = {
       std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
   for (const InitialState& state : initial_states) {
@@ -32,7 +32,8 @@ Unknowns UnknownsAt(const UncoupledModel<double>& model,
   return unknowns;
 }
 
-std::optional<std::vector<BinnedRun>> RunsAt(const Unknowns& unknowns, std::span<const Bins> bins) {
+std::optional<std::vector<BinnedRun>> RunsAt(const WindowUnknowns& unknowns,
+                                             std::span<const BinnedSegment> bins) {
   std::vector<BinnedRun> runs;
   for (size_t s = 0; s < bins.size(); ++s) {
     auto run =
@@ -44,9 +45,9 @@ std::optional<std::vector<BinnedRun>> RunsAt(const Unknowns& unknowns, std::span
 }
 
 BoundedSolve SearchUnder(std::span<const Whitener> whiteners,
-                         std::span<const Bins> bins,
+                         std::span<const BinnedSegment> bins,
                          int max_iterations,
-                         Unknowns* unknowns) {
+                         WindowUnknowns* unknowns) {
   ceres::Problem problem;
   for (size_t s = 0; s < bins.size(); ++s) {
     problem.AddResidualBlock(MakeWhitenedCost(bins[s], whiteners[s]).release(),
@@ -63,13 +64,13 @@ BoundedSolve SearchUnder(std::span<const Whitener> whiteners,
 
 }  // namespace
 
-LearnedFit FitLearned(std::span<const Bins> bins,
+LearnedFit FitLearned(std::span<const BinnedSegment> bins,
                       const UncoupledModel<double>& model,
                       std::span<const InitialState> initial_states,
                       int max_iterations) {
   LearnedFit fit;
   fit.message = "The search under the learned noise does not converge.";
-  Unknowns unknowns = UnknownsAt(model, initial_states);
+  WindowUnknowns unknowns = UnknownsAt(model, initial_states);
   auto runs = RunsAt(unknowns, bins);
   std::optional<NoiseModel> known;
   std::vector<Whitener> whiteners;
@@ -84,7 +85,7 @@ LearnedFit FitLearned(std::span<const Bins> bins,
     previous = learned.log_likelihood;
     known = fit.noise = learned.model;
     whiteners.clear();
-    for (const Bins& part : bins) whiteners.emplace_back(fit.noise, part.samples);
+    for (const BinnedSegment& part : bins) whiteners.emplace_back(fit.noise, part.samples);
     BoundedSolve solve = SearchUnder(whiteners, bins, max_iterations, &unknowns);
     if (!solve.converged) return fit;
     fit.held = std::move(solve.held);

@@ -5,7 +5,7 @@
 
 #include "fathom/noise/noise_model.h"
 #include "fathom/output_error/learned/binned_run.h"
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 #include "fathom/simulate/simulate.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
@@ -27,7 +27,7 @@ struct LearnedFit {
 };
 
 // Noise and model in turns, on from a plain fit's model and initial states.
-LearnedFit FitLearned(std::span<const Bins> bins,
+LearnedFit FitLearned(std::span<const BinnedSegment> bins,
                       const UncoupledModel<double>& model,
                       std::span<const InitialState> initial_states,
                       int max_iterations);

@@ -12,9 +12,9 @@
 namespace fathom {
 namespace {
 
-double UsualSpeed(std::span<const Bins> bins) {
+double UsualSpeed(std::span<const BinnedSegment> bins) {
   double sum = 0.0, n = 0.0;
-  for (const Bins& part : bins) {
+  for (const BinnedSegment& part : bins) {
     for (const double v : part.segment->velocity) sum += std::abs(v);
     n += static_cast<double>(part.segment->velocity.size());
   }
@@ -23,7 +23,7 @@ double UsualSpeed(std::span<const Bins> bins) {
 
 }  // namespace
 
-NoiseFit LearnNoise(std::span<const Bins> bins,
+NoiseFit LearnNoise(std::span<const BinnedSegment> bins,
                     std::span<const BinnedRun> runs,
                     const UncoupledModel<double>& model,
                     const std::optional<NoiseModel>& start) {
@@ -56,9 +56,9 @@ NoiseFit LearnNoise(std::span<const Bins> bins,
   return FitNoise(samples, residual, design, options);
 }
 
-void SetDampingFactors(const UncoupledModel<double>& model, std::span<Bins> bins) {
+void SetDampingFactors(const UncoupledModel<double>& model, std::span<BinnedSegment> bins) {
   const double usual = model.DampingSlope(UsualSpeed(bins));
-  for (Bins& part : bins) {
+  for (BinnedSegment& part : bins) {
     std::vector<double> damping;
     damping.reserve(part.segment->velocity.size());
     for (const double v : part.segment->velocity) damping.push_back(model.DampingSlope(v));

@@ -5,7 +5,7 @@
 
 #include "fathom/noise/fit_noise.h"
 #include "fathom/output_error/learned/binned_run.h"
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 
 #include <optional>
 #include <span>
@@ -15,12 +15,12 @@ namespace fathom {
 // The noise of the residuals that free runs of `model` leave, whose start and parameters were
 // fitted to the same data: sensor noise and a disturbance of the vehicle, docs/residual_noise.md.
 // `runs` by segment, not whitened. `start`: as in FitNoiseOptions.
-NoiseFit LearnNoise(std::span<const Bins> bins,
+NoiseFit LearnNoise(std::span<const BinnedSegment> bins,
                     std::span<const BinnedRun> runs,
                     const UncoupledModel<double>& model,
                     const std::optional<NoiseModel>& start);
 
 // Fills the damping factors of all bins, for a vehicle that is about `model`.
-void SetDampingFactors(const UncoupledModel<double>& model, std::span<Bins> bins);
+void SetDampingFactors(const UncoupledModel<double>& model, std::span<BinnedSegment> bins);
 
 }  // namespace fathom

@@ -19,7 +19,7 @@ namespace {
 
 class WhitenedCost final : public ceres::CostFunction {
  public:
-  WhitenedCost(const Bins& bins, const Whitener& whitener)
+  WhitenedCost(const BinnedSegment& bins, const Whitener& whitener)
       : bins_(bins), whitener_(whitener), state_size_(StateSize(bins.output)) {
     set_num_residuals(bins.size());
     mutable_parameter_block_sizes()->push_back(kNumParameters);
@@ -64,7 +64,7 @@ class WhitenedCost final : public ceres::CostFunction {
     return true;
   }
 
-  const Bins& bins_;
+  const BinnedSegment& bins_;
   const Whitener& whitener_;
   const int state_size_;
 
@@ -74,7 +74,8 @@ class WhitenedCost final : public ceres::CostFunction {
 
 }  // namespace
 
-std::unique_ptr<ceres::CostFunction> MakeWhitenedCost(const Bins& bins, const Whitener& whitener) {
+std::unique_ptr<ceres::CostFunction> MakeWhitenedCost(const BinnedSegment& bins,
+                                                      const Whitener& whitener) {
   return std::make_unique<WhitenedCost>(bins, whitener);
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/noise/whitener.h"
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 
 #include <memory>
 
@@ -20,6 +20,7 @@ namespace fathom {
 // Parameter blocks as those of MakeWindowCost(): [log inertia, quadratic_damping, linear_damping,
 // buoyancy], the segment's initial state. Evaluation fails (returns false) where the simulation
 // diverges.
-std::unique_ptr<ceres::CostFunction> MakeWhitenedCost(const Bins& bins, const Whitener& whitener);
+std::unique_ptr<ceres::CostFunction> MakeWhitenedCost(const BinnedSegment& bins,
+                                                      const Whitener& whitener);
 
 }  // namespace fathom

@@ -14,8 +14,8 @@
 namespace fathom {
 namespace {
 
-std::vector<Bins> BinsOfAll(const Segment& segment, FittedOutput output) {
-  return {BinsOf(segment, output, 0.01, std::vector<bool>(segment.time.size(), false))};
+std::vector<BinnedSegment> BinsOfAll(const Segment& segment, FittedOutput output) {
+  return {BinnedSegmentOf(segment, output, 0.01, std::vector<bool>(segment.time.size(), false))};
 }
 
 // With runs of 50 s from their own best state, no state of the whole run matters: shifting the

@@ -28,10 +28,10 @@ Segment NoisySegment() {
   return Synthesize(run, 3);
 }
 
-Bins BinsWithGaps(const Segment& segment, FittedOutput output) {
+BinnedSegment BinsWithGaps(const Segment& segment, FittedOutput output) {
   std::vector<bool> is_wild(segment.time.size(), false);
   for (const int i : {0, 57, 58, 59, 200}) is_wild[i] = true;
-  return BinsOf(segment, output, 0.3, is_wild);
+  return BinnedSegmentOf(segment, output, 0.3, is_wild);
 }
 
 // Turbulence and a sensor with a memory; every part of the noise is there.
@@ -56,7 +56,7 @@ Eigen::VectorXd ResidualsAt(const ceres::CostFunction& cost,
 // Central differences are good to about the square of the step, relative: 1e-8 of each column.
 void ExpectJacobiansToBeDifferences(FittedOutput output) {
   const Segment segment = NoisySegment();
-  const Bins bins = BinsWithGaps(segment, output);
+  const BinnedSegment bins = BinsWithGaps(segment, output);
   const Whitener whitener(FullNoise(), bins.samples);
   const auto cost = MakeWhitenedCost(bins, whitener);
   const int n = cost->num_residuals();
@@ -105,7 +105,7 @@ TEST(WhitenedCost, HasTheJacobiansOfItsResidualsForPositions) {
 // of so many; the misses are those of a simulation of its own.
 TEST(WhitenedCost, IsTheMeanMissInStandardDeviations) {
   const Segment segment = NoisySegment();
-  const Bins bins = BinsWithGaps(segment, FittedOutput::kVelocity);
+  const BinnedSegment bins = BinsWithGaps(segment, FittedOutput::kVelocity);
   NoiseModel white;
   white.velocity.white_std = 0.02;  // of a mean of three
   const Whitener whitener(white, bins.samples);

@@ -14,7 +14,7 @@ namespace fathom {
 
 // The samples of one segment averaged over short bins, a row each, so that what is learned of them
 // costs little. Wild samples are in no bin.
-struct Bins {
+struct BinnedSegment {
   const Segment* segment = nullptr;  // must outlive this
   FittedOutput output = FittedOutput::kVelocity;
   double width = 0.0;                // at most [s]
@@ -30,9 +30,9 @@ struct Bins {
 double BinWidth(std::span<const Segment> segments);
 
 // `is_wild` by sample.
-Bins BinsOf(const Segment& segment,
-            FittedOutput output,
-            double width,
-            const std::vector<bool>& is_wild);
+BinnedSegment BinnedSegmentOf(const Segment& segment,
+                              FittedOutput output,
+                              double width,
+                              const std::vector<bool>& is_wild);
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 
 #include "fathom/base/median.h"
 
@@ -17,15 +17,15 @@ double BinWidth(std::span<const Segment> segments) {
   return std::min(duration / kNumBins, kLongest);
 }
 
-Bins BinsOf(const Segment& segment,
-            FittedOutput output,
-            double width,
-            const std::vector<bool>& is_wild) {
+BinnedSegment BinnedSegmentOf(const Segment& segment,
+                              FittedOutput output,
+                              double width,
+                              const std::vector<bool>& is_wild) {
   constexpr double kRounding = 1e-6;  // of stamps [s]
   const NoiseChannel channel =
       output == FittedOutput::kVelocity ? NoiseChannel::kVelocity : NoiseChannel::kDisplacement;
   const std::vector<double>& time = segment.time;
-  Bins bins;
+  BinnedSegment bins;
   bins.segment = &segment;
   bins.output = output;
   bins.width = width;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/output_error/learned/bins.h"
+#include "fathom/output_error/learned/binned_segment.h"
 
 #include <vector>
 
@@ -13,12 +13,12 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(BinsOf, AveragesWhatIsNotWildAndKnowsHowFewThatIs) {
+TEST(BinnedSegmentOf, AveragesWhatIsNotWildAndKnowsHowFewThatIs) {
   Segment segment;
   segment.time = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 2.0, 2.1, 3.0};
   segment.velocity.assign(segment.time.size(), 0.0);
   const std::vector<bool> is_wild = {false, false, true, false, false, false, false, false, true};
-  const Bins bins = BinsOf(segment, FittedOutput::kVelocity, 0.3, is_wild);
+  const BinnedSegment bins = BinnedSegmentOf(segment, FittedOutput::kVelocity, 0.3, is_wild);
   EXPECT_THAT(bins.bin_of, ElementsAre(0, 0, -1, 1, 1, 1, 2, 2, -1));
   EXPECT_THAT(bins.count, ElementsAre(2.0, 3.0, 2.0));
   ASSERT_EQ(bins.size(), 3);
@@ -31,11 +31,12 @@ TEST(BinsOf, AveragesWhatIsNotWildAndKnowsHowFewThatIs) {
   EXPECT_EQ(bins.samples[0].channel, NoiseChannel::kVelocity);
 }
 
-TEST(BinsOf, LeavesSamplesAloneThatStandFurtherApart) {
+TEST(BinnedSegmentOf, LeavesSamplesAloneThatStandFurtherApart) {
   Segment segment;
   segment.time = {0.0, 0.5, 1.0, 7.0};
   segment.position.assign(4, 0.0);
-  const Bins bins = BinsOf(segment, FittedOutput::kPosition, 0.01, std::vector<bool>(4, false));
+  const BinnedSegment bins =
+      BinnedSegmentOf(segment, FittedOutput::kPosition, 0.01, std::vector<bool>(4, false));
   EXPECT_THAT(bins.bin_of, ElementsAre(0, 1, 2, 3));
   EXPECT_EQ(bins.samples[3].time, 7.0);
   EXPECT_EQ(bins.samples[3].channel, NoiseChannel::kDisplacement);
