@@ -24,6 +24,8 @@ struct NoiseKind {
   double coloured_std = 0.0;   // of its Ornstein-Uhlenbeck part [m/s] or [m]
   double coloured_time = 1.0;  // [s]
   WaterForce water;
+
+  bool IsWhite() const { return coloured_std == 0.0 && water.kind == WaterForce::Kind::kStill; }
 };
 
 // Logs of a known vehicle under one kind of noise, and the estimator that knows the noise.

@@ -68,8 +68,13 @@ TEST_P(WeightingUnder, LearnedHasTheErrorsOfTheOracleAndIntervalsThatCover) {
     EXPECT_LT(std::sqrt(learned.squares[i] / oracle.squares[i]), 1.2) << name;
     EXPECT_GT(learned.covered[i] / kNumLogs, 0.84) << name;
   }
-  // The table: at least 95 %. Of 20, fewer than 16 have a chance of 0.3 %.
-  EXPECT_GE(num_chosen, 16);
+  // The table: at least 95 %. Of 20, fewer than 16 have a chance of 0.3 %. Of white ones one in
+  // eight is not seen to be white: more than 7 of 20 have a chance of 0.1 %.
+  if (trial.kind().IsWhite()) {
+    EXPECT_LE(num_chosen, 7);
+  } else {
+    EXPECT_GE(num_chosen, 16);
+  }
 }
 
 std::string Title(const ::testing::TestParamInfo<NoiseKind>& info) {

@@ -8,6 +8,7 @@
 #include "fathom/output_error/learned/free_runs.h"
 #include "fathom/output_error/learned/learned_fit.h"
 #include "fathom/output_error/learned/learned_noise.h"
+#include "fathom/output_error/learned/whiteness.h"
 #include "fathom/signal/filters/wild_samples.h"
 
 #include <cmath>
@@ -20,19 +21,29 @@
 namespace fathom {
 namespace {
 
-// The samples averaged over bins, without those that are wild about the plain fit. Empty if that
-// cannot be simulated.
-std::vector<BinnedSegment> BinsAbout(const OutputErrorSummary& plain,
-                                     std::span<const Segment> segments,
-                                     FittedOutput output) {
+// What the plain fit misses over each segment. Empty if a segment cannot be simulated.
+std::vector<std::vector<double>> ResidualsOf(const OutputErrorSummary& plain,
+                                             std::span<const Segment> segments,
+                                             FittedOutput output) {
+  std::vector<std::vector<double>> residuals;
+  for (size_t s = 0; s < segments.size(); ++s) {
+    residuals.push_back(RunOverSamples(plain.model, plain.initial_states[s], segments[s], output));
+    if (residuals.back().empty()) return {};
+  }
+  return residuals;
+}
+
+// The samples averaged over bins, without those that are wild.
+std::vector<BinnedSegment> BinsOf(std::span<const Segment> segments,
+                                  FittedOutput output,
+                                  std::span<const std::vector<bool>> is_wild,
+                                  const UncoupledModel<double>& model) {
   const double width = BinWidth(segments);
   std::vector<BinnedSegment> bins;
   for (size_t s = 0; s < segments.size(); ++s) {
-    const auto residual = RunOverSamples(plain.model, plain.initial_states[s], segments[s], output);
-    if (residual.empty()) return {};
-    bins.push_back(BinnedSegmentOf(segments[s], output, width, WildSamples(residual)));
+    bins.push_back(BinnedSegmentOf(segments[s], output, width, is_wild[s]));
   }
-  SetDampingFactors(plain.model, bins);
+  SetDampingFactors(model, bins);
   return bins;
 }
 
@@ -67,7 +78,7 @@ OutputErrorSummary Because(std::string reason, OutputErrorSummary summary) {
 }
 
 // The learned answer, unless its free runs miss more than those of the plain one are expected to
-// miss of data that it was not fitted to; docs/output_error.md (13).
+// miss of data that it was not fitted to; docs/output_error.md (14).
 OutputErrorSummary Judged(std::span<const BinnedSegment> bins,
                           OutputErrorSummary plain,
                           OutputErrorSummary learned) {
@@ -109,8 +120,15 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   if (is_auto && !plain.IsUsable()) {
     return Because("The data do not determine the model by plain squares.", std::move(plain));
   }
-  const std::vector<BinnedSegment> bins = BinsAbout(plain, segments, options.output);
-  if (bins.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
+  const auto residuals = ResidualsOf(plain, segments, options.output);
+  if (residuals.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
+  std::vector<std::vector<bool>> is_wild;
+  for (const auto& residual : residuals) is_wild.push_back(WildSamples(residual));
+  if (is_auto && IsWhite(residuals, is_wild)) {
+    return Because("What plain squares miss is white: no other weights are better.",
+                   std::move(plain));
+  }
+  const auto bins = BinsOf(segments, options.output, is_wild, plain.model);
   const LearnedFit fit =
       FitLearned(bins, plain.model, plain.initial_states, options.max_iterations);
   if (!fit.converged) {

@@ -12,7 +12,7 @@
 namespace fathom {
 
 // The answer weighed as options.weighting asks, given the plain one: that, or the one under the
-// learned noise; docs/output_error.md (10) to (13). Its weighting_reason says why.
+// learned noise; docs/output_error.md (10) to (14). Its weighting_reason says why.
 OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
                                    const OutputErrorOptions& options,
                                    OutputErrorSummary plain);

@@ -22,7 +22,7 @@ struct FreeRuns {
 
   // The sum of squares to be expected of data that a fit of covariance C has not seen:
   //
-  //   |e|^2 + 2 trace(J' J C)                                    docs/output_error.md (12)
+  //   |e|^2 + 2 trace(J' J C)                                    docs/output_error.md (13)
   //
   // B. Efron, The estimation of prediction error: covariance penalties and cross-validation, JASA
   // 99, 2004.
