@@ -108,11 +108,11 @@ void LimitAmount(const EffectParameter& parameter,
   const double std = std::abs(way) / std::sqrt(response.squared);
   const bool is_one_sided = parameter.lower == parameter.null;
   const double lost = std::sqrt(is_one_sided ? kOneSided : kTwoSided);
-  limit->is_told = true;
   limit->high = parameter.null + best + lost * std;
   limit->low = is_one_sided ? parameter.null : parameter.null + best - lost * std;
   // Below the null there is nothing to exclude: what little the data could tell stays.
   if (is_one_sided) limit->high = std::max(limit->high, parameter.null + kLeastLimit * std);
+  limit->is_told = limit->high < parameter.upper || limit->low > parameter.lower;
   limit->high = std::min(limit->high, parameter.upper);
   limit->low = std::max(limit->low, parameter.lower);
 }
@@ -141,6 +141,7 @@ void LimitSize(const EffectParameter& parameter,
   Reach reach;
   if (!Widen(above, 1.0, least_gain, &reach) || !Widen(below, -1.0, least_gain, &reach)) return;
   const double up = is_one_sided ? std::max(reach.greatest, least) : reach.greatest;
+  if (up >= above.back().distance) return;
   limit->is_told = true;
   if (std::isinf(parameter.null)) {
     limit->low = 1.0 / up;

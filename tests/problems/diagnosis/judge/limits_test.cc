@@ -89,5 +89,17 @@ TEST(LimitsOf, SayWhatCouldNotHaveBeenSeen) {
   EXPECT_FALSE(limits.at("thrust_asymmetry").is_told);
 }
 
+// Two levels: any limit or curve between them is another scale.
+TEST(LimitsOf, SayThatTwoLevelsShowNeitherSaturationNorCurve) {
+  SurgeRun run;
+  run.input = Square(20.0, 20.0);
+  const auto limits = LimitsIn(run, 1);
+  for (const char* effect : {"thrust_saturation", "thrust_curve"}) {
+    EXPECT_FALSE(limits.at(effect).is_told)
+        << effect << ": " << limits.at(effect).low << " to " << limits.at(effect).high;
+  }
+  EXPECT_TRUE(limits.at("thruster_lag").is_told);
+}
+
 }  // namespace
 }  // namespace fathom
