@@ -87,11 +87,18 @@ HypothesisBook WithOneMoreEach(const SearchTask& task,
   return book;
 }
 
-// A cause must hold even against a noise that was learned without it and may have swallowed it.
+// A cause must hold even against a noise that was learned without it and may have swallowed it,
+// unless it gains several times what noise alone reaches, over what stands.
 bool HoldsUnderTheBaselinesNoise(const SearchTask& task,
                                  const HypothesisBook& book,
-                                 const Hypothesis& hypothesis) {
+                                 const Hypothesis& hypothesis,
+                                 const Hypothesis& standing) {
   if (task.options.criterion == Criterion::kFreeRun) return true;
+  const auto threshold = [&](const Hypothesis& of) {
+    return book.calibration().ThresholdOf(of.suspects);
+  };
+  const double more = threshold(hypothesis) - threshold(standing);
+  if (more > 0.0 && hypothesis.gain - standing.gain > task.options.beyond_doubt * more) return true;
   const StructureFit& baseline = book.baseline().fit;
   const StructureFit refit = FitStructure(task.data,
                                           hypothesis.fit.model,
@@ -129,7 +136,8 @@ SearchResult SearchCauses(const TrainingData& data,
     const std::vector<int> ranked = book.RankedOfSize(size);
     const bool is_better =
         !ranked.empty() && book.Worth(ranked.front()) > book.Worth(standing.best);
-    if (is_better && HoldsUnderTheBaselinesNoise(task, book, book[ranked.front()])) {
+    if (is_better &&
+        HoldsUnderTheBaselinesNoise(task, book, book[ranked.front()], book[standing.best])) {
       standing.best = ranked.front();
       standing = Challenged(task, about_baseline, std::move(standing));
     }

@@ -46,7 +46,7 @@ struct SearchOptions {
   double worth_refining = 5.0;
 
   // The same beside other causes, of the threshold: screens are linear and may fall short.
-  double worth_refining_beside = 0.6;
+  double worth_refining_beside = 0.5;
 
   // The sharper screen is scaled to the strongest score of the other, or to this where that is
   // less: its own scores count structure as certain.
@@ -73,8 +73,10 @@ struct SearchOptions {
   int most_pairs = 4;
   int trials_in_pairs = 2;
 
-  // Chi squared that each cause must gain under the noise learned without it.
+  // Chi squared that each cause must gain under the noise learned without it; not asked where the
+  // gain over what stands is `beyond_doubt` times the threshold of what is more.
   double least_under_the_baselines_noise = 4.0;
+  double beyond_doubt = 3.0;
 
   // Rounds in which the best hypothesis is challenged, unless it stands before.
   int most_rounds = 3;
