@@ -132,6 +132,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   if (is_noise && !judgement.evidence.IsNegligible()) {
     diagnosis.wander_ratio = WanderRatio(prepared.data, users.residual);
   }
+  diagnosis.coincidence = judgement.coincidence;
   diagnosis.remaining_p_value = judgement.remaining.p_value;
   diagnosis.held_out_gain = gain.value;
   diagnosis.held_out_gain_low = gain.low;

@@ -148,6 +148,13 @@ struct ResidualTrace {
   bool is_held_out = false;
 };
 
+// A cause of a time of its own, such as a step, where a free function of what the vehicle did
+// explains the data as well: that it happened just then may be chance.
+struct Coincidence {
+  std::string label;  // of the cause
+  std::string input;  // of the function: "displacement"
+};
+
 struct Diagnosis {
   Dof dof = Dof::kSurge;
   std::string force_unit;
@@ -181,6 +188,9 @@ struct Diagnosis {
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
   // named and the rest passes for noise that wanders; else 0.
   double wander_ratio = 0.0;
+
+  // Why it is `unexplained` where nothing else is left.
+  std::optional<Coincidence> coincidence;
 
   // p-value of what is left with the causes in: structure that no effect of the catalogue has.
   double remaining_p_value = 1.0;

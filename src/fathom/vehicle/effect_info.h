@@ -46,6 +46,9 @@ struct EffectInfo {
   Scope scope;
   std::vector<EffectParameter> parameters;
 
+  // True where its force depends on when, not only on what the vehicle does.
+  bool depends_on_time = false;
+
   std::optional<PartnerInfo> partner = {};
 
   // True where the displacement itself must be measured, beside the velocity, for the effect to

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,15 +49,17 @@ void AppendHats(const std::vector<double>& x, int count, std::vector<std::vector
   }
 }
 
-// The command through a first-order lag.
-std::vector<double> Lagged(const Points& points, double time_constant) {
+// A signal along the run, through a first-order lag.
+std::vector<double> Lagged(const Points& points,
+                           const std::vector<double>& signal,
+                           double time_constant) {
   std::vector<double> lagged;
   for (size_t i = 0; i < points.size(); ++i) {
     const bool starts = i == 0 || points[i].segment != points[i - 1].segment;
     const double kept =
         starts ? 0.0 : std::exp(-(points[i].time - points[i - 1].time) / time_constant);
     const double before = starts ? 0.0 : lagged.back();
-    lagged.push_back(kept * before + (1.0 - kept) * points[i].command);
+    lagged.push_back(kept * before + (1.0 - kept) * signal[i]);
   }
   return lagged;
 }
@@ -75,7 +78,7 @@ std::vector<std::vector<double>> FreeForces(const Points& points) {
   AppendHats(speed, 7, &forces);
   AppendHats(column([](const auto& p) { return p.position; }), 5, &forces);
   for (const double time_constant : {0.3, 1.0, 3.0, 10.0}) {
-    forces.push_back(Lagged(points, time_constant));
+    forces.push_back(Lagged(points, command, time_constant));
   }
   forces.push_back(column([](const auto& p) { return p.command * p.velocity; }));
   forces.push_back(column([](const auto& p) { return std::abs(p.command) * p.velocity; }));
@@ -93,6 +96,36 @@ std::vector<std::vector<double>> ThrustOverTime(const Points& points) {
     for (size_t i = 0; i < force.size(); ++i) force[i] *= points[i].command;
   }
   return forces;
+}
+
+// Free forms of one input each.
+std::vector<std::pair<std::string_view, std::vector<std::vector<double>>>> FormsByInput(
+    const Points& points) {
+  std::vector<double> command, effort, speed, place;
+  for (const RunPoint& point : points) {
+    command.push_back(point.command);
+    effort.push_back(std::abs(point.command));
+    speed.push_back(point.velocity);
+    place.push_back(point.position);
+  }
+  std::vector<std::pair<std::string_view, std::vector<std::vector<double>>>> forms;
+  const auto append_hats = [&](std::string_view input, const auto& values, int count) {
+    AppendHats(values, count, &forms.emplace_back(input, 0).second);
+  };
+  append_hats("command", command, 7);
+  append_hats("velocity", speed, 7);
+  append_hats("displacement", place, 5);
+  append_hats("displacement", place, 9);
+  auto& past = forms.emplace_back("past command", 0).second;
+  for (const double time_constant : {0.3, 1.0, 3.0, 10.0}) {
+    past.push_back(Lagged(points, command, time_constant));
+  }
+  auto& warmth = forms.emplace_back("effort of the thrusters so far", 0).second;
+  for (const double time_constant : {10.0, 60.0}) {
+    warmth.push_back(Lagged(points, effort, time_constant));
+    for (size_t i = 0; i < points.size(); ++i) warmth.back()[i] *= command[i];
+  }
+  return forms;
 }
 
 // Residual after generalised least squares on `columns` under `whitener`.
@@ -160,6 +193,19 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   }
   remaining.p_value = std::min(1.0, kLooks * remaining.p_value);
   return remaining;
+}
+
+FreeForm BestFreeForm(const TrainingData& data, const StructureFit& fit) {
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return {};
+  FreeForm best;
+  for (const auto& [input, forces] : FormsByInput(response.points())) {
+    const RemainingStructure form = RemainingOf(forces, response, data, fit);
+    if (form.num_columns == 0) continue;
+    const double gain = form.gain - form.num_columns;
+    if (best.input.empty() || gain > best.gain) best = {input, gain};
+  }
+  return best;
 }
 
 }  // namespace fathom

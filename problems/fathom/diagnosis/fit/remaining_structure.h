@@ -5,6 +5,8 @@
 
 #include "fathom/diagnosis/fit/structure_fit.h"
 
+#include <string_view>
+
 namespace fathom {
 
 // What a fitted model still leaves of the data that depends on its inputs, whatever the form.
@@ -22,5 +24,15 @@ struct RemainingStructure {
 // p-value is that of two looks. Not tried on fewer than five samples per column, where they would
 // take up the noise itself. Nothing here knows the catalogue; docs/diagnosis.md (8).
 RemainingStructure FindRemainingStructure(const TrainingData& data, const StructureFit& fit);
+
+// A force that is a free, smooth function of one input.
+struct FreeForm {
+  std::string_view input;  // "displacement"; empty: none could be tried
+  double gain = 0.0;       // twice the log-likelihood that it gains, less its degrees of freedom
+};
+
+// The one of greatest gain beside a fit, the noise learned along: of what the vehicle did or was
+// told, not of time.
+FreeForm BestFreeForm(const TrainingData& data, const StructureFit& fit);
 
 }  // namespace fathom

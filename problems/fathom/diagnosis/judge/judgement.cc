@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace fathom {
@@ -83,6 +84,27 @@ double SeparationBeside(const RemainingStructure& remaining, bool remains, doubl
   return separation * std::max(1.0, times_noise);
 }
 
+// The first cause of a run alone that may be one. By likelihood: what a free run misses is no
+// noise.
+std::optional<Coincidence> CoincidenceIn(const WeighedSearch& search,
+                                         int chosen,
+                                         double separation) {
+  if (search.criterion != Criterion::kLearnedNoise) return std::nullopt;
+  const HypothesisBook& book = search.found.book;
+  for (const int suspect : book[chosen].suspects) {
+    const EffectInfo& info = search.suspects[suspect].effect->info();
+    const int without = book.IndexWithout(chosen, suspect);
+    if (!info.depends_on_time || without < 0) continue;
+    const double own_gain =
+        book[chosen].gain - book[without].gain - static_cast<double>(info.parameters.size());
+    const FreeForm form = BestFreeForm(search.thinned, book[without].fit);
+    if (!form.input.empty() && form.gain > own_gain - separation) {
+      return Coincidence{LabelOf(search.suspects[suspect]), std::string(form.input)};
+    }
+  }
+  return std::nullopt;
+}
+
 Verdict VerdictOf(bool is_open, bool is_named, bool has_rivals) {
   if (is_open) return Verdict::kUnexplained;
   if (!is_named) return Verdict::kConsistent;
@@ -109,7 +131,10 @@ Judgement Concluded(const Prepared& prepared,
   const bool remains = Remains(prepared, remaining, book[chosen].gain);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
-  const Verdict verdict = VerdictOf(remains || refusal, chosen != 0, !rivals.empty());
+  Verdict verdict = VerdictOf(remains || refusal, chosen != 0, !rivals.empty());
+  std::optional<Coincidence> coincidence;
+  if (verdict == Verdict::kExplained) coincidence = CoincidenceIn(search, chosen, separation);
+  if (coincidence) verdict = Verdict::kUnexplained;
   return {verdict,
           std::move(search),
           std::move(sifted.choice),
@@ -117,7 +142,8 @@ Judgement Concluded(const Prepared& prepared,
           std::move(sifted.refusals),
           evidence,
           std::move(runs),
-          remaining};
+          remaining,
+          std::move(coincidence)};
 }
 
 Judgement JudgedByLikelihood(const Prepared& prepared,

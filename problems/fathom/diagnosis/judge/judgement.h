@@ -11,6 +11,7 @@
 #include "fathom/diagnosis/options.h"
 #include "fathom/diagnosis/result.h"
 
+#include <optional>
 #include <vector>
 
 namespace fathom {
@@ -25,6 +26,7 @@ struct Judgement {
   Evidence evidence;
   FreeRunComparison runs;
   RemainingStructure remaining;  // that what is named leaves
+  std::optional<Coincidence> coincidence;
 
   const HypothesisBook& book() const { return search.found.book; }
 

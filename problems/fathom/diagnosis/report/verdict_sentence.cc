@@ -204,7 +204,13 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
         "On data that no fit has seen, this model is worse than the one without: do not rely on "
         "it.");
   }
-  if (diagnosis.verdict == Verdict::kUnexplained) {
+  if (diagnosis.coincidence) {
+    sentences.push_back(
+        fmt::format("A free function of the {} explains these data about as well as {}. The cause "
+                    "may be one that the catalogue does not have.",
+                    diagnosis.coincidence->input,
+                    diagnosis.coincidence->label));
+  } else if (diagnosis.verdict == Verdict::kUnexplained) {
     sentences.push_back(
         "The remaining error is still more than noise, and no effect in the catalogue explains "
         "it." +

@@ -59,6 +59,7 @@ struct BuoyancyStep {
                             .upper = kInfinity,
                             .search = Search::kTimeOfRun,
                             .drawn = {0.2, 0.8, natural::Duration}}},
+            .depends_on_time = true,
             .cause = "a step of the constant force",
             .advice = "Look for a payload dropped, water taken in or a snag at that time.",
             .confusions = {&kStepOrDrift, &kSpringOrStep}};
@@ -83,6 +84,7 @@ struct BuoyancyDrift {
                             .upper = kInfinity,
                             .trials = {1e-4},
                             .drawn = {0.08, 1.0, natural::ForceDrift, true}}},
+            .depends_on_time = true,
             .cause = "a drift of the constant force",
             .advice = "Look for slowly entering water, or foam that warms or is compressed.",
             .confusions = {&kStepOrDrift, &kSpringOrDrift}};
@@ -119,6 +121,7 @@ struct PeriodicForce {
                             .upper = kInfinity,
                             .search = Search::kFrequencyOfRun,
                             .drawn = {0.2, 2.0, natural::One}}},
+            .depends_on_time = true,
             .cause =
                 "a periodic force, such as waves, a slapping tether or another DOF's controller "
                 "in a limit cycle",

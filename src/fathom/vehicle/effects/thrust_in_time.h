@@ -68,6 +68,7 @@ struct ThrustFade {
                             .upper = 0.1,
                             .trials = {1e-4},
                             .drawn = {0.08, 0.6, natural::PerDuration}}},
+            .depends_on_time = true,
             .cause = "thrust that fades over the run, as with a discharging battery",
             .advice = "Log the supply voltage and scale the thrust by it."};
   }
@@ -98,6 +99,7 @@ struct ThrustStepLoss {
                             .upper = kInfinity,
                             .search = Search::kTimeOfRun,
                             .drawn = {0.2, 0.8, natural::Duration}}},
+            .depends_on_time = true,
             .cause = "a sudden loss of thrust",
             .advice = "Look for a fouled or failed thruster at that time."};
   }

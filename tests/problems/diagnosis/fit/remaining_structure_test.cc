@@ -7,6 +7,7 @@
 #include "fathom/synthesize/effects/unlisted_effects.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "surge_run.h"
@@ -86,6 +87,40 @@ TEST(RemainingStructure, IsFoundWhereAnUnlistedEffectIsLeftOut) {
     RecordProperty(std::string(effect->info().name), std::to_string(p));
   }
   EXPECT_GE(num_found, 3);
+}
+
+FreeForm FormIn(const SurgeRun& run, std::uint64_t seed) {
+  const std::vector<Log> logs = {LogOf(run, seed)};
+  const TrainingData data(MeasuredSegmentsOf(logs, Dof::kSurge).all);
+  const StructureFit fit =
+      FitBaseline(data, {kSurgeTruth, {}}, std::vector{data.segments()[0].initial});
+  return BestFreeForm(data, fit);
+}
+
+TEST(BestFreeForm, IsOfTheInputThatTheMissingForceFollows) {
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"thrust_dead_zone:width=15", "command"},
+      {"coulomb_friction:force=8", "velocity"},
+      {"position_stiffness:stiffness=3", "displacement"},
+      {"thruster_lag:time_constant=0.5", "past command"},
+      {"unlisted.thruster_heat:loss=0.01:time_constant=30", "effort of the thrusters so far"}};
+  for (const auto& [effect, input] : expected) {
+    SurgeRun run = Plain();
+    run.effects = effect;
+    run.duration = 300.0;
+    const FreeForm form = FormIn(run, 1);
+    EXPECT_EQ(form.input, input) << effect;
+    EXPECT_GT(form.gain, 20.0) << effect;
+  }
+}
+
+// Six looks, the most columns nine: chi squared of 9 less 9 is above 12 in 1 % of cases.
+TEST(BestFreeForm, GainsLittleWhereNothingIsLeft) {
+  for (const int seed : {1, 2, 3, 4, 5, 6}) {
+    const FreeForm form = FormIn(Plain(), seed);
+    EXPECT_FALSE(form.input.empty());
+    EXPECT_LT(form.gain, 18.0) << "seed " << seed;
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace fathom {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -96,6 +97,17 @@ TEST(VerdictSentence, IsItsParagraphs) {
                           StartsWith("With sensor_lag in the model, the velocity NMAE")));
   EXPECT_EQ(VerdictSentence(AmbiguousDiagnosis()),
             paragraphs[0] + " " + paragraphs[1] + " " + paragraphs[2]);
+}
+
+TEST(VerdictSentence, SaysThatACauseMayBeACoincidence) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.verdict = Verdict::kUnexplained;
+  diagnosis.coincidence = {.label = "thrust_dead_zone", .input = "displacement"};
+  EXPECT_THAT(
+      VerdictSentence(diagnosis),
+      EndsWith(" kg. A free function of the displacement explains these data about as well "
+               "as thrust_dead_zone. The cause may be one that the catalogue does not have."));
+  EXPECT_THAT(VerdictSentence(diagnosis), Not(HasSubstr("still more than noise")));
 }
 
 TEST(VerdictSentence, SaysThatSomethingIsLeftBesideTheCauses) {
