@@ -122,12 +122,12 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   }
   const auto residuals = ResidualsOf(plain, segments, options.output);
   if (residuals.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
-  std::vector<std::vector<bool>> is_wild;
-  for (const auto& residual : residuals) is_wild.push_back(WildSamples(residual));
-  if (is_auto && IsWhite(residuals, is_wild)) {
+  if (is_auto && IsWhite(residuals)) {
     return Because("What plain squares miss is white: no other weights are better.",
                    std::move(plain));
   }
+  std::vector<std::vector<bool>> is_wild;
+  for (const auto& residual : residuals) is_wild.push_back(WildSamples(residual));
   const auto bins = BinsOf(segments, options.output, is_wild, plain.model);
   const LearnedFit fit =
       FitLearned(bins, plain.model, plain.initial_states, options.max_iterations);

@@ -3,11 +3,19 @@
 
 #include "fathom/output_error/learned/whiteness.h"
 
+#include "fathom/base/median.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 
 namespace fathom {
 namespace {
+
+constexpr double kWildStds = 6.0;
+constexpr double kStdPerMedianSize = 1.4826;  // of normal samples
 
 struct Squares {
   double sum = 0.0, count = 0.0;
@@ -33,16 +41,26 @@ Squares SquaresOf(const std::vector<std::vector<double>>& pieces) {
   return squares;
 }
 
+// About zero.
+double RobustStd(const std::vector<std::vector<double>>& pieces) {
+  std::vector<double> sizes;
+  for (const auto& piece : pieces) {
+    for (const double value : piece) sizes.push_back(std::abs(value));
+  }
+  return sizes.empty() ? 0.0 : kStdPerMedianSize * Median(std::move(sizes));
+}
+
 }  // namespace
 
-bool IsWhite(const std::vector<std::vector<double>>& residuals,
-             const std::vector<std::vector<bool>>& is_wild) {
+bool IsWhite(const std::vector<std::vector<double>>& residuals) {
   constexpr double kFewestMeans = 32.0, kNumStd = 2.0;
+  const double limit = kWildStds * RobustStd(residuals);
   std::vector<std::vector<double>> pieces(residuals.size());
   for (std::size_t s = 0; s < residuals.size(); ++s) {
-    for (std::size_t i = 0; i < residuals[s].size(); ++i) {
-      if (!is_wild[s][i]) pieces[s].push_back(residuals[s][i]);
-    }
+    std::copy_if(
+        residuals[s].begin(), residuals[s].end(), std::back_inserter(pieces[s]), [&](double value) {
+          return std::abs(value) <= limit;
+        });
   }
   const Squares all = SquaresOf(pieces);
   while (true) {

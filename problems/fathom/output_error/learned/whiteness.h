@@ -13,7 +13,6 @@ namespace fathom {
 // the ratio of the two, with n / K means, has the variance 2 K / n - 2 / n. `is_wild`: samples left
 // out. A residual that is white is called coloured in up to one in six cases, the longer the
 // oftener.
-bool IsWhite(const std::vector<std::vector<double>>& residuals,
-             const std::vector<std::vector<bool>>& is_wild);
+bool IsWhite(const std::vector<std::vector<double>>& residuals);
 
 }  // namespace fathom
