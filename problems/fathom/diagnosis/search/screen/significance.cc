@@ -33,7 +33,7 @@ double Quantile(std::vector<double> values, double share) {
 // gain is zero half of the time, have one; low enough for the draws to tell.
 constexpr double kAnchor = 0.9;
 
-constexpr double kRarerBeside = 5.0;
+constexpr double kRarerBeside = 15.0;
 
 }  // namespace
 

@@ -36,8 +36,8 @@ class Significance {
     return thresholds_.empty() ? kNever : thresholds_[suspect];
   }
 
-  // The same for a cause named beside others: it must be five times as rare. One effect that is not
-  // quite of its catalogue's form should not bring in a second.
+  // The same for a cause named beside others: it must be fifteen times as rare. One effect that is
+  // not quite of its catalogue's form should not bring in a second.
   double ThresholdBeside(int suspect) const {
     return thresholds_beside_.empty() ? kNever : thresholds_beside_[suspect];
   }
