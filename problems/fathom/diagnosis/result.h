@@ -55,8 +55,10 @@ enum class CandidateOutcome {
   kScoreWithinNoise,
   kOthersScoreHigher,  // so it was not refitted
   kGainWithinNoise,
-  kFailsOnHeldOut,  // as all do: nothing is kept
-  kNeedless,        // helps alone, adds nothing once the kept ones are in
+  kNeedless,             // helps alone, adds nothing once the kept ones are in
+  kRefused,              // nothing is kept: free runs do not improve by it
+  kNoBetterThanRefused,  // the same: it is worth no more than what they refused
+  kTakenUpByNoise,       // the same: the noise learned without it takes it up
 };
 
 // One effect (with its partner, if it has one, and its log, if it belongs to one of several) that

@@ -36,6 +36,14 @@ bool IsRival(const HypothesisBook& book, const Judgement& judgement, int suspect
              rivals.begin(), rivals.end(), [&](int rival) { return book[rival].Has(suspect); });
 }
 
+bool IsRefused(const Judgement& judgement, int suspect) {
+  return std::any_of(
+      judgement.refusals.begin(), judgement.refusals.end(), [&](const Refusal& refusal) {
+        return std::find(refusal.refused.begin(), refusal.refused.end(), suspect) !=
+               refusal.refused.end();
+      });
+}
+
 // `score` and `gain` are there already.
 CandidateOutcome OutcomeOf(const Candidate& candidate,
                            const HypothesisBook& book,
@@ -51,7 +59,9 @@ CandidateOutcome OutcomeOf(const Candidate& candidate,
     return candidate.score < candidate.noise_reach ? kScoreWithinNoise : kOthersScoreHigher;
   }
   if (candidate.gain < candidate.noise_reach) return kGainWithinNoise;
-  return judgement.choice.chosen == 0 ? kFailsOnHeldOut : kNeedless;
+  if (judgement.choice.chosen != 0) return kNeedless;
+  if (judgement.refusals.empty()) return kTakenUpByNoise;
+  return IsRefused(judgement, suspect) ? kRefused : kNoBetterThanRefused;
 }
 
 // What came of a suspect by itself; nothing of the rest of the judgement.

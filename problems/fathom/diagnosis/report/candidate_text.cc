@@ -32,11 +32,16 @@ std::string WhyText(const Candidate& candidate) {
       return fmt::format("dropped: gain {:.1f}; noise alone reaches {:.1f}",
                          std::max(0.0, gain),
                          candidate.noise_reach);
-    case CandidateOutcome::kFailsOnHeldOut:
-      return fmt::format("dropped: gain {:.0f}, but the best fit fails on held-out data", gain);
     case CandidateOutcome::kNeedless:
       return fmt::format(
           "dropped: helps alone (gain {:.0f}), adds nothing once the kept causes are in", gain);
+    case CandidateOutcome::kRefused:
+      return fmt::format("refused: gain {:.0f}, but free runs do not improve by it", gain);
+    case CandidateOutcome::kNoBetterThanRefused:
+      return fmt::format("dropped: gain {:.0f}, no better than what was refused", gain);
+    case CandidateOutcome::kTakenUpByNoise:
+      return fmt::format("dropped: gain {:.0f}, but the noise learned without it takes it up",
+                         gain);
   }
   return "";
 }

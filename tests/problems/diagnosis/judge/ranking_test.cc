@@ -114,7 +114,11 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
 
   judgement_.choice.chosen = 0;
   judgement_.rivals.clear();
-  EXPECT_EQ(Ranked()["thrust_curve"].outcome, CandidateOutcome::kFailsOnHeldOut);
+  EXPECT_EQ(Ranked()["thrust_curve"].outcome, CandidateOutcome::kTakenUpByNoise);
+
+  judgement_.refusals.push_back({.refused = {0}});
+  EXPECT_EQ(Ranked()["thruster_lag"].outcome, CandidateOutcome::kRefused);
+  EXPECT_EQ(Ranked()["thrust_curve"].outcome, CandidateOutcome::kNoBetterThanRefused);
 }
 
 // The same effect in two logs is two suspects.

@@ -30,8 +30,12 @@ TEST(WhyText, SaysWithItsNumbersWhyACandidateWasKeptOrDropped) {
   EXPECT_EQ(TextOf(CandidateOutcome::kAlternative), "these logs cannot tell it from a kept cause");
   EXPECT_EQ(TextOf(CandidateOutcome::kNeedless),
             "dropped: helps alone (gain 60), adds nothing once the kept causes are in");
-  EXPECT_EQ(TextOf(CandidateOutcome::kFailsOnHeldOut),
-            "dropped: gain 60, but the best fit fails on held-out data");
+  EXPECT_EQ(TextOf(CandidateOutcome::kRefused),
+            "refused: gain 60, but free runs do not improve by it");
+  EXPECT_EQ(TextOf(CandidateOutcome::kNoBetterThanRefused),
+            "dropped: gain 60, no better than what was refused");
+  EXPECT_EQ(TextOf(CandidateOutcome::kTakenUpByNoise),
+            "dropped: gain 60, but the noise learned without it takes it up");
 }
 
 }  // namespace
