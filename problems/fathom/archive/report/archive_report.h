@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/store/tables.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fathom {
+
+// A dive whose parameter lies too far from those of the other dives.
+struct OutlyingDive {
+  std::string vehicle, dive, dof, parameter;
+};
+
+// What the archive page shows.
+struct ArchiveReport {
+  std::string archive;  // its folder, as it was named
+  std::string version;  // of Fathom
+  std::string date;     // ISO 8601
+  std::string command;  // the command line
+  Tables tables;
+  std::vector<std::string> dives;             // in their order
+  std::vector<std::string> change_sentences;  // what changed and why, most certain first
+  std::vector<OutlyingDive> outliers;
+  std::map<std::string, int> other_files;  // files that are no logs, by their ending
+  // Pages of the diagnoses, relative to the archive page, by (log, dof). May be empty.
+  std::map<std::pair<std::string, std::string>, std::string> pages;
+};
+
+}  // namespace fathom
