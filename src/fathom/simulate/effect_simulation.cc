@@ -88,6 +88,7 @@ bool RunIn(const EffectInputs& inputs,
   return IntegrateWithEffects(
       inputs,
       InScalars<T>(model, initial, inputs.log),
+      InScalars<double>(model, initial, inputs.log),
       stamps,
       [&](size_t row, const T& value) {
         store(value, row, &outputs->velocity, &outputs->velocity_sensitivity);

@@ -9,6 +9,7 @@
 #include "fathom/simulate/integration/run_step.h"
 #include "fathom/simulate/integration/shown_displacements.h"
 #include "fathom/simulate/integration/shown_readings.h"
+#include "fathom/simulate/integration/step_pace.h"
 #include "fathom/simulate/integration/water_integrator.h"
 #include "fathom/simulate/output_stamps.h"
 
@@ -81,7 +82,7 @@ bool SetEnd(const EffectStack<T>& effects,
 }
 
 // How long a stiff step may be, from one to the next.
-struct StiffPace {
+struct StiffLength {
   double longest = 0.1;  // [s]
   int repeats_left = 0;  // of steps that were too long
 };
@@ -95,31 +96,35 @@ std::optional<bool> TakeStiff(const EffectStack<T>& effects,
                               bool is_first,
                               Instants<T>* instants,
                               WaterIntegrator<T>* water,
-                              StiffPace* pace,
+                              StepPace* pace,
+                              StiffLength* length,
                               RunStep<T>* step) {
   const double s = Value(step->begin);
-  const double rate =
-      water->SpeedRate(step->before, Value(step->before.velocity), step->command, s);
-  pace->longest = std::min(2.0 * pace->longest, longest);
-  for (; pace->repeats_left > 0; --pace->repeats_left) {
-    const bool reaches_edge = SetEnd(effects, edge, pace->longest, is_first, instants, step);
+  const RunState<double> before = ValuesOf(step->before);
+  const double rate = pace->SpeedRate(before, before.velocity, step->command, s);
+  length->longest = std::min(2.0 * length->longest, longest);
+  for (; length->repeats_left > 0; --length->repeats_left) {
+    const bool reaches_edge = SetEnd(effects, edge, length->longest, is_first, instants, step);
     Take(true, is_first, rate, water, step);
+    const double slope = Value(step->slope.velocity);
     const double h = Value(step->duration);
     const double force = Value(step->force);
-    if (water->IsShortEnough(step->before, step->slope, step->after, force, s, h, rate)) {
+    if (pace->IsShortEnough(before, slope, ValuesOf(step->after), force, s, h, rate)) {
       return reaches_edge;
     }
-    pace->longest = 0.5 * h;
+    length->longest = 0.5 * h;
   }
   return std::nullopt;
 }
 
-// One run. Calls emit_velocity(row, reading) and emit_displacement(row, reading) at every output
-// stamp; false if the state diverges or is too stiff. All times of the steps are on the command's
-// clock, s = t - delay of the command: the steps then never move, and only the outputs do.
+// One run of `model`, of which `numbers` has the same numbers without derivatives. Calls
+// emit_velocity(row, reading) and emit_displacement(row, reading) at every output stamp; false if
+// the state diverges or is too stiff. All times of the steps are on the command's clock, s = t -
+// delay of the command: the steps then never move, and only the outputs do.
 template <typename T, typename EmitVelocity, typename EmitDisplacement>
 FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
                                            const ScalarModel<T>& model,
+                                           const ScalarModel<double>& numbers,
                                            const OutputStamps& stamps,
                                            const EmitVelocity& emit_velocity,
                                            const EmitDisplacement& emit_displacement) {
@@ -129,6 +134,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
   constexpr double kMostRepeats = 200.0;    // of stiff steps, per second
   Instants<T> instants(inputs, model.effects);
+  StepPace pace(inputs, numbers);
   WaterIntegrator<T> water(model, !stamps.displacement.empty(), &instants);
   ShownReadings<T> readings(model, stamps.start, stamps.velocity, &instants);
   ShownDisplacements<T> displacements(model, stamps.displacement, &instants);
@@ -141,23 +147,23 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
   std::size_t next_edge =
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
-  StiffPace stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * stamps.Duration())};
+  StiffLength stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * stamps.Duration())};
   for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
     const double s = Value(step.begin);
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
-    const auto pace = water.PaceFrom(step.after, step.command, s);
-    if (!(pace.longest > kShortestStep)) return false;
+    const auto [longest, is_stiff] = pace.From(ValuesOf(step.after), step.command, s);
+    if (!(longest > kShortestStep)) return false;
     step.thrust = step.thrust_after;
     step.before = step.after;
     bool reaches_edge = false;
-    if (pace.is_stiff) {
-      const auto taken =
-          TakeStiff(model.effects, edge, pace.longest, is_first, &instants, &water, &stiff, &step);
+    if (is_stiff) {
+      const auto taken = TakeStiff(
+          model.effects, edge, longest, is_first, &instants, &water, &pace, &stiff, &step);
       if (!taken) return false;
       reaches_edge = *taken;
     } else {
-      reaches_edge = SetEnd(model.effects, edge, pace.longest, is_first, &instants, &step);
+      reaches_edge = SetEnd(model.effects, edge, longest, is_first, &instants, &step);
       Take(false, is_first, 0.0, &water, &step);
     }
     if (!(std::abs(Value(step.after.velocity)) < kLargestSpeed)) return false;
