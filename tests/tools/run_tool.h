@@ -4,10 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
-
-#include <sys/types.h>
 
 namespace fathom {
 
@@ -18,17 +17,14 @@ struct ToolRun {
   std::string err;     // all of its stderr
 };
 
-// Starts a program of the build's tools/ folder, without a shell; stdin is empty, stdout and stderr
-// go to these files.
-pid_t StartToolBinary(const std::string& name,
-                      const std::vector<std::string>& arguments,
-                      const std::string& out = "/dev/null",
-                      const std::string& err = "/dev/null");
-
 // Runs a program of the build's tools/ folder to its end, without a shell; stdin is empty.
 //
 //   const ToolRun run = RunToolBinary("fathom_synthesize", {"--seed=1", "--out=" + folder});
-ToolRun RunToolBinary(const std::string& name, const std::vector<std::string>& arguments);
+//
+// `on_start` is called with its process id.
+ToolRun RunToolBinary(const std::string& name,
+                      const std::vector<std::string>& arguments,
+                      const std::function<void(int)>& on_start = {});
 
 // A new, empty folder for the running test in FATHOM_SCRATCH_DIR, named after it.
 std::filesystem::path EmptyTestFolder();

@@ -6,16 +6,12 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/process/run_child.h"
 
-#include <cerrno>
-#include <cstring>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <glog/logging.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace fathom {
@@ -64,34 +60,6 @@ std::string Terminal(const fs::path& path, int width, int height) {
                                path.extension().string()));
 }
 
-// The exit status of gnuplot, what it says going to `log`. Throws InputError if there is no
-// gnuplot.
-int Run(const fs::path& script, const fs::path& log, const fs::path& figure) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(
-      &actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-
-  std::string program = "gnuplot";
-  std::string argument = script.string();
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    throw InputError(
-        fmt::format("{}: cannot draw this figure: gnuplot does not start ({}). Install the package "
-                    "gnuplot-nox.",
-                    figure.string(),
-                    std::strerror(error)));
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) PCHECK(errno == EINTR);
-  return status;
-}
-
 }  // namespace
 
 std::string GnuplotText(std::string_view text) {
@@ -111,16 +79,22 @@ void DrawWithGnuplot(const std::string& script,
   const ScratchFolder folder;
   const fs::path script_file = folder.path() / "script";
   const fs::path picture = folder.path() / "picture";
-  const fs::path log = folder.path() / "log";
   WriteFile(script_file,
             fmt::format("set encoding utf8\n{}\nset output {}\n{}",
                         terminal,
                         GnuplotText(picture.string()),
                         script));
-  const int status = Run(script_file, log, path);
-  if (status != 0 || !fs::exists(picture) || fs::file_size(picture) == 0) {
+  const ChildResult run = RunChild({.program = "gnuplot", .arguments = {script_file.string()}});
+  if (run.end == ChildEnd::kNotStarted) {
+    throw InputError(
+        fmt::format("{}: cannot draw this figure: gnuplot does not start ({}). Install the package "
+                    "gnuplot-nox.",
+                    path.string(),
+                    run.err));
+  }
+  if (run.exit_code != 0 || !fs::exists(picture) || fs::file_size(picture) == 0) {
     throw InputError(fmt::format(
-        "{}: cannot draw this figure: gnuplot fails: {}", path.string(), ReadFile(log)));
+        "{}: cannot draw this figure: gnuplot fails: {}", path.string(), run.out + run.err));
   }
   WriteFile(path, ReadFile(picture));
 }
