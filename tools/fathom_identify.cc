@@ -39,11 +39,13 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_identify",
     "Identifies the motion model of one degree of freedom from logs.",
-    "--log=LOG[,LOG...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
+    "--log=LOG [--log=LOG ...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
     "[--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
-    "Several logs are fitted together, each with its own initial state. The family joint uses "
-    "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md."};
+    "Several logs, as --log=A --log=B or --log=A,B, are fitted together, each with its own initial "
+    "state. The family joint uses "
+    "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md.",
+    {"log"}};
 
 LogIdentificationOptions OptionsFromFlags() {
   LogIdentificationOptions options;
@@ -92,7 +94,7 @@ void Print(const LogIdentification& identified) {
 
 std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
   std::map<std::string, std::string> provenance = {
-      {"log", FLAGS_log},
+      {"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
       {"family", std::string(Name(result.family))},
       {"source", std::string(Name(result.source))},
       {"velocity", FLAGS_velocity},

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(initial_guess,
@@ -116,7 +117,7 @@ void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {
 }
 
 std::map<std::string, std::string> Provenance() {
-  return {{"log", FLAGS_log},
+  return {{"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
           {"family", std::string(Name(Family::kJoint))},
           {"source", std::string(Name(Source::kCamera))},
           {"initial_guess", FLAGS_initial_guess},

@@ -21,9 +21,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gflags/gflags.h>
+#include <nlohmann/json.hpp>
 
 DEFINE_string(model, "", "Model or verdict file (JSON).");
 DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file.");
+DEFINE_string(json, "", "Write the score to this JSON file.");
 DEFINE_bool(
     keep_run_effects,
     false,
@@ -36,7 +38,7 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
-    "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--keep_run_effects]",
+    "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--json=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts from the first measured speed (with a sensor lag, from the state that fits "
@@ -75,10 +77,24 @@ void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
               figures.duration);
 }
 
+// Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
+std::string FormatScore(const FitFigures& figures, const Log& log, Dof dof) {
+  using Json = nlohmann::ordered_json;
+  const Json json = {{"schema", "fathom-score-1"},
+                     {"log", log.name},
+                     {"dof", Name(dof)},
+                     {"mae", figures.mae},
+                     {"nmae", figures.nmae},
+                     {"n", figures.num_samples},
+                     {"duration", figures.duration}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  RequireOutputs({{"out", FLAGS_out}}, {FLAGS_model, FLAGS_log, FLAGS_velocity});
+  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}},
+                 {FLAGS_model, FLAGS_log, FLAGS_velocity});
   const FittedModel fitted = ReadModel(FLAGS_model);
   const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof, /*may_lack_motion=*/true);
   const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
@@ -101,6 +117,9 @@ int Run() {
         "note: left out: %s. Effects of the run that the model was identified from need not hold "
         "in another one. --keep_run_effects keeps them.\n",
         fmt::format("{}", fmt::join(left_out, ", ")).c_str());
+  }
+  if (!FLAGS_json.empty()) {
+    WriteFile(FLAGS_json, FormatScore(prediction->figures, log, model.dof));
   }
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, FormatPrediction(*prediction, model.dof));
   return 0;

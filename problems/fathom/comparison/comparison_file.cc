@@ -48,15 +48,17 @@ std::string FormatComparison(const Comparison& comparison) {
   for (const DofComparison& dof : comparison.dofs) {
     for (const Identification& row : dof.rows) rows.push_back(FormatRow(row));
     for (const Finding& finding : dof.findings) {
-      findings.push_back(
-          {{"dof", Name(dof.dof)}, {"code", finding.code}, {"sentence", finding.sentence}});
+      findings.push_back({{"dof", Name(dof.dof)},
+                          {"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
+                          {"code", finding.code},
+                          {"sentence", finding.sentence}});
     }
   }
   const Json json = {{"schema", "fathom-comparison-1"},
                      {"log", comparison.log_name},
                      {"rows", rows},
                      {"findings", findings}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fathom

@@ -32,6 +32,8 @@ struct Log {
   std::vector<Dof> dofs;  // the excited ones
   std::string vehicle;    // a file name or free text, as in log.yaml
   std::string notes;
+  std::string dive;                    // which logs belong together; may be empty
+  std::optional<double> start;         // when it began, as log.yaml says [s since 1970, UTC]
   std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
   std::string command_unit;            // empty: N and N m
   std::string video;                   // of a camera log, a file in its folder; may be empty

@@ -6,6 +6,7 @@
 #include "fathom/base/files/leaves_its_folder.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/utc_time.h"
 
 #include <algorithm>
 
@@ -46,6 +47,18 @@ std::vector<TimeInterval> HeldOutOf(const YamlMap& file) {
   return intervals;
 }
 
+std::optional<double> StartOf(const YamlMap& file) {
+  if (!file.Has("start")) return std::nullopt;
+  const std::string text = file.String("start");
+  const std::optional<double> start = ParseUtc(text);
+  if (!start) {
+    file.Fail(
+        "start",
+        fmt::format("is {}, expected an instant in UTC as 2026-05-03T14:30:00Z.", Quoted(text)));
+  }
+  return start;
+}
+
 std::string VideoOf(const YamlMap& file) {
   std::string video = file.String("video", "");
   if (LeavesItsFolder(video)) {
@@ -65,6 +78,8 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.dofs = DofsOf(file);
   log.vehicle = file.String("vehicle", "");
   log.notes = file.String("notes", "");
+  log.dive = file.String("dive", "");
+  log.start = StartOf(file);
   log.held_out = HeldOutOf(file);
   log.command_unit = file.String("command_unit", "");
   log.video = VideoOf(file);

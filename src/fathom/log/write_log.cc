@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/utc_time.h"
 
 #include <cstddef>
 #include <iterator>
@@ -44,6 +45,8 @@ std::string FormatLogYaml(const Log& log) {
   for (const Dof dof : log.dofs) yaml << std::string(Name(dof));
   yaml << YAML::EndSeq;
   emit_text("vehicle", log.vehicle);
+  emit_text("dive", log.dive);
+  if (log.start) emit_text("start", FormatUtc(*log.start));
   if (!log.held_out.empty()) {
     yaml << YAML::Key << "held_out" << YAML::Value << YAML::Flow << YAML::BeginSeq;
     for (const TimeInterval& interval : log.held_out) {

@@ -3,7 +3,7 @@
 
 #include "fathom/tool/dof_flag.h"
 
-#include "fathom/tool/log_flags.h"
+#include "fathom/tool/flag_values.h"
 
 #include <gflags/gflags.h>
 

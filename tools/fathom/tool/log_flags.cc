@@ -5,9 +5,9 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/log/read_log.h"
 #include "fathom/marker_trajectory/camera_source.h"
-#include "fathom/vehicle/files/vehicle_file.h"
+#include "fathom/marker_trajectory/open_log.h"
+#include "fathom/tool/tool.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -38,23 +38,27 @@ void RequireDifferentData(const std::vector<Log>& logs) {
   }
 }
 
-}  // namespace
-
-std::vector<std::string> SplitAtCommas(const std::string& text) {
-  std::vector<std::string> parts;
-  if (text.empty()) return parts;
-  size_t begin = 0;
-  while (true) {
-    const size_t comma = text.find(',', begin);
-    parts.push_back(text.substr(begin, comma - begin));
-    if (comma == std::string::npos) return parts;
-    begin = comma + 1;
+// To stderr, from the remark `first` on.
+void PrintRemarks(const Log& log, std::size_t first) {
+  for (std::size_t i = first; i < log.remarks.size(); ++i) {
+    std::fprintf(stderr, "%s\n", log.remarks[i].text.c_str());
   }
 }
 
+}  // namespace
+
 std::vector<std::string> LogPathsFromFlags() {
   namespace fs = std::filesystem;
-  std::vector<std::string> paths = SplitAtCommas(FLAGS_log);
+  std::vector<std::string> paths;
+  for (const std::string& value : RepeatedValues(FLAGS_log)) {
+    std::error_code error;
+    // A folder's name may hold a comma.
+    if (fs::exists(value, error)) {
+      paths.push_back(value);
+      continue;
+    }
+    for (std::string& path : SplitAtCommas(value)) paths.push_back(std::move(path));
+  }
   std::vector<fs::path> places;
   for (const std::string& path : paths) {
     std::error_code error;
@@ -79,20 +83,8 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
   options.dof = dof;
   options.velocity = FLAGS_velocity;
   options.may_lack_motion = may_lack_motion;
-  Log log = ReadLog(path, options);
-  const bool has_thrusters = log.command && !log.command->columns.empty() &&
-                             log.command->columns[0].starts_with("thruster");
-  if (has_thrusters) {
-    if (!log.vehicle.ends_with(".yaml")) {
-      throw InputError(fmt::format(
-          "{}: command.csv holds thruster speeds, but log.yaml names no vehicle file to turn them "
-          "into forces. Add `vehicle: file.yaml`.",
-          path));
-    }
-    log.command = ForcesFromThrusters(*log.command, ReadVehicleFile(log.path / log.vehicle));
-  }
-  for (const Remark& remark : log.remarks) std::fprintf(stderr, "%s\n", remark.text.c_str());
-  if (!may_lack_motion && !log.velocity) AddCameraSource(&log);
+  Log log = OpenLog(path, options);
+  PrintRemarks(log, 0);
   return log;
 }
 
@@ -112,19 +104,13 @@ std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion)
 void AddCameraSource(Log* log) {
   const size_t num_printed = log->remarks.size();
   TrackDetections(log);
-  for (size_t i = num_printed; i < log->remarks.size(); ++i) {
-    std::fprintf(stderr, "%s\n", log->remarks[i].text.c_str());
-  }
+  PrintRemarks(*log, num_printed);
 }
 
 void AddCameraSourceIfUsable(Log* log) {
-  try {
-    AddCameraSource(log);
-  } catch (const InputError& error) {
-    log->remarks.push_back(
-        {RemarkKind::kGeneral, std::string("The camera is not used: ") + error.what()});
-    std::fprintf(stderr, "%s\n", log->remarks.back().text.c_str());
-  }
+  const size_t num_printed = log->remarks.size();
+  TrackDetectionsIfUsable(log);
+  PrintRemarks(*log, num_printed);
 }
 
 }  // namespace fathom

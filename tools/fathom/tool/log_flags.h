@@ -4,9 +4,9 @@
 #pragma once
 
 #include "fathom/base/dof.h"
-#include "fathom/base/input_error.h"
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"
+#include "fathom/tool/flag_values.h"
 
 #include <optional>
 #include <string>
@@ -20,30 +20,15 @@ DECLARE_string(velocity);
 
 namespace fathom {
 
-// Splits at commas; empty for an empty text.
-std::vector<std::string> SplitAtCommas(const std::string& text);
-
-// parse(text), with the flag's name before what it says of a text it cannot use.
-template <typename Parse>
-auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {
-  try {
-    return parse(text);
-  } catch (const InputError& error) {
-    throw InputError("--" + flag + ": " + error.what());
-  }
-}
-
-// The paths that --log names, one or several. Throws InputError if two are the same place: the same
+// The paths that --log names, one or several: repeated, or with commas between them where there is
+// no file or folder of the whole name. Throws InputError if two are the same place: the same
 // data twice would count as twice as much.
 std::vector<std::string> LogPathsFromFlags();
 
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
 
-// Reads --log (with --velocity), turning thruster speeds into forces where the log's vehicle file
-// says how, and prints the reader's remarks to stderr. Of a log whose only motion is detections the
-// poses are made (AddCameraSource).
-// `may_lack_motion` as in ReadLogOptions; detections then stay what they are.
+// OpenLog() of a path of --log (with --velocity); prints the remarks to stderr.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 
 // The same of every log that --log names. Throws InputError if two hold the same data, whatever

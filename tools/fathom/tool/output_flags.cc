@@ -5,7 +5,7 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/tool/output_folder.h"
+#include "fathom/log/log_files.h"
 
 #include <filesystem>
 #include <system_error>

@@ -3,11 +3,11 @@
 
 #include "fathom/tool/output_folder.h"
 
-#include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/log/log_yaml.h"
+#include "fathom/log/log_files.h"
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -41,28 +41,6 @@ std::string ForeignFileIn(const std::filesystem::path& folder, bool makes_images
 }
 
 }  // namespace
-
-std::set<std::string> FilesOfLog(const std::filesystem::path& folder) {
-  std::set<std::string> files = {"camera.yaml",
-                                 "command.csv",
-                                 "detections.csv",
-                                 "frames.csv",
-                                 "log.yaml",
-                                 "mount.yaml",
-                                 "pose.csv",
-                                 "pose.yaml",
-                                 "tags.yaml",
-                                 "tags_estimated.yaml",
-                                 "velocity.csv"};
-  try {
-    const std::string file = (folder / "log.yaml").string();
-    files.insert(ParseLogYaml(file, ReadFile(file)).vehicle);
-  } catch (const InputError&) {
-    // Without a log.yaml that can be read there is no vehicle file either.
-  }
-  files.erase("");
-  return files;
-}
 
 std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool makes_images) {
   const std::filesystem::path folder = out;

@@ -4,15 +4,10 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
 
 namespace fathom {
-
-// The names of the files that a log in this folder consists of, whether they are there or not; not
-// its images or video.
-std::set<std::string> FilesOfLog(const std::filesystem::path& folder);
 
 // The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log and
 // nothing that Fathom could not have written: a camera's images or a video cannot be made

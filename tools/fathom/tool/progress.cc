@@ -18,7 +18,7 @@ Progress::~Progress() {
   if (is_shown_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void Progress::Show(int done, int expected) {
+void Progress::Show(int done, int expected, const std::string& note) {
   if (!is_terminal_) return;
   const auto now = std::chrono::steady_clock::now();
   if (is_shown_ && now - last_ < std::chrono::milliseconds(100)) return;
@@ -26,6 +26,7 @@ void Progress::Show(int done, int expected) {
   is_shown_ = true;
   fmt::print(stderr, "\r\x1b[K{} {}", noun_, done);
   if (expected > 0) fmt::print(stderr, " of {}", expected);
+  if (!note.empty()) fmt::print(stderr, "{}", note);
   std::fflush(stderr);
 }
 

@@ -18,8 +18,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `expected` 0: not known.
-  void Show(int done, int expected);
+  // `expected` 0: not known. `note`: what else to say, behind it.
+  void Show(int done, int expected, const std::string& note = "");
 
  private:
   std::string noun_;

@@ -3,10 +3,12 @@
 
 #include "fathom/tool/tool.h"
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/tool/flag_values.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -102,7 +104,7 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
     if (!given.insert(flag->name).second) {
       std::string before;
       if (may_repeat && gflags::GetCommandLineOption(flag->name.c_str(), &before)) {
-        SetFlag(*flag, before + "," + value);
+        SetFlag(*flag, before + kBetweenValues + value);
         continue;
       }
       throw InputError(fmt::format("--{}: is given twice, expected once.", flag->name));
@@ -159,22 +161,25 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   FLAGS_minloglevel = google::GLOG_WARNING;
   google::InitGoogleLogging(info.name.c_str());
   RemoveTemporariesOnInterrupt();
-  int exit_code = 1;
+  int exit_code = kExitBadInput;
   std::string problem;
   try {
     exit_code = ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
   } catch (const std::bad_alloc&) {
     problem = "the memory does not suffice.";
+    exit_code = kExitOutOfMemory;
   } catch (const std::exception& error) {
     problem = error.what();
+    exit_code = kExitBadInput;
   }
   if (problem.empty() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
     problem = "cannot write to standard output.";
+    exit_code = kExitBadInput;
   }
   if (problem.empty()) return exit_code;
   std::fflush(stdout);
   fmt::print(stderr, "{}: {}\n", info.name, problem);
-  return 1;
+  return exit_code;
 }
 
 const std::string& RequireFlag(const std::string& name,

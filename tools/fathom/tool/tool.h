@@ -17,7 +17,7 @@ struct ToolInfo {
   std::string example;  // one command line, or several, that work on the bundled data
   std::string details;  // optional: what the outputs and exit codes mean, further lines
 
-  // Text flags that may be given several times: the values are then joined by commas.
+  // Text flags that may be given several times: RepeatedValues() takes their values apart.
   std::vector<std::string> repeatable_flags = {};
 };
 
@@ -29,8 +29,8 @@ struct ToolInfo {
 // Flags are --name=value, --name value, and for a bool --name or --noname. --help and --version
 // print to stdout and return 0. Returns 1, with "<name>: <what is wrong>" on stderr, for an
 // unknown, wrongly repeated or malformed flag, an argument that is no flag, any exception out of
-// `run` (InputError is the expected one) and a stdout that cannot be written. Warnings go to
-// stderr.
+// `run` (InputError is the expected one) and a stdout that cannot be written; 4 where the memory
+// does not suffice. Warnings go to stderr.
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run);
 
 // The value of a flag that has to be given. Throws InputError if it is empty: "--log: is missing,

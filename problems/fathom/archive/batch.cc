@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/batch.h"
+
+#include "fathom/archive/batch_lock.h"
+#include "fathom/archive/dive_batch.h"
+#include "fathom/archive/dives/archive_settings.h"
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/archive/dives/walk_archive.h"
+#include "fathom/archive/jobs/log_jobs.h"
+#include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/log_batch.h"
+#include "fathom/archive/log_contents.h"
+#include "fathom/archive/store/store.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_content.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+void RequireValid(const BatchOptions& options) {
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("--{}.", problems.front()));
+  }
+}
+
+bool LiesIn(const fs::path& inner, const fs::path& outer) {
+  const fs::path a = fs::weakly_canonical(inner), b = fs::weakly_canonical(outer);
+  return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
+}
+
+// Nothing is ever written into the archive.
+void RequireOutside(const BatchOptions& options) {
+  for (const auto& [flag, place] :
+       {std::pair{"results", options.results}, std::pair{"report", options.pages.parent_path()}}) {
+    if (place.empty() || !LiesIn(place, options.archive)) continue;
+    throw InputError(fmt::format(
+        "--{}={}: lies in the archive, into which nothing is written, expected a place elsewhere.",
+        flag,
+        place.string()));
+  }
+}
+
+bool IsOf(const Shard& shard, const HashedLog& log) {
+  // The digits of what cannot be read are missing: the first shard tells of it.
+  const std::string digits = log.content.empty() ? "0" : log.content.substr(0, 15);
+  const auto number = std::strtoull(digits.c_str(), nullptr, 16);
+  return number % static_cast<unsigned long long>(shard.count) ==
+         static_cast<unsigned long long>(shard.index);
+}
+
+struct OpenArchive {
+  ArchiveSettings settings;
+  FoundArchive found;
+  std::vector<HashedLog> logs;  // of the shard
+};
+
+OpenArchive OpenAndHash(const BatchOptions& options, Store* store) {
+  OpenArchive archive;
+  archive.settings = ReadArchiveSettings(options.archive);
+  archive.found = WalkArchive(options.archive, archive.settings);
+  archive.logs = HashLogs(archive.found.logs, options.rehash, store);
+  for (const UnreadablePlace& place : archive.found.unreadable) {
+    archive.logs.push_back({.log = {options.archive / place.path, place.path},
+                            .path = PathText(place.path),
+                            .content = "",
+                            .unreadable = "the folder cannot be read: " + place.message,
+                            .duplicate_of = ""});
+  }
+  if (options.shard) {
+    std::erase_if(archive.logs, [&](const HashedLog& log) { return !IsOf(*options.shard, log); });
+  }
+  return archive;
+}
+
+LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings& settings) {
+  LogBatchOptions of_logs;
+  of_logs.settings = settings;
+  of_logs.jobs.families = options.families;
+  of_logs.jobs.diagnose = options.diagnose;
+  of_logs.jobs.dof = settings.dof;
+  of_logs.jobs.pages = options.pages;
+  of_logs.jobs.tracked = options.results.string() + ".tracked";
+  of_logs.programs.tools = options.tools;
+  of_logs.programs.work = options.results.string() + ".work";
+  of_logs.programs.version = options.version;
+  of_logs.programs.limits.wall_time = options.time_limit;
+  of_logs.programs.limits.memory = 1e6 * options.memory_limit;
+  return of_logs;
+}
+
+// What decides the tables of whole dives: every log in its place.
+std::string DigestOfAll(const std::vector<HashedLog>& logs, const LogBatchOptions& options) {
+  std::vector<std::string> digests;
+  for (const HashedLog& log : logs) {
+    digests.push_back(log.path);
+    digests.push_back(DoneDigest(log, options));
+  }
+  if (!options.settings.vehicle.empty()) {
+    digests.push_back(ContentOf(options.settings.vehicle));
+  }
+  return DigestOf(digests);
+}
+
+bool IsDone(const std::map<std::string, std::string>& done,
+            const HashedLog& log,
+            const LogBatchOptions& options) {
+  const auto found = done.find(log.path);
+  return found != done.end() && found->second == DoneDigest(log, options);
+}
+
+// Takes the stored states of an archive in which nothing is to be done.
+void CountStored(const Tables& tables, BatchSummary* summary) {
+  for (const LogRow& row : tables.logs) {
+    if (const auto state = LogStateFromName(row.status)) ++summary->states[*state];
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> BatchOptions::Problems() const {
+  std::vector<std::string> problems;
+  const auto require = [&](bool holds, std::string problem) {
+    if (!holds) problems.push_back(std::move(problem));
+  };
+  require(jobs >= 1 && jobs <= 1024, fmt::format("jobs: is {}, expected 1 to 1024", jobs));
+  require(time_limit > 0.0, fmt::format("time_limit: is {}, expected seconds above 0", time_limit));
+  require(memory_limit > 0.0,
+          fmt::format("memory_limit: is {}, expected megabytes above 0", memory_limit));
+  if (shard) {
+    require(
+        shard->count >= 1 && shard->index >= 0 && shard->index < shard->count,
+        fmt::format(
+            "shard: is {}/{}, expected i/N with i from 0 to N - 1", shard->index, shard->count));
+  }
+  return problems;
+}
+
+BatchSummary RunBatch(const BatchOptions& options,
+                      const std::function<void(const BatchProgress&)>& show) {
+  RequireValid(options);
+  RequireOutside(options);
+  RequireWritableFile(options.results);
+  const BatchLock lock(options.results);
+  Store store(options.results);
+  for (const fs::path& file : options.merge) store.Merge(file);
+  const OpenArchive archive = OpenAndHash(options, &store);
+  const LogBatchOptions of_logs = LogOptionsOf(options, archive.settings);
+  const WorkFolder work(of_logs.programs.work);
+
+  BatchSummary summary;
+  summary.other_files = archive.found.other_files;
+  std::vector<std::string> paths;
+  for (const HashedLog& log : archive.logs) paths.push_back(log.path);
+  store.RemoveOtherLogs(paths);
+
+  const auto done = store.DoneLogs();
+  const bool all_done = std::ranges::all_of(
+      archive.logs, [&](const HashedLog& log) { return IsDone(done, log, of_logs); });
+  const std::string digest = DigestOfAll(archive.logs, of_logs);
+  const bool needs_pages = !options.pages.empty();
+  if (all_done && !needs_pages && (options.shard || store.DoneDives() == digest)) {
+    CountStored(store.ReadTables(), &summary);
+    summary.dives = DivesOf(store.ReadTables());
+    return summary;
+  }
+
+  LogBatch logs = RunLogs(archive.logs, of_logs, options.jobs, &store, show);
+  summary.num_run = logs.num_run;
+  for (const DoneLog& log : logs.logs) ++summary.states[log.state];
+  summary.pages = std::move(logs.pages);
+  if (options.shard) return summary;
+  DiveBatch dives = RunDives(logs.logs, of_logs, options.jobs, &store, show);
+  store.ReplaceDives(dives.tables, dives.is_final ? digest : "");
+  summary.dives = std::move(dives.dives);
+  return summary;
+}
+
+BatchPlan PlanBatch(const BatchOptions& options) {
+  RequireValid(options);
+  RequireOutside(options);
+  RequireWritableFile(options.results);
+  const BatchLock lock(options.results);
+  Store store(options.results);
+  for (const fs::path& file : options.merge) store.Merge(file);
+  const OpenArchive archive = OpenAndHash(options, &store);
+  const LogBatchOptions of_logs = LogOptionsOf(options, archive.settings);
+  const auto done = store.DoneLogs();
+  std::set<std::string> to_do;
+  for (const HashedLog& log : archive.logs) {
+    if (!IsDone(done, log, of_logs)) to_do.insert(log.path);
+  }
+  BatchPlan plan;
+  plan.num_logs = archive.logs.size();
+  plan.num_to_do = to_do.size();
+  plan.other_files = archive.found.other_files;
+  for (const LogRow& row : store.ReadTables().logs) {
+    if (to_do.contains(row.path)) ++plan.done_by_version[row.version];
+  }
+  return plan;
+}
+
+}  // namespace fathom

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/report/archive_report.h"
+#include "fathom/archive/store/tables.h"
+#include "fathom/base/dof.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// The joint model of one dive.
+struct FittedDive {
+  std::string vehicle;
+  int place = 0;  // of the dive in the order of all dives
+  Dof dof = Dof::kSurge;
+  std::string model;  // a model file's text
+};
+
+struct DiveChanges {
+  std::vector<ChangeRow> rows;
+  std::vector<std::string> sentences;
+  std::vector<OutlyingDive> outliers;
+};
+
+// What changed over the dives of each vehicle, and why; docs/archive_trends.md. `vehicle_files`: by
+// the vehicle's name, empty where it has none; thrusters are named by them.
+DiveChanges ChangesOfDives(const std::vector<FittedDive>& fits,
+                           const std::vector<std::string>& dives,
+                           const std::map<std::string, std::filesystem::path>& vehicle_files);
+
+}  // namespace fathom

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/dive_batch.h"
+
+#include "fathom/archive/changes_of_dives.h"
+#include "fathom/archive/dives/dive_order.h"
+#include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/store/rows_of_log.h"
+#include "fathom/base/utc_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+// The earlier of two starts, of which either may not be known.
+void TakeEarlier(double start, double* earliest) {
+  if (!(*earliest <= start)) *earliest = std::isfinite(start) ? start : *earliest;
+}
+
+std::vector<std::string> InOrder(const std::map<std::string, double>& starts) {
+  std::vector<DiveStart> dives;
+  for (const auto& [name, start] : starts) dives.push_back({name, start});
+  return InOrder(std::move(dives));
+}
+
+std::vector<std::string> DivesOf(const std::vector<DoneLog>& logs) {
+  std::map<std::string, double> starts;
+  for (const DoneLog& log : logs) {
+    auto& start = starts.try_emplace(log.dive, std::nan("")).first->second;
+    TakeEarlier(log.start, &start);
+  }
+  return InOrder(starts);
+}
+
+// A joint fit to be made, and the logs that it is made without.
+struct Fit {
+  DiveTask task;
+  std::vector<LeftOutLog> excluded;
+  int place = 0;  // of the dive in the order of all dives
+};
+
+// By vehicle, DOF and the order of dives.
+std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std::string>& dives) {
+  std::map<std::string, int> place_of;
+  for (const std::string& dive : dives) {
+    place_of.emplace(dive, static_cast<int>(place_of.size()));
+  }
+  std::map<std::tuple<std::string, Dof, int>, Fit> fits;
+  for (const DoneLog& log : logs) {
+    for (const DoneDof& dof : log.dofs) {
+      const int place = place_of.at(log.dive);
+      Fit& fit = fits[{log.vehicle, dof.dof, place}];
+      fit.task.vehicle = log.vehicle;
+      fit.task.dive = log.dive;
+      fit.task.dof = dof.dof;
+      fit.place = place;
+      if (dof.why_left_out.empty()) {
+        fit.task.logs.push_back(log.log);
+      } else {
+        fit.excluded.push_back({log.log.path, dof.why_left_out});
+      }
+    }
+  }
+  std::vector<Fit> list;
+  for (auto& [key, fit] : fits) list.push_back(std::move(fit));
+  return list;
+}
+
+bool EndedOutside(const DiveOutcome& outcome) {
+  return outcome.identify && outcome.identify->end != ChildEnd::kExited;
+}
+
+// The model of one dive on one log of the next.
+struct Forecast {
+  std::size_t model = 0;  // which fit
+  std::size_t target = 0;
+  DiveLog log;
+  double nmae = std::nan("");
+};
+
+std::vector<Forecast> ForecastsOf(const std::vector<Fit>& fits,
+                                  const std::vector<DiveOutcome>& outcomes) {
+  std::vector<Forecast> forecasts;
+  for (std::size_t i = 0; i + 1 < fits.size(); ++i) {
+    const DiveTask &task = fits[i].task, &next = fits[i + 1].task;
+    const bool follows = task.vehicle == next.vehicle && task.dof == next.dof;
+    if (!follows || !outcomes[i].identify || !IsUsable(*outcomes[i].identify)) continue;
+    for (const DiveLog& log : next.logs) forecasts.push_back({i, i + 1, log});
+  }
+  return forecasts;
+}
+
+}  // namespace
+
+DiveBatch RunDives(const std::vector<DoneLog>& logs,
+                   const LogBatchOptions& options,
+                   int at_a_time,
+                   Store* store,
+                   const std::function<void(const BatchProgress&)>& show) {
+  DiveBatch batch;
+  batch.dives = DivesOf(logs);
+  batch.is_final = std::ranges::all_of(logs, [](const DoneLog& log) { return log.is_final; });
+  const std::vector<Fit> fits = FitsOf(logs, batch.dives);
+  std::mutex mutex;
+  const RunBook book = BookOf(store, &mutex);
+  const auto tell = [&](const char* noun, std::size_t* done, std::size_t total) {
+    const std::lock_guard lock(mutex);
+    ++*done;
+    if (show) show({.noun = noun, .done = *done, .total = total, .last_failure = ""});
+  };
+
+  std::vector<DiveOutcome> outcomes(fits.size());
+  std::size_t done = 0;
+  RunInParallel(at_a_time, fits.size(), [&](std::size_t i) {
+    outcomes[i] = RunDiveJobs(fits[i].task, options.programs, book);
+    tell("dive fit", &done, fits.size());
+  });
+  std::vector<FittedDive> fitted;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const DiveTask& task = fits[i].task;
+    batch.is_final = batch.is_final && !EndedOutside(outcomes[i]);
+    std::ranges::move(RowsOfDive(task, outcomes[i], fits[i].excluded),
+                      std::back_inserter(batch.tables.dive_fits));
+    if (!outcomes[i].identify || !IsUsable(*outcomes[i].identify)) continue;
+    fitted.push_back({task.vehicle, fits[i].place, task.dof, outcomes[i].identify->output});
+  }
+
+  std::vector<Forecast> forecasts = ForecastsOf(fits, outcomes);
+  done = 0;
+  RunInParallel(at_a_time, forecasts.size(), [&](std::size_t i) {
+    Forecast& forecast = forecasts[i];
+    forecast.nmae = PredictionNmae(
+        outcomes[forecast.model].identify->output, forecast.log, options.programs, book);
+    tell("prediction", &done, forecasts.size());
+  });
+  for (const Forecast& forecast : forecasts) {
+    batch.tables.predictions.push_back({fits[forecast.model].task.dive,
+                                        forecast.log.path,
+                                        std::string(Name(fits[forecast.model].task.dof)),
+                                        forecast.nmae});
+  }
+
+  std::map<std::string, std::filesystem::path> vehicle_files;
+  for (const DoneLog& log : logs) vehicle_files.try_emplace(log.vehicle, log.vehicle_file);
+  DiveChanges changes = ChangesOfDives(fitted, batch.dives, vehicle_files);
+  batch.tables.changes = std::move(changes.rows);
+  batch.change_sentences = std::move(changes.sentences);
+  batch.outliers = std::move(changes.outliers);
+  return batch;
+}
+
+std::vector<std::string> DivesOf(const Tables& tables) {
+  std::map<std::string, double> starts;
+  for (const LogRow& row : tables.logs) {
+    auto& start = starts.try_emplace(row.dive, std::nan("")).first->second;
+    TakeEarlier(ParseUtc(row.start).value_or(std::nan("")), &start);
+  }
+  return InOrder(starts);
+}
+
+}  // namespace fathom

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/dives/archive_settings.h"
+
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/yaml_file.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <regex>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string DivePatternOf(const YamlMap& file) {
+  std::string pattern = file.String("dive_pattern", "");
+  try {
+    std::regex check(pattern);
+  } catch (const std::regex_error&) {
+    file.Fail(
+        "dive_pattern",
+        fmt::format("is {}, expected a regular expression as [0-9]{{4}}-[0-9]{{2}}-[0-9]{{2}}.",
+                    Quoted(pattern)));
+  }
+  return pattern;
+}
+
+std::optional<int> DiveLevelOf(const YamlMap& file) {
+  if (!file.Has("dive_level")) return std::nullopt;
+  const auto level = file.Integer("dive_level");
+  if (level < 1 || level > 100) {
+    file.Fail("dive_level",
+              fmt::format("is {}, expected a level of the path, from 1 on: 1 is the folder in the "
+                          "archive itself.",
+                          level));
+  }
+  return static_cast<int>(level);
+}
+
+std::optional<Dof> DofOf(const YamlMap& file) {
+  if (!file.Has("dof")) return std::nullopt;
+  const std::string name = file.String("dof");
+  const auto dof = DofFromName(name);
+  if (!dof) {
+    file.Fail("dof",
+              fmt::format("is {}, expected surge, sway, heave, roll, pitch or yaw.", Quoted(name)));
+  }
+  return dof;
+}
+
+}  // namespace
+
+ArchiveSettings ReadArchiveSettings(const fs::path& archive) {
+  ArchiveSettings settings;
+  const fs::path path = archive / "archive.yaml";
+  std::error_code error;
+  if (!fs::exists(path, error)) return settings;
+  const YamlMap file = ParseYaml(path.string(), ReadFile(path));
+  settings.dive_level = DiveLevelOf(file);
+  settings.dive_pattern = DivePatternOf(file);
+  if (settings.dive_level && !settings.dive_pattern.empty()) {
+    file.Fail("dive_pattern", "stands beside dive_level, expected one of them.");
+  }
+  settings.vehicle_name = file.String("vehicle", "");
+  if (!settings.vehicle_name.empty()) settings.vehicle = archive / settings.vehicle_name;
+  settings.dof = DofOf(file);
+  if (file.Has("leave_out")) settings.leave_out = file.Strings("leave_out");
+  file.Finish();
+  return settings;
+}
+
+std::string DiveOfPath(const fs::path& path, const ArchiveSettings& settings) {
+  const std::string text = PathText(path);
+  if (!settings.dive_pattern.empty()) {
+    std::smatch match;
+    if (std::regex_search(text, match, std::regex(settings.dive_pattern))) return match.str();
+  } else if (settings.dive_level) {
+    const auto levels = std::distance(path.begin(), path.end());
+    if (*settings.dive_level < levels)
+      return PathText(*std::next(path.begin(), *settings.dive_level - 1));
+  } else if (path.has_parent_path()) {
+    return PathText(path.parent_path());
+  }
+  return text;
+}
+
+bool IsLeftOut(const std::string& path, const ArchiveSettings& settings) {
+  return std::any_of(
+      settings.leave_out.begin(), settings.leave_out.end(), [&](const auto& pattern) {
+        return fnmatch(pattern.c_str(), path.c_str(), 0) == 0;
+      });
+}
+
+}  // namespace fathom

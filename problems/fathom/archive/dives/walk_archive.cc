@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/dives/walk_archive.h"
+
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <deque>
+#include <fstream>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Which folder it is, whatever its name.
+std::pair<dev_t, ino_t> IdentityOf(const fs::path& folder) {
+  struct stat status = {};
+  if (stat(folder.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino};
+}
+
+bool IsFile(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+// Whether the first line of a file names the columns of a single CSV log.
+bool IsCsvLog(const fs::path& file) {
+  if (file.extension() != ".csv") return false;
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 4096> begin = {};
+  in.read(begin.data(), begin.size());
+  std::string line(begin.data(), static_cast<std::size_t>(in.gcount()));
+  line = line.substr(0, line.find_first_of("\r\n"));
+  std::set<std::string> columns;
+  std::string column;
+  for (const char c : line + ",") {
+    if (c == ',') {
+      columns.insert(std::exchange(column, ""));
+    } else if (c != ' ' && c != '"') {
+      column += c;
+    }
+  }
+  return columns.contains("t") && columns.contains("tau") && columns.contains("v");
+}
+
+std::string KindOf(const fs::directory_entry& entry) {
+  std::error_code error;
+  const fs::file_status status = entry.status(error);
+  switch (status.type()) {
+    case fs::file_type::fifo:
+      return "pipe";
+    case fs::file_type::socket:
+      return "socket";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "device";
+    case fs::file_type::regular:
+      break;
+    default:
+      return entry.is_symlink(error) ? "broken link" : "unknown";
+  }
+  std::string ending = PathText(entry.path().extension());
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return ending.empty() ? "without an ending" : ending;
+}
+
+struct Walk {
+  const fs::path& archive;
+  const ArchiveSettings& settings;
+  std::set<std::pair<dev_t, ino_t>> seen = {};
+  std::deque<fs::path> links = {};  // to folders, for after the folders themselves
+  FoundArchive found = {};
+
+  // From the archive on; empty for the archive itself.
+  fs::path PathOf(const fs::path& place) const {
+    return place == archive ? fs::path() : place.lexically_relative(archive);
+  }
+};
+
+std::vector<fs::directory_entry> EntriesOf(const fs::path& folder, std::error_code* error) {
+  std::vector<fs::directory_entry> entries;
+  for (fs::directory_iterator it(folder, *error), end; !*error && it != end; it.increment(*error)) {
+    entries.push_back(*it);
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+void WalkFolder(const fs::path& folder, Walk* walk) {
+  if (!walk->seen.insert(IdentityOf(folder)).second) {
+    ++walk->found.other_files["link to a folder seen already"];
+    return;
+  }
+  std::error_code error;
+  const auto entries = EntriesOf(folder, &error);
+  if (error) {
+    walk->found.unreadable.push_back({walk->PathOf(folder), error.message()});
+    return;
+  }
+  // A log.yaml of any kind makes a log: what is wrong with it is told of the log.
+  const bool is_log = std::any_of(entries.begin(), entries.end(), [](const auto& entry) {
+    return entry.path().filename() == "log.yaml";
+  });
+  std::set<std::string> of_log;
+  bool has_images = false;
+  if (is_log) {
+    const fs::path path = walk->PathOf(folder);
+    walk->found.logs.push_back({folder, path.empty() ? "." : path});
+    for (const fs::path& file : InputFilesOf(folder)) of_log.insert(file.filename().string());
+    has_images = IsFile(folder / "frames.csv");
+  }
+  for (const fs::directory_entry& entry : entries) {
+    const fs::path path = walk->PathOf(entry.path());
+    if (IsLeftOut(path.string(), walk->settings)) {
+      ++walk->found.other_files["left out"];
+      continue;
+    }
+    std::error_code ignored;
+    if (entry.is_directory(ignored)) {
+      if (has_images) continue;
+      if (entry.is_symlink(ignored)) {
+        walk->links.push_back(entry.path());
+      } else {
+        WalkFolder(entry.path(), walk);
+      }
+      continue;
+    }
+    if (path == "archive.yaml" || of_log.contains(entry.path().filename().string())) continue;
+    if (!is_log && entry.is_regular_file(ignored) && IsCsvLog(entry.path())) {
+      walk->found.logs.push_back({entry.path(), path});
+    } else {
+      ++walk->found.other_files[KindOf(entry)];
+    }
+  }
+}
+
+}  // namespace
+
+FoundArchive WalkArchive(const fs::path& archive, const ArchiveSettings& settings) {
+  std::error_code error;
+  if (!fs::is_directory(archive, error)) {
+    throw InputError(
+        fmt::format("--archive={}: is no folder, expected a folder of logs.", archive.string()));
+  }
+  Walk walk{.archive = archive, .settings = settings};
+  WalkFolder(archive, &walk);
+  if (!walk.found.unreadable.empty() && walk.found.unreadable.front().path.empty()) {
+    throw InputError(fmt::format("--archive={}: cannot be read: {}.",
+                                 archive.string(),
+                                 walk.found.unreadable.front().message));
+  }
+  while (!walk.links.empty()) {
+    const fs::path link = walk.links.front();
+    walk.links.pop_front();
+    WalkFolder(link, &walk);
+  }
+  std::sort(walk.found.logs.begin(), walk.found.logs.end(), [](const auto& a, const auto& b) {
+    return a.path < b.path;
+  });
+  return std::move(walk.found);
+}
+
+}  // namespace fathom

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/dives/archive_settings.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What looks like a log: a folder with a log.yaml, or a CSV file whose first line names t, tau, v.
+struct FoundLog {
+  std::filesystem::path place;  // to open it by
+  std::filesystem::path path;   // the same from the archive on; "." is the archive itself
+};
+
+// A place that could not be looked into.
+struct UnreadablePlace {
+  std::filesystem::path path;  // from the archive on
+  std::string message;
+};
+
+struct FoundArchive {
+  std::vector<FoundLog> logs;               // by path
+  std::vector<UnreadablePlace> unreadable;  // folders
+  // Everything else, counted: by the ending of the name (".bin"), or "pipe", "device", "socket",
+  // "broken link", "link to a folder seen already", "left out".
+  std::map<std::string, int> other_files;
+};
+
+// Looks through a folder and all below it, links too; each folder once, so that links in a circle
+// come to an end. Opens no pipe and no device, and writes nothing. Throws InputError if the archive
+// itself is no folder or cannot be read.
+FoundArchive WalkArchive(const std::filesystem::path& archive, const ArchiveSettings& settings);
+
+}  // namespace fathom

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/jobs/dive_jobs.h"
+
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/median.h"
+#include "fathom/log/log_content.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRefits = 20;  // in search of the log that spoils a fit
+
+// A number of a JSON file, by its JSON pointer; NaN if it is not there.
+double NumberIn(const std::string& text, const std::string& pointer) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json::json_pointer place(pointer);
+  if (!json.is_object() || !json.contains(place) || !json[place].is_number()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return json[place].get<double>();
+}
+
+RunRecord Identify(Dof dof,
+                   const std::vector<DiveLog>& logs,
+                   const ProgramSettings& settings,
+                   const RunBook& book) {
+  ProgramCall call = {.program = "fathom_identify",
+                      .flags = {fmt::format("--dof={}", Name(dof))},
+                      .output = "model"};
+  for (const DiveLog& log : logs) {
+    call.contents.push_back(log.content);
+    call.places.push_back("--log=" + log.place.string());
+  }
+  return RunProgram(call, settings, book);
+}
+
+std::vector<DiveLog> Without(std::vector<DiveLog> logs, std::size_t index) {
+  logs.erase(logs.begin() + static_cast<std::ptrdiff_t>(index));
+  return logs;
+}
+
+// Fits these logs of the dive together.
+using JointFit = std::function<RunRecord(const std::vector<DiveLog>&)>;
+
+bool IsRefused(const RunRecord& run) {
+  return run.end == ChildEnd::kExited && run.exit_code == kExitBadInput;
+}
+
+// Takes the logs one by one, as long as the program takes them together.
+void LeaveOutRefused(const JointFit& fit, DiveOutcome* outcome) {
+  std::vector<DiveLog> kept;
+  for (const DiveLog& log : outcome->logs) {
+    kept.push_back(log);
+    const RunRecord run = fit(kept);
+    if (!IsRefused(run)) continue;
+    outcome->left_out.push_back({log.path, WhyNot(run)});
+    kept.pop_back();
+  }
+  outcome->logs = std::move(kept);
+}
+
+// The one log without which there is a usable fit, the best one.
+void LeaveOutTheOneThatSpoils(const JointFit& fit, DiveOutcome* outcome) {
+  std::optional<std::size_t> spoiler;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outcome->logs.size(); ++i) {
+    const RunRecord run = fit(Without(outcome->logs, i));
+    const double nmae = IsUsable(run) ? NumberIn(run.output, "/fit/nmae") : least;
+    if (!(nmae < least)) continue;
+    least = nmae;
+    spoiler = i;
+  }
+  if (!spoiler) return;
+  outcome->left_out.push_back(
+      {outcome->logs[*spoiler].path, "with it the logs of the dive have no usable fit"});
+  outcome->logs = Without(outcome->logs, *spoiler);
+}
+
+// Those that the joint model does not describe though it describes the others, by the NMAE of each.
+void LeaveOutStrangers(const std::vector<double>& errors, DiveOutcome* outcome) {
+  constexpr double kMostTimes = 3.0, kMostNmae = 0.5;
+  std::vector<double> known = errors;
+  std::erase_if(known, [](double error) { return !std::isfinite(error); });
+  if (known.empty()) return;
+  const double usual = Median(known);
+  std::vector<DiveLog> kept;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i] > std::max(kMostTimes * usual, kMostNmae)) {
+      outcome->left_out.push_back(
+          {outcome->logs[i].path,
+           fmt::format(
+               "the joint model simulates it with an NMAE of {:.2f}, the others with {:.2f}",
+               errors[i],
+               usual)});
+    } else {
+      kept.push_back(outcome->logs[i]);
+    }
+  }
+  outcome->logs = std::move(kept);
+}
+
+}  // namespace
+
+double PredictionNmae(const std::string& model,
+                      const DiveLog& log,
+                      const ProgramSettings& settings,
+                      const RunBook& book) {
+  const std::string digest = DigestOf(model);
+  const fs::path file = settings.work / (digest + ".model.json");
+  std::error_code error;
+  if (!fs::exists(file, error)) WriteFile(file, model);
+  const RunRecord run =
+      RunProgram({.program = "fathom_simulate",
+                  .contents = {digest, log.content},
+                  .flags = {},
+                  .places = {"--model=" + file.string(), "--log=" + log.place.string()},
+                  .output = "json"},
+                 settings,
+                 book);
+  return IsUsable(run) ? NumberIn(run.output, "/nmae") : std::numeric_limits<double>::quiet_NaN();
+}
+
+DiveOutcome RunDiveJobs(const DiveTask& task,
+                        const ProgramSettings& settings,
+                        const RunBook& book) {
+  const JointFit fit = [&](const std::vector<DiveLog>& logs) {
+    return Identify(task.dof, logs, settings, book);
+  };
+  DiveOutcome outcome;
+  outcome.logs = task.logs;
+  if (outcome.logs.empty()) return outcome;
+  outcome.identify = fit(outcome.logs);
+  if (IsRefused(*outcome.identify) && outcome.logs.size() > 1) {
+    LeaveOutRefused(fit, &outcome);
+    if (outcome.logs.empty()) return outcome;
+    outcome.identify = fit(outcome.logs);
+  }
+  const bool is_search_worth_it = outcome.logs.size() > 2 && outcome.logs.size() <= kMostRefits;
+  if (!IsUsable(*outcome.identify) && is_search_worth_it) {
+    LeaveOutTheOneThatSpoils(fit, &outcome);
+    outcome.identify = fit(outcome.logs);
+  }
+  if (!IsUsable(*outcome.identify) || outcome.logs.size() < 3) return outcome;
+  std::vector<double> errors;
+  for (const DiveLog& log : outcome.logs) {
+    errors.push_back(PredictionNmae(outcome.identify->output, log, settings, book));
+  }
+  LeaveOutStrangers(errors, &outcome);
+  if (outcome.logs.size() < errors.size()) outcome.identify = fit(outcome.logs);
+  return outcome;
+}
+
+}  // namespace fathom

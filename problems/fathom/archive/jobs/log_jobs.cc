@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/jobs/log_jobs.h"
+
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/exit_code.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_content.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+LogState StateOf(const RunRecord& run) {
+  switch (run.end) {
+    case ChildEnd::kSignalled:
+      return LogState::kCrashed;
+    case ChildEnd::kTimedOut:
+      return LogState::kTimedOut;
+    case ChildEnd::kOutOfMemory:
+      return LogState::kOutOfMemory;
+    case ChildEnd::kNotStarted:
+      return LogState::kRefused;
+    case ChildEnd::kExited:
+      break;
+  }
+  switch (run.exit_code) {
+    case kExitUsable:
+      return LogState::kOk;
+    case kExitNoFit:
+      return LogState::kNoModel;
+    case kExitOutOfMemory:
+      return LogState::kOutOfMemory;
+    default:
+      return LogState::kRefused;
+  }
+}
+
+// What the rows of a comparison say of why none of them is usable.
+std::string MessageInRows(const std::string& comparison) {
+  const auto json = nlohmann::json::parse(comparison, nullptr, false);
+  if (!json.is_object() || !json.contains("rows")) return "";
+  std::vector<std::string> messages;
+  for (const auto& row : json["rows"]) {
+    const std::string message = row.value("message", "");
+    if (!message.empty() && std::ranges::count(messages, message) == 0) messages.push_back(message);
+  }
+  return fmt::format("{}", fmt::join(messages, " "));
+}
+
+std::string WhyNoModel(const RunRecord& compare) {
+  const std::string in_rows = compare.end == ChildEnd::kExited && compare.exit_code == kExitNoFit
+                                  ? MessageInRows(compare.output)
+                                  : "";
+  return in_rows.empty() ? WhyNot(compare) : in_rows;
+}
+
+// The worst of the states of single runs, where none is usable.
+LogState Worst(const std::vector<LogState>& states) {
+  for (const LogState state :
+       {LogState::kCrashed, LogState::kOutOfMemory, LogState::kTimedOut, LogState::kRefused}) {
+    if (std::ranges::count(states, state) > 0) return state;
+  }
+  return LogState::kNoModel;
+}
+
+void Add(const RunRecord& run, LogOutcome* outcome) {
+  outcome->seconds += run.seconds;
+  outcome->peak_mb = std::max(outcome->peak_mb, run.peak_mb);
+}
+
+// Ends the outcome with a run that did not work.
+void Fail(const RunRecord& run, LogOutcome* outcome) {
+  outcome->state = StateOf(run);
+  outcome->message = WhyNot(run);
+}
+
+// The survey of the log at outcome->place; nothing if it failed, which the outcome then says.
+std::optional<Survey> RunSurvey(const LogJobOptions& options,
+                                const ProgramSettings& settings,
+                                const RunBook& book,
+                                LogOutcome* outcome) {
+  ProgramCall call = {.program = "fathom_batch",
+                      .contents = {outcome->place_content},
+                      .places = {"--survey=" + outcome->place.string()}};
+  std::error_code error;
+  if (options.dof && !fs::is_directory(outcome->place, error)) {
+    call.flags.push_back(fmt::format("--dof={}", Name(*options.dof)));
+  }
+  const RunRecord run = RunProgram(call, settings, book);
+  Add(run, outcome);
+  if (IsUsable(run)) {
+    try {
+      return ParseSurvey(run.output);
+    } catch (const InputError& problem) {
+      outcome->message = problem.what();
+      outcome->state = LogState::kRefused;
+      return std::nullopt;
+    }
+  }
+  Fail(run, outcome);
+  return std::nullopt;
+}
+
+// Makes a log of the images; false if that failed, which the outcome then says.
+bool Track(const LogJobOptions& options,
+           const ProgramSettings& settings,
+           const RunBook& book,
+           LogOutcome* outcome) {
+  const fs::path tracked = options.tracked / outcome->content;
+  std::error_code error;
+  const RunBook only_if_there = {.find =
+                                     [&](const std::string& key) {
+                                       return fs::is_directory(tracked, error) ? book.find(key)
+                                                                               : std::nullopt;
+                                     },
+                                 .keep = book.keep};
+  const RunRecord run = RunProgram(
+      {.program = "fathom_track",
+       .contents = {outcome->content},
+       .flags = {},
+       .places = {"--log=" + outcome->place.string(), "--out=" + tracked.string(), "--overwrite"},
+       .output = "summary"},
+      settings,
+      only_if_there);
+  Add(run, outcome);
+  if (!IsUsable(run)) {
+    Fail(run, outcome);
+    return false;
+  }
+  outcome->place = tracked;
+  outcome->place_content = DigestOf({outcome->content, "tracked"});
+  return true;
+}
+
+DofRuns RunOnDof(Dof dof,
+                 const LogJobOptions& options,
+                 const ProgramSettings& settings,
+                 const RunBook& book,
+                 LogOutcome* outcome) {
+  DofRuns runs;
+  runs.dof = dof;
+  const std::string log_flag = "--log=" + outcome->place.string();
+  ProgramCall compare = {.program = "fathom_compare",
+                         .contents = {outcome->place_content},
+                         .flags = {fmt::format("--dofs={}", Name(dof))},
+                         .places = {log_flag},
+                         .output = "json"};
+  if (!options.families.empty()) compare.flags.push_back("--families=" + options.families);
+  runs.compare = RunProgram(compare, settings, book);
+  Add(runs.compare, outcome);
+  if (!options.diagnose) return runs;
+
+  ProgramCall diagnose = {.program = "fathom_diagnose",
+                          .contents = {outcome->place_content},
+                          .flags = {fmt::format("--dof={}", Name(dof))},
+                          .places = {log_flag},
+                          .output = "verdict"};
+  RunBook diagnose_book = book;
+  if (!options.pages.empty()) {
+    const fs::path page = options.pages / PageNameOf(outcome->path, dof);
+    diagnose.places.push_back("--report=" + page.string());
+    diagnose_book.find = [&book, page](const std::string& key) -> std::optional<RunRecord> {
+      auto known = book.find(key);
+      std::error_code error;
+      const bool lacks_page = known && IsUsable(*known) && !fs::exists(page, error);
+      return lacks_page ? std::nullopt : known;
+    };
+  }
+  runs.diagnose = RunProgram(diagnose, settings, diagnose_book);
+  Add(*runs.diagnose, outcome);
+  return runs;
+}
+
+void Judge(LogOutcome* outcome) {
+  std::vector<LogState> failures;
+  std::vector<std::string> messages;
+  std::size_t num_usable = 0;
+  const auto judge = [&](Dof dof, const RunRecord& run, const std::string& why_not) {
+    if (IsUsable(run)) {
+      ++num_usable;
+      return;
+    }
+    failures.push_back(StateOf(run));
+    messages.push_back(fmt::format("{}, {}: {}", Name(dof), run.program, why_not));
+  };
+  for (const DofRuns& runs : outcome->dofs) {
+    judge(runs.dof, runs.compare, WhyNoModel(runs.compare));
+    if (runs.diagnose) judge(runs.dof, *runs.diagnose, WhyNot(*runs.diagnose));
+  }
+  outcome->message = fmt::format("{}", fmt::join(messages, " "));
+  if (failures.empty()) {
+    outcome->state = LogState::kOk;
+  } else {
+    outcome->state = num_usable > 0 ? LogState::kPartial : Worst(failures);
+  }
+}
+
+// Of the DOFs that the log cannot identify.
+std::string WhyNothing(const Survey& survey) {
+  if (survey.dofs.empty()) return "no command.";
+  std::vector<std::string> reasons;
+  for (const SurveyedDof& dof : survey.dofs) {
+    if (dof.why_not.empty()) continue;
+    reasons.push_back(fmt::format("{}: {}", Name(dof.dof), dof.why_not));
+  }
+  return fmt::format("{}", fmt::join(reasons, " "));
+}
+
+}  // namespace
+
+std::string PageNameOf(const std::string& path, Dof dof) {
+  std::string name;
+  for (const char c : path) {
+    name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.' ? c : '_';
+  }
+  constexpr std::size_t kLongest = 100;
+  return fmt::format(
+      "{}_{}_{}.html", name.substr(0, kLongest), Name(dof), DigestOf(path).substr(0, 8));
+}
+
+LogOutcome RunLogJobs(const FoundLog& log,
+                      const std::string& content,
+                      const LogJobOptions& options,
+                      const ProgramSettings& settings,
+                      const RunBook& book) {
+  LogOutcome outcome;
+  outcome.place = log.place;
+  outcome.path = PathText(log.path);
+  outcome.content = content;
+  outcome.place_content = content;
+  outcome.survey = RunSurvey(options, settings, book, &outcome);
+  if (outcome.survey && outcome.survey->needs_tracking) {
+    if (!Track(options, settings, book, &outcome)) return outcome;
+    const Survey of_images = *outcome.survey;
+    outcome.survey = RunSurvey(options, settings, book, &outcome);
+    if (outcome.survey && std::isnan(outcome.survey->start)) {
+      outcome.survey->start = of_images.start;
+    }
+  }
+  if (!outcome.survey) return outcome;
+  for (const SurveyedDof& dof : outcome.survey->dofs) {
+    if (!dof.why_not.empty()) continue;
+    outcome.dofs.push_back(RunOnDof(dof.dof, options, settings, book, &outcome));
+  }
+  if (outcome.dofs.empty()) {
+    outcome.state = LogState::kNothingToIdentify;
+    outcome.message = WhyNothing(*outcome.survey);
+    return outcome;
+  }
+  Judge(&outcome);
+  const std::string nothing = WhyNothing(*outcome.survey);
+  if (!nothing.empty()) {
+    outcome.message +=
+        (outcome.message.empty() ? "Not identified: " : " Not identified: ") + nothing;
+  }
+  return outcome;
+}
+
+}  // namespace fathom

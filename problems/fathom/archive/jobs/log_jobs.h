@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/dives/archive_settings.h"
+#include "fathom/archive/dives/walk_archive.h"
+#include "fathom/archive/jobs/log_state.h"
+#include "fathom/archive/jobs/run_program.h"
+#include "fathom/archive/jobs/survey.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What is done with each log.
+struct LogJobOptions {
+  std::string families;           // of fathom_compare, comma-separated; empty: all that it has
+  bool diagnose = true;           // run fathom_diagnose too
+  std::optional<Dof> dof;         // of single CSV logs
+  std::filesystem::path pages;    // a folder for the pages of the diagnoses; empty: none
+  std::filesystem::path tracked;  // a folder for the logs that fathom_track makes of images
+};
+
+// The runs on one DOF of a log.
+struct DofRuns {
+  Dof dof = Dof::kSurge;
+  RunRecord compare;
+  std::optional<RunRecord> diagnose;
+};
+
+struct LogOutcome {
+  std::filesystem::path place;  // of the log, or of what fathom_track made of it
+  std::string path;             // from the archive on, as text
+  std::string content;          // of the log
+  std::string place_content;    // of what lies at `place`
+  LogState state = LogState::kOk;
+  std::string message;           // why it is not ok
+  std::optional<Survey> survey;  // where one could be made
+  std::vector<DofRuns> dofs;
+  double seconds = 0.0;  // of all programs together
+  double peak_mb = 0.0;  // of the largest
+};
+
+// The name of the page of a diagnosis within LogJobOptions::pages:
+// "dive_1_run_3_surge_1f0e9c2a.html".
+std::string PageNameOf(const std::string& path, Dof dof);
+
+// Runs the programs on one log, one after the other: a survey, fathom_track where there are only
+// images, and for each DOF that the log can identify fathom_compare and fathom_diagnose.
+LogOutcome RunLogJobs(const FoundLog& log,
+                      const std::string& content,
+                      const LogJobOptions& options,
+                      const ProgramSettings& settings,
+                      const RunBook& book);
+
+}  // namespace fathom

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+// Whether a log can identify a DOF.
+struct SurveyedDof {
+  Dof dof = Dof::kSurge;
+  std::string why_not;  // empty: it can
+};
+
+// What a batch has to know of a log before it runs the programs on it.
+struct Survey {
+  std::string dive;                                            // as log.yaml says; may be empty
+  std::string vehicle;                                         // likewise
+  double start = std::numeric_limits<double>::quiet_NaN();     // [s since 1970]: log.yaml's, or the
+                                                               // first stamp where that is an epoch
+  double duration = std::numeric_limits<double>::quiet_NaN();  // of the motion, or the command [s]
+  bool needs_tracking = false;    // its motion is in images only: fathom_track comes first
+  std::vector<SurveyedDof> dofs;  // those that log.yaml names, else those that are commanded
+};
+
+// Looks at the command and the motion of each DOF. A DOF cannot be identified where its command
+// never changes, its motion never changes or is no more than white noise, or less than 20 samples
+// or 3 s of it are there.
+//
+// `dof`: of a single CSV. Throws InputError as OpenLog() does.
+Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof);
+
+// As JSON, schema "fathom-survey-1", and back. ParseSurvey throws InputError if it is none.
+std::string FormatSurvey(const Survey& survey);
+Survey ParseSurvey(std::string_view text);
+
+}  // namespace fathom

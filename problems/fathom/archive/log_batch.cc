@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/log_batch.h"
+
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/store/rows_of_log.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/utc_time.h"
+#include "fathom/log/log_content.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool EndedOutside(const RunRecord& run) {
+  return run.end != ChildEnd::kExited && run.end != ChildEnd::kSignalled;
+}
+
+// Whether every run of it would be taken from the book with whatever limits: what ran into a limit
+// is to be run again with another one.
+bool IsFinal(const LogOutcome& outcome) {
+  if (outcome.state == LogState::kTimedOut || outcome.state == LogState::kOutOfMemory ||
+      outcome.state == LogState::kCrashed) {
+    return false;
+  }
+  return std::ranges::none_of(outcome.dofs, [](const DofRuns& runs) {
+    return EndedOutside(runs.compare) || (runs.diagnose && EndedOutside(*runs.diagnose));
+  });
+}
+
+// The vehicle file that log.yaml or archive.yaml names; empty: none.
+fs::path VehicleFileOf(const std::string& vehicle,
+                       const fs::path& place,
+                       const ArchiveSettings& settings) {
+  if (vehicle.empty()) return settings.vehicle;
+  return vehicle.ends_with(".yaml") ? place / vehicle : fs::path();
+}
+
+// The name in a vehicle file, which logs in different folders name by different paths.
+std::string VehicleNameOf(const std::string& vehicle,
+                          const fs::path& file,
+                          const ArchiveSettings& settings) {
+  const std::string& text = vehicle.empty() ? settings.vehicle_name : vehicle;
+  if (file.empty()) return CleanText(text);
+  try {
+    return CleanText(ReadVehicleFile(file).name);
+  } catch (const InputError&) {
+    return CleanText(text);
+  }
+}
+
+std::string WhyLeftOut(const DofRuns& runs, const std::vector<FindingRow>& findings) {
+  if (!IsUsable(runs.compare) && runs.compare.exit_code != 2) return WhyNot(runs.compare);
+  for (const FindingRow& finding : findings) {
+    if (finding.severity == "red" && finding.dof == Name(runs.dof)) return finding.text;
+  }
+  return "";
+}
+
+LogRow RowOf(const LogOutcome& outcome, const DoneLog& log, const std::string& version) {
+  return {.path = outcome.path,
+          .dive = log.dive,
+          .start = std::isfinite(log.start) ? FormatUtc(log.start) : "",
+          .duration = outcome.survey ? outcome.survey->duration : kNoNumber,
+          .content = outcome.content,
+          .status = std::string(Name(outcome.state)),
+          .message = outcome.message,
+          .seconds = outcome.seconds,
+          .peak_mb = outcome.peak_mb,
+          .version = version,
+          .vehicle = log.vehicle};
+}
+
+// What needs no program: a copy of another log, or one that cannot be read.
+std::optional<LogOutcome> OutcomeWithoutRuns(const HashedLog& log) {
+  LogOutcome outcome;
+  outcome.path = log.path;
+  outcome.place = log.log.place;
+  outcome.content = log.content;
+  if (!log.unreadable.empty()) {
+    outcome.state = LogState::kUnreadable;
+    outcome.message = log.unreadable;
+    return outcome;
+  }
+  if (!log.duplicate_of.empty()) {
+    outcome.state = LogState::kDuplicate;
+    outcome.message = fmt::format("the same bytes as {}.", log.duplicate_of);
+    return outcome;
+  }
+  return std::nullopt;
+}
+
+DoneLog DoneLogOf(const HashedLog& hashed,
+                  const LogOutcome& outcome,
+                  const Tables& rows,
+                  const ArchiveSettings& settings) {
+  DoneLog done;
+  done.log = {outcome.path, outcome.place, outcome.place_content};
+  done.dive = DiveOfPath(hashed.log.path, settings);
+  done.state = outcome.state;
+  const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
+  done.vehicle_file = VehicleFileOf(vehicle, hashed.log.place, settings);
+  done.vehicle = VehicleNameOf(vehicle, done.vehicle_file, settings);
+  if (outcome.survey) {
+    if (!outcome.survey->dive.empty()) done.dive = CleanText(outcome.survey->dive);
+    done.start = outcome.survey->start;
+  }
+  for (const DofRuns& runs : outcome.dofs) {
+    done.dofs.push_back({runs.dof, WhyLeftOut(runs, rows.findings)});
+  }
+  done.is_final = IsFinal(outcome);
+  return done;
+}
+
+void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch* batch) {
+  if (options.pages.empty()) return;
+  for (const DofRuns& runs : outcome.dofs) {
+    const std::string page = PageNameOf(outcome.path, runs.dof);
+    std::error_code error;
+    if (!fs::exists(options.pages / page, error)) continue;
+    batch->pages[{outcome.path, std::string(Name(runs.dof))}] = page;
+  }
+}
+
+}  // namespace
+
+std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
+  const ArchiveSettings& settings = options.settings;
+  std::vector<std::string> texts = {
+      log.content,
+      log.unreadable,
+      log.duplicate_of,
+      options.programs.version,
+      options.jobs.families,
+      options.jobs.diagnose ? "diagnose" : "",
+      settings.dive_pattern,
+      fmt::format("{}", settings.dive_level.value_or(0)),
+      settings.vehicle_name,
+      settings.dof ? std::string(Name(*settings.dof)) : "",
+  };
+  return DigestOf(texts);
+}
+
+RunBook BookOf(Store* store, std::mutex* mutex) {
+  return {.find =
+              [store, mutex](const std::string& key) {
+                const std::lock_guard lock(*mutex);
+                return store->FindRun(key);
+              },
+          .keep =
+              [store, mutex](const RunRecord& run) {
+                const std::lock_guard lock(*mutex);
+                store->KeepRun(run);
+              }};
+}
+
+LogBatch RunLogs(const std::vector<HashedLog>& logs,
+                 const LogBatchOptions& options,
+                 int at_a_time,
+                 Store* store,
+                 const std::function<void(const BatchProgress&)>& show) {
+  LogBatch batch;
+  batch.logs.resize(logs.size());
+  const auto stored = store->DoneLogs();
+  std::mutex mutex;  // of the store and what follows it
+  BatchProgress progress = {.noun = "log", .done = 0, .total = logs.size(), .last_failure = ""};
+  RunInParallel(at_a_time, logs.size(), [&](std::size_t i) {
+    const HashedLog& log = logs[i];
+    bool has_run = false;
+    RunBook book = BookOf(store, &mutex);
+    book.keep = [&, keep = book.keep](const RunRecord& run) {
+      has_run = true;
+      keep(run);
+    };
+    std::optional<LogOutcome> outcome = OutcomeWithoutRuns(log);
+    if (!outcome) outcome = RunLogJobs(log.log, log.content, options.jobs, options.programs, book);
+    const Tables rows = RowsOfLog(*outcome);
+    DoneLog done = DoneLogOf(log, *outcome, rows, options.settings);
+
+    const std::lock_guard lock(mutex);
+    const std::string digest = DoneDigest(log, options);
+    const auto before = stored.find(log.path);
+    if (has_run || before == stored.end() || before->second != digest) {
+      store->ReplaceLog(
+          RowOf(*outcome, done, options.programs.version), rows, done.is_final ? digest : "");
+    }
+    AddPages(*outcome, options.jobs, &batch);
+    if (has_run) ++batch.num_run;
+    if (IsFailure(outcome->state)) {
+      progress.last_failure = fmt::format("{}: {}", outcome->path, Name(outcome->state));
+    }
+    batch.logs[i] = std::move(done);
+    ++progress.done;
+    if (show) show(progress);
+  });
+  return batch;
+}
+
+}  // namespace fathom

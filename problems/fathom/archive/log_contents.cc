@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/log_contents.h"
+
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_content.h"
+#include "fathom/log/log_files.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace fathom {
+namespace {
+
+std::string StampsOf(const std::filesystem::path& log) {
+  std::string stamps;
+  for (const std::filesystem::path& file : InputFilesOf(log)) {
+    struct stat status = {};
+    if (stat(file.c_str(), &status) != 0) return "";
+    stamps += fmt::format("{} {} {}.{:09}\n",
+                          PathText(file == log ? "" : file.lexically_relative(log)),
+                          status.st_size,
+                          status.st_mtim.tv_sec,
+                          status.st_mtim.tv_nsec);
+  }
+  return stamps;
+}
+
+}  // namespace
+
+std::vector<HashedLog> HashLogs(const std::vector<FoundLog>& logs, bool rehash, Store* store) {
+  const std::map<std::string, KnownContent> known =
+      rehash ? std::map<std::string, KnownContent>() : store->KnownContents();
+  std::map<std::string, KnownContent> fresh;
+  std::map<std::string, std::string> first_of;
+  std::vector<HashedLog> hashed;
+  for (const FoundLog& log : logs) {
+    HashedLog one;
+    one.log = log;
+    one.path = PathText(log.path);
+    try {
+      const std::string stamps = StampsOf(log.place);
+      const auto found = known.find(one.path);
+      if (found != known.end() && !stamps.empty() && found->second.stamps == stamps) {
+        one.content = found->second.content;
+      } else {
+        one.content = ContentOf(log.place);
+        fresh[one.path] = {stamps, one.content};
+      }
+      one.duplicate_of = first_of.try_emplace(one.content, one.path).first->second;
+      if (one.duplicate_of == one.path) one.duplicate_of.clear();
+    } catch (const InputError& error) {
+      one.unreadable = CleanText(error.what());
+    }
+    hashed.push_back(std::move(one));
+  }
+  store->KeepContents(fresh);
+  return hashed;
+}
+
+}  // namespace fathom

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/slurm_script.h"
+
+#include "fathom/base/input_error.h"
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// For a POSIX shell.
+std::string ShellWord(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+std::string FlagsOf(const BatchOptions& options) {
+  std::string flags = fmt::format("--jobs={} --time_limit={} --memory_limit={} --diagnose={}",
+                                  options.jobs,
+                                  options.time_limit,
+                                  options.memory_limit,
+                                  options.diagnose);
+  if (!options.families.empty()) flags += " --families=" + ShellWord(options.families);
+  flags += " --tools=" + ShellWord(fs::absolute(options.tools).string());
+  return flags;
+}
+
+}  // namespace
+
+std::string SlurmScript(const BatchOptions& options, int num_parts, const fs::path& report) {
+  if (num_parts < 1 || num_parts > 10000) {
+    throw InputError(fmt::format("--plan: is {}, expected 1 to 10000 parts.", num_parts));
+  }
+  // Room for the parent and the file cache beside the programs.
+  const double memory = options.jobs * options.memory_limit + 500.0;
+  const std::string last_flags =
+      report.empty() ? "" : " --report=" + ShellWord(fs::absolute(report).string());
+  return fmt::format(
+      R"(#!/bin/bash
+#SBATCH --job-name=fathom
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task={jobs}
+#SBATCH --mem={memory:.0f}M
+#SBATCH --requeue
+# Written by fathom_batch --slurm. A task that is killed goes on where it was once it runs again on
+# the same node, and starts anew on another one.
+set -euo pipefail
+batch={batch}
+archive={archive}
+results={results}
+parts={parts}
+flags=({flags})
+
+if [[ "${{1:-}}" == merge ]]; then
+  merge=()
+  for ((i = 0; i < parts; ++i)); do merge+=("--merge=$results.part$i"); done
+  exec "$batch" --archive="$archive" --results="$results" "${{merge[@]}}" "${{flags[@]}}"{last_flags}
+fi
+i=$SLURM_ARRAY_TASK_ID
+local="${{TMPDIR:-/tmp}}/fathom_${{SLURM_ARRAY_JOB_ID}}_$i"
+mkdir -p "$local"
+"$batch" --archive="$archive" --results="$local/part.sqlite" --merge="$results" --shard="$i/$parts" "${{flags[@]}}"
+cp "$local/part.sqlite" "$results.part$i.copy"
+mv "$results.part$i.copy" "$results.part$i"
+rm -rf "$local"
+)",
+      fmt::arg("jobs", options.jobs),
+      fmt::arg("memory", memory),
+      fmt::arg("batch", ShellWord(fs::absolute(options.tools / "fathom_batch").string())),
+      fmt::arg("archive", ShellWord(fs::absolute(options.archive).string())),
+      fmt::arg("results", ShellWord(fs::absolute(options.results).string())),
+      fmt::arg("parts", num_parts),
+      fmt::arg("flags", FlagsOf(options)),
+      fmt::arg("last_flags", last_flags));
+}
+
+std::string HowToSubmit(const fs::path& script, int num_parts) {
+  return fmt::format(
+      "Submit it:\n"
+      "  job=$(sbatch --parsable --array=0-{0} {1})\n"
+      "  sbatch --dependency=afterok:$job {1} merge\n",
+      num_parts - 1,
+      ShellWord(script.string()));
+}
+
+}  // namespace fathom

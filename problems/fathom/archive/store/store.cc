@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/store/store.h"
+
+#include "fathom/archive/store/row_columns.h"
+#include "fathom/base/input_error.h"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kFormat = 1;                // PRAGMA user_version
+constexpr int kApplication = 0x46544d31;  // PRAGMA application_id: "FTM1"
+
+constexpr const char* kOwnTables = R"(
+  CREATE TABLE IF NOT EXISTS runs(key TEXT PRIMARY KEY, program TEXT, arguments TEXT, version TEXT,
+    limits TEXT, "end" INTEGER, exit_code INTEGER, signal INTEGER, seconds REAL, peak_mb REAL,
+    output TEXT, message TEXT) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS files(path TEXT PRIMARY KEY, stamps TEXT, content TEXT) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS done(name TEXT PRIMARY KEY, digest TEXT) WITHOUT ROWID;
+)";
+
+// In `done`, of the dives; a path never is empty.
+constexpr const char* kDives = "";
+
+// Binds the values of a row one after the other.
+class Binder {
+ public:
+  explicit Binder(SQLite::Statement* statement) : statement_(statement) {}
+
+  void operator()(const char*, const std::string& text) { statement_->bind(++index_, text); }
+  void operator()(const char*, double number) {
+    if (std::isfinite(number)) {
+      statement_->bind(++index_, number);
+    } else {
+      statement_->bind(++index_);
+    }
+  }
+  void operator()(const char*, int number) { statement_->bind(++index_, number); }
+  void operator()(const char*, bool flag) { statement_->bind(++index_, flag ? 1 : 0); }
+
+ private:
+  SQLite::Statement* statement_;
+  int index_ = 0;
+};
+
+// Reads the values of a row one after the other.
+class Reader {
+ public:
+  explicit Reader(const SQLite::Statement& statement) : statement_(statement) {}
+
+  void operator()(const char*, std::string& text) {
+    const SQLite::Column column = Next();
+    text = column.isNull() ? "" : column.getString();
+  }
+  void operator()(const char*, double& number) {
+    const SQLite::Column column = Next();
+    number = column.isNull() ? kNoNumber : column.getDouble();
+  }
+  void operator()(const char*, int& number) { number = Next().getInt(); }
+  void operator()(const char*, bool& flag) { flag = Next().getInt() != 0; }
+
+ private:
+  SQLite::Column Next() { return const_cast<SQLite::Statement&>(statement_).getColumn(index_++); }
+
+  const SQLite::Statement& statement_;
+  int index_ = 0;
+};
+
+struct ColumnLister {
+  std::string names, declarations;
+
+  void operator()(const char* name, const std::string&) { Add(name, "TEXT"); }
+  void operator()(const char* name, double) { Add(name, "REAL"); }
+  void operator()(const char* name, int) { Add(name, "INTEGER"); }
+  void operator()(const char* name, bool) { Add(name, "INTEGER"); }
+  void Add(const char* name, const char* type) {
+    if (!names.empty()) names += ", ", declarations += ", ";
+    names += fmt::format("\"{}\"", name);
+    declarations += fmt::format("\"{}\" {}", name, type);
+  }
+};
+
+template <typename Row>
+ColumnLister ColumnsOf() {
+  ColumnLister columns;
+  Row row;
+  VisitColumns(row, columns);
+  return columns;
+}
+
+template <typename Row>
+void CreateTable(SQLite::Database* database) {
+  database->exec(fmt::format(
+      "CREATE TABLE IF NOT EXISTS {}({})", TableName<Row>(), ColumnsOf<Row>().declarations));
+}
+
+template <typename Row>
+void Insert(const std::vector<Row>& rows, SQLite::Database* database) {
+  if (rows.empty()) return;
+  const std::string names = ColumnsOf<Row>().names;
+  std::string marks = "?";
+  for (const char c : names) marks += c == ',' ? ", ?" : "";
+  SQLite::Statement insert(
+      *database, fmt::format("INSERT INTO {}({}) VALUES({})", TableName<Row>(), names, marks));
+  for (Row row : rows) {
+    Binder bind(&insert);
+    VisitColumns(row, bind);
+    insert.exec();
+    insert.reset();
+  }
+}
+
+template <typename Row>
+std::vector<Row> Select(SQLite::Database* database, const std::string& names) {
+  SQLite::Statement select(
+      *database, fmt::format("SELECT {0} FROM {1} ORDER BY {0}", names, TableName<Row>()));
+  std::vector<Row> rows;
+  while (select.executeStep()) {
+    Reader read(select);
+    Row row;
+    VisitColumns(row, read);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+template <typename Row>
+void SelectInto(SQLite::Database* database, std::vector<Row>* rows) {
+  *rows = Select<Row>(database, ColumnsOf<Row>().names);
+}
+
+constexpr std::array<const char*, 6> kTablesOfLogs = {
+    "fits", "scores", "verdicts", "causes", "findings", "done"};
+
+void DeleteLog(const std::string& path, SQLite::Database* database) {
+  for (const char* table : kTablesOfLogs) {
+    const bool is_done = std::string_view(table) == "done";
+    SQLite::Statement erase(
+        *database, fmt::format("DELETE FROM {} WHERE {} = ?", table, is_done ? "name" : "log"));
+    erase.bind(1, path);
+    erase.exec();
+  }
+  SQLite::Statement erase(*database, "DELETE FROM logs WHERE path = ?");
+  erase.bind(1, path);
+  erase.exec();
+}
+
+void SetDone(const std::string& name, const std::string& digest, SQLite::Database* database) {
+  SQLite::Statement insert(*database, "INSERT OR REPLACE INTO done VALUES(?, ?)");
+  insert.bind(1, name);
+  insert.bind(2, digest);
+  insert.exec();
+}
+
+// Refuses a database that is not of this kind or of a later one.
+void RequireOurs(const std::filesystem::path& file, SQLite::Database* database) {
+  const int application = database->execAndGet("PRAGMA application_id").getInt();
+  const int format = database->execAndGet("PRAGMA user_version").getInt();
+  const int num_tables = database->execAndGet("SELECT count(*) FROM sqlite_master").getInt();
+  if (application == 0 && format == 0 && num_tables == 0) return;
+  if (application != kApplication) {
+    throw InputError(fmt::format(
+        "{}: is a database of another program, expected one of fathom_batch.", file.string()));
+  }
+  if (format != kFormat) {
+    throw InputError(
+        fmt::format("{}: has format {}, expected {}: another version of Fathom wrote it.",
+                    file.string(),
+                    format,
+                    kFormat));
+  }
+}
+
+}  // namespace
+
+Store::Store(const std::filesystem::path& file) {
+  try {
+    database_ = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 60000);
+    RequireOurs(file, database_.get());
+    SQLite::Transaction transaction(*database_);
+    database_->exec(fmt::format("PRAGMA application_id = {}", kApplication));
+    database_->exec(fmt::format("PRAGMA user_version = {}", kFormat));
+    database_->exec(kOwnTables);
+    CreateTable<LogRow>(database_.get());
+    CreateTable<FitRow>(database_.get());
+    CreateTable<DiveFitRow>(database_.get());
+    CreateTable<ScoreRow>(database_.get());
+    CreateTable<VerdictRow>(database_.get());
+    CreateTable<CauseRow>(database_.get());
+    CreateTable<FindingRow>(database_.get());
+    CreateTable<PredictionRow>(database_.get());
+    CreateTable<ChangeRow>(database_.get());
+    for (const char* table : {"fits", "scores", "verdicts", "causes", "findings"}) {
+      database_->exec(fmt::format("CREATE INDEX IF NOT EXISTS {0}_by_log ON {0}(log)", table));
+    }
+    database_->exec("CREATE INDEX IF NOT EXISTS logs_by_path ON logs(path)");
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    throw InputError(
+        fmt::format("{}: cannot be used as a database: {}.", file.string(), error.what()));
+  }
+}
+
+Store::~Store() = default;
+
+std::optional<RunRecord> Store::FindRun(const std::string& key) const {
+  SQLite::Statement select(*database_,
+                           "SELECT key, program, arguments, version, limits, \"end\", exit_code, "
+                           "signal, seconds, peak_mb, output, message FROM runs WHERE key = ?");
+  select.bind(1, key);
+  if (!select.executeStep()) return std::nullopt;
+  RunRecord run;
+  run.key = select.getColumn(0).getString();
+  run.program = select.getColumn(1).getString();
+  run.arguments = select.getColumn(2).getString();
+  run.version = select.getColumn(3).getString();
+  run.limits = select.getColumn(4).getString();
+  run.end = static_cast<ChildEnd>(select.getColumn(5).getInt());
+  run.exit_code = select.getColumn(6).getInt();
+  run.signal = select.getColumn(7).getInt();
+  run.seconds = select.getColumn(8).getDouble();
+  run.peak_mb = select.getColumn(9).getDouble();
+  run.output = select.getColumn(10).getString();
+  run.message = select.getColumn(11).getString();
+  return run;
+}
+
+void Store::KeepRun(const RunRecord& run) {
+  SQLite::Statement insert(
+      *database_, "INSERT OR REPLACE INTO runs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  insert.bind(1, run.key);
+  insert.bind(2, run.program);
+  insert.bind(3, run.arguments);
+  insert.bind(4, run.version);
+  insert.bind(5, run.limits);
+  insert.bind(6, static_cast<int>(run.end));
+  insert.bind(7, run.exit_code);
+  insert.bind(8, run.signal);
+  insert.bind(9, run.seconds);
+  insert.bind(10, run.peak_mb);
+  insert.bind(11, run.output);
+  insert.bind(12, run.message);
+  insert.exec();
+}
+
+std::map<std::string, KnownContent> Store::KnownContents() const {
+  SQLite::Statement select(*database_, "SELECT path, stamps, content FROM files");
+  std::map<std::string, KnownContent> known;
+  while (select.executeStep()) {
+    known[select.getColumn(0).getString()] = {select.getColumn(1).getString(),
+                                              select.getColumn(2).getString()};
+  }
+  return known;
+}
+
+void Store::KeepContents(const std::map<std::string, KnownContent>& contents) {
+  if (contents.empty()) return;
+  SQLite::Transaction transaction(*database_);
+  SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO files VALUES(?, ?, ?)");
+  for (const auto& [path, known] : contents) {
+    insert.bind(1, path);
+    insert.bind(2, known.stamps);
+    insert.bind(3, known.content);
+    insert.exec();
+    insert.reset();
+  }
+  transaction.commit();
+}
+
+void Store::ReplaceLog(const LogRow& row, const Tables& rows, const std::string& done) {
+  SQLite::Transaction transaction(*database_);
+  DeleteLog(row.path, database_.get());
+  Insert(std::vector<LogRow>{row}, database_.get());
+  Insert(rows.fits, database_.get());
+  Insert(rows.scores, database_.get());
+  Insert(rows.verdicts, database_.get());
+  Insert(rows.causes, database_.get());
+  Insert(rows.findings, database_.get());
+  SetDone(row.path, done, database_.get());
+  transaction.commit();
+}
+
+std::map<std::string, std::string> Store::DoneLogs() const {
+  SQLite::Statement select(*database_, "SELECT name, digest FROM done WHERE name <> ?");
+  select.bind(1, kDives);
+  std::map<std::string, std::string> done;
+  while (select.executeStep()) {
+    done[select.getColumn(0).getString()] = select.getColumn(1).getString();
+  }
+  return done;
+}
+
+void Store::RemoveOtherLogs(const std::vector<std::string>& paths) {
+  const std::set<std::string> kept(paths.begin(), paths.end());
+  std::vector<std::string> gone;
+  for (const auto& [path, digest] : DoneLogs()) {
+    if (!kept.contains(path)) gone.push_back(path);
+  }
+  if (gone.empty()) return;
+  SQLite::Transaction transaction(*database_);
+  for (const std::string& path : gone) DeleteLog(path, database_.get());
+  transaction.commit();
+}
+
+void Store::ReplaceDives(const Tables& tables, const std::string& done) {
+  SQLite::Transaction transaction(*database_);
+  for (const char* table : {"dive_fits", "predictions", "changes"}) {
+    database_->exec(fmt::format("DELETE FROM {}", table));
+  }
+  Insert(tables.dive_fits, database_.get());
+  Insert(tables.predictions, database_.get());
+  Insert(tables.changes, database_.get());
+  SetDone(kDives, done, database_.get());
+  transaction.commit();
+}
+
+std::string Store::DoneDives() const {
+  SQLite::Statement select(*database_, "SELECT digest FROM done WHERE name = ?");
+  select.bind(1, kDives);
+  return select.executeStep() ? select.getColumn(0).getString() : "";
+}
+
+Tables Store::ReadTables() const {
+  Tables tables;
+  SelectInto(database_.get(), &tables.logs);
+  SelectInto(database_.get(), &tables.fits);
+  SelectInto(database_.get(), &tables.dive_fits);
+  SelectInto(database_.get(), &tables.scores);
+  tables.verdicts = Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''");
+  SelectInto(database_.get(), &tables.causes);
+  SelectInto(database_.get(), &tables.findings);
+  SelectInto(database_.get(), &tables.predictions);
+  SelectInto(database_.get(), &tables.changes);
+  return tables;
+}
+
+Tables ReadResults(const std::filesystem::path& file) { return Store(file).ReadTables(); }
+
+void Store::Merge(const std::filesystem::path& file) {
+  try {
+    {
+      SQLite::Database other(file.string(), SQLite::OPEN_READONLY);
+      RequireOurs(file, &other);
+    }
+    SQLite::Statement attach(*database_, "ATTACH ? AS other");
+    attach.bind(1, file.string());
+    attach.exec();
+    {
+      SQLite::Transaction transaction(*database_);
+      database_->exec("INSERT OR IGNORE INTO runs SELECT * FROM other.runs");
+      database_->exec("INSERT OR IGNORE INTO files SELECT * FROM other.files");
+      transaction.commit();
+    }
+    database_->exec("DETACH other");
+  } catch (const SQLite::Exception& error) {
+    throw InputError(fmt::format("--merge={}: cannot be read: {}.", file.string(), error.what()));
+  }
+}
+
+}  // namespace fathom

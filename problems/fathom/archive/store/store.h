@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/jobs/run_record.h"
+#include "fathom/archive/store/tables.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace SQLite {
+class Database;
+}
+
+namespace fathom {
+
+// A log's files as they were when their content was hashed.
+struct KnownContent {
+  std::string stamps;  // names, sizes and times of change
+  std::string content;
+};
+
+// The results of an archive, an SQLite database: the public tables (tables.h), and what they are
+// made of: `runs`, which holds what the programs wrote, and `files`. It keeps a rollback journal
+// and no write-ahead log, which would not do on a network file system. What a function writes is
+// there as a whole, or not at all, whenever the process ends. For one thread at a time.
+class Store {
+ public:
+  // Opens a database, or makes one. Throws InputError, naming the file, if that is not possible or
+  // it is something else.
+  explicit Store(const std::filesystem::path& file);
+  ~Store();
+
+  std::optional<RunRecord> FindRun(const std::string& key) const;
+  void KeepRun(const RunRecord& run);
+
+  std::map<std::string, KnownContent> KnownContents() const;  // by path
+  void KeepContents(const std::map<std::string, KnownContent>& contents);
+
+  // Rows of a log in all tables that have a column `log`, and in `logs`. `done`: what they were
+  // made of, as a digest.
+  void ReplaceLog(const LogRow& row, const Tables& rows, const std::string& done);
+
+  // Digests of ReplaceLog(), by path.
+  std::map<std::string, std::string> DoneLogs() const;
+
+  // Takes out the logs that are not among these paths.
+  void RemoveOtherLogs(const std::vector<std::string>& paths);
+
+  // dive_fits, predictions and changes as a whole. `done` as above, of all dives together.
+  void ReplaceDives(const Tables& tables, const std::string& done);
+  std::string DoneDives() const;
+
+  // The public tables, without VerdictRow::json. Their order is that of their columns.
+  Tables ReadTables() const;
+
+  // Runs and contents of another results file that this one lacks. Throws InputError if it cannot
+  // be read.
+  void Merge(const std::filesystem::path& file);
+
+ private:
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+// The public tables of a results file. Throws InputError as Store does.
+Tables ReadResults(const std::filesystem::path& file);
+
+}  // namespace fathom

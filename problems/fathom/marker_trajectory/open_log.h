@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/log.h"
+#include "fathom/log/read_log.h"
+
+#include <filesystem>
+
+namespace fathom {
+
+// A log as every program takes it: ReadLog(), thruster speeds turned into forces by the vehicle
+// file that log.yaml names, and the poses of a log whose only motion is detections
+// (TrackDetections); with `may_lack_motion` detections stay what they are. What was passed over on
+// the way is in its remarks.
+//
+// Throws InputError as these do, and if thruster speeds come without a vehicle file.
+Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options = {});
+
+// TrackDetections() where the log can do without: a calibration that is missing or cannot be used
+// only costs the source `camera`, and is told in the log's remarks.
+void TrackDetectionsIfUsable(Log* log);
+
+}  // namespace fathom

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/flag_values.h"
+
+namespace fathom {
+
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  if (text.empty()) return parts;
+  size_t begin = 0;
+  while (true) {
+    const size_t comma = text.find(',', begin);
+    parts.push_back(text.substr(begin, comma - begin));
+    if (comma == std::string::npos) return parts;
+    begin = comma + 1;
+  }
+}
+
+std::vector<std::string> RepeatedValues(const std::string& flag) {
+  std::vector<std::string> values;
+  if (flag.empty()) return values;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = flag.find(kBetweenValues, begin)) != std::string::npos;
+       begin = end + 1) {
+    values.push_back(flag.substr(begin, end - begin));
+  }
+  values.push_back(flag.substr(begin));
+  return values;
+}
+
+}  // namespace fathom

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every log of an archive identified and diagnosed, every dive compared with the others.
+
+#include "fathom/archive/batch.h"
+#include "fathom/archive/batch_text.h"
+#include "fathom/archive/jobs/survey.h"
+#include "fathom/archive/slurm_script.h"
+#include "fathom/archive/store/store.h"
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/tool/dof_flag.h"
+#include "fathom/tool/flag_values.h"
+#include "fathom/tool/progress.h"
+#include "fathom/tool/tool.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(archive, "", "A folder with logs in it, at any depth. Nothing is written into it.");
+DEFINE_string(results, "", "An SQLite database; made if it is missing, continued if it is there.");
+DEFINE_int32(jobs, 1, "Programs to run at a time.");
+DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_bool(pages, false, "Write a page for each diagnosis too, into a folder beside --report.");
+DEFINE_string(csv, "", "Write the table `fits` to this CSV file.");
+DEFINE_string(
+    families,
+    "",
+    "Comma-separated, as in fathom_compare: least_squares, adaptive, output_error, joint. "
+    "Default: all that a log allows.");
+DEFINE_bool(diagnose, true, "Diagnose every log (fathom_diagnose).");
+DEFINE_double(time_limit, 600.0, "Of each program [s].");
+DEFINE_double(memory_limit, 2000.0, "Of each program [MB].");
+DEFINE_bool(strict, false, "Exit with code 3 if a log failed.");
+DEFINE_bool(rehash, false, "Read also the files whose size and time of change are as before.");
+DEFINE_bool(dry_run, false, "Say what would be done, and run nothing.");
+DEFINE_string(shard, "", "i/N: do only part i, from 0 on, of N; of single logs alone.");
+DEFINE_string(merge,
+              "",
+              "Results of other batches on this archive, comma-separated, to begin with.");
+DEFINE_int32(plan, 0, "With --slurm: in how many parts.");
+DEFINE_string(slurm, "", "Hash the logs and write a job script for a Slurm cluster to this file.");
+DEFINE_string(tools, "", "The folder of Fathom's programs. Default: that of this program.");
+DEFINE_string(survey, "", "Print what this log can identify, as JSON, and do nothing else.");
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+const ToolInfo kInfo = {
+    "fathom_batch",
+    "Reprocesses an archive: every log identified and diagnosed, every dive compared with the "
+    "others.",
+    "--archive=DIR --results=FILE [--jobs=N] [--report=FILE] [--pages] [--csv=FILE] [--strict]",
+    "fathom_batch --archive=dives --results=dives.sqlite --report=dives.html --jobs=2",
+    "Each log goes through fathom_compare and fathom_diagnose, all logs of a dive through one "
+    "fathom_identify. A rerun does only what is new or changed. A log that fails costs no other "
+    "one: the summary says which and why. The tables and archive.yaml: docs/archive.md. Many "
+    "machines: docs/cluster.md. Exit code 3: a log failed and --strict is given.",
+    {"merge"}};
+
+// "3/8"
+Shard ParseShard(const std::string& text) {
+  Shard shard;
+  char end = 0;
+  if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &end) != 2) {
+    throw InputError(fmt::format("--shard: is '{}', expected i/N as 0/8.", text));
+  }
+  return shard;
+}
+
+fs::path ToolsFolder() {
+  if (!FLAGS_tools.empty()) return FLAGS_tools;
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+// "dives_pages" beside "dives.html".
+fs::path PagesFolder() {
+  if (!FLAGS_pages) return {};
+  RequireFlag("report", FLAGS_report, "a page for --pages to stand beside");
+  const fs::path report = FLAGS_report;
+  return report.parent_path() / (report.stem().string() + "_pages");
+}
+
+BatchOptions OptionsFromFlags() {
+  BatchOptions options;
+  options.archive = RequireFlag("archive", FLAGS_archive, "a folder with logs");
+  options.results = RequireFlag("results", FLAGS_results, "a database to write");
+  options.tools = ToolsFolder();
+  options.version = FATHOM_VERSION;
+  options.families = FLAGS_families;
+  options.diagnose = FLAGS_diagnose;
+  options.jobs = FLAGS_jobs;
+  options.time_limit = FLAGS_time_limit;
+  options.memory_limit = FLAGS_memory_limit;
+  options.rehash = FLAGS_rehash;
+  options.pages = PagesFolder();
+  if (!FLAGS_shard.empty()) options.shard = ParseShard(FLAGS_shard);
+  for (const std::string& value : RepeatedValues(FLAGS_merge)) {
+    for (const std::string& file : SplitAtCommas(value)) options.merge.push_back(file);
+  }
+  return options;
+}
+
+BatchSummary RunBatchWithProgress(const BatchOptions& options) {
+  std::optional<Progress> line;
+  std::string noun;
+  auto start = std::chrono::steady_clock::now();
+  return RunBatch(options, [&](const BatchProgress& progress) {
+    if (progress.noun != noun) {
+      noun = progress.noun;
+      line.emplace(noun);
+      start = std::chrono::steady_clock::now();
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    line->Show(static_cast<int>(progress.done),
+               static_cast<int>(progress.total),
+               PaceText(progress, seconds.count()));
+  });
+}
+
+int Run() {
+  if (!FLAGS_survey.empty()) {
+    fmt::print("{}", FormatSurvey(SurveyLog(FLAGS_survey, DofFromFlag())));
+    return kExitUsable;
+  }
+  const BatchOptions options = OptionsFromFlags();
+  for (const std::string& file : {FLAGS_report, FLAGS_csv, FLAGS_slurm}) {
+    if (!file.empty()) RequireWritableFile(file);
+  }
+  if (FLAGS_dry_run || !FLAGS_slurm.empty()) {
+    const BatchPlan plan = PlanBatch(options);
+    fmt::print("{}", FormatPlan(plan, options.version));
+    if (!FLAGS_slurm.empty()) {
+      WriteFile(FLAGS_slurm, SlurmScript(options, FLAGS_plan, FLAGS_report));
+      fmt::print("\n{}", HowToSubmit(FLAGS_slurm, FLAGS_plan));
+    }
+    return kExitUsable;
+  }
+  const BatchSummary summary = RunBatchWithProgress(options);
+  const Tables tables = ReadResults(options.results);
+  fmt::print("{}", FormatSummary(summary, tables));
+  if (!FLAGS_csv.empty()) WriteFile(FLAGS_csv, FormatFitsCsv(tables.fits));
+  const bool failed = std::ranges::any_of(
+      summary.states, [](const auto& state) { return IsFailure(state.first) && state.second > 0; });
+  return FLAGS_strict && failed ? kExitStrict : kExitUsable;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }
