@@ -49,8 +49,6 @@ std::string Cell(const std::string& text) {
 
 std::string Cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
 
-bool GaveAModel(const std::string& status) { return status == "ok" || status == "partial"; }
-
 }  // namespace
 
 std::string PaceText(const BatchProgress& progress, double seconds) {
@@ -82,7 +80,7 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
   text += OtherFilesText(summary.other_files);
   bool is_first = true;
   for (const LogRow& row : tables.logs) {
-    if (GaveAModel(row.status) && row.message.empty()) continue;
+    if (row.status == "ok") continue;
     if (std::exchange(is_first, false)) text += "\n";
     text += fmt::format("{}: {}: {}\n", row.path, row.status, row.message);
   }

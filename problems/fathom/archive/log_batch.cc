@@ -119,6 +119,11 @@ DoneLog DoneLogOf(const HashedLog& hashed,
   for (const DofRuns& runs : outcome.dofs) {
     done.dofs.push_back({runs.dof, WhyLeftOut(runs, rows.findings)});
   }
+  if (outcome.survey) {
+    for (const SurveyedDof& dof : outcome.survey->dofs) {
+      if (!dof.why_not.empty() && dof.may_help) done.dofs.push_back({dof.dof, ""});
+    }
+  }
   done.is_final = IsFinal(outcome);
   return done;
 }

@@ -38,7 +38,7 @@ struct DoneLog {
   std::filesystem::path vehicle_file;  // empty: none
   double start = std::numeric_limits<double>::quiet_NaN();
   LogState state = LogState::kOk;
-  std::vector<DoneDof> dofs;  // that it can identify
+  std::vector<DoneDof> dofs;  // that it can identify, alone or with others
   bool is_final = true;       // false: a later batch has to run it again
 };
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -113,6 +114,18 @@ void LeaveOutStrangers(const std::vector<double>& errors, DiveOutcome* outcome) 
   outcome->logs = std::move(kept);
 }
 
+// A file with this model, for whoever needs it next too.
+fs::path FileOfModel(const std::string& model,
+                     const std::string& digest,
+                     const ProgramSettings& settings) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const fs::path file = settings.work / (digest + ".model.json");
+  std::error_code error;
+  if (!fs::exists(file, error)) WriteFile(file, model);
+  return file;
+}
+
 }  // namespace
 
 double PredictionNmae(const std::string& model,
@@ -120,9 +133,7 @@ double PredictionNmae(const std::string& model,
                       const ProgramSettings& settings,
                       const RunBook& book) {
   const std::string digest = DigestOf(model);
-  const fs::path file = settings.work / (digest + ".model.json");
-  std::error_code error;
-  if (!fs::exists(file, error)) WriteFile(file, model);
+  const fs::path file = FileOfModel(model, digest, settings);
   const RunRecord run =
       RunProgram({.program = "fathom_simulate",
                   .contents = {digest, log.content},

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -71,41 +72,42 @@ bool IsWhite(const Whiteness& sums) {
   return (2.0 - ratio) * std::sqrt(static_cast<double>(sums.count)) / 2.0 < kMostDeviations;
 }
 
-std::string WhyNot(const Signals& signals) {
+SurveyedDof LookAt(const Signals& signals) {
   std::size_t count = 0;
   double duration = 0.0;
   for (const Segment& segment : signals.train) {
     count += segment.time.size();
     duration += segment.time.back() - segment.time.front();
   }
-  if (IsAllHeldOut(signals)) return std::string(kAllIsHeldOut);
+  const auto no = [&](std::string why) { return SurveyedDof{signals.dof, std::move(why), false}; };
+  if (IsAllHeldOut(signals)) return no(std::string(kAllIsHeldOut));
   if (count < kFewestSamples || duration < kShortest) {
-    return fmt::format("too short: {} samples over {:.1f} s, expected at least {} over {} s.",
-                       count,
-                       duration,
-                       kFewestSamples,
-                       kShortest);
-  }
-  if (HasConstantCommand(signals.train)) {
-    return fmt::format("the command never changes: it is {} {} throughout.",
-                       signals.train.front().command.value.front(),
-                       signals.force_unit);
+    return no(fmt::format("too short: {} samples over {:.1f} s, expected at least {} over {} s.",
+                          count,
+                          duration,
+                          kFewestSamples,
+                          kShortest));
   }
   const Whiteness sums = WhitenessOf(signals.train);
-  if (!(sums.sum_of_squares > 0.0)) return "at rest: the motion never changes.";
-  if (IsWhite(sums)) return "at rest: the motion is no more than white noise.";
-  return "";
+  if (!(sums.sum_of_squares > 0.0)) return no("at rest: the motion never changes.");
+  if (IsWhite(sums)) return no("at rest: the motion is no more than white noise.");
+  if (!HasConstantCommand(signals.train)) return {signals.dof, "", true};
+  return {signals.dof,
+          fmt::format("the command never changes: it is {} {} throughout.",
+                      signals.train.front().command.value.front(),
+                      signals.force_unit),
+          true};
 }
 
 SurveyedDof LookAt(const Log& log, Dof dof) {
   if (!log.command || log.command->Find(ForceColumn(dof)) == nullptr) {
-    return {dof, "no command."};
+    return {dof, "no command.", false};
   }
-  if (SourcesOf(log, dof).empty()) return {dof, "no measured motion."};
+  if (SourcesOf(log, dof).empty()) return {dof, "no measured motion.", false};
   try {
-    return {dof, WhyNot(SignalsOf(log, dof, {.source = BestSourceOf(log, dof)}))};
+    return LookAt(SignalsOf(log, dof, {.source = BestSourceOf(log, dof)}));
   } catch (const InputError& error) {
-    return {dof, error.what()};
+    return {dof, error.what(), false};
   }
 }
 
@@ -153,7 +155,8 @@ Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof) {
 std::string FormatSurvey(const Survey& survey) {
   Json dofs = Json::array();
   for (const SurveyedDof& dof : survey.dofs) {
-    dofs.push_back({{"dof", Name(dof.dof)}, {"why_not", CleanText(dof.why_not)}});
+    dofs.push_back(
+        {{"dof", Name(dof.dof)}, {"why_not", CleanText(dof.why_not)}, {"may_help", dof.may_help}});
   }
   const Json json = {{"schema", "fathom-survey-1"},
                      {"dive", survey.dive},
@@ -179,8 +182,9 @@ Survey ParseSurvey(std::string_view text) {
     survey.duration = number("duration");
     survey.needs_tracking = json.at("needs_tracking").get<bool>();
     for (const Json& dof : json.at("dofs")) {
-      survey.dofs.push_back(
-          {ParseDof(dof.at("dof").get<std::string>()), dof.at("why_not").get<std::string>()});
+      survey.dofs.push_back({ParseDof(dof.at("dof").get<std::string>()),
+                             dof.at("why_not").get<std::string>(),
+                             dof.at("may_help").get<bool>()});
     }
     return survey;
   } catch (const Json::exception& error) {

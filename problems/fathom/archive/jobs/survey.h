@@ -17,7 +17,8 @@ namespace fathom {
 // Whether a log can identify a DOF.
 struct SurveyedDof {
   Dof dof = Dof::kSurge;
-  std::string why_not;  // empty: it can
+  std::string why_not;    // empty: it can
+  bool may_help = false;  // together with other logs it may, though not alone
 };
 
 // What a batch has to know of a log before it runs the programs on it.
@@ -31,9 +32,10 @@ struct Survey {
   std::vector<SurveyedDof> dofs;  // those that log.yaml names, else those that are commanded
 };
 
-// Looks at the command and the motion of each DOF. A DOF cannot be identified where its command
-// never changes, its motion never changes or is no more than white noise, or less than 20 samples
-// or 3 s of it are there.
+// Looks at the command and the motion of each DOF. A DOF cannot be identified where its motion
+// never changes or is no more than white noise, or less than 20 samples or 3 s of it are there.
+// Where the command never changes it cannot either, but several such logs with different commands
+// can.
 //
 // `dof`: of a single CSV. Throws InputError as OpenLog() does.
 Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof);
