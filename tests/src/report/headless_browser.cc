@@ -29,6 +29,19 @@ std::string OutputOf(const std::string& command) {
   return output;
 }
 
+// Chromium's windows do not get narrower [px].
+constexpr int kLeastWidth = 500;
+
+// A page that shows another one within a frame, and its findings as its own.
+constexpr const char* kFrame = R"(<!doctype html><body><script>
+addEventListener("message", (event) => {{
+  const report = document.createElement("pre");
+  report.id = "selftest";
+  report.textContent = event.data;
+  document.body.append(report);
+}});
+</script><iframe width="{}" height="{}" style="border:0" src="file://{}#selftest"></iframe></body>)";
+
 // What Chromium writes to stdout when it opens the page at `hash`.
 std::string OutputOfChromium(const std::string& html,
                              const std::string& name,
@@ -65,6 +78,15 @@ std::string DomOf(const Page& page, const std::string& name) {
 }
 
 std::string DomOf(const std::string& html, const std::string& name, const Window& window) {
+  if (window.width < kLeastWidth) {
+    const std::string file =
+        fmt::format("{}/{}_{}_in_frame.html", FATHOM_SCRATCH_DIR, name, getpid());
+    WriteFile(file, html);
+    const std::string frame = fmt::format(kFrame, window.width, window.height, file);
+    const std::string dom = DomOf(frame, name, {.height = window.height});
+    std::filesystem::remove(file);
+    return dom;
+  }
   return OutputOfChromium(html,
                           name,
                           "#selftest",
