@@ -24,7 +24,9 @@ const effectsText = (dive, dof) => {
   for (const [name, count] of Object.entries(verdicts)) {
     if (name !== "explained") parts.push(`${name} (${counted(count, "log")})`);
   }
-  return parts.join(", ") || "not diagnosed";
+  const rest = dive.logs.length - Object.values(verdicts).reduce((sum, count) => sum + count, 0);
+  if (rest > 0) parts.push(`not diagnosed (${counted(rest, "log")})`);
+  return parts.join(", ") || "–";
 };
 
 const findingsOf = (dive, findings) => {
@@ -74,7 +76,7 @@ const comparisonTable = (data, one, other) => {
       const row = element("tr", Math.abs(difference ?? 0) >= LARGE_DIFFERENCE ? "large" : "");
       const heading = element("th", "", name);
       heading.scope = "row";
-      const text = difference == null ? "" : `${difference < 0 ? "−" : "+"}${Math.abs(difference).toFixed(1)}`;
+      const text = difference == null ? "" : `${difference < 0 ? "" : "+"}${difference.toFixed(1)}`;
       row.append(heading, element("td", "", a), element("td", "", b), element("td", "", text));
       body.append(row);
     }
