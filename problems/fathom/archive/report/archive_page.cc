@@ -34,7 +34,7 @@ constexpr std::string_view kSections = R"(<section id="parameters">
 </section>
 <section id="dives">
 <h2>Dives, worst first</h2>
-<p class="hint">Worst are dives with the most logs without a model, then with the most red findings, then with the largest held-out NMAE. NMAE is the mean absolute error of the simulated speed over the mean absolute speed; the figure is the worst DOF's.</p>
+<p class="hint">Worst are dives with the most logs without a model, then with the most red findings, then with the largest held-out NMAE. NMAE is the mean absolute error of the simulated speed over the mean absolute speed; the figure is the worst DOF's. For the prediction NMAE the model of the previous dive simulates this one.</p>
 <div id="dive-table"></div>
 </section>
 <section id="comparison">

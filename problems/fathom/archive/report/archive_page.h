@@ -12,7 +12,7 @@ namespace fathom {
 // The page of an archive: one HTML file that loads nothing. What changed and what became of the
 // logs stand in it as sentences, for readers without a script; charts, the table of dives and the
 // comparison of two dives are drawn by its scripts. All texts are plain text and are escaped.
-// docs/archive.md tells how to read it.
+// docs/report.md tells how to read it.
 std::string RenderArchivePage(const ArchiveReport& report);
 
 }  // namespace fathom

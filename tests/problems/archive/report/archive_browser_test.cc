@@ -120,6 +120,27 @@ TEST_F(ArchiveInBrowser, RunsNoScriptThatATextSmugglesIn) {
   EXPECT_NE(dom.find("href=\"javascript%3A"), std::string::npos);
 }
 
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// The style of print on a screen that is as wide as A4 between its margins.
+TEST_F(ArchiveInBrowser, CutsNoColumnInPrint) {
+  const std::string html = RenderArchivePage(ExampleArchive());
+  ASSERT_THAT(html, HasSubstr("@media print"));
+  const std::string printed =
+      Replaced(Replaced(html, "@media print", "@media all"), "@media screen", "@media speech");
+  auto findings = FindingsIn(DomOf(printed, "archive_paper", {.width = 700}));
+  EXPECT_EQ(findings["overflow"], "0");
+  EXPECT_EQ(findings["errors"], "0") << findings["error_texts"];
+  EXPECT_EQ(findings["controls_in_sight"], "0");
+  // On a screen they are there: the filter, two dives to choose.
+  EXPECT_GE(std::stoi(FindingsIn(DomOf(html, "archive_screen", {}))["controls_in_sight"]), 3);
+}
+
 TEST_F(ArchiveInBrowser, PrintsAsAFile) {
   const std::string pdf = PrintOf(RenderArchivePage(ExampleArchive()), "archive_print");
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");

@@ -3,11 +3,12 @@ const testYourself = (drawnAfter) => {
   const root = document.documentElement;
   const findings = {drawn_ms: drawnAfter.toFixed(1), width: root.clientWidth};
   const all = (selector) => [...document.querySelectorAll(selector)];
-  // Pixels by which something sticks out of the page, and what it is.
+  // Pixels by which something sticks out of the page.
   const overflow = () => Math.max(root.scrollWidth - root.clientWidth, 0);
   const firstDive = () => document.querySelector(".dive-row .opener")?.textContent ?? "";
   try {
     findings.overflow = overflow();
+    findings.controls_in_sight = all("input, select, .plain").filter((field) => field.offsetWidth > 0).length;
     findings.charts = all(".over-dives svg").length;
     findings.charts_drawn = all(".over-dives svg").filter((svg) => svg.querySelector(".dots")?.getAttribute("d")).length;
     findings.borders = all(".border").filter((path) => path.getAttribute("d")).length;

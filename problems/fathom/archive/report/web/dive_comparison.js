@@ -50,7 +50,7 @@ const comparisonRows = (data, one, other) => {
     ["Parameters, ± one standard deviation", parameterRows(data.parameters, one, other)],
     ["Effects", dofs.map((dof) => [dof, effectsText(a, dof), effectsText(b, dof), null])],
     ["Held-out NMAE", dofs.map((dof) => [dof, score(a, dof, "h"), score(b, dof, "h"), null])],
-    ["NMAE of the previous dive's model", dofs.map((dof) => [dof, score(a, dof, "p"), score(b, dof, "p"), null])],
+    ["Prediction NMAE", dofs.map((dof) => [dof, score(a, dof, "p"), score(b, dof, "p"), null])],
     ["Findings", [["", findingsOf(a, findings).join("\n") || "none", findingsOf(b, findings).join("\n") || "none", null]]],
   ];
 };

@@ -1,7 +1,6 @@
 // The table of dives: filter, sort, and the logs of a dive below its row.
 const ROWS_IN_SIGHT = 100;
 const LINKS_IN_SIGHT = 3;
-const LONG_NAME = 24;  // a longer one may be broken into lines
 
 const worstOf = (dive, key) => {
   const known = Object.values(dive.dofs).map((dof) => dof[key]).filter((value) => value != null);
@@ -34,7 +33,7 @@ const diveColumns = (logs) => [
   {name: "DOFs with a model", text: (dive) => dofsOf([dive]).filter((dof) => dive.dofs[dof].model).join(", ") || "–",
    value: (dive) => Object.values(dive.dofs).filter(({model}) => model).length},
   {name: "held-out NMAE", isNumber: true, text: (dive) => ratioText(worstOf(dive, "h")), value: (dive) => worstOf(dive, "h")},
-  {name: "NMAE of the previous dive's model", isNumber: true, text: (dive) => ratioText(worstOf(dive, "p")),
+  {name: "prediction NMAE", isNumber: true, text: (dive) => ratioText(worstOf(dive, "p")),
    value: (dive) => worstOf(dive, "p")},
   {name: "causes named", text: (dive) => causesOf(dive.dofs) || "–", value: (dive) => causesOf(dive.dofs)},
   {name: "findings", text: (dive) => findingsText(dive) || "–", value: (dive) => 1e6 * dive.red + dive.yellow},
@@ -74,8 +73,7 @@ const diveRow = (dive, columns, logs) => {
     const cell = element("td", column.isNumber ? "number" : "");
     cell.dataset.name = column.name;
     if (column.name === "dive") {
-      const name = column.text(dive);
-      button = element("button", name.length > LONG_NAME ? "opener long" : "opener", name);
+      button = element("button", "opener", column.text(dive));
       button.type = "button";
       button.setAttribute("aria-expanded", "false");
       button.title = "Show the logs of this dive";
