@@ -83,6 +83,7 @@ std::string Script() {
 std::string RenderArchivePage(const ArchiveReport& report) {
   const std::vector<DiveSummary> summaries = SummariesOf(report);
   std::vector<std::string> dives;
+  dives.reserve(summaries.size());
   for (const DiveSummary& summary : summaries) dives.push_back(summary.dive);
 
   FramedPage page;

@@ -30,6 +30,7 @@ constexpr std::array<Entry, 10> kStates = {{
 const std::vector<std::string>& StatesInOrder() {
   static const std::vector<std::string> states = [] {
     std::vector<std::string> names;
+    names.reserve(kStates.size());
     for (const auto& [name, meaning] : kStates) names.emplace_back(name);
     return names;
   }();

@@ -125,10 +125,8 @@ std::string ParameterChartsJson(const ArchiveReport& report,
 
     // Parameters in the order in which they come.
     std::vector<std::vector<const DiveFitRow*>> by_parameter;
-    std::set<std::size_t> present;
     for (const DiveFitRow* row : rows) {
       if (!row->usable || !std::isfinite(row->value) || !places.contains(row->dive)) continue;
-      present.insert(places[row->dive]);
       const auto found = std::ranges::find_if(by_parameter, [&](const auto& others) {
         return others.front()->parameter == row->parameter;
       });
@@ -146,14 +144,9 @@ std::string ParameterChartsJson(const ArchiveReport& report,
       chart["outliers"] = OutliersJson(report, key, parameter, places);
       charts.push_back(std::move(chart));
     }
-    json missing = json::array();
-    for (std::size_t place = 0; place < indices.size(); ++place) {
-      if (!present.contains(place)) missing.push_back(place);
-    }
     groups.push_back({{"vehicle", key.vehicle},
                       {"dof", key.dof},
                       {"dives", std::move(indices)},
-                      {"missing", std::move(missing)},
                       {"charts", std::move(charts)}});
   }
   return groups.dump(-1, ' ', false, json::error_handler_t::replace);

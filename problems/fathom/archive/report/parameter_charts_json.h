@@ -16,7 +16,6 @@ namespace fathom {
 //
 //   vehicle, dof
 //   dives    places in `dives`
-//   missing  places without a usable joint fit
 //   charts   parameter, unit, range [from, to], ticks [[value, label]],
 //            points [[place, value, std or null, text]], outliers [place],
 //            changes {kind, at, until, before, after}, in places

@@ -49,7 +49,7 @@ const pointPaths = (points, outliers, x, y) => {
   return paths;
 };
 
-const drawParameterChart = (svg, chart, names, missing, width) => {
+const drawParameterChart = (svg, chart, names, width) => {
   const [from, to] = chart.range;
   const right = width - CHART.right;
   const bottom = CHART.height - CHART.bottom;
@@ -64,6 +64,8 @@ const drawParameterChart = (svg, chart, names, missing, width) => {
     svg.append(drawing("path", {class: "grid", d: `M${CHART.left} ${at}H${right}`}),
                drawing("text", {x: CHART.left - 8, y: at, dy: "0.35em", "text-anchor": "end"}, label));
   }
+  const present = new Set(chart.points.map(([place]) => place));
+  const missing = [...names.keys()].filter((place) => !present.has(place));
   svg.append(drawing("path", {class: "missing", d: missing.map((place) => `M${x(place).toFixed(1)} ${bottom}v-7`).join("")}),
              drawing("path", {class: "axis-line", d: `M${CHART.left} ${bottom}H${right}`}));
   axisLabels(svg, names, x, CHART.height - 8, CHART.left - 10, width);
@@ -91,7 +93,7 @@ const drawParameterChart = (svg, chart, names, missing, width) => {
 };
 
 // The chart with its name and what it reads out below the pointer or at the arrow keys.
-const parameterFigure = (chart, dof, names, missing) => {
+const parameterFigure = (chart, dof, names) => {
   chart.points.sort((a, b) => a[0] - b[0]);
   const figure = element("figure", "over-dives");
   const caption = element("figcaption");
@@ -136,12 +138,12 @@ const parameterFigure = (chart, dof, names, missing) => {
     event.preventDefault();
     choose(Math.min(Math.max(chosen + step, 0), chart.points.length - 1));
   });
-  return {figure, draw: (width) => { view = drawParameterChart(svg, chart, names, missing, width); }};
+  return {figure, draw: (width) => { view = drawParameterChart(svg, chart, names, width); }};
 };
 
 const showParameterCharts = (place, groups, dives) => {
   const vehicles = new Set(groups.map(({vehicle}) => vehicle));
-  for (const {vehicle, dof, dives: own, missing, charts} of groups) {
+  for (const {vehicle, dof, dives: own, charts} of groups) {
     place.append(element("h3", "", capitalised(vehicles.size > 1 && vehicle ? `${dof}, ${vehicle}` : dof)));
     if (!charts.length) {
       place.append(element("p", "hint", "No dive has a usable joint fit."));
@@ -149,7 +151,7 @@ const showParameterCharts = (place, groups, dives) => {
     }
     const grid = element("div", "chart-grid");
     const names = own.map((index) => diveName(dives[index]));
-    const figures = charts.map((chart) => parameterFigure(chart, dof, names, missing));
+    const figures = charts.map((chart) => parameterFigure(chart, dof, names));
     grid.append(...figures.map(({figure}) => figure));
     place.append(grid);
     drawToFit(figures[0].figure, (width) => { for (const {draw} of figures) draw(width); }, COLUMN_ON_PAPER);
