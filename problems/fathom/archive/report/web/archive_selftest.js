@@ -24,6 +24,7 @@ const testYourself = (drawnAfter) => {
 
     findings.rows = all(".dive-row").length;
     findings.worst_dive = firstDive();
+    findings.first_address = document.querySelector("#dive-table a")?.getAttribute("href") ?? "";
     document.querySelector(".opener")?.click();
     findings.logs_opened = all(".logs-of-dive li").map((item) => item.textContent).join(" | ");
     findings.overflow_opened = overflow();
