@@ -5,6 +5,7 @@
 
 #include "fathom/archive/report/archive_report.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
