@@ -4,6 +4,7 @@
 #include "fathom/report/page.h"
 
 #include "fathom/report/html_text.h"
+#include "fathom/report/page_frame.h"
 #include "fathom/report/palette.h"
 #include "fathom/report/parameter_chart.h"
 #include "fathom/report/scatter_chart.h"
@@ -21,15 +22,6 @@
 
 namespace fathom {
 namespace {
-
-// A page may run its own script and style and load nothing at all.
-constexpr std::string_view kHead = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'">
-)";
 
 // A few sections can be seen at a glance; more need a way to jump.
 constexpr std::size_t kSectionsWithoutContents = 2;
@@ -108,19 +100,6 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   return html + "</section>\n";
 }
 
-// JSON that may stand inside a script element: without '<' nothing in it can end the element.
-std::string ScriptSafe(const std::string& json) {
-  std::string text;
-  for (const char c : json) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string RenderPage(const Page& page) {
@@ -133,11 +112,16 @@ std::string RenderPage(const Page& page) {
     }
     sections.push_back(fmt::format("[{}]", fmt::join(charts, ",")));
   }
-  const std::string data = fmt::format("[{}]", fmt::join(sections, ","));
+  FramedPage framed;
+  framed.title = page.title;
+  framed.style = fmt::format("{}\n{}", web::uplot_css, PageStyle());
+  framed.data = fmt::format("[{}]", fmt::join(sections, ","));
+  framed.scripts = {
+      fmt::format(
+          "/* uPlot draws the charts. Its licence:\n{}*/\n{}\n", web::uplot_license, web::uplot_js),
+      std::string(web::page_js)};
 
-  std::string html(kHead);
-  html += fmt::format("<title>{}</title>\n", HtmlText(page.title));
-  html += fmt::format("<style>\n{}\n{}</style>\n</head>\n<body>\n", web::uplot_css, web::page_css);
+  std::string& html = framed.body;
   html += "<header>\n<h1>" + HtmlText(page.title) + "</h1>\n";
   if (!page.subtitle.empty()) html += "<p class=\"subtitle\">" + HtmlText(page.subtitle) + "</p>\n";
   html += Paragraphs(page.lead, "lead");
@@ -153,12 +137,7 @@ std::string RenderPage(const Page& page) {
   }
   html += "</main>\n";
   if (!page.footer.empty()) html += "<footer>" + HtmlText(page.footer) + "</footer>\n";
-  html += "<script type=\"application/json\" id=\"data\">" + ScriptSafe(data) + "</script>\n";
-  html += fmt::format("<script>\n/* uPlot draws the charts. Its licence:\n{}*/\n{}\n</script>\n",
-                      web::uplot_license,
-                      web::uplot_js);
-  html += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", web::page_js);
-  return html;
+  return FramedHtml(framed);
 }
 
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/report/time_chart_json.h"
 
 #include "fathom/report/format_value.h"
+#include "fathom/report/seven_digits.h"
 #include "fathom/report/thinning.h"
 
 #include <algorithm>
@@ -20,13 +21,6 @@ using nlohmann::json;
 
 constexpr double kEpoch = 1e6;       // stamps beyond this count from some epoch [s]
 constexpr double kTimeDigits = 1e5;  // stamps are shown to 10 microseconds
-
-double ToSevenDigits(double value) {
-  if (value == 0.0 || !std::isfinite(value)) return value;
-  const double unit = std::pow(10.0, 6 - std::floor(std::log10(std::abs(value))));
-  const double rounded = std::round(value * unit) / unit;
-  return std::isfinite(rounded) ? rounded : value;
-}
 
 json SeriesJson(const Series& series,
                 std::string_view color,

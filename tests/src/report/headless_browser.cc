@@ -3,6 +3,7 @@
 
 #include "headless_browser.h"
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 
 #include <array>
@@ -28,6 +29,41 @@ std::string OutputOf(const std::string& command) {
   return output;
 }
 
+// Chromium's windows do not get narrower [px].
+constexpr int kLeastWidth = 500;
+
+// A page that shows another one within a frame, and its findings as its own.
+constexpr const char* kFrame = R"(<!doctype html><body><script>
+addEventListener("message", (event) => {{
+  const report = document.createElement("pre");
+  report.id = "selftest";
+  report.textContent = event.data;
+  document.body.append(report);
+}});
+</script><iframe width="{}" height="{}" style="border:0" src="file://{}#selftest"></iframe></body>)";
+
+// What Chromium writes to stdout when it opens the page at `hash`.
+std::string OutputOfChromium(const std::string& html,
+                             const std::string& name,
+                             const std::string& hash,
+                             const std::string& flags) {
+  const std::string file = fmt::format("{}/{}_{}.html", FATHOM_SCRATCH_DIR, name, getpid());
+  const std::string profile = file + ".profile";
+  WriteFile(file, html);
+  const std::string output = OutputOf(fmt::format(
+      "timeout 60 '{}' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "--disable-background-networking --disable-component-update --disable-sync "
+      "--user-data-dir='{}' {} 'file://{}{}' 2>/dev/null",
+      Chromium(),
+      profile,
+      flags,
+      file,
+      hash));
+  std::filesystem::remove_all(profile);
+  std::filesystem::remove(file);
+  return output;
+}
+
 }  // namespace
 
 std::string Chromium() {
@@ -38,20 +74,35 @@ std::string Chromium() {
 }
 
 std::string DomOf(const Page& page, const std::string& name) {
-  const std::string file = fmt::format("{}/{}_{}.html", FATHOM_SCRATCH_DIR, name, getpid());
-  const std::string profile = file + ".profile";
-  WriteFile(file, RenderPage(page));
-  const std::string dom = OutputOf(fmt::format(
-      "timeout 60 '{}' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
-      "--disable-background-networking --disable-component-update --disable-sync "
-      "--user-data-dir='{}' --window-size=1280,1000 --virtual-time-budget=8000 --dump-dom "
-      "'file://{}#selftest' 2>/dev/null",
-      Chromium(),
-      profile,
-      file));
-  std::filesystem::remove_all(profile);
-  std::filesystem::remove(file);
-  return dom;
+  return DomOf(RenderPage(page), name, {});
+}
+
+std::string DomOf(const std::string& html, const std::string& name, const Window& window) {
+  if (window.width < kLeastWidth) {
+    const std::string file =
+        fmt::format("{}/{}_{}_in_frame.html", FATHOM_SCRATCH_DIR, name, getpid());
+    WriteFile(file, html);
+    const std::string frame = fmt::format(kFrame, window.width, window.height, file);
+    const std::string dom = DomOf(frame, name, {.height = window.height});
+    std::filesystem::remove(file);
+    return dom;
+  }
+  return OutputOfChromium(html,
+                          name,
+                          "#selftest",
+                          fmt::format("--window-size={},{} {} --dump-dom",
+                                      window.width,
+                                      window.height,
+                                      window.has_real_time ? "" : "--virtual-time-budget=8000"));
+}
+
+std::string PrintOf(const std::string& html, const std::string& name) {
+  const std::string pdf = fmt::format("{}/{}_{}.pdf", FATHOM_SCRATCH_DIR, name, getpid());
+  OutputOfChromium(html, name, "", fmt::format("--print-to-pdf='{}'", pdf));
+  if (!std::filesystem::exists(pdf)) return "";
+  const std::string bytes = ReadFile(pdf);
+  std::filesystem::remove(pdf);
+  return bytes;
 }
 
 std::map<std::string, std::string> FindingsIn(const std::string& dom) {

@@ -18,6 +18,20 @@ std::string Chromium();
 // that run at once apart.
 std::string DomOf(const Page& page, const std::string& name);
 
+// A window, and the clock of the page in it.
+struct Window {
+  int width = 1280;  // below 500 the page is opened within a frame of this width
+  int height = 1000;
+  bool has_real_time = false;  // otherwise timers fire at once, and clocks mean nothing
+};
+
+// The same of any page. With the real clock it is read as soon as it has loaded. Of a page in a
+// frame only its findings are read, which it has to post to the window around it.
+std::string DomOf(const std::string& html, const std::string& name, const Window& window);
+
+// The bytes of the PDF that printing the page gives; empty if there is none.
+std::string PrintOf(const std::string& html, const std::string& name);
+
 // The lines "name=value" of that self test.
 std::map<std::string, std::string> FindingsIn(const std::string& dom);
 

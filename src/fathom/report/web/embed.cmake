@@ -1,9 +1,10 @@
-# cmake -DOUTPUT=... -DSOURCES="name=file;..." -P embed.cmake
+# cmake -DOUTPUT=... -DSOURCES="name=file;..." -DHEADER=fathom/... -P embed.cmake
 #
-# Writes a .cc that defines `const std::string_view name` in fathom::web for each file. The bytes become
+# Writes a .cc that defines `const std::string_view name` in fathom::web for each file,
+# which HEADER declares. The bytes become
 # an array of numbers: no limit on its length, no character that needs quoting.
 cmake_minimum_required(VERSION 3.22)
-set(text "// Written by src/fathom/report/web/embed.cmake. Do not edit.\n#include \"fathom/report/web/assets.h\"\n\nnamespace fathom::web {\n")
+set(text "// Written by src/fathom/report/web/embed.cmake. Do not edit.\n#include \"${HEADER}\"\n\nnamespace fathom::web {\n")
 foreach(source IN LISTS SOURCES)
   string(REPLACE "=" ";" source "${source}")
   list(GET source 0 name)

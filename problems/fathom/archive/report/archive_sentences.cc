@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/report/archive_sentences.h"
+
+#include "fathom/archive/report/log_states.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// By vehicle, the dives with a usable joint fit of that DOF which has most of them.
+std::map<std::string, std::size_t> NumDivesCompared(const Tables& tables) {
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> dives;
+  for (const DiveFitRow& row : tables.dive_fits) {
+    auto& of_dof = dives[{row.vehicle, row.dof}];
+    if (row.usable && std::isfinite(row.value)) of_dof.insert(row.dive);
+  }
+  std::map<std::string, std::size_t> counts;
+  for (const auto& [key, of_dof] : dives) {
+    std::size_t& count = counts[key.first];
+    count = std::max(count, of_dof.size());
+  }
+  return counts;
+}
+
+std::string QuietSentence(const std::string& vehicle, std::size_t num_dives) {
+  const std::string of = vehicle.empty() ? "" : " of " + vehicle;
+  if (num_dives >= kFewestDivesForChange) {
+    return fmt::format("No change over {} dives{}.", num_dives, of);
+  }
+  if (num_dives == 0) {
+    return fmt::format("No statement on change{}: no dive has a usable joint fit.", of);
+  }
+  return fmt::format(
+      "No statement on change{}: only {} {} a usable joint fit, at least {} are "
+      "needed.",
+      of,
+      Counted(num_dives, "dive"),
+      num_dives == 1 ? "has" : "have",
+      kFewestDivesForChange);
+}
+
+// "950 ok, 30 partial": the states of `counts` that do or do not give a model, known ones first.
+std::string Listed(const std::map<std::string, std::size_t>& counts, bool gives_model) {
+  std::vector<std::string> names = StatesInOrder();
+  for (const auto& [state, count] : counts) {
+    if (std::ranges::find(names, state) == names.end()) names.push_back(state);
+  }
+  std::vector<std::string> parts;
+  for (const std::string& name : names) {
+    const auto found = counts.find(name);
+    if (found == counts.end() || GivesModel(name) != gives_model) continue;
+    parts.push_back(fmt::format("{} {}", found->second, StateText(name)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string OtherFiles(const std::map<std::string, int>& files) {
+  if (files.empty()) return "";
+  std::vector<std::string> kinds;
+  std::size_t sum = 0;
+  for (const auto& [ending, count] : files) {
+    kinds.push_back(fmt::format("{} {}", count, ending.empty() ? "without an ending" : ending));
+    sum += static_cast<std::size_t>(count);
+  }
+  return fmt::format(" {} no {}: {}.",
+                     Counted(sum, "other file") + (sum == 1 ? " is" : " are"),
+                     sum == 1 ? "log" : "logs",
+                     fmt::join(kinds, ", "));
+}
+
+}  // namespace
+
+std::string Counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::vector<std::string> ChangeSentences(const ArchiveReport& report) {
+  std::vector<std::string> sentences = report.change_sentences;
+  const auto compared = NumDivesCompared(report.tables);
+  if (compared.size() <= 1) {
+    const std::size_t num_dives = compared.empty() ? 0 : compared.begin()->second;
+    if (sentences.empty()) sentences.push_back(QuietSentence("", num_dives));
+    return sentences;
+  }
+  std::set<std::string> changed;
+  for (const ChangeRow& row : report.tables.changes) changed.insert(row.vehicle);
+  for (const auto& [vehicle, num_dives] : compared) {
+    if (changed.contains(vehicle)) continue;
+    sentences.push_back(
+        QuietSentence(vehicle.empty() ? "the vehicle without a name" : vehicle, num_dives));
+  }
+  return sentences;
+}
+
+std::string LogsSentence(const ArchiveReport& report) {
+  std::map<std::string, std::size_t> counts;
+  std::set<std::string> dives(report.dives.begin(), report.dives.end());
+  std::size_t num_models = 0;
+  for (const LogRow& log : report.tables.logs) {
+    ++counts[log.status];
+    num_models += GivesModel(log.status) ? 1 : 0;
+    if (!log.dive.empty()) dives.insert(log.dive);
+  }
+  const std::size_t num_logs = report.tables.logs.size();
+  if (num_logs == 0) return "There are no logs." + OtherFiles(report.other_files);
+
+  std::string text =
+      fmt::format("{} in {}: ", Counted(num_logs, "log"), Counted(dives.size(), "dive"));
+  text += num_models == 0 ? "none gave a model"
+                          : fmt::format("{} gave a model ({})", num_models, Listed(counts, true));
+  if (num_models < num_logs) {
+    text += fmt::format(", {} did not ({})", num_logs - num_models, Listed(counts, false));
+  }
+  return text + "." + OtherFiles(report.other_files);
+}
+
+}  // namespace fathom

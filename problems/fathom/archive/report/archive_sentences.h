@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/archive/report/archive_report.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// Of fewer dives with a usable joint fit nothing is said about change.
+inline constexpr int kFewestDivesForChange = 4;
+
+// What changed over the dives. Of a vehicle without a change: that there is none, or that too few
+// dives have a usable joint fit to tell. At least one sentence.
+std::vector<std::string> ChangeSentences(const ArchiveReport& report);
+
+// How many logs in how many dives, and what became of them: every log is in one of the counts.
+std::string LogsSentence(const ArchiveReport& report);
+
+// "logs" unless it is one: "1 log", "12 logs".
+std::string Counted(std::size_t count, const std::string& noun);
+
+}  // namespace fathom

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/report/archive_page.h"
+
+#include "fathom/archive/report/log_states.h"
+
+#include <string>
+#include <string_view>
+
+#include "example_archive.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The part of the page that a reader without a script sees.
+std::string WithoutScripts(const std::string& html) {
+  return html.substr(html.find("<body>"), html.find("<script") - html.find("<body>"));
+}
+
+TEST(ArchivePage, SaysWhatChangedBeforeAllElse) {
+  const std::string body = WithoutScripts(RenderArchivePage(ExampleArchive()));
+  const auto payload = body.find("From dive-013 on the vehicle is 14 kg heavier (± 2) in surge");
+  const auto fouling = body.find("the quadratic damping of surge grows by 33 % (± 4): fouling.");
+  const auto logs = body.find("120 logs in 30 dives: 111 gave a model (110 ok, 1 partial)");
+  ASSERT_NE(payload, std::string::npos);
+  EXPECT_LT(payload, fouling);
+  ASSERT_LT(fouling, logs);
+  ASSERT_NE(logs, std::string::npos);
+  EXPECT_LT(logs, body.find("<h2>"));
+}
+
+TEST(ArchivePage, ListsEveryLogThatGaveNoModelWithItsReason) {
+  const ArchiveReport report = ExampleArchive();
+  const std::string body = WithoutScripts(RenderArchivePage(report));
+  for (const LogRow& log : report.tables.logs) {
+    const std::string item = "<li>" + log.path + "</li>";
+    if (GivesModel(log.status)) {
+      EXPECT_THAT(body, Not(HasSubstr(item)));
+    } else {
+      EXPECT_THAT(body, HasSubstr(item));
+      EXPECT_THAT(body, HasSubstr("<h3>" + StateText(log.status) + " <span>"));
+    }
+  }
+  EXPECT_THAT(body, HasSubstr("fathom_identify: signal 11"));
+}
+
+TEST(ArchivePage, EndsWithWhereItComesFrom) {
+  const std::string body = WithoutScripts(RenderArchivePage(ExampleArchive()));
+  const std::string footer = body.substr(body.find("<footer>"));
+  for (const char* text : {"Fathom 0.1.0",
+                           "2026-11-24T06:12:00Z",
+                           "/data/pool_rov/2021-2026",
+                           "--jobs=8 --diagnose"}) {
+    EXPECT_THAT(footer, HasSubstr(text));
+  }
+}
+
+// Of an archive in which every text is `text`.
+std::string PageWith(const std::string& text) {
+  ArchiveReport report;
+  report.archive = report.version = report.date = report.command = text;
+  report.dives = {text, "b" + text};
+  report.change_sentences = {text};
+  report.outliers = {{text, text, text, text}};
+  report.other_files = {{text, 2}};
+  report.pages[{text, text}] = text;
+  Tables& tables = report.tables;
+  LogRow log;
+  log.path = log.dive = log.start = log.status = log.message = log.vehicle = text;
+  tables.logs = {log};
+  DiveFitRow fit;
+  fit.dive = fit.dof = fit.parameter = fit.unit = fit.message = fit.vehicle = text;
+  fit.usable = true;
+  fit.value = 1.0;
+  tables.dive_fits = {fit};
+  tables.verdicts = {{text, text, text, text, text}};
+  CauseRow cause;
+  cause.log = cause.dof = cause.effect = cause.parameter = text;
+  tables.causes = {cause};
+  tables.findings = {{text, text, text, text, text}};
+  ChangeRow change;
+  change.dof = change.parameter = change.at = change.cause = change.vehicle = text;
+  change.kind = "step";
+  tables.changes = {change};
+  return RenderArchivePage(report);
+}
+
+TEST(ArchivePage, EscapesEveryText) {
+  const std::string html = PageWith("<script>'&\"</script>");
+  EXPECT_THAT(html, HasSubstr("&lt;script&gt;&#39;&amp;&quot;&lt;/script&gt;"));
+  EXPECT_THAT(html, Not(HasSubstr("<script>'")));
+  EXPECT_THAT(html, Not(HasSubstr("\"</script>\"")));
+}
+
+TEST(ArchivePage, KeepsNamesOfEveryAlphabet) {
+  for (const char* name : {"潜水 07", "погружение 3", "غوص", "plongée n° 2 🐟"}) {
+    EXPECT_THAT(WithoutScripts(PageWith(name)), HasSubstr(name));
+  }
+}
+
+TEST(ArchivePage, ReplacesBytesThatAreNotUtf8) {
+  const std::string html = PageWith("dive \xff\xc3(");
+  EXPECT_EQ(html.find('\xff'), std::string::npos);
+  EXPECT_THAT(html, HasSubstr("dive \xEF\xBF\xBD"));
+}
+
+TEST(ArchivePage, ReferencesNothingOutsideItself) {
+  const std::string html = RenderArchivePage(ExampleArchive());
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  for (const char* reference : {"https:", "src=", "url(", "@import", "<link", "import("}) {
+    EXPECT_EQ(html.find(reference), std::string::npos) << reference;
+  }
+}
+
+TEST(ArchivePage, StandsWithoutAnyLog) {
+  const std::string body = WithoutScripts(RenderArchivePage({}));
+  EXPECT_THAT(body, HasSubstr("No statement on change: no dive has a usable joint fit."));
+  EXPECT_THAT(body, HasSubstr("There are no logs."));
+}
+
+// 2000 dives of 5 logs, 3 DOFs and 4 parameters.
+TEST(ArchivePage, OfThousandsOfDivesIsAFewMegabytes) {
+  EXPECT_LT(RenderArchivePage(ExampleArchive({2000, 5})).size(), 5'000'000u);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/report/archive_sentences.h"
+
+#include "fathom/archive/report/log_states.h"
+
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::ElementsAre;
+
+void AddDives(int count, bool usable, const std::string& vehicle, ArchiveReport* report) {
+  for (int dive = 0; dive < count; ++dive) {
+    DiveFitRow row;
+    row.dive = fmt::format("{} {}", vehicle, dive);
+    row.dof = "surge";
+    row.vehicle = vehicle;
+    row.usable = usable;
+    row.value = 1.0;
+    report->tables.dive_fits.push_back(row);
+  }
+}
+
+ArchiveReport WithStates(const std::vector<std::string>& states) {
+  ArchiveReport report;
+  for (const std::string& state : states) {
+    LogRow log;
+    log.path = fmt::format("log {}", report.tables.logs.size());
+    log.dive = "a";
+    log.status = state;
+    report.tables.logs.push_back(log);
+  }
+  return report;
+}
+
+TEST(ChangeSentences, TellThatNothingChanged) {
+  ArchiveReport report;
+  AddDives(12, true, "", &report);
+  EXPECT_THAT(ChangeSentences(report), ElementsAre("No change over 12 dives."));
+}
+
+TEST(ChangeSentences, SayNothingOfTooFewDives) {
+  ArchiveReport report;
+  AddDives(1, true, "", &report);
+  EXPECT_THAT(ChangeSentences(report),
+              ElementsAre("No statement on change: only 1 dive has a usable joint fit, at least 4 "
+                          "are needed."));
+}
+
+TEST(ChangeSentences, SayNothingWithoutUsableFits) {
+  ArchiveReport report;
+  AddDives(30, false, "", &report);
+  EXPECT_THAT(ChangeSentences(report),
+              ElementsAre("No statement on change: no dive has a usable joint fit."));
+}
+
+TEST(ChangeSentences, TellOfVehiclesThatDidNotChangeBesideOneThatDid) {
+  ArchiveReport report;
+  AddDives(9, true, "lbv", &report);
+  AddDives(8, true, "rov", &report);
+  report.change_sentences = {"From rov 3 on rov is heavier."};
+  report.tables.changes.resize(1);
+  report.tables.changes[0].vehicle = "rov";
+  EXPECT_THAT(ChangeSentences(report),
+              ElementsAre("From rov 3 on rov is heavier.", "No change over 9 dives of lbv."));
+}
+
+TEST(LogsSentence, CountsEveryState) {
+  EXPECT_EQ(LogsSentence(WithStates(StatesInOrder())),
+            "10 logs in 1 dive: 2 gave a model (1 ok, 1 partial), 8 did not (1 nothing to "
+            "identify, 1 no model, 1 refused, 1 crashed, 1 timed out, 1 out of memory, 1 "
+            "unreadable, 1 duplicate).");
+}
+
+TEST(LogsSentence, CountsAStateThatItDoesNotKnow) {
+  EXPECT_EQ(LogsSentence(WithStates({"ok", "on_fire", ""})),
+            "3 logs in 1 dive: 1 gave a model (1 ok), 2 did not (1 no state, 1 on fire).");
+}
+
+TEST(LogsSentence, CountsOtherFilesByTheirEnding) {
+  ArchiveReport report = WithStates({"crashed"});
+  report.other_files = {{".mp4", 2}, {"", 1}};
+  EXPECT_EQ(LogsSentence(report),
+            "1 log in 1 dive: none gave a model, 1 did not (1 crashed). 3 other files are no logs: "
+            "1 without an ending, 2 .mp4.");
+}
+
+}  // namespace
+}  // namespace fathom
