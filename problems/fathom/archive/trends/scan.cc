@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/trends/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+namespace fathom {
+namespace {
+
+// A quarter of a unit of log variance loses n / 256 of log likelihood at most.
+constexpr double kLogVarianceStep = 0.25;
+constexpr int kMostTaus = 24;
+constexpr double kLeastShareOfItsOwn = 1e-7;  // of a candidate that the model's columns do not hold
+
+// tau^2 so that the logarithm of variance + tau^2 rises evenly, up to twice the variance of the
+// values.
+std::vector<double> TauGrid(const Series& series) {
+  std::vector<double> variances(series.variance.begin(), series.variance.end());
+  std::nth_element(variances.begin(), variances.begin() + variances.size() / 4, variances.end());
+  const double small = variances[variances.size() / 4];
+  const double mean = series.value.mean();
+  const double spread =
+      (series.value.array() - mean).square().sum() / static_cast<double>(series.value.size());
+  const double range = std::log1p(std::max(3.0, 2.0 * spread / small));
+  const int size = std::min(kMostTaus, 1 + static_cast<int>(std::ceil(range / kLogVarianceStep)));
+  std::vector<double> grid;
+  for (int i = 0; i < size; ++i) grid.push_back(small * std::expm1(range * i / (size - 1)));
+  return grid;
+}
+
+bool LeavesTwoDivesOnEitherSide(int place, int num_dives, const std::vector<int>& places) {
+  if (place < 2 || num_dives - place < 2) return false;
+  return std::none_of(
+      places.begin(), places.end(), [&](int other) { return std::abs(place - other) < 2; });
+}
+
+// Where the steps of a model stand among the dives of the series.
+std::vector<int> PlacesOf(const Series& series, std::span<const Column> model) {
+  std::vector<int> places;
+  for (const Column& column : model) {
+    if (column.kind == ChangeKind::kTrend) continue;
+    const auto first = std::lower_bound(series.dive.begin(), series.dive.end(), column.at);
+    places.push_back(static_cast<int>(first - series.dive.begin()));
+  }
+  return places;
+}
+
+double Gain(double own, double total) {
+  return own > kLeastShareOfItsOwn * total && own > 0.0 ? 1.0 / own : 0.0;
+}
+
+Eigen::VectorXd Gains(const ScanAtTau& at, const Eigen::VectorXd& trend) {
+  const Eigen::Index n = at.root_weight.size();
+  const Eigen::VectorXd weight = at.root_weight.cwiseAbs2();
+  Eigen::VectorXd gain = Eigen::VectorXd::Zero(2 * n);
+  Eigen::VectorXd in_model = Eigen::VectorXd::Zero(at.basis.cols());
+  double total = 0.0;
+  for (Eigen::Index k = n - 2; k >= 0; --k) {
+    total += weight(k + 1);
+    in_model += at.root_weight(k + 1) * at.basis.row(k + 1).transpose();
+    gain(k) = Gain(total - in_model.squaredNorm(), total);
+  }
+  const Eigen::VectorXd weighted = at.root_weight.cwiseProduct(trend);
+  gain(n - 1) = Gain(weighted.squaredNorm() - (at.basis.transpose() * weighted).squaredNorm(),
+                     weighted.squaredNorm());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    gain(n + i) = Gain(weight(i) * (1.0 - at.basis.row(i).squaredNorm()), weight(i));
+  }
+  return gain;
+}
+
+ScanAtTau AtTau(const Series& series,
+                const Eigen::MatrixXd& design,
+                const Eigen::VectorXd& trend,
+                double tau_squared) {
+  ScanAtTau at;
+  at.tau_squared = tau_squared;
+  const Eigen::ArrayXd variance = series.variance.array() + tau_squared;
+  at.log_det = variance.log().sum();
+  at.root_weight = variance.rsqrt();
+  const Eigen::MatrixXd weighted = at.root_weight.asDiagonal() * design;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
+  qr.setThreshold(1e-9);
+  const Eigen::Index rank = qr.rank();
+  at.log_det_information = 2.0 * qr.matrixR().diagonal().head(rank).array().abs().log().sum();
+  at.basis = qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), rank);
+  at.gain = Gains(at, trend);
+  return at;
+}
+
+}  // namespace
+
+ScanDesign MakeScanDesign(const Series& series, std::span<const Column> model, int num_dives) {
+  ScanDesign design;
+  design.num_dives = static_cast<int>(series.dive.size());
+  const int n = design.num_dives;
+  const Column trend{ChangeKind::kTrend, 0};
+  design.trend = DesignMatrix(series, std::span(&trend, 1), num_dives).col(1);
+  const Eigen::MatrixXd columns = DesignMatrix(series, model, num_dives);
+  for (const double tau_squared : TauGrid(series)) {
+    design.at_tau.push_back(AtTau(series, columns, design.trend, tau_squared));
+  }
+  const std::vector<int> places = PlacesOf(series, model);
+  for (ScanAtTau& at : design.at_tau) {
+    for (int k = 0; k < n - 1; ++k) {
+      if (!LeavesTwoDivesOnEitherSide(k + 1, n, places)) at.gain(k) = 0.0;
+    }
+  }
+  // (nu - 1/2) log(1 + t^2 / nu) is close to z^2 (Wallace 1959), and 2 log likelihood is
+  // n log(1 + t^2 / nu).
+  const double freedom = n - design.at_tau[0].basis.cols() - 1.0;
+  design.bartlett = (freedom - 0.5) / n;
+  if (freedom < 2.0) design.bartlett = 0.0;
+  return design;
+}
+
+ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value) {
+  const Eigen::Index n = design.num_dives;
+  ScanResult result;
+  double best_model = -std::numeric_limits<double>::infinity();
+  double best_restricted = best_model;
+  Eigen::ArrayXd best = Eigen::ArrayXd::Constant(2 * n, best_model);
+  Eigen::VectorXd weighted(n);
+  Eigen::VectorXd residual(n);
+  Eigen::ArrayXd score(2 * n);  // c' P y of each candidate
+  for (const ScanAtTau& at : design.at_tau) {
+    weighted = at.root_weight.cwiseProduct(value);
+    residual = weighted;
+    for (Eigen::Index p = 0; p < at.basis.cols(); ++p) {
+      residual -= at.basis.col(p).dot(weighted) * at.basis.col(p);
+    }
+    const double log_likelihood = -0.5 * (residual.squaredNorm() + at.log_det);
+    const double restricted = log_likelihood - 0.5 * at.log_det_information;
+    if (restricted > best_restricted) {
+      best_restricted = restricted;
+      result.tau_squared = at.tau_squared;
+    }
+    best_model = std::max(best_model, log_likelihood);
+    residual = residual.cwiseProduct(at.root_weight);
+    score.tail(n) = residual;
+    score(n - 1) = residual.dot(design.trend);
+    double sum = 0.0;
+    for (Eigen::Index k = n - 2; k >= 0; --k) score(k) = sum += residual(k + 1);
+    best = best.max(log_likelihood + 0.5 * score.square() * at.gain.array());
+  }
+  result.log_likelihood = best_model;
+  const double factor = 2.0 * design.bartlett;
+  Eigen::Index index = 0;
+  result.change.statistic = factor * (best.head(n).maxCoeff(&index) - best_model);
+  if (result.change.statistic > 0.0) result.change.index = static_cast<int>(index);
+  result.dive.statistic = factor * (best.tail(n).maxCoeff(&index) - best_model);
+  if (result.dive.statistic > 0.0) result.dive.index = static_cast<int>(n + index);
+  return result;
+}
+
+Column ColumnOf(const Series& series, int candidate) {
+  const int n = static_cast<int>(series.dive.size());
+  if (candidate == n - 1) return {ChangeKind::kTrend, series.dive.front()};
+  return {ChangeKind::kStep, series.dive[candidate + 1]};
+}
+
+}  // namespace fathom
