@@ -39,9 +39,13 @@ struct Round {
   std::vector<ScanDesign> designs;
   std::vector<ScanResult> scans;
   std::vector<double> tau_squared;
-  double largest_change = 0.0;
-  double largest_dive = 0.0;
 };
+
+// A change that is not in the model yet must not count as scatter.
+double TauSquaredBesideTheBest(const ScanResult& scan) {
+  const int best = BestChange(scan).index;
+  return best < 0 ? scan.tau_squared : scan.candidate_tau_squared(best);
+}
 
 Round ScanAll(std::span<const SeriesModel> models, int num_dives) {
   Round round;
@@ -49,26 +53,9 @@ Round ScanAll(std::span<const SeriesModel> models, int num_dives) {
     round.series.push_back(model.series);
     round.designs.push_back(MakeScanDesign(model.series, AllColumns(model), num_dives));
     round.scans.push_back(Scan(round.designs.back(), model.series.value));
-    const ScanResult& scan = round.scans.back();
-    round.tau_squared.push_back(scan.tau_squared);
-    round.largest_change = std::max(round.largest_change, scan.change.statistic);
-    round.largest_dive = std::max(round.largest_dive, scan.dive.statistic);
+    round.tau_squared.push_back(TauSquaredBesideTheBest(round.scans.back()));
   }
   return round;
-}
-
-QuietArchive QuietLike(const Round& round,
-                       std::span<const DiveEstimate> estimates,
-                       const ChangeOptions& options) {
-  QuietDraws draws;
-  draws.num_draws = options.num_draws;
-  draws.seed = options.seed;
-  draws.observed_change = round.largest_change;
-  draws.observed_dive = round.largest_dive;
-  draws.enough_changes = static_cast<int>(options.false_alarm_rate * (1 + options.num_draws));
-  draws.enough_dives = static_cast<int>(options.outlier_rate * (1 + options.num_draws));
-  const std::vector<DiveBlock> blocks = BlocksOf(estimates, round.series);
-  return DrawQuietArchives(blocks, round.series, round.designs, round.tau_squared, draws);
 }
 
 OutlyingDive RemoveOutlier(int element, SeriesModel* model) {
@@ -86,16 +73,24 @@ bool AddTheTelling(std::span<const DiveEstimate> estimates,
                    std::vector<SeriesModel>* models,
                    std::vector<OutlyingDive>* outliers) {
   const Round round = ScanAll(*models, num_dives);
-  const QuietArchive quiet = QuietLike(round, estimates, options);
+  const QuietArchives quiet = DrawQuietArchives(BlocksOf(estimates, round.series),
+                                                round.series,
+                                                round.designs,
+                                                round.tau_squared,
+                                                options.num_draws,
+                                                options.seed);
+  const CommonScale changes = CommonScaleOf(quiet.change);
+  const CommonScale dives = CommonScaleOf(quiet.dive);
   bool has_added = false;
   for (std::size_t s = 0; s < models->size(); ++s) {
     SeriesModel& model = (*models)[s];
-    const Candidate& change = round.scans[s].change;
-    const Candidate& dive = round.scans[s].dive;
-    const double p_value = PValue(quiet.largest_change, change.statistic);
+    const Candidate change = BestChange(round.scans[s]);
+    const Candidate dive = BestDive(round.scans[s]);
+    const double p_value = PValue(changes.largest, changes.OnScale(s, change.statistic));
     const bool has_change = change.index >= 0 && p_value <= options.false_alarm_rate;
     const bool has_outlier =
-        dive.index >= 0 && PValue(quiet.largest_dive, dive.statistic) <= options.outlier_rate;
+        dive.index >= 0 &&
+        PValue(dives.largest, dives.OnScale(s, dive.statistic)) <= options.outlier_rate;
     if (!has_change && !has_outlier) continue;
     has_added = true;
     if (has_outlier && (!has_change || dive.statistic > change.statistic)) {
@@ -103,7 +98,8 @@ bool AddTheTelling(std::span<const DiveEstimate> estimates,
       continue;
     }
     model.found.push_back({ColumnOf(model.series, change.index), p_value});
-    const double threshold = ThresholdAt(quiet.largest_change, options.false_alarm_rate);
+    const double threshold =
+        changes.FromScale(s, ThresholdAt(changes.largest, options.false_alarm_rate));
     model = Reconsidered(std::move(model), threshold, num_dives);
   }
   return has_added;
@@ -126,10 +122,10 @@ ChangeSearch FindChanges(std::span<const DiveEstimate> estimates,
     const SeriesModel& model = models[s];
     search.scatter.push_back({model.series.dof,
                               model.series.parameter,
-                              model.series.scale * std::sqrt(last.tau_squared[s]),
+                              model.series.scale * std::sqrt(last.scans[s].tau_squared),
                               static_cast<int>(model.series.dive.size())});
     for (std::size_t i = 0; i < model.found.size(); ++i) {
-      search.changes.push_back(ChangeOf(model, i, last.tau_squared[s], num_dives));
+      search.changes.push_back(ChangeOf(model, i, last.scans[s].tau_squared, num_dives));
     }
   }
   std::stable_sort(search.changes.begin(),

@@ -3,6 +3,7 @@
 
 #include "fathom/archive/trends/quiet_archive.h"
 
+#include "fathom/base/median.h"
 #include "fathom/base/random_stream.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 
 namespace fathom {
 namespace {
+
+constexpr double kLeastExcess = 1e-9;  // of a series in which nothing can be tried
 
 int NumReaching(std::span<const double> largest, double observed) {
   return static_cast<int>(std::count_if(
@@ -35,20 +38,19 @@ std::vector<Eigen::MatrixXd> NoiseFactors(std::span<const DiveBlock> blocks,
 
 }  // namespace
 
-QuietArchive DrawQuietArchives(std::span<const DiveBlock> blocks,
-                               std::span<const Series> series,
-                               std::span<const ScanDesign> designs,
-                               std::span<const double> tau_squared,
-                               const QuietDraws& draws) {
+QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
+                                std::span<const Series> series,
+                                std::span<const ScanDesign> designs,
+                                std::span<const double> tau_squared,
+                                int num_draws,
+                                std::uint64_t seed) {
   const std::vector<Eigen::MatrixXd> factors = NoiseFactors(blocks, tau_squared);
-  RandomStream random(draws.seed, "archive.trends.quiet");
+  RandomStream random(seed, "archive.trends.quiet");
   std::vector<Eigen::VectorXd> values;
   for (const Series& one : series) values.emplace_back(one.value.size());
-  QuietArchive quiet;
-  int num_changes = 0;
-  int num_dives = 0;
-  for (int draw = 0; draw < draws.num_draws; ++draw) {
-    if (num_changes > draws.enough_changes && num_dives > draws.enough_dives) break;
+  QuietArchives quiet{Eigen::MatrixXd(num_draws, series.size()),
+                      Eigen::MatrixXd(num_draws, series.size())};
+  for (int draw = 0; draw < num_draws; ++draw) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kNumParameters, 1> white(factors[b].rows());
       for (double& number : white) number = random.Normal();
@@ -57,19 +59,32 @@ QuietArchive DrawQuietArchives(std::span<const DiveBlock> blocks,
             factors[b].row(i).head(i + 1).dot(white.head(i + 1));
       }
     }
-    double largest_change = 0.0;
-    double largest_dive = 0.0;
     for (std::size_t s = 0; s < series.size(); ++s) {
       const ScanResult scan = Scan(designs[s], values[s]);
-      largest_change = std::max(largest_change, scan.change.statistic);
-      largest_dive = std::max(largest_dive, scan.dive.statistic);
+      quiet.change(draw, s) = BestChange(scan).statistic;
+      quiet.dive(draw, s) = BestDive(scan).statistic;
     }
-    quiet.largest_change.push_back(largest_change);
-    quiet.largest_dive.push_back(largest_dive);
-    num_changes += largest_change >= draws.observed_change ? 1 : 0;
-    num_dives += largest_dive >= draws.observed_dive ? 1 : 0;
   }
   return quiet;
+}
+
+CommonScale CommonScaleOf(const Eigen::MatrixXd& draws) {
+  CommonScale scale;
+  scale.median.resize(draws.cols());
+  scale.mean_excess.resize(draws.cols());
+  Eigen::MatrixXd common = draws;
+  for (Eigen::Index s = 0; s < draws.cols(); ++s) {
+    const auto column = draws.col(s);
+    const double median = Median(std::vector<double>(column.begin(), column.end()));
+    const double mean_excess = 2.0 * (column.array() - median).max(0.0).mean();
+    scale.median(s) = median;
+    scale.mean_excess(s) = std::max(mean_excess, kLeastExcess);
+    common.col(s) = (column.array() - median) / scale.mean_excess(s);
+  }
+  for (Eigen::Index draw = 0; draw < draws.rows(); ++draw) {
+    scale.largest.push_back(common.cols() > 0 ? common.row(draw).maxCoeff() : 0.0);
+  }
+  return scale;
 }
 
 double PValue(std::span<const double> largest, double observed) {

@@ -10,33 +10,42 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace fathom {
 
-// The largest statistics of an archive in which nothing further changes, over all its series,
-// places and kinds at once.
-struct QuietArchive {
-  std::vector<double> largest_change;  // of a step or trend, one for each draw
-  std::vector<double> largest_dive;    // of a value of its own
-};
-
-struct QuietDraws {
-  int num_draws = 499;
-  std::uint64_t seed = 1;
-  // Both statistics of the archive in hand, and how many draws may reach each of them before it is
-  // ordinary. The draws end once both are.
-  double observed_change = 0.0;
-  double observed_dive = 0.0;
-  int enough_changes = 499;
-  int enough_dives = 499;
+// The largest statistics of each series in archives in which nothing further changes: a row for
+// each draw, a column for each series.
+struct QuietArchives {
+  Eigen::MatrixXd change;  // of steps and trends
+  Eigen::MatrixXd dive;    // of values of their own
 };
 
 // Draws archives with the same dives, covariances and scatter between dives. The model's columns
 // need not be drawn: every candidate is judged after them. The same seed gives the same draws.
-QuietArchive DrawQuietArchives(std::span<const DiveBlock> blocks,
-                               std::span<const Series> series,
-                               std::span<const ScanDesign> designs,
-                               std::span<const double> tau_squared,
-                               const QuietDraws& draws);
+QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
+                                std::span<const Series> series,
+                                std::span<const ScanDesign> designs,
+                                std::span<const double> tau_squared,
+                                int num_draws,
+                                std::uint64_t seed);
+
+// What statistics of several series have in common once each is brought to the scale of its own
+// quiet draws: short or scattered series have heavier tails, and would drown the others.
+struct CommonScale {
+  Eigen::VectorXd median;       // of each series
+  Eigen::VectorXd mean_excess;  // over the median
+  std::vector<double> largest;  // over the series, in each draw, on the common scale
+
+  double OnScale(std::size_t series, double statistic) const {
+    return (statistic - median(series)) / mean_excess(series);
+  }
+  double FromScale(std::size_t series, double value) const {
+    return median(series) + mean_excess(series) * value;
+  }
+};
+
+CommonScale CommonScaleOf(const Eigen::MatrixXd& draws);
 
 // (1 + those at least as large) / (1 + draws).
 double PValue(std::span<const double> largest, double observed);

@@ -13,9 +13,10 @@
 namespace fathom {
 namespace {
 
-// A quarter of a unit of log variance loses n / 256 of log likelihood at most.
+// A quarter of a unit of log variance is 13 % of a standard deviation.
 constexpr double kLogVarianceStep = 0.25;
 constexpr int kMostTaus = 24;
+constexpr double kLeastFreedom = 2.0;
 constexpr double kLeastShareOfItsOwn = 1e-7;  // of a candidate that the model's columns do not hold
 
 // tau^2 so that the logarithm of variance + tau^2 rises evenly, up to twice the variance of the
@@ -112,23 +113,28 @@ ScanDesign MakeScanDesign(const Series& series, std::span<const Column> model, i
       if (!LeavesTwoDivesOnEitherSide(k + 1, n, places)) at.gain(k) = 0.0;
     }
   }
-  // (nu - 1/2) log(1 + t^2 / nu) is close to z^2 (Wallace 1959), and 2 log likelihood is
-  // n log(1 + t^2 / nu).
-  const double freedom = n - design.at_tau[0].basis.cols() - 1.0;
-  design.bartlett = (freedom - 0.5) / n;
-  if (freedom < 2.0) design.bartlett = 0.0;
+  design.freedom = n - design.at_tau[0].basis.cols() - 1.0;
+  if (design.freedom < kLeastFreedom) {
+    for (ScanAtTau& at : design.at_tau) at.gain.setZero();
+    design.freedom = kLeastFreedom;
+  }
+  for (ScanAtTau& at : design.at_tau) {
+    at.half_log_gain = (at.gain.array() > 0.0).select(0.5 * at.gain.array().log(), 0.0);
+  }
   return design;
 }
 
 ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value) {
   const Eigen::Index n = design.num_dives;
   ScanResult result;
-  double best_model = -std::numeric_limits<double>::infinity();
-  double best_restricted = best_model;
-  Eigen::ArrayXd best = Eigen::ArrayXd::Constant(2 * n, best_model);
+  result.log_likelihood = -std::numeric_limits<double>::infinity();
+  double best_restricted = result.log_likelihood;
+  Eigen::ArrayXd best = Eigen::ArrayXd::Constant(2 * n, result.log_likelihood);
+  Eigen::ArrayXd best_square = Eigen::ArrayXd::Zero(2 * n);
+  result.candidate_tau_squared = Eigen::ArrayXd::Zero(2 * n);
   Eigen::VectorXd weighted(n);
   Eigen::VectorXd residual(n);
-  Eigen::ArrayXd score(2 * n);  // c' P y of each candidate
+  Eigen::ArrayXd square(2 * n);  // (c' P y)^2 / (c' P c) of each candidate
   for (const ScanAtTau& at : design.at_tau) {
     weighted = at.root_weight.cwiseProduct(value);
     residual = weighted;
@@ -141,22 +147,45 @@ ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value) {
       best_restricted = restricted;
       result.tau_squared = at.tau_squared;
     }
-    best_model = std::max(best_model, log_likelihood);
+    result.log_likelihood = std::max(result.log_likelihood, log_likelihood);
     residual = residual.cwiseProduct(at.root_weight);
-    score.tail(n) = residual;
-    score(n - 1) = residual.dot(design.trend);
+    square.tail(n) = residual;
+    square(n - 1) = residual.dot(design.trend);
     double sum = 0.0;
-    for (Eigen::Index k = n - 2; k >= 0; --k) score(k) = sum += residual(k + 1);
-    best = best.max(log_likelihood + 0.5 * score.square() * at.gain.array());
+    for (Eigen::Index k = n - 2; k >= 0; --k) square(k) = sum += residual(k + 1);
+    square = square.square() * at.gain.array();
+    for (Eigen::Index c = 0; c < 2 * n; ++c) {
+      const double with = restricted + 0.5 * square(c) + at.half_log_gain(c);
+      if (with <= best(c)) continue;
+      best(c) = with;
+      best_square(c) = square(c);
+      result.candidate_tau_squared(c) = at.tau_squared;
+    }
   }
-  result.log_likelihood = best_model;
-  const double factor = 2.0 * design.bartlett;
-  Eigen::Index index = 0;
-  result.change.statistic = factor * (best.head(n).maxCoeff(&index) - best_model);
-  if (result.change.statistic > 0.0) result.change.index = static_cast<int>(index);
-  result.dive.statistic = factor * (best.tail(n).maxCoeff(&index) - best_model);
-  if (result.dive.statistic > 0.0) result.dive.index = static_cast<int>(n + index);
+  // Close to z^2 for t^2 of so many degrees of freedom (Wallace 1959).
+  result.statistic = (1.0 + best_square / design.freedom).log() * (design.freedom - 0.5);
   return result;
+}
+
+Candidate BestChange(const ScanResult& scan) {
+  const Eigen::Index n = scan.statistic.size() / 2;
+  Eigen::Index index = 0;
+  const double statistic = scan.statistic.head(n).maxCoeff(&index);
+  return statistic > 0.0 ? Candidate{static_cast<int>(index), statistic} : Candidate{};
+}
+
+Candidate BestDive(const ScanResult& scan) {
+  const Eigen::Index n = scan.statistic.size() / 2;
+  Eigen::Index index = 0;
+  const double statistic = scan.statistic.tail(n).maxCoeff(&index);
+  return statistic > 0.0 ? Candidate{static_cast<int>(n + index), statistic} : Candidate{};
+}
+
+int CandidateOf(const Series& series, const Column& column) {
+  const int n = static_cast<int>(series.dive.size());
+  if (column.kind == ChangeKind::kTrend) return n - 1;
+  const auto first = std::lower_bound(series.dive.begin(), series.dive.end(), column.at);
+  return static_cast<int>(first - series.dive.begin()) - 1;
 }
 
 Column ColumnOf(const Series& series, int candidate) {

@@ -20,8 +20,9 @@ struct ScanAtTau {
   double log_det = 0.0;      // of the covariance of the values
   double log_det_information = 0.0;
   Eigen::VectorXd root_weight;
-  Eigen::MatrixXd basis;  // orthonormal, of the weighted columns in the model
-  Eigen::VectorXd gain;   // 1 / (c' P c) of each candidate, 0 where it cannot be tried
+  Eigen::MatrixXd basis;         // orthonormal, of the weighted columns in the model
+  Eigen::VectorXd gain;          // 1 / (c' P c) of each candidate, 0 where it cannot be tried
+  Eigen::ArrayXd half_log_gain;  // 0 there
 };
 
 // One more change of a series that has some already, at every place: docs/archive_trends.md (3).
@@ -29,29 +30,34 @@ struct ScanAtTau {
 // k = n - 1, and a value of its own for dive k - n from n on.
 struct ScanDesign {
   int num_dives = 0;      // of the series
-  double bartlett = 1.0;  // brings the statistics of short series to the scale of long ones
+  double freedom = 0.0;   // what the model and one candidate leave of the dives
   Eigen::VectorXd trend;  // the candidate's column
   std::vector<ScanAtTau> at_tau;
 };
 
 ScanDesign MakeScanDesign(const Series& series, std::span<const Column> model, int num_dives);
 
-struct Candidate {
-  int index = -1;          // none could be tried
-  double statistic = 0.0;  // twice the gain of log likelihood, times `bartlett`
-};
-
 struct ScanResult {
-  Candidate change;             // the best step or trend
-  Candidate dive;               // the best value of its own
-  double log_likelihood = 0.0;  // of the model, at its best tau
-  double tau_squared = 0.0;     // by restricted likelihood of the model
+  Eigen::ArrayXd statistic;              // of each candidate, 0 where it cannot be tried
+  Eigen::ArrayXd candidate_tau_squared;  // with it in the model, by restricted likelihood
+  double log_likelihood = 0.0;           // of the model, at its most likely tau
+  double tau_squared = 0.0;              // of the model, by restricted likelihood
 };
 
 // Takes O(dives) for each tau.
 ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value);
 
-// Of a step or a trend.
+struct Candidate {
+  int index = -1;  // none could be tried
+  double statistic = 0.0;
+};
+
+// The most telling step or trend, and the most telling value of its own.
+Candidate BestChange(const ScanResult& scan);
+Candidate BestDive(const ScanResult& scan);
+
+// Of a step or a trend, and back.
 Column ColumnOf(const Series& series, int candidate);
+int CandidateOf(const Series& series, const Column& column);
 
 }  // namespace fathom

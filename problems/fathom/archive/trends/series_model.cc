@@ -26,14 +26,15 @@ bool TryAgain(std::size_t index, double threshold, int num_dives, SeriesModel* m
   without.found.erase(without.found.begin() + index);
   const ScanDesign design = MakeScanDesign(model->series, AllColumns(without), num_dives);
   const ScanResult scan = Scan(design, model->series.value);
-  const double own =
-      2.0 * design.bartlett * (LogLikelihood(*model, num_dives) - scan.log_likelihood);
-  if (std::max(scan.change.statistic, own) < threshold) {
+  const Candidate best = BestChange(scan);
+  if (best.statistic < threshold) {
     *model = without;
     return true;
   }
-  if (scan.change.index < 0 || scan.change.statistic <= own + kGainThatMoves) return false;
-  model->found[index].column = ColumnOf(model->series, scan.change.index);
+  const int own = CandidateOf(model->series, model->found[index].column);
+  const bool is_own = own >= 0 && own < design.num_dives;
+  if (is_own && best.statistic <= scan.statistic(own) + kGainThatMoves) return false;
+  model->found[index].column = ColumnOf(model->series, best.index);
   return true;
 }
 
@@ -43,7 +44,6 @@ bool TryTrendForSteps(double threshold, int num_dives, SeriesModel* model) {
     return column.kind == ChangeKind::kTrend;
   });
   if (has_trend) return false;
-  const ScanDesign design = MakeScanDesign(model->series, columns, num_dives);
   const double both = LogLikelihood(*model, num_dives);
   for (std::size_t i = 0; i < model->found.size(); ++i) {
     for (std::size_t j = i + 1; j < model->found.size(); ++j) {
@@ -51,7 +51,7 @@ bool TryTrendForSteps(double threshold, int num_dives, SeriesModel* model) {
       with_trend.found[i].column = {ChangeKind::kTrend, model->series.dive.front()};
       with_trend.found.erase(with_trend.found.begin() + j);
       const double loss = both - LogLikelihood(with_trend, num_dives);
-      if (2.0 * design.bartlett * loss >= threshold) continue;
+      if (2.0 * loss >= threshold) continue;
       *model = with_trend;
       return true;
     }
