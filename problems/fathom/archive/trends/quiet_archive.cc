@@ -42,6 +42,7 @@ QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
                                 std::span<const Series> series,
                                 std::span<const ScanDesign> designs,
                                 std::span<const double> tau_squared,
+                                const PartnerNoise& partner_noise,
                                 int num_draws,
                                 std::uint64_t seed) {
   const std::vector<Eigen::MatrixXd> factors = NoiseFactors(blocks, tau_squared);
@@ -59,8 +60,9 @@ QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
             factors[b].row(i).head(i + 1).dot(white.head(i + 1));
       }
     }
+    const std::vector<Eigen::VectorXd> cleared = WithoutPartners(values, partner_noise);
     for (std::size_t s = 0; s < series.size(); ++s) {
-      const ScanResult scan = Scan(designs[s], values[s]);
+      const ScanResult scan = Scan(designs[s], cleared[s]);
       quiet.change(draw, s) = BestChange(scan).statistic;
       quiet.dive(draw, s) = BestDive(scan).statistic;
     }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/trends/partner_noise.h"
 #include "fathom/archive/trends/scan.h"
 #include "fathom/archive/trends/series.h"
 
@@ -27,6 +28,7 @@ QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
                                 std::span<const Series> series,
                                 std::span<const ScanDesign> designs,
                                 std::span<const double> tau_squared,
+                                const PartnerNoise& partner_noise,
                                 int num_draws,
                                 std::uint64_t seed);
 
