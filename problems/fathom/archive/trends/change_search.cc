@@ -25,7 +25,7 @@ std::vector<SeriesModel> StartModels(std::span<const DiveEstimate> estimates,
                                      int num_dives,
                                      std::span<const KnownChange> known) {
   std::vector<SeriesModel> models;
-  for (Series& series : SeriesOf(estimates, num_dives, kLeastDives)) {
+  for (DiveSeries& series : SeriesOf(estimates, num_dives, kLeastDives)) {
     SeriesModel model{std::move(series), {}, {}};
     for (const KnownChange& change : known) {
       const bool is_of_it =
@@ -39,7 +39,7 @@ std::vector<SeriesModel> StartModels(std::span<const DiveEstimate> estimates,
 
 // Each series beside what its partners say of its noise.
 struct Round {
-  std::vector<Series> series;  // cleared of it
+  std::vector<DiveSeries> series;  // cleared of it
   std::vector<DiveBlock> blocks;
   PartnerNoise partner_noise;
   std::vector<ScanDesign> designs;
@@ -79,9 +79,9 @@ Round ScanAll(std::span<const DiveEstimate> estimates,
   return round;
 }
 
-OutlyingDive RemoveOutlier(int element, SeriesModel* model) {
-  const Series& series = model->series;
-  const OutlyingDive outlier{series.dive[element], series.dof, series.parameter};
+ParameterOutlier RemoveOutlier(int element, SeriesModel* model) {
+  const DiveSeries& series = model->series;
+  const ParameterOutlier outlier{series.dive[element], series.dof, series.parameter};
   model->series = WithoutElement(series, element);
   return outlier;
 }
@@ -89,7 +89,7 @@ OutlyingDive RemoveOutlier(int element, SeriesModel* model) {
 // The most telling step, trend or outlier of one series.
 struct Finding {
   std::size_t series = 0;
-  Candidate candidate;
+  ScanCandidate candidate;
   bool is_outlier = false;
   double p_value = 1.0;
 };
@@ -109,8 +109,8 @@ std::array<std::optional<Finding>, 6> TellingFindings(const Round& round,
   std::array<std::optional<Finding>, 6> findings;
   for (std::size_t s = 0; s < round.scans.size(); ++s) {
     std::optional<Finding>& best = findings[Index(round.series[s].dof)];
-    const Candidate change = BestChange(round.scans[s]);
-    const Candidate dive = BestDive(round.scans[s]);
+    const ScanCandidate change = BestChange(round.scans[s]);
+    const ScanCandidate dive = BestDive(round.scans[s]);
     const double change_p = PValue(changes.largest, changes.OnScale(s, change.statistic));
     const double dive_p = PValue(dives.largest, dives.OnScale(s, dive.statistic));
     std::optional<Finding> own;
@@ -127,7 +127,7 @@ bool AddTheTelling(std::span<const DiveEstimate> estimates,
                    int num_dives,
                    const ChangeOptions& options,
                    std::vector<SeriesModel>* models,
-                   std::vector<OutlyingDive>* outliers) {
+                   std::vector<ParameterOutlier>* outliers) {
   const Round round = ScanAll(estimates, *models, num_dives);
   const QuietArchives quiet = DrawQuietArchives(round.blocks,
                                                 round.series,

@@ -14,12 +14,12 @@
 namespace fathom {
 
 // A dive that does not fit what its series is otherwise.
-struct OutlyingDive {
+struct ParameterOutlier {
   int dive = 0;
   Dof dof = Dof::kSurge;
   int parameter = 0;
 
-  bool operator==(const OutlyingDive&) const = default;
+  bool operator==(const ParameterOutlier&) const = default;
 };
 
 // How much a parameter scatters between dives beyond their own intervals.
@@ -39,7 +39,7 @@ struct KnownChange {
 
 struct ChangeSearch {
   std::vector<Change> changes;  // by p-value, then DOF and parameter
-  std::vector<OutlyingDive> outliers;
+  std::vector<ParameterOutlier> outliers;
   std::vector<ScatterBetweenDives> scatter;  // of every series that was searched
 };
 

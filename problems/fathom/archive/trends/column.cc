@@ -12,7 +12,9 @@ double ColumnAt(const Column& column, int dive, int num_dives) {
   return static_cast<double>(dive) / std::max(num_dives - 1, 1);
 }
 
-Eigen::MatrixXd DesignMatrix(const Series& series, std::span<const Column> columns, int num_dives) {
+Eigen::MatrixXd DesignMatrix(const DiveSeries& series,
+                             std::span<const Column> columns,
+                             int num_dives) {
   const Eigen::Index rows = static_cast<Eigen::Index>(series.dive.size());
   Eigen::MatrixXd design = Eigen::MatrixXd::Ones(rows, 1 + columns.size());
   for (Eigen::Index i = 0; i < rows; ++i) {

@@ -26,6 +26,8 @@ struct Column {
 double ColumnAt(const Column& column, int dive, int num_dives);
 
 // The dives of a series by 1 + columns.size(): a column of ones, then the columns.
-Eigen::MatrixXd DesignMatrix(const Series& series, std::span<const Column> columns, int num_dives);
+Eigen::MatrixXd DesignMatrix(const DiveSeries& series,
+                             std::span<const Column> columns,
+                             int num_dives);
 
 }  // namespace fathom

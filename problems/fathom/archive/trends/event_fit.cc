@@ -25,7 +25,7 @@ bool HasFullRank(const Eigen::MatrixXd& design) {
   return qr.rank() == design.cols() && design.rows() > design.cols();
 }
 
-Part PartOf(const Series& series,
+Part PartOf(const DiveSeries& series,
             int s,
             std::span<const EventColumn> events,
             std::size_t index,
@@ -62,7 +62,7 @@ Eigen::VectorXd RowBefore(const Part& part, const Column& event, int first_dive,
 
 }  // namespace
 
-EventFit FitEvent(std::span<const Series> series,
+EventFit FitEvent(std::span<const DiveSeries> series,
                   std::span<const DiveBlock> blocks,
                   std::span<const double> tau_squared,
                   std::span<const EventColumn> events,
@@ -105,7 +105,7 @@ EventFit FitEvent(std::span<const Series> series,
   Eigen::MatrixXd pick = Eigen::MatrixXd::Zero(2 * m, size);
   for (Eigen::Index i = 0; i < m; ++i) {
     const Part& part = parts[fit.series[i]];
-    const Series& one = series[fit.series[i]];
+    const DiveSeries& one = series[fit.series[i]];
     const Column& column = events[index].column;
     const Eigen::Index columns = part.design.cols();
     pick.row(i).segment(part.first_coefficient, columns) =

@@ -29,7 +29,7 @@ struct EventFit {
 
 // The event `index` with every series free to move, the others as they say: archive_trends.md (7).
 // `before` is the last value before a step, the value at the first dive for a trend.
-EventFit FitEvent(std::span<const Series> series,
+EventFit FitEvent(std::span<const DiveSeries> series,
                   std::span<const DiveBlock> blocks,
                   std::span<const double> tau_squared,
                   std::span<const EventColumn> events,

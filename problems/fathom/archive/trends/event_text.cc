@@ -36,7 +36,7 @@ struct Teller {
   const NamedCause& named;
   const EventFit& event;
   const Column& column;
-  std::span<const Series> series;
+  std::span<const DiveSeries> series;
   std::span<const char> told;
   std::span<const std::string> dive_names;
 
@@ -76,7 +76,7 @@ struct Teller {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
       if (!IsTold(i)) continue;
-      const Series& one = series[event.series[i]];
+      const DiveSeries& one = series[event.series[i]];
       const Number number = Difference(i);
       std::string name = kParameterInfo[one.parameter].name;
       std::replace(name.begin(), name.end(), '_', ' ');
@@ -154,7 +154,7 @@ std::string EventText(const NamedCause& named,
                       std::span<const std::string> alternatives,
                       const EventFit& event,
                       const Column& column,
-                      std::span<const Series> series,
+                      std::span<const DiveSeries> series,
                       std::span<const char> told,
                       std::span<const std::string> dive_names) {
   const Teller teller{named, event, column, series, told, dive_names};

@@ -19,7 +19,7 @@ std::string EventText(const NamedCause& named,
                       std::span<const std::string> alternatives,
                       const EventFit& event,
                       const Column& column,
-                      std::span<const Series> series,
+                      std::span<const DiveSeries> series,
                       std::span<const char> told,
                       std::span<const std::string> dive_names);
 

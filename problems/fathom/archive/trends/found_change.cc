@@ -26,7 +26,7 @@ Change ChangeOf(const SeriesModel& model,
                 std::size_t found_index,
                 double tau_squared,
                 int num_dives) {
-  const Series& series = model.series;
+  const DiveSeries& series = model.series;
   const std::vector<Column> columns = AllColumns(model);
   const std::size_t index = model.known.size() + found_index;
   const Column& column = columns[index];

@@ -31,7 +31,7 @@ struct Event {
 };
 
 struct Archive {
-  std::vector<Series> series;
+  std::vector<DiveSeries> series;
   std::vector<DiveBlock> blocks;
   std::vector<double> tau_squared;
   std::vector<Pattern> patterns;
@@ -39,12 +39,12 @@ struct Archive {
   int num_dives = 0;
 };
 
-std::vector<Series> SeriesWithout(std::span<const OutlyingDive> outliers,
-                                  std::span<const DiveEstimate> estimates,
-                                  int num_dives) {
-  std::vector<Series> series = SeriesOf(estimates, num_dives, kLeastDives);
-  for (Series& one : series) {
-    for (const OutlyingDive& outlier : outliers) {
+std::vector<DiveSeries> SeriesWithout(std::span<const ParameterOutlier> outliers,
+                                      std::span<const DiveEstimate> estimates,
+                                      int num_dives) {
+  std::vector<DiveSeries> series = SeriesOf(estimates, num_dives, kLeastDives);
+  for (DiveSeries& one : series) {
+    for (const ParameterOutlier& outlier : outliers) {
       if (outlier.dof != one.dof || outlier.parameter != one.parameter) continue;
       const auto place = std::find(one.dive.begin(), one.dive.end(), outlier.dive);
       if (place == one.dive.end()) continue;
@@ -74,7 +74,7 @@ bool AddEvents(std::span<const Change> changes, Archive* archive) {
       event = archive->events.end() - 1;
     }
     for (std::size_t s = 0; s < archive->series.size(); ++s) {
-      const Series& one = archive->series[s];
+      const DiveSeries& one = archive->series[s];
       if (one.dof == change.dof && one.parameter == change.parameter) event->found[s] = 1;
     }
   }
@@ -94,7 +94,7 @@ void EstimateScatter(Archive* archive) {
     for (const Event& event : archive->events) {
       if (event.column.moves[s]) columns.push_back(event.column.column);
     }
-    const Series& one = archive->series[s];
+    const DiveSeries& one = archive->series[s];
     const ScanDesign design = MakeScanDesign(one, columns, archive->num_dives);
     archive->tau_squared.push_back(Scan(design, one.value).tau_squared);
   }
@@ -216,7 +216,7 @@ std::vector<Change> ChangesOf(const Archive& archive,
     const bool is_told =
         named.cause == "unnamed" ? event.column.moves[s] != 0 : named.pattern.Moves(s);
     if (!is_told) continue;
-    const Series& one = archive.series[s];
+    const DiveSeries& one = archive.series[s];
     Change change;
     change.dof = one.dof;
     change.parameter = one.parameter;

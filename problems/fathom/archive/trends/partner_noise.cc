@@ -36,7 +36,7 @@ void AddTerms(const DiveBlock& block,
 
 }  // namespace
 
-PartnerNoise PartnerNoiseOf(std::span<const Series> series,
+PartnerNoise PartnerNoiseOf(std::span<const DiveSeries> series,
                             std::span<const DiveBlock> blocks,
                             std::span<const double> tau_squared,
                             std::span<const std::vector<Column>> columns,

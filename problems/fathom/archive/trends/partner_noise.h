@@ -29,7 +29,7 @@ struct PartnerNoise {
 };
 
 // With a scatter between dives of `tau_squared` and the columns of `columns` in each series.
-PartnerNoise PartnerNoiseOf(std::span<const Series> series,
+PartnerNoise PartnerNoiseOf(std::span<const DiveSeries> series,
                             std::span<const DiveBlock> blocks,
                             std::span<const double> tau_squared,
                             std::span<const std::vector<Column>> columns,

@@ -15,19 +15,19 @@ constexpr double kLeastShare = 0.02;      // of a DOF's thrust, for a thruster t
 constexpr double kLeastEigenvalue = 1.5;  // of a correlation of 0.5 between two parameters
 constexpr double kLeastPartInDirection = 0.3;
 
-bool IsDamping(const Series& series) {
+bool IsDamping(const DiveSeries& series) {
   return series.parameter == kQuadraticDamping || series.parameter == kLinearDamping;
 }
 
-std::vector<Dof> DofsOf(std::span<const Series> series) {
+std::vector<Dof> DofsOf(std::span<const DiveSeries> series) {
   std::vector<Dof> dofs;
-  for (const Series& one : series) {
+  for (const DiveSeries& one : series) {
     if (dofs.empty() || dofs.back() != one.dof) dofs.push_back(one.dof);
   }
   return dofs;
 }
 
-Pattern Empty(const std::string& cause, std::span<const Series> series) {
+Pattern Empty(const std::string& cause, std::span<const DiveSeries> series) {
   const Eigen::Index size = static_cast<Eigen::Index>(series.size());
   return {cause, Eigen::MatrixXd::Zero(size, 0), Eigen::VectorXd::Zero(size), PatternSign::kAny};
 }
@@ -41,7 +41,7 @@ void FreeSize(Eigen::Index s, Pattern* pattern) {
   AddDirection(Eigen::VectorXd::Unit(pattern->share.size(), s), pattern);
 }
 
-void AddPayload(std::span<const Series> series, std::vector<Pattern>* patterns) {
+void AddPayload(std::span<const DiveSeries> series, std::vector<Pattern>* patterns) {
   Pattern mass = Empty("payload", series);
   Eigen::VectorXd same_mass = Eigen::VectorXd::Zero(mass.share.size());
   std::vector<Eigen::Index> moments;
@@ -63,7 +63,7 @@ void AddPayload(std::span<const Series> series, std::vector<Pattern>* patterns) 
 }
 
 // One factor, or free sizes, in each choice of DOFs.
-void AddFouling(std::span<const Series> series, std::vector<Pattern>* patterns) {
+void AddFouling(std::span<const DiveSeries> series, std::vector<Pattern>* patterns) {
   const std::vector<Dof> dofs = DofsOf(series);
   for (unsigned choice = 1; choice < (1u << dofs.size()); ++choice) {
     Pattern factor = Empty("fouling", series);
@@ -85,7 +85,7 @@ void AddFouling(std::span<const Series> series, std::vector<Pattern>* patterns) 
   }
 }
 
-void AddThrusters(std::span<const Series> series,
+void AddThrusters(std::span<const DiveSeries> series,
                   const Vehicle& vehicle,
                   std::vector<Pattern>* patterns) {
   const auto allocation = AllocationMatrix(vehicle.thrusters);
@@ -105,7 +105,7 @@ void AddThrusters(std::span<const Series> series,
   }
 }
 
-void AddThrust(std::span<const Series> series,
+void AddThrust(std::span<const DiveSeries> series,
                const std::optional<Vehicle>& vehicle,
                std::vector<Pattern>* patterns) {
   if (vehicle && !vehicle->thrusters.empty()) {
@@ -124,7 +124,7 @@ void AddThrust(std::span<const Series> series,
   patterns->push_back(battery);
 }
 
-void AddBallast(std::span<const Series> series, std::vector<Pattern>* patterns) {
+void AddBallast(std::span<const DiveSeries> series, std::vector<Pattern>* patterns) {
   Pattern all = Empty("ballast", series);
   for (Eigen::Index s = 0; s < all.share.size(); ++s) {
     if (series[s].parameter != kBuoyancy) continue;
@@ -137,7 +137,7 @@ void AddBallast(std::span<const Series> series, std::vector<Pattern>* patterns) 
 }
 
 // Along the direction that the dives of a DOF know least.
-void AddExcitation(std::span<const Series> series,
+void AddExcitation(std::span<const DiveSeries> series,
                    const Eigen::MatrixXd& mean_correlation,
                    std::vector<Pattern>* patterns) {
   for (const Dof dof : DofsOf(series)) {
@@ -161,7 +161,7 @@ void AddExcitation(std::span<const Series> series,
 
 }  // namespace
 
-std::vector<Pattern> PatternsOf(std::span<const Series> series,
+std::vector<Pattern> PatternsOf(std::span<const DiveSeries> series,
                                 const Eigen::MatrixXd& mean_correlation,
                                 const std::optional<Vehicle>& vehicle) {
   std::vector<Pattern> patterns;

@@ -37,7 +37,7 @@ struct Pattern {
 // Every cause that this archive can show, some of them in several forms: one factor or free sizes,
 // some DOFs or all. `mean_correlation` is that of the noise of dives,
 // as MeanCorrelation gives it.
-std::vector<Pattern> PatternsOf(std::span<const Series> series,
+std::vector<Pattern> PatternsOf(std::span<const DiveSeries> series,
                                 const Eigen::MatrixXd& mean_correlation,
                                 const std::optional<Vehicle>& vehicle);
 

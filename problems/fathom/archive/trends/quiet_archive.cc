@@ -39,7 +39,7 @@ std::vector<Eigen::MatrixXd> NoiseFactors(std::span<const DiveBlock> blocks,
 }  // namespace
 
 QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
-                                std::span<const Series> series,
+                                std::span<const DiveSeries> series,
                                 std::span<const ScanDesign> designs,
                                 std::span<const double> tau_squared,
                                 const PartnerNoise& partner_noise,
@@ -48,7 +48,7 @@ QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
   const std::vector<Eigen::MatrixXd> factors = NoiseFactors(blocks, tau_squared);
   RandomStream random(seed, "archive.trends.quiet");
   std::vector<Eigen::VectorXd> values;
-  for (const Series& one : series) values.emplace_back(one.value.size());
+  for (const DiveSeries& one : series) values.emplace_back(one.value.size());
   QuietArchives quiet{Eigen::MatrixXd(num_draws, series.size()),
                       Eigen::MatrixXd(num_draws, series.size())};
   for (int draw = 0; draw < num_draws; ++draw) {

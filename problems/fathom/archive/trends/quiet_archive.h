@@ -25,7 +25,7 @@ struct QuietArchives {
 // Draws archives with the same dives, covariances and scatter between dives. The model's columns
 // need not be drawn: every candidate is judged after them. The same seed gives the same draws.
 QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
-                                std::span<const Series> series,
+                                std::span<const DiveSeries> series,
                                 std::span<const ScanDesign> designs,
                                 std::span<const double> tau_squared,
                                 const PartnerNoise& partner_noise,

@@ -21,7 +21,7 @@ constexpr double kLeastShareOfItsOwn = 1e-7;  // of a candidate that the model's
 
 // tau^2 so that the logarithm of variance + tau^2 rises evenly, up to twice the variance of the
 // values.
-std::vector<double> TauGrid(const Series& series) {
+std::vector<double> TauGrid(const DiveSeries& series) {
   std::vector<double> variances(series.variance.begin(), series.variance.end());
   std::nth_element(variances.begin(), variances.begin() + variances.size() / 4, variances.end());
   const double small = variances[variances.size() / 4];
@@ -42,7 +42,7 @@ bool LeavesTwoDivesOnEitherSide(int place, int num_dives, const std::vector<int>
 }
 
 // Where the steps of a model stand among the dives of the series.
-std::vector<int> PlacesOf(const Series& series, std::span<const Column> model) {
+std::vector<int> PlacesOf(const DiveSeries& series, std::span<const Column> model) {
   std::vector<int> places;
   for (const Column& column : model) {
     if (column.kind == ChangeKind::kTrend) continue;
@@ -76,7 +76,7 @@ Eigen::VectorXd Gains(const ScanAtTau& at, const Eigen::VectorXd& trend) {
   return gain;
 }
 
-ScanAtTau AtTau(const Series& series,
+ScanAtTau AtTau(const DiveSeries& series,
                 const Eigen::MatrixXd& design,
                 const Eigen::VectorXd& trend,
                 double tau_squared) {
@@ -97,7 +97,7 @@ ScanAtTau AtTau(const Series& series,
 
 }  // namespace
 
-ScanDesign MakeScanDesign(const Series& series, std::span<const Column> model, int num_dives) {
+ScanDesign MakeScanDesign(const DiveSeries& series, std::span<const Column> model, int num_dives) {
   ScanDesign design;
   design.num_dives = static_cast<int>(series.dive.size());
   const int n = design.num_dives;
@@ -167,28 +167,28 @@ ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value) {
   return result;
 }
 
-Candidate BestChange(const ScanResult& scan) {
+ScanCandidate BestChange(const ScanResult& scan) {
   const Eigen::Index n = scan.statistic.size() / 2;
   Eigen::Index index = 0;
   const double statistic = scan.statistic.head(n).maxCoeff(&index);
-  return statistic > 0.0 ? Candidate{static_cast<int>(index), statistic} : Candidate{};
+  return statistic > 0.0 ? ScanCandidate{static_cast<int>(index), statistic} : ScanCandidate{};
 }
 
-Candidate BestDive(const ScanResult& scan) {
+ScanCandidate BestDive(const ScanResult& scan) {
   const Eigen::Index n = scan.statistic.size() / 2;
   Eigen::Index index = 0;
   const double statistic = scan.statistic.tail(n).maxCoeff(&index);
-  return statistic > 0.0 ? Candidate{static_cast<int>(n + index), statistic} : Candidate{};
+  return statistic > 0.0 ? ScanCandidate{static_cast<int>(n + index), statistic} : ScanCandidate{};
 }
 
-int CandidateOf(const Series& series, const Column& column) {
+int CandidateOf(const DiveSeries& series, const Column& column) {
   const int n = static_cast<int>(series.dive.size());
   if (column.kind == ChangeKind::kTrend) return n - 1;
   const auto first = std::lower_bound(series.dive.begin(), series.dive.end(), column.at);
   return static_cast<int>(first - series.dive.begin()) - 1;
 }
 
-Column ColumnOf(const Series& series, int candidate) {
+Column ColumnOf(const DiveSeries& series, int candidate) {
   const int n = static_cast<int>(series.dive.size());
   if (candidate == n - 1) return {ChangeKind::kTrend, series.dive.front()};
   return {ChangeKind::kStep, series.dive[candidate + 1]};

@@ -35,7 +35,7 @@ struct ScanDesign {
   std::vector<ScanAtTau> at_tau;
 };
 
-ScanDesign MakeScanDesign(const Series& series, std::span<const Column> model, int num_dives);
+ScanDesign MakeScanDesign(const DiveSeries& series, std::span<const Column> model, int num_dives);
 
 struct ScanResult {
   Eigen::ArrayXd statistic;              // of each candidate, 0 where it cannot be tried
@@ -47,17 +47,17 @@ struct ScanResult {
 // Takes O(dives) for each tau.
 ScanResult Scan(const ScanDesign& design, const Eigen::VectorXd& value);
 
-struct Candidate {
+struct ScanCandidate {
   int index = -1;  // none could be tried
   double statistic = 0.0;
 };
 
 // The most telling step or trend, and the most telling value of its own.
-Candidate BestChange(const ScanResult& scan);
-Candidate BestDive(const ScanResult& scan);
+ScanCandidate BestChange(const ScanResult& scan);
+ScanCandidate BestDive(const ScanResult& scan);
 
 // Of a step or a trend, and back.
-Column ColumnOf(const Series& series, int candidate);
-int CandidateOf(const Series& series, const Column& column);
+Column ColumnOf(const DiveSeries& series, int candidate);
+int CandidateOf(const DiveSeries& series, const Column& column);
 
 }  // namespace fathom

@@ -19,10 +19,10 @@ bool IsKnown(const DiveEstimate& estimate, int parameter) {
   return std::isfinite(estimate.value(parameter)) && std::isfinite(variance) && variance > 0.0;
 }
 
-Series Standardised(Dof dof,
-                    int parameter,
-                    std::span<const DiveEstimate> estimates,
-                    std::vector<int> members) {
+DiveSeries Standardised(Dof dof,
+                        int parameter,
+                        std::span<const DiveEstimate> estimates,
+                        std::vector<int> members) {
   std::stable_sort(members.begin(), members.end(), [&](int a, int b) {
     return estimates[a].dive < estimates[b].dive;
   });
@@ -30,7 +30,7 @@ Series Standardised(Dof dof,
   for (const int member : members) {
     deviations.push_back(std::sqrt(estimates[member].covariance(parameter, parameter)));
   }
-  Series series{dof, parameter, {}, members, Median(deviations), {}, {}};
+  DiveSeries series{dof, parameter, {}, members, Median(deviations), {}, {}};
   const Eigen::Index size = static_cast<Eigen::Index>(members.size());
   series.value.resize(size);
   series.variance.resize(size);
@@ -45,13 +45,13 @@ Series Standardised(Dof dof,
 
 Eigen::MatrixXd BlockCovariance(const DiveEstimate& estimate,
                                 const DiveBlock& block,
-                                std::span<const Series> series) {
+                                std::span<const DiveSeries> series) {
   const Eigen::Index size = static_cast<Eigen::Index>(block.series.size());
   Eigen::MatrixXd covariance(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
-      const Series& a = series[block.series[i]];
-      const Series& b = series[block.series[j]];
+      const DiveSeries& a = series[block.series[i]];
+      const DiveSeries& b = series[block.series[j]];
       covariance(i, j) = estimate.covariance(a.parameter, b.parameter) / (a.scale * b.scale);
       if (!std::isfinite(covariance(i, j))) covariance(i, j) = 0.0;
     }
@@ -62,10 +62,10 @@ Eigen::MatrixXd BlockCovariance(const DiveEstimate& estimate,
 
 }  // namespace
 
-std::vector<Series> SeriesOf(std::span<const DiveEstimate> estimates,
-                             int num_dives,
-                             int least_dives) {
-  std::vector<Series> all;
+std::vector<DiveSeries> SeriesOf(std::span<const DiveEstimate> estimates,
+                                 int num_dives,
+                                 int least_dives) {
+  std::vector<DiveSeries> all;
   for (const Dof dof : kAllDofs) {
     for (int parameter = 0; parameter < kNumParameters; ++parameter) {
       std::vector<int> members;
@@ -81,8 +81,8 @@ std::vector<Series> SeriesOf(std::span<const DiveEstimate> estimates,
   return all;
 }
 
-Series WithoutElement(const Series& series, int index) {
-  Series rest = series;
+DiveSeries WithoutElement(const DiveSeries& series, int index) {
+  DiveSeries rest = series;
   rest.dive.erase(rest.dive.begin() + index);
   rest.estimate.erase(rest.estimate.begin() + index);
   const Eigen::Index size = series.value.size() - 1;
@@ -95,7 +95,7 @@ Series WithoutElement(const Series& series, int index) {
 }
 
 std::vector<DiveBlock> BlocksOf(std::span<const DiveEstimate> estimates,
-                                std::span<const Series> series) {
+                                std::span<const DiveSeries> series) {
   std::map<int, DiveBlock> blocks;  // by estimate
   for (int s = 0; s < static_cast<int>(series.size()); ++s) {
     for (int i = 0; i < static_cast<int>(series[s].estimate.size()); ++i) {

@@ -14,7 +14,7 @@
 namespace fathom {
 
 // One parameter of one DOF over the dives that know it, in the order of dives.
-struct Series {
+struct DiveSeries {
   Dof dof = Dof::kSurge;
   int parameter = 0;          // index in kParameterInfo
   std::vector<int> dive;      // places in the order of dives
@@ -27,12 +27,12 @@ struct Series {
 // The series of an archive, by DOF and parameter. A dive is left out of a series where its value or
 // variance is not finite, its variance not above 0, or its place not one of `num_dives`; a series,
 // where fewer than `least_dives` remain.
-std::vector<Series> SeriesOf(std::span<const DiveEstimate> estimates,
-                             int num_dives,
-                             int least_dives);
+std::vector<DiveSeries> SeriesOf(std::span<const DiveEstimate> estimates,
+                                 int num_dives,
+                                 int least_dives);
 
 // The same series without the element `index` of it.
-Series WithoutElement(const Series& series, int index);
+DiveSeries WithoutElement(const DiveSeries& series, int index);
 
 // What one estimate says of several series at once.
 struct DiveBlock {
@@ -44,6 +44,6 @@ struct DiveBlock {
 // The estimates behind `series`, with the covariance of what each of them adds to the series.
 // Covariances that are not known or that no noise can have are taken as 0.
 std::vector<DiveBlock> BlocksOf(std::span<const DiveEstimate> estimates,
-                                std::span<const Series> series);
+                                std::span<const DiveSeries> series);
 
 }  // namespace fathom

@@ -26,7 +26,7 @@ bool TryAgain(std::size_t index, double threshold, int num_dives, SeriesModel* m
   without.found.erase(without.found.begin() + index);
   const ScanDesign design = MakeScanDesign(model->series, AllColumns(without), num_dives);
   const ScanResult scan = Scan(design, model->series.value);
-  const Candidate best = BestChange(scan);
+  const ScanCandidate best = BestChange(scan);
   if (best.statistic < threshold) {
     *model = without;
     return true;

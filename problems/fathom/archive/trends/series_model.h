@@ -19,7 +19,7 @@ struct FoundColumn {
 
 // What is said of one series so far.
 struct SeriesModel {
-  Series series;                   // without its outliers
+  DiveSeries series;               // without its outliers
   std::vector<Column> known;       // stay as they are
   std::vector<FoundColumn> found;  // in the order in which they came
 };

@@ -103,8 +103,8 @@ TEST(ChangeSearch, AWildDiveIsAnOutlierAndNoStep) {
   const ChangeSearch search = FindChanges(estimates, 30, {});
   EXPECT_TRUE(search.changes.empty());
   EXPECT_THAT(search.outliers,
-              ::testing::UnorderedElementsAre(OutlyingDive{14, Dof::kHeave, kInertia},
-                                              OutlyingDive{29, Dof::kYaw, kLinearDamping}));
+              ::testing::UnorderedElementsAre(ParameterOutlier{14, Dof::kHeave, kInertia},
+                                              ParameterOutlier{29, Dof::kYaw, kLinearDamping}));
 }
 
 TEST(ChangeSearch, AWildDiveHidesNoStep) {
@@ -115,7 +115,7 @@ TEST(ChangeSearch, AWildDiveHidesNoStep) {
   ASSERT_EQ(search.changes.size(), 1u);
   EXPECT_EQ(search.changes[0].kind, ChangeKind::kStep);
   EXPECT_NEAR(search.changes[0].at, 20, 1);
-  EXPECT_THAT(search.outliers, ::testing::ElementsAre(OutlyingDive{8, Dof::kHeave, kInertia}));
+  EXPECT_THAT(search.outliers, ::testing::ElementsAre(ParameterOutlier{8, Dof::kHeave, kInertia}));
 }
 
 TEST(ChangeSearch, ATrendIsNoStackOfSteps) {

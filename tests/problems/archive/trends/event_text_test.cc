@@ -10,10 +10,10 @@ namespace {
 
 // Surge and sway, inertia and quadratic damping of each; every standard deviation is 1 scale.
 struct TextCase {
-  std::vector<Series> series = {{Dof::kSurge, kInertia, {}, {}, 2.0, {}, {}},
-                                {Dof::kSurge, kQuadraticDamping, {}, {}, 0.5, {}, {}},
-                                {Dof::kSway, kInertia, {}, {}, 2.0, {}, {}},
-                                {Dof::kSway, kQuadraticDamping, {}, {}, 0.5, {}, {}}};
+  std::vector<DiveSeries> series = {{Dof::kSurge, kInertia, {}, {}, 2.0, {}, {}},
+                                    {Dof::kSurge, kQuadraticDamping, {}, {}, 0.5, {}, {}},
+                                    {Dof::kSway, kInertia, {}, {}, 2.0, {}, {}},
+                                    {Dof::kSway, kQuadraticDamping, {}, {}, 0.5, {}, {}}};
   EventFit event{{0, 1, 2, 3},
                  Eigen::Vector4d(50.0, 80.0, 50.0, 80.0),
                  Eigen::Vector4d(7.0, 4.0, 7.0, 6.0),
