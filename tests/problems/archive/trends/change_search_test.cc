@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/trends/change_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drawn_archive.h"
+#include "side_by_side.h"
+#include <gmock/gmock.h>
+
+namespace fathom {
+namespace {
+
+// Scatter between dives as turbulence makes it, in some parameters only.
+DrawnArchive TurbulentArchive() {
+  DrawnArchive archive;
+  archive.tau << 0.0, 2.0, 0.0, 0.5;
+  return archive;
+}
+
+TEST(ChangeSearch, OneQuietArchiveInTwentyHasAChange) {
+  const int num_archives = 1000;
+  ChangeOptions options;
+  options.num_draws = 199;
+  std::vector<char> has_change(num_archives), has_outlier(num_archives);
+  SideBySide(num_archives, 2, [&](std::size_t i) {
+    RandomStream random(i, "archive");
+    const ChangeSearch search = FindChanges(DrawQuiet(TurbulentArchive(), &random), 30, options);
+    has_change[i] = !search.changes.empty();
+    has_outlier[i] = !search.outliers.empty();
+  });
+  const int changes = std::count(has_change.begin(), has_change.end(), 1);
+  const int outliers = std::count(has_outlier.begin(), has_outlier.end(), 1);
+  RecordProperty("archives_with_a_change", changes);
+  RecordProperty("archives_with_an_outlier", outliers);
+  // 50 expected, give or take 6.9.
+  EXPECT_GE(changes, 30);
+  EXPECT_LE(changes, 70);
+  // 10 expected, give or take 3.1.
+  EXPECT_LE(outliers, 20);
+}
+
+TEST(ChangeSearch, FindsAStepAtItsDive) {
+  const int num_archives = 300;
+  ChangeOptions options;
+  options.num_draws = 199;
+  std::vector<char> is_found(num_archives), is_placed(num_archives), has_more(num_archives);
+  SideBySide(num_archives, 2, [&](std::size_t i) {
+    const DrawnArchive archive = TurbulentArchive();
+    RandomStream random(i, "archive");
+    std::vector<DiveEstimate> estimates = DrawQuiet(archive, &random);
+    const Dof dof = archive.dofs[static_cast<int>(3 * random.Uniform())];
+    const int parameter = static_cast<int>(4 * random.Uniform());
+    const int at = 2 + static_cast<int>(27 * random.Uniform());
+    // Weights before and after, with the true scatter.
+    double before = 0.0, after = 0.0;
+    for (const DiveEstimate& estimate : estimates) {
+      if (estimate.dof != dof) continue;
+      (estimate.dive < at ? before : after) +=
+          1.0 / (estimate.covariance(parameter, parameter) + std::pow(archive.tau(parameter), 2));
+    }
+    const double size =
+        (random.Uniform() < 0.5 ? -5.5 : 5.5) * std::sqrt(1.0 / before + 1.0 / after);
+    for (DiveEstimate& estimate : estimates) {
+      if (estimate.dof == dof && estimate.dive >= at) estimate.value(parameter) += size;
+    }
+    const ChangeSearch search = FindChanges(estimates, 30, options);
+    for (const Change& change : search.changes) {
+      const bool is_it = change.dof == dof && change.parameter == parameter;
+      is_found[i] = is_found[i] || is_it;
+      is_placed[i] = is_placed[i] ||
+                     (is_it && change.kind == ChangeKind::kStep && std::abs(change.at - at) <= 1);
+    }
+    has_more[i] = search.changes.size() > 1;
+  });
+  const int found = std::count(is_found.begin(), is_found.end(), 1);
+  const int placed = std::count(is_placed.begin(), is_placed.end(), 1);
+  RecordProperty("found", found);
+  RecordProperty("placed", placed);
+  RecordProperty("more", static_cast<int>(std::count(has_more.begin(), has_more.end(), 1)));
+  EXPECT_GE(found, 0.9 * num_archives);
+  EXPECT_GE(placed, 0.8 * num_archives);
+}
+
+std::vector<DiveEstimate> QuietDives(std::uint64_t seed) {
+  RandomStream random(seed, "archive");
+  return DrawQuiet(TurbulentArchive(), &random);
+}
+
+DiveEstimate& At(int dive, Dof dof, std::vector<DiveEstimate>* estimates) {
+  return *std::find_if(estimates->begin(), estimates->end(), [&](const DiveEstimate& estimate) {
+    return estimate.dive == dive && estimate.dof == dof;
+  });
+}
+
+TEST(ChangeSearch, AWildDiveIsAnOutlierAndNoStep) {
+  std::vector<DiveEstimate> estimates = QuietDives(2);
+  At(14, Dof::kHeave, &estimates).value(kInertia) += 60.0;
+  At(29, Dof::kYaw, &estimates).value(kLinearDamping) -= 40.0;  // the last one
+  const ChangeSearch search = FindChanges(estimates, 30, {});
+  EXPECT_TRUE(search.changes.empty());
+  EXPECT_THAT(search.outliers,
+              ::testing::UnorderedElementsAre(ParameterOutlier{14, Dof::kHeave, kInertia},
+                                              ParameterOutlier{29, Dof::kYaw, kLinearDamping}));
+}
+
+TEST(ChangeSearch, AWildDiveHidesNoStep) {
+  std::vector<DiveEstimate> estimates = QuietDives(2);
+  for (int dive = 20; dive < 30; ++dive) At(dive, Dof::kHeave, &estimates).value(kInertia) += 8.0;
+  At(8, Dof::kHeave, &estimates).value(kInertia) += 60.0;
+  const ChangeSearch search = FindChanges(estimates, 30, {});
+  ASSERT_EQ(search.changes.size(), 1u);
+  EXPECT_EQ(search.changes[0].kind, ChangeKind::kStep);
+  EXPECT_NEAR(search.changes[0].at, 20, 1);
+  EXPECT_THAT(search.outliers, ::testing::ElementsAre(ParameterOutlier{8, Dof::kHeave, kInertia}));
+}
+
+TEST(ChangeSearch, ATrendIsNoStackOfSteps) {
+  std::vector<DiveEstimate> estimates = QuietDives(3);
+  for (DiveEstimate& estimate : estimates) {
+    if (estimate.dof == Dof::kSurge) estimate.value(kInertia) += 2.0 * estimate.dive;
+  }
+  const ChangeSearch search = FindChanges(estimates, 30, {});
+  ASSERT_EQ(search.changes.size(), 1u);
+  const Change& trend = search.changes[0];
+  EXPECT_EQ(trend.kind, ChangeKind::kTrend);
+  EXPECT_NEAR(trend.before, 140.0, 4.0 * trend.before_std);
+  EXPECT_NEAR(trend.after, 140.0 + 2.0 * 29, 4.0 * trend.after_std);
+}
+
+TEST(ChangeSearch, GivesTheSameBitsAgain) {
+  std::vector<DiveEstimate> estimates = QuietDives(4);
+  for (int dive = 20; dive < 30; ++dive) At(dive, Dof::kSurge, &estimates).value(kInertia) += 6.0;
+  const ChangeSearch first = FindChanges(estimates, 30, {});
+  const ChangeSearch second = FindChanges(estimates, 30, {});
+  ASSERT_EQ(first.changes.size(), 1u);
+  ASSERT_EQ(second.changes.size(), 1u);
+  EXPECT_EQ(first.changes[0].before, second.changes[0].before);
+  EXPECT_EQ(first.changes[0].after_std, second.changes[0].after_std);
+  EXPECT_EQ(first.changes[0].p_value, second.changes[0].p_value);
+}
+
+TEST(ChangeSearch, LeavesOutWhatIsNotKnown) {
+  std::vector<DiveEstimate> estimates = QuietDives(5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (DiveEstimate& estimate : estimates) {
+    if (estimate.dof == Dof::kYaw && estimate.dive >= 4) estimate.value(kBuoyancy) = nan;
+    if (estimate.dof == Dof::kSurge) {  // stuck at its bound
+      estimate.value(kLinearDamping) = 0.0;
+    }
+  }
+  At(7, Dof::kSurge, &estimates).covariance.col(kInertia).setConstant(nan);
+  At(7, Dof::kSurge, &estimates).covariance.row(kInertia).setConstant(nan);
+  const ChangeSearch search = FindChanges(estimates, 30, {});
+  EXPECT_TRUE(search.changes.empty());
+  ASSERT_EQ(search.scatter.size(), 11u);  // without the buoyancy in yaw
+  EXPECT_EQ(search.scatter[0].num_dives, 29);
+  EXPECT_TRUE(FindChanges({}, 0, {}).scatter.empty());
+}
+
+}  // namespace
+}  // namespace fathom
