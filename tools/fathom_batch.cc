@@ -6,6 +6,7 @@
 #include "fathom/archive/batch.h"
 #include "fathom/archive/batch_text.h"
 #include "fathom/archive/jobs/survey.h"
+#include "fathom/archive/report/archive_page.h"
 #include "fathom/archive/slurm_script.h"
 #include "fathom/archive/store/store.h"
 #include "fathom/base/exit_code.h"
@@ -22,8 +23,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(archive, "", "A folder with logs in it, at any depth. Nothing is written into it.");
@@ -130,7 +133,7 @@ BatchSummary RunBatchWithProgress(const BatchOptions& options) {
   });
 }
 
-int Run() {
+int Run(const std::string& command) {
   if (!FLAGS_survey.empty()) {
     fmt::print("{}", FormatSurvey(SurveyLog(FLAGS_survey, DofFromFlag())));
     return kExitUsable;
@@ -149,9 +152,13 @@ int Run() {
     return kExitUsable;
   }
   const BatchSummary summary = RunBatchWithProgress(options);
-  const Tables tables = ReadResults(options.results);
+  Tables tables = ReadResults(options.results);
   fmt::print("{}", FormatSummary(summary, tables));
   if (!FLAGS_csv.empty()) WriteFile(FLAGS_csv, FormatFitsCsv(tables.fits));
+  if (!FLAGS_report.empty()) {
+    WriteFile(FLAGS_report,
+              RenderArchivePage(ReportOf(options, summary, std::move(tables), command)));
+  }
   const bool failed = std::ranges::any_of(
       summary.states, [](const auto& state) { return IsFailure(state.first) && state.second > 0; });
   return FLAGS_strict && failed ? kExitStrict : kExitUsable;
@@ -160,4 +167,7 @@ int Run() {
 }  // namespace
 }  // namespace fathom
 
-int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }
+int main(int argc, char** argv) {
+  const std::string command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  return fathom::RunTool(argc, argv, fathom::kInfo, [&] { return fathom::Run(command); });
+}

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "fathom/archive/jobs/log_state.h"
-#include "fathom/archive/report/archive_report.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -54,8 +53,6 @@ struct BatchSummary {
   std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // that are no logs, by kind
   std::size_t num_run = 0;                 // logs that something had to be run for
-  std::vector<std::string> changes;        // what changed over the dives, a sentence each
-  std::vector<OutlyingDive> outliers;
   // Pages of diagnoses that are there, by log and DOF: names within BatchOptions::pages.
   std::map<std::pair<std::string, std::string>, std::string> pages;
 };

@@ -3,10 +3,14 @@
 
 #include "fathom/archive/batch_text.h"
 
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/archive/report/archive_sentences.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/utc_time.h"
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,7 +68,7 @@ std::string PaceText(const BatchProgress& progress, double seconds) {
 
 std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
   std::string text;
-  for (const std::string& change : summary.changes) text += change + "\n";
+  for (const std::string& sentence : ChangeSentences(tables)) text += sentence + "\n";
   std::vector<std::string> states;
   std::size_t num_logs = 0;
   for (const auto& [state, count] : summary.states) {
@@ -85,6 +89,26 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
     text += fmt::format("{}: {}: {}\n", row.path, row.status, row.message);
   }
   return text;
+}
+
+ArchiveReport ReportOf(const BatchOptions& options,
+                       const BatchSummary& summary,
+                       Tables tables,
+                       const std::string& command) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  ArchiveReport report;
+  report.archive = PathText(options.archive);
+  report.version = options.version;
+  report.date = FormatUtc(std::chrono::duration<double>(now).count());
+  report.command = CleanText(command);
+  report.tables = std::move(tables);
+  report.dives = summary.dives;
+  report.other_files = summary.other_files;
+  const std::string folder = options.pages.filename().string();
+  for (const auto& [log_and_dof, page] : summary.pages) {
+    report.pages[log_and_dof] = folder + "/" + page;
+  }
+  return report;
 }
 
 std::string FormatPlan(const BatchPlan& plan, const std::string& version) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/batch.h"
+#include "fathom/archive/report/archive_report.h"
 #include "fathom/archive/store/tables.h"
 
 #include <string>
@@ -18,6 +19,12 @@ std::string PaceText(const BatchProgress& progress, double seconds);
 // The account of a batch: everything found, by state; what changed; each log without a model, with
 // the reason.
 std::string FormatSummary(const BatchSummary& summary, const Tables& tables);
+
+// What the archive page shows, dated now. `command`: the command line.
+ArchiveReport ReportOf(const BatchOptions& options,
+                       const BatchSummary& summary,
+                       Tables tables,
+                       const std::string& command);
 
 // What a batch would do.
 std::string FormatPlan(const BatchPlan& plan, const std::string& version);

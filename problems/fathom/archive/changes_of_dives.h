@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "fathom/archive/report/archive_report.h"
 #include "fathom/archive/store/tables.h"
 #include "fathom/base/dof.h"
 
@@ -22,16 +21,12 @@ struct FittedDive {
   std::string model;  // a model file's text
 };
 
-struct DiveChanges {
-  std::vector<ChangeRow> rows;
-  std::vector<std::string> sentences;
-  std::vector<OutlyingDive> outliers;
-};
-
-// What changed over the dives of each vehicle, and why; docs/archive_trends.md. `vehicle_files`: by
-// the vehicle's name, empty where it has none; thrusters are named by them.
-DiveChanges ChangesOfDives(const std::vector<FittedDive>& fits,
-                           const std::vector<std::string>& dives,
-                           const std::map<std::string, std::filesystem::path>& vehicle_files);
+// Adds what changed over the dives of each vehicle, and why, and which dives are outliers:
+// docs/archive_trends.md. `vehicle_files`: by the vehicle's name, empty where it has none;
+// thrusters are named by them.
+void AddChangesOfDives(const std::vector<FittedDive>& fits,
+                       const std::vector<std::string>& dives,
+                       const std::map<std::string, std::filesystem::path>& vehicle_files,
+                       Tables* tables);
 
 }  // namespace fathom

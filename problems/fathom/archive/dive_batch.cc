@@ -151,10 +151,7 @@ DiveBatch RunDives(const std::vector<DoneLog>& logs,
 
   std::map<std::string, std::filesystem::path> vehicle_files;
   for (const DoneLog& log : logs) vehicle_files.try_emplace(log.vehicle, log.vehicle_file);
-  DiveChanges changes = ChangesOfDives(fitted, batch.dives, vehicle_files);
-  batch.tables.changes = std::move(changes.rows);
-  batch.change_sentences = std::move(changes.sentences);
-  batch.outliers = std::move(changes.outliers);
+  AddChangesOfDives(fitted, batch.dives, vehicle_files, &batch.tables);
   return batch;
 }
 

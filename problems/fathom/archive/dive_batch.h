@@ -15,11 +15,9 @@
 namespace fathom {
 
 struct DiveBatch {
-  Tables tables;                   // dive_fits, predictions and changes
+  Tables tables;                   // of whole dives
   std::vector<std::string> dives;  // in their order
-  std::vector<std::string> change_sentences;
-  std::vector<OutlyingDive> outliers;
-  bool is_final = true;  // false: a later batch has to do it again
+  bool is_final = true;            // false: a later batch has to do it again
 };
 
 // Fits all logs of each dive together, lets each dive's model predict the next dive of the same

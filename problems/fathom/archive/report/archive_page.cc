@@ -45,7 +45,7 @@ constexpr std::string_view kSections = R"(<section id="parameters">
 
 std::string HeaderHtml(const ArchiveReport& report) {
   std::string html = fmt::format("<header>\n<h1>{}</h1>\n", HtmlText("Archive " + report.archive));
-  for (const std::string& sentence : ChangeSentences(report)) {
+  for (const std::string& sentence : ChangeSentences(report.tables)) {
     html += fmt::format("<p class=\"lead change\">{}</p>\n", HtmlText(sentence));
   }
   html += fmt::format("<p class=\"lead logs\">{}</p>\n", HtmlText(LogsSentence(report)));

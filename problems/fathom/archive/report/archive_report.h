@@ -12,11 +12,6 @@
 
 namespace fathom {
 
-// A dive whose parameter lies too far from those of the other dives.
-struct OutlyingDive {
-  std::string vehicle, dive, dof, parameter;
-};
-
 // What the archive page shows.
 struct ArchiveReport {
   std::string archive;  // its folder, as it was named
@@ -24,9 +19,7 @@ struct ArchiveReport {
   std::string date;     // ISO 8601
   std::string command;  // the command line
   Tables tables;
-  std::vector<std::string> dives;             // in their order
-  std::vector<std::string> change_sentences;  // what changed and why, most certain first
-  std::vector<OutlyingDive> outliers;
+  std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // files that are no logs, by their ending
   // Pages of the diagnoses, relative to the archive page, by (log, dof). May be empty.
   std::map<std::pair<std::string, std::string>, std::string> pages;

@@ -78,22 +78,37 @@ std::string OtherFiles(const std::map<std::string, int>& files) {
                      fmt::join(kinds, ", "));
 }
 
+// Each text once, those with the least p-value first.
+std::vector<std::string> TextsOf(const std::vector<ChangeRow>& changes) {
+  std::map<std::string, double> p_values;
+  for (const ChangeRow& row : changes) {
+    double& least = p_values.try_emplace(row.text, 1.0).first->second;
+    if (row.p_value < least) least = row.p_value;
+  }
+  std::vector<std::string> texts;
+  for (const auto& [text, p_value] : p_values) texts.push_back(text);
+  std::stable_sort(texts.begin(), texts.end(), [&](const std::string& a, const std::string& b) {
+    return p_values[a] < p_values[b];
+  });
+  return texts;
+}
+
 }  // namespace
 
 std::string Counted(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::vector<std::string> ChangeSentences(const ArchiveReport& report) {
-  std::vector<std::string> sentences = report.change_sentences;
-  const auto compared = NumDivesCompared(report.tables);
+std::vector<std::string> ChangeSentences(const Tables& tables) {
+  std::vector<std::string> sentences = TextsOf(tables.changes);
+  const auto compared = NumDivesCompared(tables);
   if (compared.size() <= 1) {
     const std::size_t num_dives = compared.empty() ? 0 : compared.begin()->second;
     if (sentences.empty()) sentences.push_back(QuietSentence("", num_dives));
     return sentences;
   }
   std::set<std::string> changed;
-  for (const ChangeRow& row : report.tables.changes) changed.insert(row.vehicle);
+  for (const ChangeRow& row : tables.changes) changed.insert(row.vehicle);
   for (const auto& [vehicle, num_dives] : compared) {
     if (changed.contains(vehicle)) continue;
     sentences.push_back(

@@ -12,11 +12,11 @@
 namespace fathom {
 
 // Of fewer dives with a usable joint fit nothing is said about change.
-inline constexpr int kFewestDivesForChange = 4;
+inline constexpr int kFewestDivesForChange = 5;
 
-// What changed over the dives. Of a vehicle without a change: that there is none, or that too few
-// dives have a usable joint fit to tell. At least one sentence.
-std::vector<std::string> ChangeSentences(const ArchiveReport& report);
+// What changed over the dives, the surest first. Of a vehicle without a change: that there is none,
+// or that too few dives have a usable joint fit to tell. At least one sentence.
+std::vector<std::string> ChangeSentences(const Tables& tables);
 
 // How many logs in how many dives, and what became of them: every log is in one of the counts.
 std::string LogsSentence(const ArchiveReport& report);

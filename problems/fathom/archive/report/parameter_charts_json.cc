@@ -71,7 +71,7 @@ json OutliersJson(const ArchiveReport& report,
                   const std::string& parameter,
                   const Places& places) {
   json outliers = json::array();
-  for (const OutlyingDive& one : report.outliers) {
+  for (const OutlierRow& one : report.tables.outliers) {
     if (one.vehicle != key.vehicle || one.dof != key.dof || one.parameter != parameter) continue;
     const auto place = places.find(one.dive);
     if (place != places.end()) outliers.push_back(place->second);

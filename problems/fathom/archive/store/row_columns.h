@@ -51,6 +51,11 @@ constexpr std::string_view TableName<ChangeRow>() {
   return "changes";
 }
 
+template <>
+constexpr std::string_view TableName<OutlierRow>() {
+  return "outliers";
+}
+
 template <typename Visit>
 void VisitColumns(LogRow& row, Visit& visit) {
   visit("path", row.path);
@@ -158,6 +163,14 @@ void VisitColumns(ChangeRow& row, Visit& visit) {
   visit("p_value", row.p_value);
   visit("cause", row.cause);
   visit("text", row.text);
+  visit("vehicle", row.vehicle);
+}
+
+template <typename Visit>
+void VisitColumns(OutlierRow& row, Visit& visit) {
+  visit("dive", row.dive);
+  visit("dof", row.dof);
+  visit("parameter", row.parameter);
   visit("vehicle", row.vehicle);
 }
 

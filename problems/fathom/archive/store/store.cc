@@ -201,6 +201,7 @@ Store::Store(const std::filesystem::path& file) {
     CreateTable<FindingRow>(database_.get());
     CreateTable<PredictionRow>(database_.get());
     CreateTable<ChangeRow>(database_.get());
+    CreateTable<OutlierRow>(database_.get());
     for (const char* table : {"fits", "scores", "verdicts", "causes", "findings"}) {
       database_->exec(fmt::format("CREATE INDEX IF NOT EXISTS {0}_by_log ON {0}(log)", table));
     }
@@ -315,12 +316,13 @@ void Store::RemoveOtherLogs(const std::vector<std::string>& paths) {
 
 void Store::ReplaceDives(const Tables& tables, const std::string& done) {
   SQLite::Transaction transaction(*database_);
-  for (const char* table : {"dive_fits", "predictions", "changes"}) {
+  for (const char* table : {"dive_fits", "predictions", "changes", "outliers"}) {
     database_->exec(fmt::format("DELETE FROM {}", table));
   }
   Insert(tables.dive_fits, database_.get());
   Insert(tables.predictions, database_.get());
   Insert(tables.changes, database_.get());
+  Insert(tables.outliers, database_.get());
   SetDone(kDives, done, database_.get());
   transaction.commit();
 }
@@ -342,6 +344,7 @@ Tables Store::ReadTables() const {
   SelectInto(database_.get(), &tables.findings);
   SelectInto(database_.get(), &tables.predictions);
   SelectInto(database_.get(), &tables.changes);
+  SelectInto(database_.get(), &tables.outliers);
   return tables;
 }
 

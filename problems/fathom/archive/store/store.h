@@ -52,7 +52,8 @@ class Store {
   // Takes out the logs that are not among these paths.
   void RemoveOtherLogs(const std::vector<std::string>& paths);
 
-  // dive_fits, predictions and changes as a whole. `done` as above, of all dives together.
+  // dive_fits, predictions, changes and outliers as a whole. `done` as above, of all dives
+  // together.
   void ReplaceDives(const Tables& tables, const std::string& done);
   std::string DoneDives() const;
 

@@ -108,6 +108,11 @@ struct ChangeRow {
   std::string vehicle;
 };
 
+// A dive whose parameter lies too far from those of the other dives.
+struct OutlierRow {
+  std::string dive, dof, parameter, vehicle;
+};
+
 struct Tables {
   std::vector<LogRow> logs;  // in the order of dives, then by path
   std::vector<FitRow> fits;
@@ -118,6 +123,7 @@ struct Tables {
   std::vector<FindingRow> findings;
   std::vector<PredictionRow> predictions;
   std::vector<ChangeRow> changes;
+  std::vector<OutlierRow> outliers;
 };
 
 }  // namespace fathom

@@ -98,7 +98,7 @@ TEST_F(ArchiveInBrowser, FitsAPhoneWithNamesThatKnowNoEnd) {
     row.vehicle = name;
   }
   for (CauseRow& row : report.tables.causes) row.effect = name;
-  report.change_sentences = {name};
+  for (ChangeRow& row : report.tables.changes) row.text = name;
   Findings(report, {.width = 390});
   Findings(report, {.width = 800});
   Findings(report, {.width = 1400});

@@ -66,8 +66,7 @@ std::string PageWith(const std::string& text) {
   ArchiveReport report;
   report.archive = report.version = report.date = report.command = text;
   report.dives = {text, "b" + text};
-  report.change_sentences = {text};
-  report.outliers = {{text, text, text, text}};
+  report.tables.outliers = {{text, text, text, text}};
   report.other_files = {{text, 2}};
   report.pages[{text, text}] = text;
   Tables& tables = report.tables;
@@ -85,7 +84,7 @@ std::string PageWith(const std::string& text) {
   tables.causes = {cause};
   tables.findings = {{text, text, text, text, text}};
   ChangeRow change;
-  change.dof = change.parameter = change.at = change.cause = change.vehicle = text;
+  change.dof = change.parameter = change.at = change.cause = change.vehicle = change.text = text;
   change.kind = "step";
   tables.changes = {change};
   return RenderArchivePage(report);

@@ -43,13 +43,13 @@ ArchiveReport WithStates(const std::vector<std::string>& states) {
 TEST(ChangeSentences, TellThatNothingChanged) {
   ArchiveReport report;
   AddDives(12, true, "", &report);
-  EXPECT_THAT(ChangeSentences(report), ElementsAre("No change over 12 dives."));
+  EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("No change over 12 dives."));
 }
 
 TEST(ChangeSentences, SayNothingOfTooFewDives) {
   ArchiveReport report;
   AddDives(1, true, "", &report);
-  EXPECT_THAT(ChangeSentences(report),
+  EXPECT_THAT(ChangeSentences(report.tables),
               ElementsAre("No statement on change: only 1 dive has a usable joint fit, at least 4 "
                           "are needed."));
 }
@@ -57,7 +57,7 @@ TEST(ChangeSentences, SayNothingOfTooFewDives) {
 TEST(ChangeSentences, SayNothingWithoutUsableFits) {
   ArchiveReport report;
   AddDives(30, false, "", &report);
-  EXPECT_THAT(ChangeSentences(report),
+  EXPECT_THAT(ChangeSentences(report.tables),
               ElementsAre("No statement on change: no dive has a usable joint fit."));
 }
 
@@ -65,10 +65,11 @@ TEST(ChangeSentences, TellOfVehiclesThatDidNotChangeBesideOneThatDid) {
   ArchiveReport report;
   AddDives(9, true, "lbv", &report);
   AddDives(8, true, "rov", &report);
-  report.change_sentences = {"From rov 3 on rov is heavier."};
-  report.tables.changes.resize(1);
+  report.tables.changes.resize(2);
+  report.tables.changes[0].text = report.tables.changes[1].text = "From rov 3 on rov is heavier.";
+  report.tables.changes[1].vehicle = "rov";
   report.tables.changes[0].vehicle = "rov";
-  EXPECT_THAT(ChangeSentences(report),
+  EXPECT_THAT(ChangeSentences(report.tables),
               ElementsAre("From rov 3 on rov is heavier.", "No change over 9 dives of lbv."));
 }
 

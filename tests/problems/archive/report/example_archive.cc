@@ -76,7 +76,7 @@ void AddDiveFits(int num_dives, std::mt19937* generator, ArchiveReport* report) 
       }
     }
   }
-  report->outliers = {{"pool_rov", DiveName(17), "surge", "inertia"}};
+  report->tables.outliers = {{DiveName(17), "surge", "inertia", "pool_rov"}};
 }
 
 ChangeRow ChangeOf(const char* dof, const char* parameter, const char* kind, const char* cause) {
@@ -96,20 +96,22 @@ void AddChanges(int num_dives, ArchiveReport* report) {
     step.at = payload;
     step.before = Truth(dof, kInertia, 0, num_dives);
     step.after = step.before + kPayload;
+    step.text = fmt::format(
+        "From {} on the vehicle is 14 kg heavier (± 2) in surge, sway and heave: payload.",
+        payload);
+    step.p_value = 0.002;
     report->tables.changes.push_back(step);
   }
   ChangeRow growth = ChangeOf("surge", "quadratic_damping", "trend", "fouling");
   growth.at = DiveName(0);
   growth.before = 120.0;
   growth.after = 160.0;
-  report->tables.changes.push_back(growth);
-  report->change_sentences = {
-      fmt::format(
-          "From {} on the vehicle is 14 kg heavier (± 2) in surge, sway and heave: payload.",
-          payload),
+  growth.text =
       fmt::format("From {} to {} the quadratic damping of surge grows by 33 % (± 4): fouling.",
                   DiveName(0),
-                  DiveName(num_dives - 1))};
+                  DiveName(num_dives - 1));
+  growth.p_value = 0.004;
+  report->tables.changes.push_back(growth);
 }
 
 // A verdict, and causes where it names one. Every fifth dive was not diagnosed.

@@ -31,7 +31,7 @@ TEST(ParameterChartsJson, CountsThePlacesOfAVehicleOverItsOwnDives) {
   report.tables.dive_fits = {FitOf("rov", "b", "surge", 11.0),
                              FitOf("lbv", "c", "surge", 20.0),
                              FitOf("rov", "d", "surge", 12.0)};
-  report.outliers = {{"rov", "d", "surge", "inertia"}};
+  report.tables.outliers = {{"d", "surge", "inertia", "rov"}};
   const json groups = json::parse(ParameterChartsJson(report, {"a", "b", "c", "d"}));
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0]["dives"], json({2}));
