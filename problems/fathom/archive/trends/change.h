@@ -34,7 +34,7 @@ struct Change {
 // Changes that one cause explains together.
 struct ChangeEvent {
   std::vector<Change> changes;            // at least one
-  std::string cause;                      // docs/archive.md: "payload", "fouling", ... "unnamed"
+  std::string cause;                      // docs/archive_trends.md: "payload", ... "unnamed"
   std::vector<std::string> alternatives;  // causes that these dives cannot tell from it
   std::string text;                       // one sentence for a person
 };

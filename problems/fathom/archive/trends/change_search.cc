@@ -19,6 +19,9 @@ namespace fathom {
 namespace {
 
 constexpr int kLeastDives = 5;
+constexpr int kDivesOfLongSeries = 25;
+constexpr int kManyDives = 300;  // have fewer draws
+constexpr int kFewDraws = 199;
 constexpr int kMostRounds = 20;  // each adds a change to every series that has one left
 
 std::vector<SeriesModel> StartModels(std::span<const DiveEstimate> estimates,
@@ -47,10 +50,13 @@ struct Round {
   std::vector<double> tau_squared;
 };
 
-// A change that is not in the model yet must not count as scatter.
+// A change that is not in the model yet must not count as scatter. In short series the best of many
+// candidates would take the scatter with it.
 double TauSquaredBesideTheBest(const ScanResult& scan) {
   const int best = BestChange(scan).index;
-  return best < 0 ? scan.tau_squared : scan.candidate_tau_squared(best);
+  const int num_dives = static_cast<int>(scan.statistic.size() / 2);
+  if (best < 0 || num_dives < kDivesOfLongSeries) return scan.tau_squared;
+  return scan.candidate_tau_squared(best);
 }
 
 Round ScanAll(std::span<const DiveEstimate> estimates,
@@ -121,6 +127,10 @@ std::array<std::optional<Finding>, 6> TellingFindings(const Round& round,
   return findings;
 }
 
+int NumDraws(int num_dives, const ChangeOptions& options) {
+  return num_dives > kManyDives ? std::min(options.num_draws, kFewDraws) : options.num_draws;
+}
+
 // Adds one more change or outlier to every DOF that has one which quiet archives do not. False if
 // there is none.
 bool AddTheTelling(std::span<const DiveEstimate> estimates,
@@ -134,7 +144,7 @@ bool AddTheTelling(std::span<const DiveEstimate> estimates,
                                                 round.designs,
                                                 round.tau_squared,
                                                 round.partner_noise,
-                                                options.num_draws,
+                                                NumDraws(num_dives, options),
                                                 options.seed);
   const CommonScale changes = CommonScaleOf(quiet.change);
   const double threshold = ThresholdAt(changes.largest, options.false_alarm_rate);

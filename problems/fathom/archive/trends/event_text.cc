@@ -6,6 +6,7 @@
 #include "fathom/report/format_value.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace fathom {

@@ -23,7 +23,7 @@ namespace fathom {
 // of an event hold values before and after from the joint fit, and p-values of `search` where it
 // found that change, else NaN.
 //
-// CHECKs that dive_names has a name for each dive.
+// `dive_names` has a name for each dive, in order; `num_dives` of the search was its size.
 std::vector<ChangeEvent> NameCauses(const ChangeSearch& search,
                                     std::span<const DiveEstimate> estimates,
                                     std::span<const std::string> dive_names,

@@ -43,6 +43,21 @@ TEST(ChangeSearch, OneQuietArchiveInTwentyHasAChange) {
   EXPECT_LE(outliers, 20);
 }
 
+TEST(ChangeSearch, ShortQuietArchivesSeldomHaveAChange) {
+  const int num_archives = 300;
+  ChangeOptions options;
+  options.num_draws = 199;
+  DrawnArchive archive = TurbulentArchive();
+  archive.num_dives = 12;
+  std::vector<char> has_change(num_archives);
+  SideBySide(num_archives, 2, [&](std::size_t i) {
+    RandomStream random(i, "archive");
+    has_change[i] = !FindChanges(DrawQuiet(archive, &random), 12, options).changes.empty();
+  });
+  // 15 expected, give or take 3.8.
+  EXPECT_LE(std::count(has_change.begin(), has_change.end(), 1), 27);
+}
+
 TEST(ChangeSearch, FindsAStepAtItsDive) {
   const int num_archives = 300;
   ChangeOptions options;
