@@ -39,25 +39,34 @@ bool IsFinal(const LogOutcome& outcome) {
   });
 }
 
-// The vehicle file that log.yaml or archive.yaml names; empty: none.
-fs::path VehicleFileOf(const std::string& vehicle,
-                       const fs::path& place,
-                       const ArchiveSettings& settings) {
-  if (vehicle.empty()) return settings.vehicle;
-  return vehicle.ends_with(".yaml") ? place / vehicle : fs::path();
+// A log's vehicle: its name, and its file where it has one.
+struct VehicleOfLog {
+  std::string name;
+  fs::path file;
+};
+
+// Nothing if the file cannot be read as a vehicle.
+std::optional<std::string> NameIn(const fs::path& vehicle_file) {
+  if (vehicle_file.empty()) return std::nullopt;
+  try {
+    return CleanText(ReadVehicleFile(vehicle_file).name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
-// The name in a vehicle file, which logs in different folders name by different paths.
-std::string VehicleNameOf(const std::string& vehicle,
-                          const fs::path& file,
-                          const ArchiveSettings& settings) {
-  const std::string& text = vehicle.empty() ? settings.vehicle_name : vehicle;
-  if (file.empty()) return CleanText(text);
-  try {
-    return CleanText(ReadVehicleFile(file).name);
-  } catch (const InputError&) {
-    return CleanText(text);
+// `named`: as log.yaml does. Logs in different folders name one file by different paths: the name
+// in it counts. archive.yaml's file is of the logs that name no vehicle, or the one in it.
+VehicleOfLog VehicleOf(const std::string& named,
+                       const fs::path& place,
+                       const ArchiveSettings& settings) {
+  if (named.ends_with(".yaml")) {
+    const fs::path file = place / named;
+    return {NameIn(file).value_or(CleanText(named)), file};
   }
+  const auto of_archive = NameIn(settings.vehicle);
+  if (of_archive && (named.empty() || named == *of_archive)) return {*of_archive, settings.vehicle};
+  return {CleanText(named), {}};
 }
 
 std::string WhyLeftOut(const DofRuns& runs, const std::vector<FindingRow>& findings) {
@@ -110,8 +119,9 @@ DoneLog DoneLogOf(const HashedLog& hashed,
   done.dive = DiveOfPath(hashed.log.path, settings);
   done.state = outcome.state;
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
-  done.vehicle_file = VehicleFileOf(vehicle, hashed.log.place, settings);
-  done.vehicle = VehicleNameOf(vehicle, done.vehicle_file, settings);
+  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, settings);
+  done.vehicle = std::move(vehicle_of_log.name);
+  done.vehicle_file = std::move(vehicle_of_log.file);
   if (outcome.survey) {
     if (!outcome.survey->dive.empty()) done.dive = CleanText(outcome.survey->dive);
     done.start = outcome.survey->start;

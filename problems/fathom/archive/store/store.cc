@@ -121,9 +121,9 @@ void Insert(const std::vector<Row>& rows, SQLite::Database* database) {
 }
 
 template <typename Row>
-std::vector<Row> Select(SQLite::Database* database, const std::string& names) {
+std::vector<Row> Select(SQLite::Database* database, const std::string& names, const char* order) {
   SQLite::Statement select(
-      *database, fmt::format("SELECT {0} FROM {1} ORDER BY {0}", names, TableName<Row>()));
+      *database, fmt::format("SELECT {} FROM {} ORDER BY {}", names, TableName<Row>(), order));
   std::vector<Row> rows;
   while (select.executeStep()) {
     Reader read(select);
@@ -135,9 +135,14 @@ std::vector<Row> Select(SQLite::Database* database, const std::string& names) {
 }
 
 template <typename Row>
-void SelectInto(SQLite::Database* database, std::vector<Row>* rows) {
-  *rows = Select<Row>(database, ColumnsOf<Row>().names);
+void SelectInto(SQLite::Database* database, const char* order, std::vector<Row>* rows) {
+  *rows = Select<Row>(database, ColumnsOf<Row>().names, order);
 }
+
+// Logs are written as they are done, the rows of one log or of all dives together in their order.
+constexpr const char* kByPath = "path";
+constexpr const char* kByLog = "log, rowid";
+constexpr const char* kAsWritten = "rowid";
 
 constexpr std::array<const char*, 6> kTablesOfLogs = {
     "fits", "scores", "verdicts", "causes", "findings", "done"};
@@ -335,16 +340,16 @@ std::string Store::DoneDives() const {
 
 Tables Store::ReadTables() const {
   Tables tables;
-  SelectInto(database_.get(), &tables.logs);
-  SelectInto(database_.get(), &tables.fits);
-  SelectInto(database_.get(), &tables.dive_fits);
-  SelectInto(database_.get(), &tables.scores);
-  tables.verdicts = Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''");
-  SelectInto(database_.get(), &tables.causes);
-  SelectInto(database_.get(), &tables.findings);
-  SelectInto(database_.get(), &tables.predictions);
-  SelectInto(database_.get(), &tables.changes);
-  SelectInto(database_.get(), &tables.outliers);
+  SelectInto(database_.get(), kByPath, &tables.logs);
+  SelectInto(database_.get(), kByLog, &tables.fits);
+  SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
+  SelectInto(database_.get(), kByLog, &tables.scores);
+  tables.verdicts = Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''", kByLog);
+  SelectInto(database_.get(), kByLog, &tables.causes);
+  SelectInto(database_.get(), kByLog, &tables.findings);
+  SelectInto(database_.get(), kAsWritten, &tables.predictions);
+  SelectInto(database_.get(), kAsWritten, &tables.changes);
+  SelectInto(database_.get(), kAsWritten, &tables.outliers);
   return tables;
 }
 

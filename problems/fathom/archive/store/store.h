@@ -57,7 +57,7 @@ class Store {
   void ReplaceDives(const Tables& tables, const std::string& done);
   std::string DoneDives() const;
 
-  // The public tables, without VerdictRow::json. Their order is that of their columns.
+  // The public tables, without VerdictRow::json. Logs, and what is of a log, are by its path.
   Tables ReadTables() const;
 
   // Runs and contents of another results file that this one lacks. Throws InputError if it cannot

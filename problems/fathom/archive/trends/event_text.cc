@@ -49,7 +49,9 @@ struct Teller {
   }
 
   std::string Opening() const {
-    return IsTrend() ? "" : "From dive " + dive_names[column.at] + " on ";
+    if (IsTrend()) return "";
+    const std::string& name = dive_names[column.at];
+    return (name.starts_with("dive") ? "From " : "From dive ") + name + " on ";
   }
 
   bool IsTold(std::size_t i) const {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <glog/logging.h>
@@ -193,6 +194,40 @@ void Name(Archive* archive) {
   }
 }
 
+// How many causes it takes; one without a name is worse than two with one.
+int NumCauses(const Archive& archive) {
+  int count = 0;
+  for (const Event& event : archive.events) {
+    for (const NamedCause& named : event.judged.causes) count += named.cause == "unnamed" ? 3 : 1;
+  }
+  return count;
+}
+
+bool HasTrend(const Archive& archive) {
+  return std::any_of(archive.events.begin(), archive.events.end(), [](const Event& event) {
+    return event.column.column.kind == ChangeKind::kTrend;
+  });
+}
+
+// A slope is not a stack of steps: damping that grows from dive to dive, beside steps of other
+// parameters, can look like a step of the damping with each of them. Takes a trend of all damping
+// in place of such steps where that explains the archive by fewer causes.
+void TakeTrendForSteps(Archive* archive) {
+  if (HasTrend(*archive)) return;
+  Archive other = *archive;
+  std::vector<char> damping(other.series.size(), 0);
+  for (std::size_t s = 0; s < damping.size(); ++s) {
+    const int parameter = other.series[s].parameter;
+    damping[s] = parameter == kQuadraticDamping || parameter == kLinearDamping ? 1 : 0;
+  }
+  other.events.push_back({{{ChangeKind::kTrend, 0}, damping}, damping, {}});
+  EstimateScatter(&other);
+  DropTheExplained(&other);
+  if (!HasTrend(other)) return;
+  Name(&other);
+  if (NumCauses(other) < NumCauses(*archive)) *archive = std::move(other);
+}
+
 std::vector<KnownChange> KnownOf(const Archive& archive) {
   std::vector<KnownChange> known;
   for (const Event& event : archive.events) {
@@ -288,6 +323,7 @@ std::vector<ChangeEvent> NameCauses(const ChangeSearch& search,
     EstimateScatter(&archive);
     DropTheExplained(&archive);
     Name(&archive);
+    TakeTrendForSteps(&archive);
     const ChangeSearch further =
         FindChanges(estimates, archive.num_dives, options, KnownOf(archive));
     found.insert(found.end(), further.changes.begin(), further.changes.end());
