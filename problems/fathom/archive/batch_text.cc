@@ -102,7 +102,7 @@ ArchiveReport ReportOf(const BatchOptions& options,
   ArchiveReport report;
   report.archive = PathText(options.archive);
   report.version = options.version;
-  report.date = FormatUtc(std::chrono::duration<double>(now).count());
+  report.date = FormatUtc(std::floor(std::chrono::duration<double>(now).count()));
   report.command = CleanText(command);
   report.tables = std::move(tables);
   report.dives = summary.dives;
