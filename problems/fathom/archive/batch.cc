@@ -16,6 +16,7 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_content.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -90,6 +91,10 @@ OpenArchive OpenAndHash(const BatchOptions& options, Store* store) {
 LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings& settings) {
   LogBatchOptions of_logs;
   of_logs.settings = settings;
+  if (!settings.vehicle.empty()) {
+    ReadVehicleFile(settings.vehicle);  // says what is wrong with it
+    of_logs.vehicle_content = ContentOf(settings.vehicle);
+  }
   of_logs.jobs.families = options.families;
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;
@@ -110,9 +115,7 @@ std::string DigestOfAll(const std::vector<HashedLog>& logs, const LogBatchOption
     digests.push_back(log.path);
     digests.push_back(DoneDigest(log, options));
   }
-  if (!options.settings.vehicle.empty()) {
-    digests.push_back(ContentOf(options.settings.vehicle));
-  }
+
   return DigestOf(digests);
 }
 

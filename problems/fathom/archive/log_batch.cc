@@ -162,6 +162,7 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       settings.dive_pattern,
       fmt::format("{}", settings.dive_level.value_or(0)),
       settings.vehicle_name,
+      options.vehicle_content,
       settings.dof ? std::string(Name(*settings.dof)) : "",
   };
   return DigestOf(texts);
