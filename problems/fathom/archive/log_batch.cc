@@ -77,6 +77,16 @@ std::string WhyLeftOut(const DofRuns& runs, const std::vector<FindingRow>& findi
   return "";
 }
 
+// Of the best source, in training; NaN if there is none.
+double OwnNmae(Dof dof, const std::vector<ScoreRow>& scores) {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const ScoreRow& score : scores) {
+    if (score.dof != Name(dof) || score.family != "output_error") continue;
+    if (!(least <= score.nmae)) least = score.nmae;
+  }
+  return least;
+}
+
 LogRow RowOf(const LogOutcome& outcome, const DoneLog& log, const std::string& version) {
   return {.path = outcome.path,
           .dive = log.dive,
@@ -115,7 +125,7 @@ DoneLog DoneLogOf(const HashedLog& hashed,
                   const Tables& rows,
                   const ArchiveSettings& settings) {
   DoneLog done;
-  done.log = {outcome.path, outcome.place, outcome.place_content};
+  done.log = {.path = outcome.path, .place = outcome.place, .content = outcome.place_content};
   done.dive = DiveOfPath(hashed.log.path, settings);
   done.state = outcome.state;
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
@@ -127,11 +137,13 @@ DoneLog DoneLogOf(const HashedLog& hashed,
     done.start = outcome.survey->start;
   }
   for (const DofRuns& runs : outcome.dofs) {
-    done.dofs.push_back({runs.dof, WhyLeftOut(runs, rows.findings)});
+    done.dofs.push_back(
+        {runs.dof, WhyLeftOut(runs, rows.findings), OwnNmae(runs.dof, rows.scores)});
   }
   if (outcome.survey) {
     for (const SurveyedDof& dof : outcome.survey->dofs) {
-      if (!dof.why_not.empty() && dof.may_help) done.dofs.push_back({dof.dof, ""});
+      if (!dof.why_not.empty() && dof.may_help)
+        done.dofs.push_back({.dof = dof.dof, .why_left_out = ""});
     }
   }
   done.is_final = IsFinal(outcome);

@@ -30,6 +30,7 @@ struct LogBatchOptions {
 struct DoneDof {
   Dof dof = Dof::kSurge;
   std::string why_left_out;  // empty: it is to be fitted with the others
+  double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };
 
 // What the work on whole dives has to know of a log.
