@@ -175,7 +175,7 @@ BatchSummary RunBatch(const BatchOptions& options,
   const bool needs_pages = !options.pages.empty();
   if (all_done && !needs_pages && (options.shard || store.DoneDives() == digest)) {
     CountStored(store.ReadTables(), &summary);
-    summary.dives = DivesOf(store.ReadTables());
+    if (!options.shard) summary.dives = DivesOf(store.ReadTables());
     return summary;
   }
 

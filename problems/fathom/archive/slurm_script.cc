@@ -61,7 +61,7 @@ if [[ "${{1:-}}" == merge ]]; then
   for ((i = 0; i < parts; ++i)); do merge+=("--merge=$results.part$i"); done
   "$batch" --archive="$archive" --results="$results" "${{merge[@]}}" "${{flags[@]}}"{last_flags}
   rm -f "$results".part*.copy.*  # of tasks that were killed while they copied
-  rmdir --ignore-fail-on-non-empty "$results.tracked"
+  if [[ -d "$results.tracked" ]]; then rmdir --ignore-fail-on-non-empty "$results.tracked"; fi
   exit
 fi
 i=$SLURM_ARRAY_TASK_ID
