@@ -347,7 +347,7 @@ TEST_F(BatchOnSlurm, LosesANodeAndGivesWhatOneMachineGives) {
   EXPECT_GT(CountOf(results_, "dive_fits"), 0);
   EXPECT_GT(CountOf(results_, "predictions"), 0);
   // The merge ran only what is of whole dives.
-  EXPECT_THAT(Outputs(), HasSubstr("12 logs in 6 dives: 12 ok\n0 logs run,"));
+  EXPECT_THAT(Outputs(), HasSubstr("12 logs in 6 dives: 12 ok\n0 logs run"));
   EXPECT_EQ(CountOf(results_, "runs"), CountOf(alone, "runs"));
   EXPECT_THAT(Outputs(), Not(HasSubstr("No statement on change")));
 
