@@ -80,7 +80,7 @@ std::string WhyLeftOut(const DofRuns& runs, const std::vector<FindingRow>& findi
 LogRow RowOf(const LogOutcome& outcome, const DoneLog& log, const std::string& version) {
   return {.path = outcome.path,
           .dive = log.dive,
-          .start = std::isfinite(log.start) ? FormatUtc(log.start) : "",
+          .start = std::isfinite(log.start) ? FormatUtc(std::floor(log.start)) : "",
           .duration = outcome.survey ? outcome.survey->duration : kNoNumber,
           .content = outcome.content,
           .status = std::string(Name(outcome.state)),
@@ -162,6 +162,7 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       settings.dive_pattern,
       fmt::format("{}", settings.dive_level.value_or(0)),
       settings.vehicle_name,
+      options.vehicle_content,
       settings.dof ? std::string(Name(*settings.dof)) : "",
   };
   return DigestOf(texts);

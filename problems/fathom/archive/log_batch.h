@@ -21,6 +21,7 @@ namespace fathom {
 
 struct LogBatchOptions {
   ArchiveSettings settings;
+  std::string vehicle_content;  // of the vehicle file in the settings; empty: none
   LogJobOptions jobs;
   ProgramSettings programs;
 };
