@@ -4,7 +4,6 @@
 #
 #   mini_slurm.sh start DIR PORT OWNER   # takes PORT to PORT + 2; ends once process OWNER has
 #   mini_slurm.sh lose DIR NODE          # kills a node, node1 or node2, with all of its jobs
-#   mini_slurm.sh return DIR NODE        # starts it again
 #   mini_slurm.sh stop DIR
 #
 # DIR must be short, as paths of sockets are. SLURM_CONF=DIR/slurm.conf leads sbatch and the like
@@ -35,7 +34,6 @@ wait_until() {
   return 1
 }
 
-is_up() { [[ $(sinfo -h -N -n "$1" -o %t) =~ ^(idle|mix|alloc)$ ]]; }
 both_idle() { [[ $(sinfo -h -N -t idle -o %N | sort -u | wc -l) == 2 ]]; }
 
 # The process that runs a job is no child of slurmd and hides its environment. The node's log, which
@@ -150,13 +148,9 @@ CONF
     wait_until both_idle
     ;;
   lose) lose_node "$3" ;;
-  return)
-    start_node "$3"
-    wait_until is_up "$3"
-    ;;
   stop) stop ;;
   *)
-    sed -n '2,11p' "$0" >&2
+    sed -n '2,10p' "$0" >&2
     exit 1
     ;;
 esac
