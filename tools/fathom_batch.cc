@@ -117,9 +117,7 @@ BatchOptions OptionsFromFlags() {
   options.rehash = FLAGS_rehash;
   options.pages = PagesFolder();
   if (!FLAGS_shard.empty()) options.shard = ParseShard(FLAGS_shard);
-  for (const std::string& value : RepeatedValues(FLAGS_merge)) {
-    for (const std::string& file : SplitAtCommas(value)) options.merge.push_back(file);
-  }
+  for (const std::string& file : PathsInValues(FLAGS_merge)) options.merge.push_back(file);
   return options;
 }
 

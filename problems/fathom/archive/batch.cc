@@ -195,7 +195,7 @@ BatchSummary RunBatch(const BatchOptions& options,
   if (all_done && !needs_pages && (options.shard || store.DoneDives() == digest)) {
     const Tables tables = store.ReadTables();
     CountStored(tables, &summary);
-    summary.dives = DivesOf(tables);
+    if (!options.shard) summary.dives = DivesOf(tables);
     return summary;
   }
 

@@ -70,7 +70,10 @@ std::string PaceText(const BatchProgress& progress, double seconds) {
 
 std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
   std::string text;
-  for (const std::string& sentence : ChangeSentences(tables)) text += sentence + "\n";
+  // A part of many knows no dives.
+  if (!summary.dives.empty()) {
+    for (const std::string& sentence : ChangeSentences(tables)) text += sentence + "\n";
+  }
   std::vector<std::string> states;
   std::size_t num_logs = 0;
   for (const auto& [state, count] : summary.states) {

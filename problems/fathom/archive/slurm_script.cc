@@ -47,8 +47,8 @@ std::string SlurmScript(const BatchOptions& options, int num_parts, const fs::pa
 #SBATCH --cpus-per-task={jobs}
 #SBATCH --mem={memory:.0f}M
 #SBATCH --requeue
-# Written by fathom_batch --slurm. A task that is killed goes on where it was once it runs again on
-# the same node, and starts anew on another one.
+# Written by fathom_batch --slurm. A task whose node dies is queued again. On the same node it goes
+# on where it was, on another one it starts anew.
 set -euo pipefail
 batch={batch}
 archive={archive}
@@ -59,14 +59,25 @@ flags=({flags})
 if [[ "${{1:-}}" == merge ]]; then
   merge=()
   for ((i = 0; i < parts; ++i)); do merge+=("--merge=$results.part$i"); done
-  exec "$batch" --archive="$archive" --results="$results" "${{merge[@]}}" "${{flags[@]}}"{last_flags}
+  "$batch" --archive="$archive" --results="$results" "${{merge[@]}}" "${{flags[@]}}"{last_flags}
+  rm -f "$results".part*.copy.*  # of tasks that were killed while they copied
+  if [[ -d "$results.tracked" ]]; then rmdir --ignore-fail-on-non-empty "$results.tracked"; fi
+  exit
 fi
 i=$SLURM_ARRAY_TASK_ID
-local="${{TMPDIR:-/tmp}}/fathom_${{SLURM_ARRAY_JOB_ID}}_$i"
+# TMPDIR may be that of the machine that submitted the job.
+disk=${{TMPDIR:-/tmp}}
+if [[ ! -d "$disk" || ! -w "$disk" ]]; then disk=/tmp; fi
+local="$disk/fathom_${{SLURM_ARRAY_JOB_ID}}_$i"
 mkdir -p "$local"
+# The merge needs the logs that were made of images.
+mkdir -p "$results.tracked"
+ln -sfn "$results.tracked" "$local/part.sqlite.tracked"
 "$batch" --archive="$archive" --results="$local/part.sqlite" --merge="$results" --shard="$i/$parts" "${{flags[@]}}"
-cp "$local/part.sqlite" "$results.part$i.copy"
-mv "$results.part$i.copy" "$results.part$i"
+# Where Slurm only believes that a node is dead, two of the same task may end at the same time.
+copy=$results.part$i.copy.$SLURM_JOB_ID.${{SLURM_RESTART_COUNT:-0}}
+cp "$local/part.sqlite" "$copy"
+mv "$copy" "$results.part$i"
 rm -rf "$local"
 )",
       fmt::arg("jobs", options.jobs),

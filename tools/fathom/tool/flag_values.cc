@@ -3,6 +3,10 @@
 
 #include "fathom/tool/flag_values.h"
 
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
 namespace fathom {
 
 std::vector<std::string> SplitAtCommas(const std::string& text) {
@@ -27,6 +31,19 @@ std::vector<std::string> RepeatedValues(const std::string& flag) {
   }
   values.push_back(flag.substr(begin));
   return values;
+}
+
+std::vector<std::string> PathsInValues(const std::string& flag) {
+  std::vector<std::string> paths;
+  for (const std::string& value : RepeatedValues(flag)) {
+    std::error_code error;
+    if (std::filesystem::exists(value, error)) {
+      paths.push_back(value);
+      continue;
+    }
+    for (std::string& path : SplitAtCommas(value)) paths.push_back(std::move(path));
+  }
+  return paths;
 }
 
 }  // namespace fathom

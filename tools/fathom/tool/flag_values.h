@@ -19,6 +19,10 @@ inline constexpr char kBetweenValues = '\x1f';
 // The values of a flag that may be given several times, in their order; none of an empty text.
 std::vector<std::string> RepeatedValues(const std::string& flag);
 
+// The paths of a flag that may be given several times, with one value or several comma-separated
+// ones. A path that is there may hold a comma.
+std::vector<std::string> PathsInValues(const std::string& flag);
+
 // parse(text), with the flag's name before what it says of a text it cannot use.
 template <typename Parse>
 auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {

@@ -7,6 +7,7 @@
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/marker_trajectory/open_log.h"
+#include "fathom/tool/flag_values.h"
 #include "fathom/tool/tool.h"
 
 #include <algorithm>
@@ -49,16 +50,7 @@ void PrintRemarks(const Log& log, std::size_t first) {
 
 std::vector<std::string> LogPathsFromFlags() {
   namespace fs = std::filesystem;
-  std::vector<std::string> paths;
-  for (const std::string& value : RepeatedValues(FLAGS_log)) {
-    std::error_code error;
-    // A folder's name may hold a comma.
-    if (fs::exists(value, error)) {
-      paths.push_back(value);
-      continue;
-    }
-    for (std::string& path : SplitAtCommas(value)) paths.push_back(std::move(path));
-  }
+  const std::vector<std::string> paths = PathsInValues(FLAGS_log);
   std::vector<fs::path> places;
   for (const std::string& path : paths) {
     std::error_code error;
