@@ -151,7 +151,7 @@ TEST_F(KilledBatch, GoesOnToTheSameResults) {
 
 // As the kernel does that is short of memory. Those runs are made again, whichever they were.
 TEST_F(KilledBatch, RunsAgainWhatWasKilledFromOutside) {
-  constexpr int kKills = 10;
+  constexpr int kKills = 6;
   for (int i = 0; i < kKills; ++i) {
     const Path results = folder_ / ("killed_" + std::to_string(i) + ".sqlite");
     const double moment = (i + share_(random_)) / kKills;

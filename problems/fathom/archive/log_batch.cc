@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
@@ -22,22 +23,6 @@ namespace fathom {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool EndedOutside(const RunRecord& run) {
-  return run.end != ChildEnd::kExited && run.end != ChildEnd::kSignalled;
-}
-
-// Whether every run of it would be taken from the book with whatever limits: what ran into a limit
-// is to be run again with another one.
-bool IsFinal(const LogOutcome& outcome) {
-  if (outcome.state == LogState::kTimedOut || outcome.state == LogState::kOutOfMemory ||
-      outcome.state == LogState::kCrashed) {
-    return false;
-  }
-  return std::ranges::none_of(outcome.dofs, [](const DofRuns& runs) {
-    return EndedOutside(runs.compare) || (runs.diagnose && EndedOutside(*runs.diagnose));
-  });
-}
 
 // A log's vehicle: its name, and its file where it has one.
 struct VehicleOfLog {
@@ -134,7 +119,6 @@ DoneLog DoneLogOf(const HashedLog& hashed,
       if (!dof.why_not.empty() && dof.may_help) done.dofs.push_back({dof.dof, ""});
     }
   }
-  done.is_final = IsFinal(outcome);
   return done;
 }
 
@@ -193,7 +177,8 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
   RunInParallel(at_a_time, logs.size(), [&](std::size_t i) {
     const HashedLog& log = logs[i];
     bool has_run = false;
-    RunBook book = BookOf(store, &mutex);
+    UnfinishedRuns unfinished;
+    RunBook book = unfinished.Watch(BookOf(store, &mutex));
     book.keep = [&, keep = book.keep](const RunRecord& run) {
       has_run = true;
       keep(run);
@@ -202,6 +187,7 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
     if (!outcome) outcome = RunLogJobs(log.log, log.content, options.jobs, options.programs, book);
     const Tables rows = RowsOfLog(*outcome);
     DoneLog done = DoneLogOf(log, *outcome, rows, options.settings);
+    done.is_final = unfinished.IsEmpty();
 
     const std::lock_guard lock(mutex);
     const std::string digest = DoneDigest(log, options);
