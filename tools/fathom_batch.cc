@@ -144,7 +144,10 @@ int Run(const std::string& command) {
     return kExitUsable;
   }
   const BatchOptions options = OptionsFromFlags();
-  for (const std::string& file : {FLAGS_report, FLAGS_csv, FLAGS_slurm}) {
+  for (const auto& [flag, file] : {std::pair{"report", FLAGS_report},
+                                   std::pair{"csv", FLAGS_csv},
+                                   std::pair{"slurm", FLAGS_slurm}}) {
+    RequireOutsideArchive(flag, file, options.archive);
     if (!file.empty()) RequireWritableFile(file);
   }
   if (FLAGS_dry_run || !FLAGS_slurm.empty()) {

@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -44,16 +45,9 @@ bool LiesIn(const fs::path& inner, const fs::path& outer) {
   return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
 }
 
-// Nothing is ever written into the archive.
 void RequireOutside(const BatchOptions& options) {
-  for (const auto& [flag, place] :
-       {std::pair{"results", options.results}, std::pair{"report", options.pages.parent_path()}}) {
-    if (place.empty() || !LiesIn(place, options.archive)) continue;
-    throw InputError(fmt::format(
-        "--{}={}: lies in the archive, into which nothing is written, expected a place elsewhere.",
-        flag,
-        place.string()));
-  }
+  RequireOutsideArchive("results", options.results, options.archive);
+  RequireOutsideArchive("report", options.pages, options.archive);
 }
 
 bool IsOf(const Shard& shard, const HashedLog& log) {
@@ -95,6 +89,7 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
     ReadVehicleFile(settings.vehicle);  // says what is wrong with it
     of_logs.vehicle_content = ContentOf(settings.vehicle);
   }
+  of_logs.vehicle = NameInVehicleFile(settings.vehicle);
   of_logs.jobs.families = options.families;
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;
@@ -171,6 +166,14 @@ std::vector<std::string> BatchOptions::Problems() const {
             "shard: is {}/{}, expected i/N with i from 0 to N - 1", shard->index, shard->count));
   }
   return problems;
+}
+
+void RequireOutsideArchive(std::string_view flag, const fs::path& place, const fs::path& archive) {
+  if (place.empty() || !LiesIn(place, archive)) return;
+  throw InputError(fmt::format(
+      "--{}={}: lies in the archive, into which nothing is written, expected a place elsewhere.",
+      flag,
+      place.string()));
 }
 
 BatchSummary RunBatch(const BatchOptions& options,

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -73,6 +74,12 @@ struct BatchPlan {
 // that cannot be written or that another batch is writing.
 BatchSummary RunBatch(const BatchOptions& options,
                       const std::function<void(const BatchProgress&)>& show = {});
+
+// Nothing is ever written into an archive: throws InputError if the place that a flag names lies in
+// it. An empty place lies nowhere.
+void RequireOutsideArchive(std::string_view flag,
+                           const std::filesystem::path& place,
+                           const std::filesystem::path& archive);
 
 // Looks at the archive, hashes its logs into the results and runs nothing.
 BatchPlan PlanBatch(const BatchOptions& options);

@@ -6,6 +6,7 @@
 #include "fathom/archive/changes_of_dives.h"
 #include "fathom/archive/dives/dive_order.h"
 #include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/utc_time.h"
 
@@ -76,10 +77,6 @@ std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std:
   return list;
 }
 
-bool EndedOutside(const DiveOutcome& outcome) {
-  return outcome.identify && outcome.identify->end != ChildEnd::kExited;
-}
-
 // The model of one dive on one log of the next.
 struct Forecast {
   std::size_t model = 0;  // which fit
@@ -109,10 +106,10 @@ DiveBatch RunDives(const std::vector<DoneLog>& logs,
                    const std::function<void(const BatchProgress&)>& show) {
   DiveBatch batch;
   batch.dives = DivesOf(logs);
-  batch.is_final = std::ranges::all_of(logs, [](const DoneLog& log) { return log.is_final; });
   const std::vector<Fit> fits = FitsOf(logs, batch.dives);
   std::mutex mutex;
-  const RunBook book = BookOf(store, &mutex);
+  UnfinishedRuns unfinished;
+  const RunBook book = unfinished.Watch(BookOf(store, &mutex));
   const auto tell = [&](const char* noun, std::size_t* done, std::size_t total) {
     const std::lock_guard lock(mutex);
     ++*done;
@@ -128,7 +125,6 @@ DiveBatch RunDives(const std::vector<DoneLog>& logs,
   std::vector<FittedDive> fitted;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const DiveTask& task = fits[i].task;
-    batch.is_final = batch.is_final && !EndedOutside(outcomes[i]);
     std::ranges::move(RowsOfDive(task, outcomes[i], fits[i].excluded),
                       std::back_inserter(batch.tables.dive_fits));
     if (!outcomes[i].identify || !IsUsable(*outcomes[i].identify)) continue;
@@ -149,6 +145,9 @@ DiveBatch RunDives(const std::vector<DoneLog>& logs,
                                         std::string(Name(fits[forecast.model].task.dof)),
                                         forecast.nmae});
   }
+
+  batch.is_final = unfinished.IsEmpty() &&
+                   std::ranges::all_of(logs, [](const DoneLog& log) { return log.is_final; });
 
   std::map<std::string, std::filesystem::path> vehicle_files;
   for (const DoneLog& log : logs) vehicle_files.try_emplace(log.vehicle, log.vehicle_file);

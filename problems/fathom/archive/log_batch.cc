@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/jobs/run_in_parallel.h"
+#include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
@@ -23,49 +24,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool EndedOutside(const RunRecord& run) {
-  return run.end != ChildEnd::kExited && run.end != ChildEnd::kSignalled;
-}
-
-// Whether every run of it would be taken from the book with whatever limits: what ran into a limit
-// is to be run again with another one.
-bool IsFinal(const LogOutcome& outcome) {
-  if (outcome.state == LogState::kTimedOut || outcome.state == LogState::kOutOfMemory ||
-      outcome.state == LogState::kCrashed) {
-    return false;
-  }
-  return std::ranges::none_of(outcome.dofs, [](const DofRuns& runs) {
-    return EndedOutside(runs.compare) || (runs.diagnose && EndedOutside(*runs.diagnose));
-  });
-}
-
 // A log's vehicle: its name, and its file where it has one.
 struct VehicleOfLog {
   std::string name;
   fs::path file;
 };
 
-// Nothing if the file cannot be read as a vehicle.
-std::optional<std::string> NameIn(const fs::path& vehicle_file) {
-  if (vehicle_file.empty()) return std::nullopt;
-  try {
-    return CleanText(ReadVehicleFile(vehicle_file).name);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 // `named`: as log.yaml does. Logs in different folders name one file by different paths: the name
 // in it counts. archive.yaml's file is of the logs that name no vehicle, or the one in it.
 VehicleOfLog VehicleOf(const std::string& named,
                        const fs::path& place,
-                       const ArchiveSettings& settings) {
+                       const LogBatchOptions& options) {
   if (named.ends_with(".yaml")) {
     const fs::path file = place / named;
-    return {NameIn(file).value_or(CleanText(named)), file};
+    return {NameInVehicleFile(file).value_or(CleanText(named)), file};
   }
-  const auto of_archive = NameIn(settings.vehicle);
-  if (of_archive && (named.empty() || named == *of_archive)) return {*of_archive, settings.vehicle};
+  const auto& of_archive = options.vehicle;
+  if (of_archive && (named.empty() || named == *of_archive)) {
+    return {*of_archive, options.settings.vehicle};
+  }
   return {CleanText(named), {}};
 }
 
@@ -123,13 +100,13 @@ std::optional<LogOutcome> OutcomeWithoutRuns(const HashedLog& log) {
 DoneLog DoneLogOf(const HashedLog& hashed,
                   const LogOutcome& outcome,
                   const Tables& rows,
-                  const ArchiveSettings& settings) {
+                  const LogBatchOptions& options) {
   DoneLog done;
   done.log = {.path = outcome.path, .place = outcome.place, .content = outcome.place_content};
-  done.dive = DiveOfPath(hashed.log.path, settings);
+  done.dive = DiveOfPath(hashed.log.path, options.settings);
   done.state = outcome.state;
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
-  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, settings);
+  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, options);
   done.vehicle = std::move(vehicle_of_log.name);
   done.vehicle_file = std::move(vehicle_of_log.file);
   if (outcome.survey) {
@@ -146,7 +123,6 @@ DoneLog DoneLogOf(const HashedLog& hashed,
         done.dofs.push_back({.dof = dof.dof, .why_left_out = ""});
     }
   }
-  done.is_final = IsFinal(outcome);
   return done;
 }
 
@@ -162,6 +138,15 @@ void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch*
 
 }  // namespace
 
+std::optional<std::string> NameInVehicleFile(const fs::path& file) {
+  if (file.empty()) return std::nullopt;
+  try {
+    return CleanText(ReadVehicleFile(file).name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
   const ArchiveSettings& settings = options.settings;
   std::vector<std::string> texts = {
@@ -175,6 +160,7 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       fmt::format("{}", settings.dive_level.value_or(0)),
       settings.vehicle_name,
       options.vehicle_content,
+      options.vehicle.value_or(""),
       settings.dof ? std::string(Name(*settings.dof)) : "",
   };
   return DigestOf(texts);
@@ -206,7 +192,8 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
   RunInParallel(at_a_time, logs.size(), [&](std::size_t i) {
     const HashedLog& log = logs[i];
     bool has_run = false;
-    RunBook book = BookOf(store, &mutex);
+    UnfinishedRuns unfinished;
+    RunBook book = unfinished.Watch(BookOf(store, &mutex));
     book.keep = [&, keep = book.keep](const RunRecord& run) {
       has_run = true;
       keep(run);
@@ -214,7 +201,8 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
     std::optional<LogOutcome> outcome = OutcomeWithoutRuns(log);
     if (!outcome) outcome = RunLogJobs(log.log, log.content, options.jobs, options.programs, book);
     const Tables rows = RowsOfLog(*outcome);
-    DoneLog done = DoneLogOf(log, *outcome, rows, options.settings);
+    DoneLog done = DoneLogOf(log, *outcome, rows, options);
+    done.is_final = unfinished.IsEmpty();
 
     const std::lock_guard lock(mutex);
     const std::string digest = DoneDigest(log, options);

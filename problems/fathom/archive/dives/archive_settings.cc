@@ -58,23 +58,27 @@ std::optional<Dof> DofOf(const YamlMap& file) {
 
 }  // namespace
 
-ArchiveSettings ReadArchiveSettings(const fs::path& archive) {
+ArchiveSettings ParseArchiveSettings(const fs::path& name, const std::string& text) {
+  const YamlMap file = ParseYaml(name.string(), text);
   ArchiveSettings settings;
-  const fs::path path = archive / "archive.yaml";
-  std::error_code error;
-  if (!fs::exists(path, error)) return settings;
-  const YamlMap file = ParseYaml(path.string(), ReadFile(path));
   settings.dive_level = DiveLevelOf(file);
   settings.dive_pattern = DivePatternOf(file);
   if (settings.dive_level && !settings.dive_pattern.empty()) {
     file.Fail("dive_pattern", "stands beside dive_level, expected one of them.");
   }
   settings.vehicle_name = file.String("vehicle", "");
-  if (!settings.vehicle_name.empty()) settings.vehicle = archive / settings.vehicle_name;
+  if (!settings.vehicle_name.empty()) settings.vehicle = name.parent_path() / settings.vehicle_name;
   settings.dof = DofOf(file);
   if (file.Has("leave_out")) settings.leave_out = file.Strings("leave_out");
   file.Finish();
   return settings;
+}
+
+ArchiveSettings ReadArchiveSettings(const fs::path& archive) {
+  const fs::path path = archive / "archive.yaml";
+  std::error_code error;
+  if (!fs::exists(path, error)) return {};
+  return ParseArchiveSettings(path, ReadFile(path));
 }
 
 std::string DiveOfPath(const fs::path& path, const ArchiveSettings& settings) {

@@ -26,15 +26,16 @@ std::string LimitsText(const ChildLimits& limits) {
 }
 
 bool MayBeUsedAgain(const RunRecord& run, const ProgramSettings& settings) {
+  const bool has_todays_limits = run.limits == LimitsText(settings.limits);
   switch (run.end) {
     case ChildEnd::kExited:
-      return true;
+      return IsFinal(run) || has_todays_limits;
     case ChildEnd::kSignalled:
       return run.signal != SIGKILL && run.signal != SIGTERM && run.signal != SIGINT &&
              run.signal != SIGHUP;
     case ChildEnd::kTimedOut:
     case ChildEnd::kOutOfMemory:
-      return run.limits == LimitsText(settings.limits);
+      return has_todays_limits;
     case ChildEnd::kNotStarted:
       return false;
   }

@@ -3,6 +3,8 @@
 
 #include "fathom/archive/jobs/run_record.h"
 
+#include "fathom/base/exit_code.h"
+
 #include <cstring>
 
 #include <fmt/format.h>
@@ -10,6 +12,10 @@
 namespace fathom {
 
 bool IsUsable(const RunRecord& run) { return run.end == ChildEnd::kExited && run.exit_code == 0; }
+
+bool IsFinal(const RunRecord& run) {
+  return run.end == ChildEnd::kExited && run.exit_code != kExitOutOfMemory;
+}
 
 std::string WhyNot(const RunRecord& run) {
   switch (run.end) {

@@ -31,7 +31,12 @@ struct RunRecord {
 // Whether the program gave a usable result.
 bool IsUsable(const RunRecord& run);
 
-// Why not, in few words: "crashed (SIGSEGV)", "killed after 600 s", or what the program said.
+// Whether it would end like this whenever it is run: it exited, and not for want of memory. No
+// signal came in its way and no limit of today.
+bool IsFinal(const RunRecord& run);
+
+// Why not usable, in few words: "crashed (SIGSEGV)", "killed after 600 s", or what the program
+// said.
 std::string WhyNot(const RunRecord& run);
 
 // Runs that are known already. Both are called from several threads.

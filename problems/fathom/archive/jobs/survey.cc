@@ -89,7 +89,8 @@ SurveyedDof LookAt(const Signals& signals) {
                           kShortest));
   }
   const Whiteness sums = WhitenessOf(signals.train);
-  if (!(sums.sum_of_squares > 0.0)) return no("at rest: the motion never changes.");
+  // Its mean is rounded, the difference of two equal values is not.
+  if (!(sums.sum_of_steps > 0.0)) return no("at rest: the motion never changes.");
   if (IsWhite(sums)) return no("at rest: the motion is no more than white noise.");
   if (!HasConstantCommand(signals.train)) return {signals.dof, "", true};
   return {signals.dof,

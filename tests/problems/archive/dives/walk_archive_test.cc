@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/archive/dives/walk_archive.h"
+
+#include "fathom/base/input_error.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::ElementsAre;
+using ::testing::Pair;
+
+fs::path EmptyArchive() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path archive = fs::path(FATHOM_SCRATCH_DIR) / "WalkArchive" / test->name();
+  fs::remove_all(archive);
+  fs::create_directories(archive);
+  return archive;
+}
+
+void Write(const fs::path& file, const std::string& text = "") {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::vector<std::string> PathsOf(const FoundArchive& found) {
+  std::vector<std::string> paths;
+  for (const FoundLog& log : found.logs) paths.push_back(log.path.string());
+  return paths;
+}
+
+TEST(WalkArchive, FindsFoldersWithALogYamlAndCsvLogs) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "b" / "run" / "log.yaml");
+  Write(archive / "b" / "run" / "command.csv");
+  Write(archive / "a" / "x.csv", "\"t\", tau,v\r\n1,2,3\n");
+  Write(archive / "a" / "v_first.csv", "v,extra,tau,t\n");
+  Write(archive / "a" / "y.csv", "t,tau,w\n");
+  Write(archive / "a" / "z.txt", "t,tau,v\n");
+  Write(archive / "a" / "empty.csv");
+  Write(archive / "README");
+  const FoundArchive found = WalkArchive(archive, {});
+  EXPECT_THAT(PathsOf(found), ElementsAre("a/v_first.csv", "a/x.csv", "b/run"));
+  EXPECT_EQ(found.logs[2].place, archive / "b" / "run");
+  EXPECT_THAT(found.other_files,
+              ElementsAre(Pair(".csv", 2), Pair(".txt", 1), Pair("without an ending", 1)));
+  EXPECT_TRUE(found.unreadable.empty());
+}
+
+TEST(WalkArchive, FindsTheArchiveItselfAndLogsInLogs) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "log.yaml");
+  Write(archive / "tracked" / "log.yaml");
+  EXPECT_THAT(PathsOf(WalkArchive(archive, {})), ElementsAre(".", "tracked"));
+}
+
+TEST(WalkArchive, DoesNotTakeImagesForLogs) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "run" / "log.yaml");
+  Write(archive / "run" / "frames.csv");
+  Write(archive / "run" / "frames" / "1.png");
+  Write(archive / "run" / "frames" / "log.yaml");
+  const FoundArchive found = WalkArchive(archive, {});
+  EXPECT_THAT(PathsOf(found), ElementsAre("run"));
+  EXPECT_TRUE(found.other_files.empty());
+}
+
+TEST(WalkArchive, GoesThroughEachFolderOnceByItsOwnName) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "m" / "run" / "log.yaml");
+  fs::create_directory_symlink("m", archive / "a");  // before m by its name
+  fs::create_directory_symlink(archive, archive / "m" / "circle");
+  Write(archive.parent_path() / "elsewhere" / "log.yaml");
+  fs::create_directory_symlink(archive.parent_path() / "elsewhere", archive / "z");
+  const FoundArchive found = WalkArchive(archive, {});
+  EXPECT_THAT(PathsOf(found), ElementsAre("m/run", "z"));
+  EXPECT_THAT(found.other_files, ElementsAre(Pair("link to a folder seen already", 2)));
+}
+
+TEST(WalkArchive, OpensNoPipesAndDevices) {
+  const fs::path archive = EmptyArchive();
+  mkfifo((archive / "a.csv").c_str(), 0600);
+  fs::create_symlink("/dev/zero", archive / "b.csv");
+  fs::create_symlink("nowhere", archive / "c.csv");
+  fs::create_symlink("d.csv", archive / "d.csv");
+  const FoundArchive found = WalkArchive(archive, {});
+  EXPECT_TRUE(found.logs.empty());
+  EXPECT_THAT(found.other_files,
+              ElementsAre(Pair("broken link", 2), Pair("device", 1), Pair("pipe", 1)));
+}
+
+TEST(WalkArchive, LeavesOutWhatTheSettingsSay) {
+  const fs::path archive = EmptyArchive();
+  for (const char* name : {"a", "b", "c"}) Write(archive / name / "log.yaml");
+  Write(archive / "archive.yaml");
+  const FoundArchive found = WalkArchive(archive, {.leave_out = {"[ab]"}});
+  EXPECT_THAT(PathsOf(found), ElementsAre("c"));
+  EXPECT_THAT(found.other_files, ElementsAre(Pair("left out", 2)));
+}
+
+TEST(WalkArchive, RefusesWhatIsNoFolder) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "file");
+  EXPECT_THROW(WalkArchive(archive / "file", {}), InputError);
+  EXPECT_THROW(WalkArchive(archive / "nothing", {}), InputError);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a batch takes from an archive, leaves alone in it and does again.
+
+#include "fathom/process/run_child.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "batch_results.h"
+#include "run_tool.h"
+#include "small_log.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Path = std::filesystem::path;
+
+ToolRun RunBatch(const Path& archive, const Path& results, std::vector<std::string> more = {}) {
+  std::vector<std::string> flags = {"--archive=" + archive.string(),
+                                    "--results=" + results.string(),
+                                    "--families=output_error",
+                                    "--diagnose=false"};
+  flags.insert(flags.end(), more.begin(), more.end());
+  return RunToolBinary("fathom_batch", flags);
+}
+
+// A small log with a last row of its own.
+Path WriteLog(const Path& folder, int number, const std::string& yaml = "") {
+  WriteSmallLog(folder);
+  WriteTestFile(folder / "velocity.csv", SmallVelocityCsv() + fmt::format("60.1,0.{}\n", number));
+  WriteTestFile(folder / "log.yaml", "name: small\ndof: surge\n" + yaml);
+  return folder;
+}
+
+Path WriteCsvLog(const Path& file, int number) {
+  return WriteTestFile(file, SmallSingleCsv() + fmt::format("60.1,8.0,0.{}\n", number));
+}
+
+// Two dives of two logs.
+Path WriteArchive(const Path& archive) {
+  for (int i = 0; i < 4; ++i) {
+    WriteLog(archive / fmt::format("dive {}/run {}", i / 2 + 1, i % 2 + 1), i + 1);
+  }
+  return archive;
+}
+
+// Names, sizes, times of change of content and of the entry itself, down from a folder.
+std::vector<std::string> StampsOf(const Path& folder) {
+  std::vector<std::string> stamps;
+  const auto add = [&](const Path& path) {
+    struct stat status = {};
+    lstat(path.c_str(), &status);
+    stamps.push_back(fmt::format("{} {} {}.{} {}.{}",
+                                 path.string(),
+                                 status.st_size,
+                                 status.st_mtim.tv_sec,
+                                 status.st_mtim.tv_nsec,
+                                 status.st_ctim.tv_sec,
+                                 status.st_ctim.tv_nsec));
+  };
+  add(folder);
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) add(entry.path());
+  std::sort(stamps.begin(), stamps.end());
+  return stamps;
+}
+
+// What a batch gives that knows nothing yet of the archive as it is now.
+std::vector<std::string> FreshRows(const Path& archive, const Path& results) {
+  fs::remove(results);
+  EXPECT_EQ(RunBatch(archive, results).exit_code, 0);
+  return PublicRows(results);
+}
+
+std::string DivesIn(const Path& results) {
+  std::string dives;
+  for (const std::string& row : Query("SELECT path, dive FROM logs ORDER BY path", results)) {
+    dives += row + "\n";
+  }
+  return dives;
+}
+
+TEST(Batch, WritesNothingIntoTheArchive) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive");
+  const auto before = StampsOf(archive);
+  const ToolRun run = RunToolBinary("fathom_batch",
+                                    {"--archive=" + archive.string(),
+                                     "--results=" + (folder / "r.sqlite").string(),
+                                     "--report=" + (folder / "r.html").string(),
+                                     "--pages",
+                                     "--jobs=2"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(StatesOf(folder / "r.sqlite").at("dive 1/run 1"), "ok: ");
+  EXPECT_EQ(StampsOf(archive), before);
+}
+
+TEST(Batch, ReadsAnArchiveThatCannotBeWritten) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive");
+  const std::string mounted = (folder / "mounted").string();
+  fs::create_directory(mounted);
+  const auto mount = [](std::vector<std::string> arguments) {
+    return RunChild({.program = "mount", .arguments = std::move(arguments)}).exit_code == 0;
+  };
+  if (!mount({"--bind", archive.string(), mounted})) GTEST_SKIP() << "Nothing can be mounted here.";
+  const bool is_read_only = mount({"-o", "remount,bind,ro", mounted});
+  const ToolRun run = RunBatch(mounted, folder / "r.sqlite");
+  RunChild({.program = "umount", .arguments = {mounted}});
+  if (!is_read_only) GTEST_SKIP() << "Nothing can be mounted read-only here.";
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("4 logs in 2 dives: 4 ok"));
+}
+
+TEST(Batch, RefusesToWriteIntoTheArchive) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive");
+  fs::create_directory_symlink(archive, folder / "link");
+  const auto before = StampsOf(archive);
+  for (const Path& place : {archive / "x", archive / "dive 1" / "x", folder / "link" / "x"}) {
+    const ToolRun run = RunBatch(archive, place);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.err,
+              fmt::format("fathom_batch: --results={}: lies in the archive, into which nothing is "
+                          "written, expected a place elsewhere.\n",
+                          place.string()));
+    for (const std::string flag : {"report", "csv", "slurm"}) {
+      const ToolRun other =
+          RunBatch(archive, folder / "r.sqlite", {"--" + flag + "=" + place.string(), "--plan=2"});
+      EXPECT_EQ(other.exit_code, 1);
+      EXPECT_THAT(other.err,
+                  HasSubstr("--" + flag + "=" + place.string() + ": lies in the archive"));
+    }
+  }
+  EXPECT_EQ(StampsOf(archive), before);
+}
+
+TEST(Batch, IsTheOnlyOneThatWritesItsResults) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite";
+  WriteLog(archive / "hang", 1);
+  for (const char* verb : {"batch", "compare", "identify"}) {
+    fs::create_directories(folder / "tools");
+    fs::create_symlink(FATHOM_UNRULY_TOOL, folder / "tools" / (std::string("fathom_") + verb));
+  }
+  ToolRun second;
+  const ToolRun first = RunToolBinary("fathom_batch",
+                                      {"--archive=" + archive.string(),
+                                       "--results=" + results.string(),
+                                       "--families=output_error",
+                                       "--diagnose=false",
+                                       "--time_limit=2",
+                                       "--tools=" + (folder / "tools").string()},
+                                      [&](int) {
+                                        // It is made once the lock is held.
+                                        while (!fs::exists(results.string() + ".work")) {
+                                          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                                        }
+                                        second = RunBatch(archive, results);
+                                      });
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_EQ(second.err,
+            fmt::format("fathom_batch: --results={}: another batch is writing it, expected one at "
+                        "a time.\n",
+                        results.string()));
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(StatesOf(results).at("hang"), StartsWith("timed_out: "));
+}
+
+TEST(Batch, IsStrictWhereAskedTo) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive");
+  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite", {"--strict"}).exit_code, 0);
+  WriteTestFile(archive / "bad" / "log.yaml", "depth: 3\n");
+  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite").exit_code, 0);
+  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite", {"--strict"}).exit_code, 3);
+}
+
+TEST(Batch, RunsNothingInADryRun) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  const ToolRun before = RunBatch(archive, results, {"--dry_run"});
+  EXPECT_EQ(before.out, "4 logs, 4 to do\n4 logs new\n");
+  EXPECT_THAT(Query("SELECT * FROM runs", results), testing::IsEmpty());
+  EXPECT_THAT(Query("SELECT * FROM logs", results), testing::IsEmpty());
+  RunBatch(archive, results);
+  EXPECT_EQ(RunBatch(archive, results, {"--dry_run"}).out, "4 logs, 0 to do\n");
+  WriteLog(archive / "dive 2" / "run 2", 7);
+  const auto runs = Query("SELECT * FROM runs", results);
+  EXPECT_EQ(RunBatch(archive, results, {"--dry_run"}).out,
+            "4 logs, 1 to do\n1 log changed, or done with other options\n");
+  EXPECT_EQ(Query("SELECT * FROM runs", results), runs);
+}
+
+TEST(Batch, TakesDivesFromTheFolders) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite";
+  WriteLog(archive / "cruise a" / "2024-05-01 dive" / "run", 1);
+  WriteLog(archive / "cruise b" / "2024-05-02 dive" / "run", 2);
+  WriteLog(archive / "cruise b" / "run", 3);
+  RunBatch(archive, results);
+  EXPECT_EQ(DivesIn(results),
+            "cruise a/2024-05-01 dive/run|cruise a/2024-05-01 dive\n"
+            "cruise b/2024-05-02 dive/run|cruise b/2024-05-02 dive\n"
+            "cruise b/run|cruise b\n");
+  WriteTestFile(archive / "archive.yaml", "dive_level: 1\n");
+  RunBatch(archive, results);
+  EXPECT_EQ(DivesIn(results),
+            "cruise a/2024-05-01 dive/run|cruise a\n"
+            "cruise b/2024-05-02 dive/run|cruise b\n"
+            "cruise b/run|cruise b\n");
+  EXPECT_THAT(Query("SELECT DISTINCT dive, logs FROM dive_fits", results),
+              ElementsAre("cruise a|1", "cruise b|2"));
+  // A path without a match is a dive of its own.
+  WriteTestFile(archive / "archive.yaml", "dive_pattern: '[0-9]{4}-[0-9]{2}-[0-9]{2}'\n");
+  RunBatch(archive, results);
+  EXPECT_EQ(DivesIn(results),
+            "cruise a/2024-05-01 dive/run|2024-05-01\n"
+            "cruise b/2024-05-02 dive/run|2024-05-02\n"
+            "cruise b/run|cruise b/run\n");
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
+TEST(Batch, TakesDivesAndStartsFromTheLogs) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite";
+  WriteLog(archive / "x", 1, "dive: west\nstart: 2024-05-02T10:00:00Z\n");
+  WriteLog(archive / "y", 2, "dive: west\nstart: 2024-05-02T11:00:00Z\n");
+  WriteLog(archive / "z", 3, "dive: east\nstart: 2024-05-01T10:00:00Z\n");
+  RunBatch(archive, results);
+  EXPECT_THAT(Query("SELECT path, dive, start FROM logs ORDER BY path", results),
+              ElementsAre("x|west|2024-05-02T10:00:00Z",
+                          "y|west|2024-05-02T11:00:00Z",
+                          "z|east|2024-05-01T10:00:00Z"));
+  // The dive of May 1 predicts the logs of May 2, though its name comes last by the path.
+  EXPECT_THAT(Query("SELECT model_log, log FROM predictions ORDER BY log", results),
+              ElementsAre("east|x", "east|y"));
+  // A start that is corrected turns them round.
+  WriteLog(archive / "z", 3, "dive: east\nstart: 2024-05-03T10:00:00Z\n");
+  RunBatch(archive, results);
+  EXPECT_THAT(Query("SELECT model_log, log FROM predictions", results), ElementsAre("west|z"));
+}
+
+TEST(Batch, LeavesOutWhatItIsTold) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  RunBatch(archive, results);
+  WriteTestFile(archive / "archive.yaml", "leave_out: [dive 1, '*/run 2']\n");
+  const ToolRun run = RunBatch(archive, results);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("1 log in 1 dive: 1 ok"), HasSubstr("2 left out")));
+  EXPECT_EQ(DivesIn(results), "dive 2/run 1|dive 2\n");
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
+TEST(Batch, TakesTheDofOfSingleFilesFromTheArchive) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite";
+  WriteCsvLog(archive / "dive" / "a.csv", 1);
+  RunBatch(archive, results);
+  EXPECT_THAT(StatesOf(results).at("dive/a.csv"), StartsWith("refused: "));
+  WriteTestFile(archive / "archive.yaml", "dof: heave\n");
+  RunBatch(archive, results);
+  EXPECT_EQ(StatesOf(results).at("dive/a.csv"), "ok: ");
+  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM fits", results), ElementsAre("heave|1"));
+  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM dive_fits", results), ElementsAre("heave|1"));
+}
+
+TEST(Batch, RefusesSettingsThatItDoesNotKnow) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive");
+  const std::string file = (archive / "archive.yaml").string();
+  const auto refusal = [&](const std::string& yaml) {
+    WriteTestFile(file, "# the archive of a test\n" + yaml);
+    const ToolRun run = RunBatch(archive, folder / "r.sqlite");
+    EXPECT_EQ(run.exit_code, 1) << yaml;
+    return run.err;
+  };
+  const std::string at = "fathom_batch: " + file + ":2: ";
+  EXPECT_THAT(refusal("dive_levels: 1\n"), AllOf(StartsWith(at), HasSubstr("dive_levels")));
+  EXPECT_EQ(
+      refusal("dive_level: 0\n"),
+      at + "key 'dive_level' is 0, expected a level of the path, from 1 on: 1 is the folder in "
+           "the archive itself.\n");
+  EXPECT_EQ(refusal("dive_pattern: '(['\n"),
+            at + "key 'dive_pattern' is '([', expected a regular expression as "
+                 "[0-9]{4}-[0-9]{2}-[0-9]{2}.\n");
+  EXPECT_EQ(refusal("dof: forward\n"),
+            at + "key 'dof' is 'forward', expected surge, sway, heave, roll, pitch or yaw.\n");
+  EXPECT_THAT(refusal("leave_out: {a: b}\n"), AllOf(StartsWith(at), HasSubstr("leave_out")));
+  EXPECT_THAT(refusal("dive_level: one\n"), AllOf(StartsWith(at), HasSubstr("dive_level")));
+  EXPECT_THAT(refusal("dive_level: 1\ndive_pattern: a\n"),
+              HasSubstr(":3: key 'dive_pattern' stands beside dive_level"));
+  EXPECT_THAT(Query("SELECT * FROM logs", folder / "r.sqlite"), testing::IsEmpty());
+}
+
+TEST(Batch, DoesAChangedLogAgainAndNoOther) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  RunBatch(archive, results);
+  const auto runs_of = [&](const std::string& program) {
+    return Query("SELECT arguments FROM runs WHERE program = '" + program + "'", results).size();
+  };
+  EXPECT_EQ(runs_of("fathom_compare"), 4u);
+  EXPECT_EQ(runs_of("fathom_identify"), 2u);
+  const auto seconds = Query("SELECT path, seconds FROM logs ORDER BY path", results);
+  WriteLog(archive / "dive 1" / "run 2", 9);
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("1 log run"));
+  EXPECT_EQ(runs_of("fathom_compare"), 5u);
+  EXPECT_EQ(runs_of("fathom_identify"), 3u);
+  const auto then = Query("SELECT path, seconds FROM logs ORDER BY path", results);
+  ASSERT_EQ(then.size(), 4u);
+  for (const std::size_t i : {0u, 2u, 3u}) EXPECT_EQ(then[i], seconds[i]);
+  EXPECT_NE(then[1], seconds[1]);
+  // Touched, and not changed.
+  fs::last_write_time(archive / "dive 1" / "run 1" / "velocity.csv",
+                      fs::file_time_type::clock::now());
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs run"));
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
+TEST(Batch, ForgetsALogThatIsGone) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  WriteSmallLog(archive / "dive 3" / "a");
+  WriteSmallLog(archive / "dive 3" / "b");
+  RunBatch(archive, results);
+  EXPECT_EQ(StatesOf(results).at("dive 3/b"), "duplicate: the same bytes as dive 3/a.");
+  fs::remove_all(archive / "dive 1" / "run 1");
+  fs::remove_all(archive / "dive 2");
+  fs::remove_all(archive / "dive 3" / "a");  // its copy is the first one now
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("2 logs in 2 dives: 2 ok"));
+  EXPECT_EQ(DivesIn(results), "dive 1/run 2|dive 1\ndive 3/b|dive 3\n");
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
+TEST(Batch, ForgetsAnArchiveThatIsEmptyNow) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  RunBatch(archive, results);
+  fs::remove_all(archive);
+  fs::create_directory(archive);
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs: nothing found"));
+  EXPECT_THAT(PublicRows(results), testing::IsEmpty());
+}
+
+TEST(Batch, TakesTheNameOfTheVehicleFromItsFile) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  WriteTestFile(archive / "archive.yaml", "vehicle: v.yaml\n");
+  WriteTestFile(archive / "v.yaml", SmallVehicleYaml());
+  RunBatch(archive, results);
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results), ElementsAre("small"));
+  std::string renamed = SmallVehicleYaml();
+  renamed.replace(renamed.find("small"), 5, "other");
+  WriteTestFile(archive / "v.yaml", renamed);
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs run"));
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results), ElementsAre("other"));
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM dive_fits", results), ElementsAre("other"));
+}
+
+TEST(Batch, RunsAgainWhatDidNotStart) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  fs::create_directory(folder / "no tools");
+  RunBatch(archive, results, {"--tools=" + (folder / "no tools").string()});
+  EXPECT_EQ(StatesOf(results).at("dive 1/run 1"),
+            "refused: did not start: No such file or directory");
+  RunBatch(archive, results);
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
+TEST(Batch, WritesTheFitsAsCsv) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite";
+  WriteLog(archive / "a, \"b\"" / "run", 1);
+  RunBatch(archive, results, {"--csv=" + (folder / "fits.csv").string()});
+  std::ifstream file(folder / "fits.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0], "log,dof,family,source,usable,parameter,value,std,unit,message");
+  const std::vector<std::string> values =
+      Query("SELECT parameter FROM fits ORDER BY rowid", results);
+  ASSERT_EQ(values.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_THAT(
+        lines[i + 1],
+        StartsWith("\"a, \"\"b\"\"/run\",surge,output_error,pose_estimator,1," + values[i] + ","));
+  }
+}
+
+}  // namespace
+}  // namespace fathom
