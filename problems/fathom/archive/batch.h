@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/batch_progress.h"
 #include "fathom/archive/jobs/log_state.h"
 
 #include <cstddef>
@@ -39,13 +40,6 @@ struct BatchOptions {
 
   // Every broken rule, a sentence each, by the name of the flag; empty if there is none.
   std::vector<std::string> Problems() const;
-};
-
-struct BatchProgress {
-  std::string noun;  // "log", "dive fit", "prediction"
-  std::size_t done = 0;
-  std::size_t total = 0;
-  std::string last_failure;  // "dive 3/run 1: timed_out"; empty: none so far
 };
 
 // What a batch found and did.

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/archive/batch.h"
+#include "fathom/archive/batch_progress.h"
 #include "fathom/archive/log_batch.h"
 #include "fathom/archive/store/store.h"
 #include "fathom/archive/store/tables.h"

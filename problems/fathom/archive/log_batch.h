@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/archive/batch.h"
+#include "fathom/archive/batch_progress.h"
 #include "fathom/archive/dives/archive_settings.h"
 #include "fathom/archive/jobs/dive_jobs.h"
 #include "fathom/archive/jobs/log_jobs.h"
@@ -11,8 +11,11 @@
 #include "fathom/archive/store/store.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>

@@ -89,7 +89,8 @@ std::string FormatUtc(double seconds) {
   const int second = static_cast<int>(whole - 86400.0 * days);
   // "0.25" without its zero.
   const std::string fraction =
-      whole == seconds ? "" : fmt::format("{:f}", std::floor(1e6 * (seconds - whole)) / 1e6).substr(1);
+      whole == seconds ? ""
+                       : fmt::format("{:f}", std::floor(1e6 * (seconds - whole)) / 1e6).substr(1);
   return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}{}Z",
                      static_cast<int>(date.year()),
                      static_cast<unsigned>(date.month()),
