@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the tools and runs them on the bundled log: compares all families
 # on three degrees of freedom, then fits one model and simulates it. Then hides a dead zone of the
-# thrusters in a synthetic log and diagnoses that.
+# thrusters in a synthetic log and diagnoses that. In the end reprocesses an archive of 12 dives in
+# which the vehicle changes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,4 +27,10 @@ run $bin/fathom_synthesize --vehicle=data/vehicles/flatfish.yaml --experiment=da
   --seed=1 --effects=thrust_dead_zone:width=8 --out=$out/surge_dead_zone --overwrite
 run $bin/fathom_diagnose --log=$out/surge_dead_zone --dof=surge --verdict=$out/dead_zone.json --report=$out/dead_zone.html
 
-printf '\nPages for any browser:\n  %s\n  %s\n' "$PWD/$out/flatfish.html" "$PWD/$out/dead_zone.html"
+rm -rf "$out/dives" "$out/dives.sqlite"
+run scripts/example_archive.sh "$out/dives"
+run $bin/fathom_batch --archive=$out/dives --results=$out/dives.sqlite --report=$out/dives.html \
+  --pages --jobs="$(nproc)"
+
+printf '\nPages for any browser:\n  %s\n  %s\n  %s\n' "$PWD/$out/flatfish.html" "$PWD/$out/dead_zone.html" \
+  "$PWD/$out/dives.html"

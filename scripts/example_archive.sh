@@ -4,11 +4,13 @@
 #   scripts/example_archive.sh ARCHIVE [DIVES] [LOGS]     # 12 dives of 3 logs by default
 #
 # From 40 % of the dives on the vehicle carries 14 kg more. Its damping grows by 1 % a dive. From
-# 70 % of them on its port thruster gives 20 % less than commanded. BUILD: the folder of the build
+# 70 % of them on its port thruster gives 20 % less than commanded.
+#
+# QUIET=1: nothing changes. SEED: another draw of the noise (1). BUILD: the folder of the build
 # (build/release). The same arguments give the same bytes.
 set -euo pipefail
 if [[ $# -lt 1 || $# -gt 3 ]]; then
-  sed -n '2,9p' "$0" >&2
+  sed -n '2,11p' "$0" >&2
   exit 1
 fi
 archive=$(realpath -m "$1") dives=${2:-12} logs=${3:-3}
@@ -25,14 +27,14 @@ echo 'vehicle: vehicle.yaml' > "$archive/archive.yaml"
 # A thruster that gives too little acts like a vehicle with all parameters larger: the port thruster
 # makes half of the surge force and 0.6 of the yaw moment.
 vehicle_of_dive() {
-  awk -v dive="$1" -v dives="$dives" '
+  awk -v dive="$1" -v dives="$dives" -v quiet="${QUIET:-0}" '
     function number(name) { match($0, name ": [-0-9.]+"); return substr($0, RSTART + length(name) + 2, RLENGTH - length(name) - 2) }
     /inertia:/ {
       dof = $1
-      load = dive >= int(0.4 * dives) + 1 && dof != "yaw:" ? 14 : 0
-      growth = 1 + 0.01 * (dive - 1)
+      load = !quiet && dive >= int(0.4 * dives) + 1 && dof != "yaw:" ? 14 : 0
+      growth = quiet ? 1 : 1 + 0.01 * (dive - 1)
       share = dof == "surge:" ? 0.5 : dof == "yaw:" ? 0.6 : 0
-      scale = dive >= int(0.7 * dives) + 1 ? 1 / (1 - 0.2 * share) : 1
+      scale = !quiet && dive >= int(0.7 * dives) + 1 ? 1 / (1 - 0.2 * share) : 1
       printf "  %s {inertia: %.6g, quadratic_damping: %.6g, linear_damping: %.6g, buoyancy: %.6g}\n", dof,
         scale * (number("inertia") + load), scale * growth * number("quadratic_damping"),
         scale * growth * number("linear_damping"), scale * number("buoyancy")
@@ -47,6 +49,6 @@ for ((dive = 1; dive <= dives; ++dive)); do
   for ((log = 1; log <= logs; ++log)); do
     dof=${dofs[(log - 1) % 3]}
     "$synthesize" --vehicle="$vehicles/$dive.yaml" --experiment="data/experiments/archive_$dof.yaml" \
-      --seed=$((1000 * dive + log)) --out="$archive/$(printf 'dive_%02d/%02d_%s' "$dive" "$log" "$dof")" > /dev/null
+      --seed=$((100000 * (${SEED:-1} - 1) + 1000 * dive + log)) --out="$archive/$(printf 'dive_%02d/%02d_%s' "$dive" "$log" "$dof")" > /dev/null
   done
 done

@@ -12,6 +12,7 @@
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/comparison/family.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/progress.h"
@@ -23,6 +24,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,7 +33,7 @@
 
 DEFINE_string(archive, "", "A folder with logs in it, at any depth. Nothing is written into it.");
 DEFINE_string(results, "", "An SQLite database; made if it is missing, continued if it is there.");
-DEFINE_int32(jobs, 1, "Programs to run at a time.");
+DEFINE_int32(jobs, 0, "Programs to run at a time. 0: one for each core.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_bool(pages, false, "Write a page for each diagnosis too, into a folder beside --report.");
 DEFINE_string(csv, "", "Write the table `fits` to this CSV file.");
@@ -96,15 +98,20 @@ fs::path PagesFolder() {
   return report.parent_path() / (report.stem().string() + "_pages");
 }
 
+int NumCores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
 BatchOptions OptionsFromFlags() {
   BatchOptions options;
   options.archive = RequireFlag("archive", FLAGS_archive, "a folder with logs");
   options.results = RequireFlag("results", FLAGS_results, "a database to write");
   options.tools = ToolsFolder();
   options.version = FATHOM_VERSION;
+  for (const std::string& family : SplitAtCommas(FLAGS_families)) {
+    ParseFlag("families", family, ParseFamily);
+  }
   options.families = FLAGS_families;
   options.diagnose = FLAGS_diagnose;
-  options.jobs = FLAGS_jobs;
+  options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumCores();
   options.time_limit = FLAGS_time_limit;
   options.memory_limit = FLAGS_memory_limit;
   options.rehash = FLAGS_rehash;

@@ -207,5 +207,24 @@ TEST(IdentifyTool, AVehicleAtRestEndsWithExitCodeTwoAndNoModel) {
   }
 }
 
+// A folder's name may hold a comma; several logs are given one by one or between commas.
+TEST(IdentifyTool, TakesLogsOneByOneAndBetweenCommas) {
+  const Path folder = EmptyTestFolder();
+  const std::string first = WriteSmallLog(folder / "a,b").string();
+  const std::string second = WriteSmallLog(folder / "c").string();
+  WriteTestFile(folder / "c" / "velocity.csv", "t,u\n0,0\n0.1,0\n");
+  const ToolRun alone = RunToolBinary("fathom_identify", {"--log=" + first, "--dof=surge"});
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  const ToolRun one_by_one =
+      RunToolBinary("fathom_identify", {"--log=" + first, "--log=" + second, "--dof=surge"});
+  EXPECT_EQ(one_by_one.exit_code, 0) << one_by_one.err;
+  EXPECT_NE(one_by_one.out, alone.out);
+
+  std::filesystem::rename(folder / "a,b", folder / "a");
+  const std::string both = (folder / "a").string() + "," + second;
+  const ToolRun between_commas = RunToolBinary("fathom_identify", {"--log=" + both, "--dof=surge"});
+  EXPECT_EQ(between_commas.out, one_by_one.out);
+}
+
 }  // namespace
 }  // namespace fathom

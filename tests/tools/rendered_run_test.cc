@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -94,6 +95,30 @@ TEST(RenderedRun, GivesTheModelInOneCommandPerStep) {
       "fathom_refine", {"--log=" + tracked.string(), "--dof=surge", "--model=" + joint.string()});
   ASSERT_EQ(refine.exit_code, 0) << refine.err;
   ExpectInertia(JsonOf(joint)["parameters"]);
+}
+
+// A log of nothing but a command and images.
+TEST(RenderedRun, IsTrackedByABatch) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive";
+  std::filesystem::create_directory(archive);
+  std::filesystem::rename(RenderedLog(folder), archive / "log");
+  for (const char* file : {"velocity.csv", "pose.csv", "detections.csv"}) {
+    std::filesystem::remove(archive / "log" / file);
+  }
+  const auto before = std::distance(std::filesystem::recursive_directory_iterator(archive), {});
+  const Path csv = folder / "fits.csv";
+  const ToolRun run = RunToolBinary("fathom_batch",
+                                    {"--archive=" + archive.string(),
+                                     "--results=" + (folder / "results.sqlite").string(),
+                                     "--csv=" + csv.string(),
+                                     "--families=output_error",
+                                     "--diagnose=false",
+                                     "--strict"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("1 log in 1 dive: 1 ok\n"));
+  EXPECT_THAT(TextOf(csv), HasSubstr("\nlog,surge,output_error,camera,1,inertia,"));
+  EXPECT_EQ(std::distance(std::filesystem::recursive_directory_iterator(archive), {}), before);
 }
 
 }  // namespace

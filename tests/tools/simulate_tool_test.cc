@@ -54,6 +54,22 @@ TEST(SimulateTool, PredictsTheLogThatTheModelWasIdentifiedFrom) {
   EXPECT_LT(sum_of_errors / static_cast<double>(u.size()), 0.012);
 }
 
+TEST(SimulateTool, WritesTheScoreThatItPrints) {
+  const Path folder = EmptyTestFolder();
+  const Path json = folder / "score.json";
+  const std::string log = WriteSmallLog(folder / "log").string();
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate", {"--model=" + model, "--log=" + log, "--json=" + json.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json score = JsonOf(json);
+  EXPECT_EQ(score["schema"], "fathom-score-1");
+  EXPECT_EQ(score["dof"], "surge");
+  EXPECT_EQ(score["n"], 601);
+  EXPECT_NEAR(score["mae"], NumberBehind("MAE ", run.out), 6e-6);
+  EXPECT_NEAR(score["nmae"], NumberBehind("NMAE ", run.out), 6e-5);
+}
+
 // m dv/dt + d_L v + b = tau from rest: v = (tau - b) / d_L (1 - exp(-d_L t / m)).
 TEST(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
   const Path folder = EmptyTestFolder();

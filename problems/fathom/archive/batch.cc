@@ -16,6 +16,7 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_content.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -84,7 +85,10 @@ OpenArchive OpenAndHash(const BatchOptions& options, Store* store) {
 LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings& settings) {
   LogBatchOptions of_logs;
   of_logs.settings = settings;
-  of_logs.vehicle = NameInVehicleFile(settings.vehicle);
+  if (!settings.vehicle.empty()) {
+    ReadVehicleFile(settings.vehicle);  // says what is wrong with it
+    of_logs.vehicle_content = ContentOf(settings.vehicle);
+  }
   of_logs.jobs.families = options.families;
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;
@@ -105,9 +109,7 @@ std::string DigestOfAll(const std::vector<HashedLog>& logs, const LogBatchOption
     digests.push_back(log.path);
     digests.push_back(DoneDigest(log, options));
   }
-  if (!options.settings.vehicle.empty()) {
-    digests.push_back(ContentOf(options.settings.vehicle));
-  }
+
   return DigestOf(digests);
 }
 
@@ -123,6 +125,26 @@ void CountStored(const Tables& tables, BatchSummary* summary) {
   for (const LogRow& row : tables.logs) {
     if (const auto state = LogStateFromName(row.status)) ++summary->states[*state];
   }
+}
+
+// The archive, hashed, and the results, which nobody else writes meanwhile.
+struct OpenBatch {
+  BatchLock lock;
+  Store store;
+  OpenArchive archive;
+  LogBatchOptions of_logs;
+
+  explicit OpenBatch(const BatchOptions& options) : lock(options.results), store(options.results) {
+    for (const fs::path& file : options.merge) store.Merge(file);
+    archive = OpenAndHash(options, &store);
+    of_logs = LogOptionsOf(options, archive.settings);
+  }
+};
+
+void RequireUsable(const BatchOptions& options) {
+  RequireValid(options);
+  RequireOutside(options);
+  RequireWritableFile(options.results);
 }
 
 }  // namespace
@@ -155,63 +177,54 @@ void RequireOutsideArchive(std::string_view flag, const fs::path& place, const f
 
 BatchSummary RunBatch(const BatchOptions& options,
                       const std::function<void(const BatchProgress&)>& show) {
-  RequireValid(options);
-  RequireOutside(options);
-  RequireWritableFile(options.results);
-  const BatchLock lock(options.results);
-  Store store(options.results);
-  for (const fs::path& file : options.merge) store.Merge(file);
-  const OpenArchive archive = OpenAndHash(options, &store);
-  const LogBatchOptions of_logs = LogOptionsOf(options, archive.settings);
-  const WorkFolder work(of_logs.programs.work);
+  RequireUsable(options);
+  OpenBatch batch(options);
+  Store& store = batch.store;
+  const std::vector<HashedLog>& all = batch.archive.logs;
+  const WorkFolder work(batch.of_logs.programs.work);
 
   BatchSummary summary;
-  summary.other_files = archive.found.other_files;
+  summary.other_files = batch.archive.found.other_files;
   std::vector<std::string> paths;
-  for (const HashedLog& log : archive.logs) paths.push_back(log.path);
+  for (const HashedLog& log : all) paths.push_back(log.path);
   store.RemoveOtherLogs(paths);
 
   const auto done = store.DoneLogs();
   const bool all_done = std::ranges::all_of(
-      archive.logs, [&](const HashedLog& log) { return IsDone(done, log, of_logs); });
-  const std::string digest = DigestOfAll(archive.logs, of_logs);
+      all, [&](const HashedLog& log) { return IsDone(done, log, batch.of_logs); });
+  const std::string digest = DigestOfAll(all, batch.of_logs);
   const bool needs_pages = !options.pages.empty();
   if (all_done && !needs_pages && (options.shard || store.DoneDives() == digest)) {
-    CountStored(store.ReadTables(), &summary);
-    summary.dives = DivesOf(store.ReadTables());
+    const Tables tables = store.ReadTables();
+    CountStored(tables, &summary);
+    summary.dives = DivesOf(tables);
     return summary;
   }
 
-  LogBatch logs = RunLogs(archive.logs, of_logs, options.jobs, &store, show);
+  LogBatch logs = RunLogs(all, batch.of_logs, options.jobs, &store, show);
   summary.num_run = logs.num_run;
   for (const DoneLog& log : logs.logs) ++summary.states[log.state];
   summary.pages = std::move(logs.pages);
   if (options.shard) return summary;
-  DiveBatch dives = RunDives(logs.logs, of_logs, options.jobs, &store, show);
+  DiveBatch dives = RunDives(logs.logs, batch.of_logs, options.jobs, &store, show);
   store.ReplaceDives(dives.tables, dives.is_final ? digest : "");
   summary.dives = std::move(dives.dives);
   return summary;
 }
 
 BatchPlan PlanBatch(const BatchOptions& options) {
-  RequireValid(options);
-  RequireOutside(options);
-  RequireWritableFile(options.results);
-  const BatchLock lock(options.results);
-  Store store(options.results);
-  for (const fs::path& file : options.merge) store.Merge(file);
-  const OpenArchive archive = OpenAndHash(options, &store);
-  const LogBatchOptions of_logs = LogOptionsOf(options, archive.settings);
-  const auto done = store.DoneLogs();
+  RequireUsable(options);
+  OpenBatch batch(options);
+  const auto done = batch.store.DoneLogs();
   std::set<std::string> to_do;
-  for (const HashedLog& log : archive.logs) {
-    if (!IsDone(done, log, of_logs)) to_do.insert(log.path);
+  for (const HashedLog& log : batch.archive.logs) {
+    if (!IsDone(done, log, batch.of_logs)) to_do.insert(log.path);
   }
   BatchPlan plan;
-  plan.num_logs = archive.logs.size();
+  plan.num_logs = batch.archive.logs.size();
   plan.num_to_do = to_do.size();
-  plan.other_files = archive.found.other_files;
-  for (const LogRow& row : store.ReadTables().logs) {
+  plan.other_files = batch.archive.found.other_files;
+  for (const LogRow& row : batch.store.ReadTables().logs) {
     if (to_do.contains(row.path)) ++plan.done_by_version[row.version];
   }
   return plan;

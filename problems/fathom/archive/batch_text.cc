@@ -37,9 +37,11 @@ int Sum(const std::map<std::string, int>& counts) {
 }
 
 std::string OtherFilesText(const std::map<std::string, int>& other_files) {
-  if (other_files.empty()) return "";
-  return fmt::format("{} that are no logs: {}\n",
-                     Plural(static_cast<std::size_t>(Sum(other_files)), "other file"),
+  const int sum = Sum(other_files);
+  if (sum == 0) return "";
+  return fmt::format("{} {}: {}\n",
+                     Plural(static_cast<std::size_t>(sum), "other file"),
+                     sum == 1 ? "that is no log" : "that are no logs",
                      CountsText(other_files));
 }
 
@@ -80,7 +82,8 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
       Plural(num_logs, "log"),
       summary.dives.empty() ? "" : fmt::format(" in {}", Plural(summary.dives.size(), "dive")),
       states.empty() ? "nothing found" : fmt::format("{}", fmt::join(states, ", ")));
-  text += fmt::format("{} run, the others were done before\n", Plural(summary.num_run, "log"));
+  text += fmt::format(
+      "{} run now, {} done before\n", Plural(summary.num_run, "log"), num_logs - summary.num_run);
   text += OtherFilesText(summary.other_files);
   bool is_first = true;
   for (const LogRow& row : tables.logs) {
@@ -99,7 +102,7 @@ ArchiveReport ReportOf(const BatchOptions& options,
   ArchiveReport report;
   report.archive = PathText(options.archive);
   report.version = options.version;
-  report.date = FormatUtc(std::chrono::duration<double>(now).count());
+  report.date = FormatUtc(std::floor(std::chrono::duration<double>(now).count()));
   report.command = CleanText(command);
   report.tables = std::move(tables);
   report.dives = summary.dives;

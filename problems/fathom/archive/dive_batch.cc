@@ -66,6 +66,7 @@ std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std:
       fit.place = place;
       if (dof.why_left_out.empty()) {
         fit.task.logs.push_back(log.log);
+        fit.task.logs.back().own_nmae = dof.own_nmae;
       } else {
         fit.excluded.push_back({log.log.path, dof.why_left_out});
       }

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,18 +21,16 @@ namespace fathom {
 
 struct LogBatchOptions {
   ArchiveSettings settings;
+  std::string vehicle_content;  // of the vehicle file in the settings; empty: none
   LogJobOptions jobs;
   ProgramSettings programs;
-  std::optional<std::string> vehicle;  // the name in the vehicle file of the archive
 };
-
-// The name in a vehicle file; nothing if it cannot be read as one.
-std::optional<std::string> NameInVehicleFile(const std::filesystem::path& file);
 
 // One DOF of a log, for the joint fit of its dive.
 struct DoneDof {
   Dof dof = Dof::kSurge;
   std::string why_left_out;  // empty: it is to be fitted with the others
+  double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };
 
 // What the work on whole dives has to know of a log.

@@ -85,14 +85,19 @@ std::string FormatUtc(double seconds) {
   const double days = std::floor(seconds / 86400.0);
   const std::chrono::year_month_day date{
       std::chrono::sys_days(std::chrono::days(static_cast<int>(days)))};
-  const int second = static_cast<int>(seconds - 86400.0 * days);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z",
+  const double whole = std::floor(seconds);
+  const int second = static_cast<int>(whole - 86400.0 * days);
+  // "0.25" without its zero.
+  const std::string fraction =
+      whole == seconds ? "" : fmt::format("{:f}", std::floor(1e6 * (seconds - whole)) / 1e6).substr(1);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}{}Z",
                      static_cast<int>(date.year()),
                      static_cast<unsigned>(date.month()),
                      static_cast<unsigned>(date.day()),
                      second / 3600,
                      second / 60 % 60,
-                     second % 60);
+                     second % 60,
+                     fraction);
 }
 
 }  // namespace fathom

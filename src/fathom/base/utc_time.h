@@ -14,7 +14,8 @@ namespace fathom {
 // Always UTC. Nothing for anything else, also for days that no calendar has.
 std::optional<double> ParseUtc(std::string_view text);
 
-// "2026-05-03T14:30:05Z", rounded down to whole seconds. Years 1 to 9999; empty for any other time.
+// "2026-05-03T14:30:05Z", with the fraction of a second where there is one. Years 1 to 9999; empty
+// for any other time.
 std::string FormatUtc(double seconds);
 
 }  // namespace fathom

@@ -70,7 +70,8 @@ std::string Error(const Files& changes, const ReadLogOptions& options = {}) {
 TEST(ReadLog, ReadsAFolder) {
   Files files = With({{"log.yaml",
                        "name: run 7\ndof: [surge, yaw]\nvehicle: rov.yaml\nheld_out: [0.55, 0.65]\n"
-                       "notes: calm\ncommand_unit: A\nvideo: a.mp4\n"},
+                       "notes: calm\ncommand_unit: A\nvideo: a.mp4\ndive: harbour\n"
+                       "start: 2026-05-03T14:30:05Z\n"},
                       {"pose.csv", kPose}});
   const auto folder = Folder(files);
   const Log log = ReadLog(folder);
@@ -81,6 +82,8 @@ TEST(ReadLog, ReadsAFolder) {
   EXPECT_EQ(log.notes, "calm");
   EXPECT_EQ(log.command_unit, "A");
   EXPECT_EQ(log.video, "a.mp4");
+  EXPECT_EQ(log.dive, "harbour");
+  EXPECT_EQ(log.start, 1777818605.0);  // date -u -d 2026-05-03T14:30:05Z +%s
   ASSERT_EQ(log.held_out.size(), 1u);
   EXPECT_EQ(log.held_out[0].from, 0.55);
   EXPECT_EQ(log.held_out[0].to, 0.65);

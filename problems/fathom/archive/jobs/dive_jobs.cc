@@ -3,10 +3,13 @@
 
 #include "fathom/archive/jobs/dive_jobs.h"
 
+#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/log/log_content.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +38,18 @@ double NumberIn(const std::string& text, const std::string& pointer) {
   return json[place].get<double>();
 }
 
+// Why what it wrote cannot be used; empty if it can, or the run says itself that it cannot. One
+// damaged file must not end the batch.
+std::string ProblemOfModel(const RunRecord& run) {
+  if (!IsUsable(run)) return "";
+  try {
+    ParseModel("what it wrote", run.output);
+    return "";
+  } catch (const InputError& error) {
+    return CleanText(error.what());
+  }
+}
+
 RunRecord Identify(Dof dof,
                    const std::vector<DiveLog>& logs,
                    const ProgramSettings& settings,
@@ -46,7 +61,12 @@ RunRecord Identify(Dof dof,
     call.contents.push_back(log.content);
     call.places.push_back("--log=" + log.place.string());
   }
-  return RunProgram(call, settings, book);
+  RunRecord run = RunProgram(call, settings, book);
+  if (const std::string problem = ProblemOfModel(run); !problem.empty()) {
+    run.exit_code = kExitNoFit;
+    run.message = problem;
+  }
+  return run;
 }
 
 std::vector<DiveLog> Without(std::vector<DiveLog> logs, std::size_t index) {
@@ -89,6 +109,67 @@ void LeaveOutTheOneThatSpoils(const JointFit& fit, DiveOutcome* outcome) {
   outcome->left_out.push_back(
       {outcome->logs[*spoiler].path, "with it the logs of the dive have no usable fit"});
   outcome->logs = Without(outcome->logs, *spoiler);
+}
+
+// NMAE of a model on each of the logs.
+using Errors =
+    std::function<std::vector<double>(const std::string& model, const std::vector<DiveLog>& logs)>;
+
+double MeanOfKnown(const std::vector<double>& errors) {
+  double sum = 0.0;
+  int count = 0;
+  for (const double error : errors) {
+    if (!std::isfinite(error)) continue;
+    sum += error;
+    ++count;
+  }
+  return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+// Whether the joint model is much worse than the logs' own models on at least half of those that
+// have one.
+bool IsSpoiled(const std::vector<DiveLog>& logs, const std::vector<double>& errors) {
+  constexpr double kMostTimes = 1.5, kMostMore = 0.05;
+  int num_known = 0, num_worse = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    if (!std::isfinite(logs[i].own_nmae)) continue;
+    ++num_known;
+    if (!(errors[i] <= kMostTimes * logs[i].own_nmae + kMostMore)) ++num_worse;
+  }
+  return num_worse > 0 && 2 * num_worse >= num_known;
+}
+
+// The log without which the joint model simulates the others best, if that is better by a third or
+// more. False if there is none.
+bool LeaveOutSpoiler(const JointFit& fit,
+                     const Errors& errors_of,
+                     const std::vector<double>& errors,
+                     DiveOutcome* outcome) {
+  constexpr double kLeastGain = 1.0 / 3.0;
+  std::optional<std::size_t> spoiler;
+  double least = std::numeric_limits<double>::infinity();
+  double before = least;
+  for (std::size_t i = 0; i < outcome->logs.size(); ++i) {
+    const std::vector<DiveLog> others = Without(outcome->logs, i);
+    const RunRecord run = fit(others);
+    if (!IsUsable(run)) continue;
+    const double mean = MeanOfKnown(errors_of(run.output, others));
+    if (!(mean < least)) continue;
+    least = mean;
+    spoiler = i;
+    std::vector<double> of_others = errors;
+    of_others.erase(of_others.begin() + static_cast<std::ptrdiff_t>(i));
+    before = MeanOfKnown(of_others);
+  }
+  if (!spoiler || !(least < (1.0 - kLeastGain) * before)) return false;
+  outcome->left_out.push_back(
+      {outcome->logs[*spoiler].path,
+       fmt::format("with it the joint model simulates the other logs with an NMAE of {:.2f}, "
+                   "without it with {:.2f}",
+                   before,
+                   least)});
+  outcome->logs = Without(outcome->logs, *spoiler);
+  return true;
 }
 
 // Those that the joint model does not describe though it describes the others, by the NMAE of each.
@@ -165,13 +246,24 @@ DiveOutcome RunDiveJobs(const DiveTask& task,
     LeaveOutTheOneThatSpoils(fit, &outcome);
     outcome.identify = fit(outcome.logs);
   }
-  if (!IsUsable(*outcome.identify) || outcome.logs.size() < 3) return outcome;
-  std::vector<double> errors;
-  for (const DiveLog& log : outcome.logs) {
-    errors.push_back(PredictionNmae(outcome.identify->output, log, settings, book));
+  const Errors errors_of = [&](const std::string& model, const std::vector<DiveLog>& logs) {
+    std::vector<double> errors;
+    for (const DiveLog& log : logs) errors.push_back(PredictionNmae(model, log, settings, book));
+    return errors;
+  };
+  while (IsUsable(*outcome.identify) && outcome.logs.size() > 2) {
+    const std::vector<double> errors = errors_of(outcome.identify->output, outcome.logs);
+    const bool is_small = outcome.logs.size() <= kMostRefits;
+    const bool is_most = 3 * (outcome.left_out.size() + 1) <= task.logs.size();
+    if (is_small && is_most && IsSpoiled(outcome.logs, errors) &&
+        LeaveOutSpoiler(fit, errors_of, errors, &outcome)) {
+      outcome.identify = fit(outcome.logs);
+      continue;
+    }
+    LeaveOutStrangers(errors, &outcome);
+    if (outcome.logs.size() < errors.size()) outcome.identify = fit(outcome.logs);
+    break;
   }
-  LeaveOutStrangers(errors, &outcome);
-  if (outcome.logs.size() < errors.size()) outcome.identify = fit(outcome.logs);
   return outcome;
 }
 

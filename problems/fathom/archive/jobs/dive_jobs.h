@@ -19,6 +19,7 @@ struct DiveLog {
   std::string path;             // from the archive on, as text
   std::filesystem::path place;  // to open it by
   std::string content;
+  double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };
 
 // All logs of one dive that can identify one DOF.
@@ -40,9 +41,14 @@ struct DiveOutcome {
 };
 
 // One model of all logs of a dive by output error (fathom_identify). A log that spoils it is left
-// out: one that the program refuses beside the others; one without which alone there is a usable
-// fit; one whose free run with the joint model errs more than three times as much as is usual among
-// the logs of the dive, and by an NMAE of more than 0.5.
+// out:
+//
+// - one that the program refuses beside the others;
+// - one without which alone there is a usable fit;
+// - where the joint model simulates half of the logs much worse than their own models do, the one
+//   without which it simulates the others best, as long as that is better by a third or more;
+// - one that the joint model simulates with an NMAE of more than 0.5, and of more than three times
+//   what is usual among the logs of the dive.
 DiveOutcome RunDiveJobs(const DiveTask& task, const ProgramSettings& settings, const RunBook& book);
 
 // NMAE of a free run of a model file's text over a log (fathom_simulate); NaN if that did not work.

@@ -32,6 +32,9 @@ std::map<std::string, std::size_t> NumDivesCompared(const Tables& tables) {
   return counts;
 }
 
+// Vehicles of which too few dives say something, each in a sentence of its own.
+constexpr std::size_t kMostToldApart = 2;
+
 std::string QuietSentence(const std::string& vehicle, std::size_t num_dives) {
   const std::string of = vehicle.empty() ? "" : " of " + vehicle;
   if (num_dives >= kFewestDivesForChange) {
@@ -109,10 +112,21 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
   }
   std::set<std::string> changed;
   for (const ChangeRow& row : tables.changes) changed.insert(row.vehicle);
+  std::vector<std::string> of_few_dives;
   for (const auto& [vehicle, num_dives] : compared) {
     if (changed.contains(vehicle)) continue;
-    sentences.push_back(
+    auto& list = num_dives < kFewestDivesForChange ? of_few_dives : sentences;
+    list.push_back(
         QuietSentence(vehicle.empty() ? "the vehicle without a name" : vehicle, num_dives));
+  }
+  if (of_few_dives.size() > kMostToldApart) {
+    sentences.push_back(
+        fmt::format("No statement on change of {} vehicles: fewer than {} dives of each have a "
+                    "usable joint fit.",
+                    of_few_dives.size(),
+                    kFewestDivesForChange));
+  } else {
+    sentences.insert(sentences.end(), of_few_dives.begin(), of_few_dives.end());
   }
   return sentences;
 }

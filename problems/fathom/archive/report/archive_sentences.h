@@ -12,7 +12,7 @@
 namespace fathom {
 
 // Of fewer dives with a usable joint fit nothing is said about change.
-inline constexpr int kFewestDivesForChange = 5;
+inline constexpr std::size_t kFewestDivesForChange = 5;
 
 // What changed over the dives, the surest first. Of a vehicle without a change: that there is none,
 // or that too few dives have a usable joint fit to tell. At least one sentence.

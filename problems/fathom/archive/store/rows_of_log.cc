@@ -139,13 +139,15 @@ Tables RowsOfLog(const LogOutcome& outcome) {
 std::vector<DiveFitRow> RowsOfDive(const DiveTask& task,
                                    const DiveOutcome& outcome,
                                    const std::vector<LeftOutLog>& excluded) {
+  std::vector<LeftOutLog> left_out = excluded;
+  left_out.insert(left_out.end(), outcome.left_out.begin(), outcome.left_out.end());
   DiveFitRow row = {.dive = task.dive,
                     .dof = std::string(Name(task.dof)),
                     .usable = outcome.identify && IsUsable(*outcome.identify),
                     .parameter = "",
                     .unit = "",
                     .logs = static_cast<int>(outcome.logs.size()),
-                    .message = Joined(LeftOutText(excluded), LeftOutText(outcome.left_out)),
+                    .message = LeftOutText(left_out),
                     .vehicle = task.vehicle};
   if (!row.usable) {
     const std::string why = outcome.identify ? WhyNot(*outcome.identify) : "no log can be fitted.";

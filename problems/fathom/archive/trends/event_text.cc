@@ -59,10 +59,12 @@ struct Teller {
     return named.cause == "unnamed" ? told[s] != 0 : named.pattern.Moves(s);
   }
 
-  std::string Dofs() const {
+  std::string Dofs(bool with_angular = true) const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
-      const std::string name(Name(series[event.series[i]].dof));
+      const Dof dof = series[event.series[i]].dof;
+      if (IsAngular(dof) && !with_angular) continue;
+      const std::string name(Name(dof));
       if (IsTold(i) && (names.empty() || names.back() != name)) names.push_back(name);
     }
     return Listed(names);
@@ -75,10 +77,10 @@ struct Teller {
   }
 
   // "the buoyancy in heave is 5.0 N larger (± 0.4)", "... grows by 5.0 N a dive (± 0.4)".
-  std::string Parameters() const {
+  std::string Parameters(bool with_linear = true) const {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
-      if (!IsTold(i)) continue;
+      if (!IsTold(i) || (!with_linear && !IsAngular(series[event.series[i]].dof))) continue;
       const DiveSeries& one = series[event.series[i]];
       const Number number = Difference(i);
       std::string name = kParameterInfo[one.parameter].name;
@@ -125,11 +127,12 @@ struct Teller {
     if (weight == 0.0) return Parameters();
     const Number mass{sum / weight, 1.0 / std::sqrt(weight)};
     const std::string how = mass.value > 0.0 ? "heavier" : "lighter";
-    if (IsTrend()) {
-      return "the vehicle grows " + how + " by " + WithDeviation(mass, " kg a dive") + " in " +
-             Dofs();
-    }
-    return "the vehicle is " + WithDeviation(mass, " kg " + how) + " in " + Dofs();
+    const std::string moments = Parameters(/*with_linear=*/false);
+    const std::string rest =
+        " in " + Dofs(/*with_angular=*/false) + (moments.empty() ? "" : ", and " + moments);
+    if (IsTrend())
+      return "the vehicle grows " + how + " by " + WithDeviation(mass, " kg a dive") + rest;
+    return "the vehicle is " + WithDeviation(mass, " kg " + how) + rest;
   }
 
   std::string Sentence() const {

@@ -3,244 +3,22 @@
 
 #include "fathom/archive/trends/name_causes.h"
 
-#include "fathom/archive/trends/event_fit.h"
+#include "fathom/archive/trends/archive_events.h"
 #include "fathom/archive/trends/event_text.h"
-#include "fathom/archive/trends/judged_event.h"
-#include "fathom/archive/trends/scan.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstddef>
 
-#include <Eigen/Cholesky>
 #include <glog/logging.h>
 
 namespace fathom {
 namespace {
 
-constexpr int kLeastDives = 5;
 constexpr int kMostSearches = 4;
-constexpr int kMostRenamings = 4;
-constexpr double kLeastGain = 14.0;        // of chi-square, of an event's first parameter
-constexpr double kLeastFurtherGain = 3.0;  // and of each other one
-constexpr double kShownDeviations = 3.0;
 
-struct Event {
-  EventColumn column;
-  std::vector<char> found;  // by series: its change was found by itself
-  JudgedEvent judged;
-};
-
-struct Archive {
-  std::vector<DiveSeries> series;
-  std::vector<DiveBlock> blocks;
-  std::vector<double> tau_squared;
-  std::vector<Pattern> patterns;
-  std::vector<Event> events;
-  int num_dives = 0;
-};
-
-std::vector<DiveSeries> SeriesWithout(std::span<const ParameterOutlier> outliers,
-                                      std::span<const DiveEstimate> estimates,
-                                      int num_dives) {
-  std::vector<DiveSeries> series = SeriesOf(estimates, num_dives, kLeastDives);
-  for (DiveSeries& one : series) {
-    for (const ParameterOutlier& outlier : outliers) {
-      if (outlier.dof != one.dof || outlier.parameter != one.parameter) continue;
-      const auto place = std::find(one.dive.begin(), one.dive.end(), outlier.dive);
-      if (place == one.dive.end()) continue;
-      one = WithoutElement(one, static_cast<int>(place - one.dive.begin()));
-    }
-  }
-  return series;
-}
-
-bool AreOne(const Column& a, const Column& b) {
-  if (a.kind != b.kind) return false;
-  return a.kind == ChangeKind::kTrend || std::abs(a.at - b.at) <= 1;
-}
-
-// Changes come with the most certain first. False if nothing is new.
-bool AddEvents(std::span<const Change> changes, Archive* archive) {
-  const std::size_t known = archive->events.size();
-  for (const Change& change : changes) {
-    const Column column{change.kind, change.kind == ChangeKind::kTrend ? 0 : change.at};
-    auto event = std::find_if(archive->events.begin(), archive->events.end(), [&](const Event& e) {
-      return AreOne(e.column.column, column);
-    });
-    if (event == archive->events.end()) {
-      const std::vector<char> all(archive->series.size(), 1);
-      const std::vector<char> none(archive->series.size(), 0);
-      archive->events.push_back({{column, all}, none, {}});
-      event = archive->events.end() - 1;
-    }
-    for (std::size_t s = 0; s < archive->series.size(); ++s) {
-      const DiveSeries& one = archive->series[s];
-      if (one.dof == change.dof && one.parameter == change.parameter) event->found[s] = 1;
-    }
-  }
-  return archive->events.size() > known;
-}
-
-std::vector<EventColumn> ColumnsOf(const Archive& archive) {
-  std::vector<EventColumn> columns;
-  for (const Event& event : archive.events) columns.push_back(event.column);
-  return columns;
-}
-
-void EstimateScatter(Archive* archive) {
-  archive->tau_squared.clear();
-  for (std::size_t s = 0; s < archive->series.size(); ++s) {
-    std::vector<Column> columns;
-    for (const Event& event : archive->events) {
-      if (event.column.moves[s]) columns.push_back(event.column.column);
-    }
-    const DiveSeries& one = archive->series[s];
-    const ScanDesign design = MakeScanDesign(one, columns, archive->num_dives);
-    archive->tau_squared.push_back(Scan(design, one.value).tau_squared);
-  }
-}
-
-EventFit FitOf(const Archive& archive, std::size_t index) {
-  return FitEvent(archive.series,
-                  archive.blocks,
-                  archive.tau_squared,
-                  ColumnsOf(archive),
-                  index,
-                  archive.num_dives);
-}
-
-// Chi-square of the differences of the series in `members`, and how many those are.
-std::pair<double, int> GainOf(const EventFit& fit, std::span<const char> members) {
-  const Eigen::Index m = fit.before.size();
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < m; ++i) {
-    if (members[fit.series[i]]) rows.push_back(i);
-  }
-  if (rows.empty()) return {0.0, 0};
-  const Eigen::MatrixXd covariance = fit.covariance.bottomRightCorner(m, m)(rows, rows);
-  const Eigen::VectorXd difference = fit.difference(rows);
-  return {difference.dot(covariance.ldlt().solve(difference)), static_cast<int>(rows.size())};
-}
-
-// Events that the others explain go, the least telling first.
-void DropTheExplained(Archive* archive) {
-  while (archive->events.size() > 1) {
-    std::size_t weakest = 0;
-    double least = 0.0;
-    for (std::size_t e = 0; e < archive->events.size(); ++e) {
-      const auto [gain, size] = GainOf(FitOf(*archive, e), archive->events[e].found);
-      const double spare = gain - kLeastGain - kLeastFurtherGain * (size - 1);
-      if (spare >= least) continue;
-      least = spare;
-      weakest = e;
-    }
-    if (least >= 0.0) return;
-    archive->events.erase(archive->events.begin() + weakest);
-    EstimateScatter(archive);
-  }
-}
-
-std::vector<char> MovedBy(const Event& event, const EventFit& fit) {
-  std::vector<char> moves(event.found.size(), 0);
-  for (const NamedCause& named : event.judged.causes) {
-    if (named.cause == "unnamed") {
-      moves = event.found;
-      const Eigen::Index m = fit.before.size();
-      for (Eigen::Index i = 0; i < m; ++i) {
-        const double std = std::sqrt(fit.covariance(m + i, m + i));
-        if (std::abs(fit.difference(i)) > kShownDeviations * std) moves[fit.series[i]] = 1;
-      }
-      continue;
-    }
-    for (std::size_t s = 0; s < moves.size(); ++s) moves[s] |= named.pattern.Moves(s) ? 1 : 0;
-  }
-  return moves;
-}
-
-// Moves a step by one dive where the series that it moves say so together.
-void Place(std::size_t e, Archive* archive) {
-  if (archive->events[e].column.column.kind == ChangeKind::kTrend) return;
-  const int at = archive->events[e].column.column.at;
-  const std::vector<char> moves = archive->events[e].column.moves;
-  double best_gain = -1.0;
-  int best = at;
-  for (const int place : {at, at - 1, at + 1}) {
-    archive->events[e].column.column.at = place;
-    const double gain = GainOf(FitOf(*archive, e), moves).first;
-    if (gain <= best_gain + 1e-9) continue;
-    best_gain = gain;
-    best = place;
-  }
-  archive->events[e].column.column.at = best;
-}
-
-void Name(Archive* archive) {
-  for (int round = 0; round < kMostRenamings; ++round) {
-    bool has_changed = false;
-    for (std::size_t e = 0; e < archive->events.size(); ++e) {
-      Event& event = archive->events[e];
-      const EventFit fit = FitOf(*archive, e);
-      event.judged = Judge(fit, archive->patterns, archive->num_dives);
-      const std::vector<char> moves = MovedBy(event, fit);
-      const Column before = event.column.column;
-      has_changed = has_changed || moves != event.column.moves;
-      event.column.moves = moves;
-      Place(e, archive);
-      has_changed = has_changed || !(before == event.column.column);
-      EstimateScatter(archive);
-    }
-    if (!has_changed) return;
-  }
-}
-
-// How many causes it takes; one without a name is worse than two with one.
-int NumCauses(const Archive& archive) {
-  int count = 0;
-  for (const Event& event : archive.events) {
-    for (const NamedCause& named : event.judged.causes) count += named.cause == "unnamed" ? 3 : 1;
-  }
-  return count;
-}
-
-bool HasTrend(const Archive& archive) {
-  return std::any_of(archive.events.begin(), archive.events.end(), [](const Event& event) {
-    return event.column.column.kind == ChangeKind::kTrend;
-  });
-}
-
-// A slope is not a stack of steps: damping that grows from dive to dive, beside steps of other
-// parameters, can look like a step of the damping with each of them. Takes a trend of all damping
-// in place of such steps where that explains the archive by fewer causes.
-void TakeTrendForSteps(Archive* archive) {
-  if (HasTrend(*archive)) return;
-  Archive other = *archive;
-  std::vector<char> damping(other.series.size(), 0);
-  for (std::size_t s = 0; s < damping.size(); ++s) {
-    const int parameter = other.series[s].parameter;
-    damping[s] = parameter == kQuadraticDamping || parameter == kLinearDamping ? 1 : 0;
-  }
-  other.events.push_back({{{ChangeKind::kTrend, 0}, damping}, damping, {}});
-  EstimateScatter(&other);
-  DropTheExplained(&other);
-  if (!HasTrend(other)) return;
-  Name(&other);
-  if (NumCauses(other) < NumCauses(*archive)) *archive = std::move(other);
-}
-
-std::vector<KnownChange> KnownOf(const Archive& archive) {
-  std::vector<KnownChange> known;
-  for (const Event& event : archive.events) {
-    for (std::size_t s = 0; s < archive.series.size(); ++s) {
-      if (!event.column.moves[s]) continue;
-      known.push_back({archive.series[s].dof, archive.series[s].parameter, event.column.column});
-    }
-  }
-  return known;
-}
-
-std::vector<Change> ChangesOf(const Archive& archive,
-                              const Event& event,
+std::vector<Change> ChangesOf(const ArchiveEvents& archive,
+                              const ArchiveEvent& event,
                               const NamedCause& named,
                               const EventFit& fit,
                               std::span<const Change> found) {
@@ -275,12 +53,12 @@ std::vector<Change> ChangesOf(const Archive& archive,
   return changes;
 }
 
-std::vector<ChangeEvent> Told(const Archive& archive,
+std::vector<ChangeEvent> Told(const ArchiveEvents& archive,
                               std::span<const Change> found,
                               std::span<const std::string> dive_names) {
   std::vector<ChangeEvent> told;
   for (std::size_t e = 0; e < archive.events.size(); ++e) {
-    const Event& event = archive.events[e];
+    const ArchiveEvent& event = archive.events[e];
     const EventFit fit = FitOf(archive, e);
     for (const NamedCause& named : event.judged.causes) {
       ChangeEvent one;
@@ -310,20 +88,16 @@ std::vector<ChangeEvent> NameCauses(const ChangeSearch& search,
                                     std::span<const std::string> dive_names,
                                     const std::optional<Vehicle>& vehicle,
                                     const ChangeOptions& options) {
+  for (const DiveEstimate& estimate : estimates) {
+    CHECK_LT(static_cast<std::size_t>(estimate.dive), dive_names.size());
+  }
   if (search.changes.empty()) return {};
-  Archive archive;
-  archive.num_dives = static_cast<int>(dive_names.size());
-  archive.series = SeriesWithout(search.outliers, estimates, archive.num_dives);
-  archive.blocks = BlocksOf(estimates, archive.series);
-  archive.patterns =
-      PatternsOf(archive.series, MeanCorrelation(archive.blocks, archive.series.size()), vehicle);
+  ArchiveEvents archive =
+      MakeArchiveEvents(search.outliers, estimates, static_cast<int>(dive_names.size()), vehicle);
   std::vector<Change> found = search.changes;
   AddEvents(found, &archive);
   for (int i = 0; i < kMostSearches; ++i) {
-    EstimateScatter(&archive);
-    DropTheExplained(&archive);
-    Name(&archive);
-    TakeTrendForSteps(&archive);
+    Settle(&archive);
     const ChangeSearch further =
         FindChanges(estimates, archive.num_dives, options, KnownOf(archive));
     found.insert(found.end(), further.changes.begin(), further.changes.end());

@@ -50,7 +50,7 @@ TEST(ChangeSentences, SayNothingOfTooFewDives) {
   ArchiveReport report;
   AddDives(1, true, "", &report);
   EXPECT_THAT(ChangeSentences(report.tables),
-              ElementsAre("No statement on change: only 1 dive has a usable joint fit, at least 4 "
+              ElementsAre("No statement on change: only 1 dive has a usable joint fit, at least 5 "
                           "are needed."));
 }
 
@@ -71,6 +71,16 @@ TEST(ChangeSentences, TellOfVehiclesThatDidNotChangeBesideOneThatDid) {
   report.tables.changes[0].vehicle = "rov";
   EXPECT_THAT(ChangeSentences(report.tables),
               ElementsAre("From rov 3 on rov is heavier.", "No change over 9 dives of lbv."));
+}
+
+TEST(ChangeSentences, TellsManyVehiclesOfFewDivesTogether) {
+  ArchiveReport report;
+  for (const char* vehicle : {"a", "b", "c"}) AddDives(4, true, vehicle, &report);
+  AddDives(9, true, "lbv", &report);
+  EXPECT_THAT(ChangeSentences(report.tables),
+              ElementsAre("No change over 9 dives of lbv.",
+                          "No statement on change of 3 vehicles: fewer than 5 dives of each have "
+                          "a usable joint fit."));
 }
 
 TEST(LogsSentence, CountsEveryState) {

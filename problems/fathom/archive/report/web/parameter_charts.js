@@ -4,22 +4,32 @@ const STDS_OF_95 = 1.96;
 const MANY_DIVES = 150;  // from here on dots and bars are thinner
 const COLUMN_ON_PAPER = 330;  // [px]
 
-// The levels before and after each step, from one step to the next, and each trend.
+// What the changes make of a parameter: the level before and after each step, from one step to the
+// next. Where there is a trend too, its line from one step to the next, moved by each of them.
 const changePaths = (changes, numPlaces, x, y) => {
   const steps = changes.filter(({kind}) => kind === "step").sort((a, b) => a.at - b.at);
-  const level = (from, to, value) =>
-    (value == null ? "" : `M${x(from).toFixed(1)} ${y(value).toFixed(1)}H${x(to).toFixed(1)}`);
+  const trend = changes.find(
+    ({kind, before, after}) => kind !== "step" && before != null && after != null);
+  const slope = trend ? (trend.after - trend.before) / Math.max(numPlaces - 1 - trend.at, 1) : 0;
+  const line = (from, to, valueAt) =>
+    `M${x(from).toFixed(1)} ${y(valueAt(from)).toFixed(1)}L${x(to).toFixed(1)} ${y(valueAt(to)).toFixed(1)}`;
   let levels = "";
   let borders = "";
-  steps.forEach((step, i) => {
-    const first = i > 0 ? steps[i - 1].at - 0.5 : -0.5;
-    const last = i + 1 < steps.length ? steps[i + 1].at - 0.5 : numPlaces - 0.5;
-    levels += level(first, step.at - 0.5, step.before) + level(step.at - 0.5, last, step.after);
-    borders += `M${x(step.at - 0.5).toFixed(1)} ${CHART.top}V${CHART.height - CHART.bottom}`;
-  });
-  for (const {at, before, after} of changes.filter(({kind}) => kind !== "step")) {
-    if (before == null || after == null) continue;
-    levels += `M${x(at).toFixed(1)} ${y(before).toFixed(1)}L${x(numPlaces - 1).toFixed(1)} ${y(after).toFixed(1)}`;
+  let moved = 0;  // by the steps so far
+  for (let i = 0; i <= steps.length; ++i) {
+    const first = i > 0 ? steps[i - 1].at - 0.5 : trend ? trend.at : -0.5;
+    const last = i < steps.length ? steps[i].at - 0.5 : trend ? numPlaces - 1 : numPlaces - 0.5;
+    if (i > 0) {
+      moved += steps[i - 1].after - steps[i - 1].before;
+      borders += `M${x(first).toFixed(1)} ${CHART.top}V${CHART.height - CHART.bottom}`;
+    }
+    if (trend) {
+      const offset = moved;
+      levels += line(first, last, (place) => trend.before + slope * (place - trend.at) + offset);
+      continue;
+    }
+    const level = i > 0 ? steps[i - 1].after : steps[0]?.before;
+    if (level != null) levels += line(first, last, () => level);
   }
   return {steps, levels, borders};
 };
