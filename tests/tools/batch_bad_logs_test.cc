@@ -122,8 +122,12 @@ std::map<std::string, std::string> StatesBesideGoodLogs(const Write& write,
 TEST(BadLogs, EndTheirOwnProgramsOnly) {
   const auto states = StatesBesideGoodLogs(
       [](const Path& archive) {
-        for (const char* name :
-             {"segfault", "segfault_batch", "segfault_identify", "hang", "hang_batch"}) {
+        for (const char* name : {"segfault",
+                                 "segfault_batch",
+                                 "segfault_identify",
+                                 "hang",
+                                 "hang_batch",
+                                 "damage_identify"}) {
           WriteOwnLog(archive / name / name);
         }
         if (kLimitsMemory) WriteOwnLog(archive / "memory" / "memory");
@@ -143,6 +147,9 @@ TEST(BadLogs, EndTheirOwnProgramsOnly) {
   const Path results = Path(FATHOM_SCRATCH_DIR) / "BadLogs.EndTheirOwnProgramsOnly/archive.sqlite";
   EXPECT_THAT(Query("SELECT message FROM dive_fits WHERE dive = 'segfault_identify'", results),
               testing::ElementsAre("crashed by signal 11 (Segmentation fault)"));
+  EXPECT_EQ(states.at("damage_identify/damage_identify"), "ok: ");
+  EXPECT_THAT(Query("SELECT message FROM dive_fits WHERE dive = 'damage_identify'", results),
+              testing::ElementsAre(StartsWith("what it wrote: is not JSON")));
 }
 
 TEST(BadLogs, ArePartialWhereOneProgramFails) {

@@ -10,7 +10,7 @@
 namespace fathom {
 namespace {
 
-// Columns are named, so that a new one has to be thought of here: PRAGMA table_info gives them.
+// All columns that a table has, but for those that no two runs share.
 std::vector<std::string> ColumnsOf(const std::string& table, SQLite::Database* database) {
   SQLite::Statement info(*database, "PRAGMA table_info(" + table + ")");
   std::vector<std::string> columns;

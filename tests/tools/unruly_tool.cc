@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Stands in for any of Fathom's programs, under its name. With a log whose folder is called
-// "segfault", "hang" or "memory" it does that; "segfault_diagnose" does it under that name alone,
-// and so on. Else it becomes the program.
+// "segfault", "hang", "memory" or "damage" it does that; "segfault_diagnose" does it under that
+// name alone, and so on. Else it becomes the program.
 
 #include <csignal>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <sys/mman.h>
@@ -34,6 +35,15 @@ int EatMemory() {
   return 4;
 }
 
+// To where its result would go.
+int WriteHalfAFile(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.starts_with("--model=")) std::ofstream(word.substr(8)) << "{\"schema\": ";
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,6 +56,7 @@ int main(int argc, char** argv) {
   if (is_asked("segfault")) raise(SIGSEGV);
   if (is_asked("hang")) pause();
   if (is_asked("memory")) return EatMemory();
+  if (is_asked("damage")) return WriteHalfAFile(argc, argv);
   const std::string program = std::string(FATHOM_TOOLS_DIR) + "/" + name;
   execv(program.c_str(), argv);
   return 127;

@@ -89,7 +89,6 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
     ReadVehicleFile(settings.vehicle);  // says what is wrong with it
     of_logs.vehicle_content = ContentOf(settings.vehicle);
   }
-  of_logs.vehicle = NameInVehicleFile(settings.vehicle);
   of_logs.jobs.families = options.families;
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;

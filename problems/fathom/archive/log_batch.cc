@@ -30,19 +30,27 @@ struct VehicleOfLog {
   fs::path file;
 };
 
+// Nothing if the file cannot be read as a vehicle.
+std::optional<std::string> NameIn(const fs::path& vehicle_file) {
+  if (vehicle_file.empty()) return std::nullopt;
+  try {
+    return CleanText(ReadVehicleFile(vehicle_file).name);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 // `named`: as log.yaml does. Logs in different folders name one file by different paths: the name
 // in it counts. archive.yaml's file is of the logs that name no vehicle, or the one in it.
 VehicleOfLog VehicleOf(const std::string& named,
                        const fs::path& place,
-                       const LogBatchOptions& options) {
+                       const ArchiveSettings& settings) {
   if (named.ends_with(".yaml")) {
     const fs::path file = place / named;
-    return {NameInVehicleFile(file).value_or(CleanText(named)), file};
+    return {NameIn(file).value_or(CleanText(named)), file};
   }
-  const auto& of_archive = options.vehicle;
-  if (of_archive && (named.empty() || named == *of_archive)) {
-    return {*of_archive, options.settings.vehicle};
-  }
+  const auto of_archive = NameIn(settings.vehicle);
+  if (of_archive && (named.empty() || named == *of_archive)) return {*of_archive, settings.vehicle};
   return {CleanText(named), {}};
 }
 
@@ -100,13 +108,13 @@ std::optional<LogOutcome> OutcomeWithoutRuns(const HashedLog& log) {
 DoneLog DoneLogOf(const HashedLog& hashed,
                   const LogOutcome& outcome,
                   const Tables& rows,
-                  const LogBatchOptions& options) {
+                  const ArchiveSettings& settings) {
   DoneLog done;
   done.log = {.path = outcome.path, .place = outcome.place, .content = outcome.place_content};
-  done.dive = DiveOfPath(hashed.log.path, options.settings);
+  done.dive = DiveOfPath(hashed.log.path, settings);
   done.state = outcome.state;
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
-  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, options);
+  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, settings);
   done.vehicle = std::move(vehicle_of_log.name);
   done.vehicle_file = std::move(vehicle_of_log.file);
   if (outcome.survey) {
@@ -138,15 +146,6 @@ void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch*
 
 }  // namespace
 
-std::optional<std::string> NameInVehicleFile(const fs::path& file) {
-  if (file.empty()) return std::nullopt;
-  try {
-    return CleanText(ReadVehicleFile(file).name);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
   const ArchiveSettings& settings = options.settings;
   std::vector<std::string> texts = {
@@ -160,7 +159,6 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       fmt::format("{}", settings.dive_level.value_or(0)),
       settings.vehicle_name,
       options.vehicle_content,
-      options.vehicle.value_or(""),
       settings.dof ? std::string(Name(*settings.dof)) : "",
   };
   return DigestOf(texts);
@@ -201,7 +199,7 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
     std::optional<LogOutcome> outcome = OutcomeWithoutRuns(log);
     if (!outcome) outcome = RunLogJobs(log.log, log.content, options.jobs, options.programs, book);
     const Tables rows = RowsOfLog(*outcome);
-    DoneLog done = DoneLogOf(log, *outcome, rows, options);
+    DoneLog done = DoneLogOf(log, *outcome, rows, options.settings);
     done.is_final = unfinished.IsEmpty();
 
     const std::lock_guard lock(mutex);

@@ -28,11 +28,7 @@ struct LogBatchOptions {
   std::string vehicle_content;  // of the vehicle file in the settings; empty: none
   LogJobOptions jobs;
   ProgramSettings programs;
-  std::optional<std::string> vehicle;  // the name in the vehicle file of the archive
 };
-
-// The name in a vehicle file; nothing if it cannot be read as one.
-std::optional<std::string> NameInVehicleFile(const std::filesystem::path& file);
 
 // One DOF of a log, for the joint fit of its dive.
 struct DoneDof {

@@ -3,10 +3,13 @@
 
 #include "fathom/archive/jobs/dive_jobs.h"
 
+#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/log/log_content.h"
+#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +38,18 @@ double NumberIn(const std::string& text, const std::string& pointer) {
   return json[place].get<double>();
 }
 
+// Why what it wrote cannot be used; empty if it can, or the run says itself that it cannot. One
+// damaged file must not end the batch.
+std::string ProblemOfModel(const RunRecord& run) {
+  if (!IsUsable(run)) return "";
+  try {
+    ParseModel("what it wrote", run.output);
+    return "";
+  } catch (const InputError& error) {
+    return CleanText(error.what());
+  }
+}
+
 RunRecord Identify(Dof dof,
                    const std::vector<DiveLog>& logs,
                    const ProgramSettings& settings,
@@ -46,7 +61,12 @@ RunRecord Identify(Dof dof,
     call.contents.push_back(log.content);
     call.places.push_back("--log=" + log.place.string());
   }
-  return RunProgram(call, settings, book);
+  RunRecord run = RunProgram(call, settings, book);
+  if (const std::string problem = ProblemOfModel(run); !problem.empty()) {
+    run.exit_code = kExitNoFit;
+    run.message = problem;
+  }
+  return run;
 }
 
 std::vector<DiveLog> Without(std::vector<DiveLog> logs, std::size_t index) {
