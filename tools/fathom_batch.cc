@@ -160,12 +160,11 @@ int Run(const std::string& command) {
     return kExitUsable;
   }
   const BatchSummary summary = RunBatchWithProgress(options);
-  Tables tables = ReadResults(options.results);
-  fmt::print("{}", FormatSummary(summary, tables));
-  if (!FLAGS_csv.empty()) WriteFile(FLAGS_csv, FormatFitsCsv(tables.fits));
+  fmt::print("{}", FormatSummary(summary, ReadSummary(options.results)));
+  if (!FLAGS_csv.empty()) WriteFile(FLAGS_csv, FormatFitsCsv(ReadResults(options.results).fits));
   if (!FLAGS_report.empty()) {
     WriteFile(FLAGS_report,
-              RenderArchivePage(ReportOf(options, summary, std::move(tables), command)));
+              RenderArchivePage(ReportOf(options, summary, ReadResults(options.results), command)));
   }
   const bool failed = std::ranges::any_of(
       summary.states, [](const auto& state) { return IsFailure(state.first) && state.second > 0; });

@@ -135,7 +135,10 @@ struct OpenBatch {
   LogBatchOptions of_logs;
 
   explicit OpenBatch(const BatchOptions& options) : lock(options.results), store(options.results) {
-    for (const fs::path& file : options.merge) store.Merge(file);
+    for (const fs::path& file : options.merge) {
+      // A part holds only what belongs to it.
+      options.shard ? store.LookInto(file) : store.Merge(file);
+    }
     archive = OpenAndHash(options, &store);
     of_logs = LogOptionsOf(options, archive.settings);
   }
@@ -195,7 +198,7 @@ BatchSummary RunBatch(const BatchOptions& options,
   const std::string digest = DigestOfAll(all, batch.of_logs);
   const bool needs_pages = !options.pages.empty();
   if (all_done && !needs_pages && (options.shard || store.DoneDives() == digest)) {
-    const Tables tables = store.ReadTables();
+    const Tables tables = store.ReadSummaryTables();
     CountStored(tables, &summary);
     if (!options.shard) summary.dives = DivesOf(tables);
     return summary;
@@ -224,7 +227,7 @@ BatchPlan PlanBatch(const BatchOptions& options) {
   plan.num_logs = batch.archive.logs.size();
   plan.num_to_do = to_do.size();
   plan.other_files = batch.archive.found.other_files;
-  for (const LogRow& row : batch.store.ReadTables().logs) {
+  for (const LogRow& row : batch.store.ReadSummaryTables().logs) {
     if (to_do.contains(row.path)) ++plan.done_by_version[row.version];
   }
   return plan;

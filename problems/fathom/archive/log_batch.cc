@@ -185,7 +185,9 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
   LogBatch batch;
   batch.logs.resize(logs.size());
   const auto stored = store->DoneLogs();
+  constexpr std::size_t kMostPending = 200;
   std::mutex mutex;  // of the store and what follows it
+  std::vector<StoredLog> pending;
   BatchProgress progress = {.noun = "log", .done = 0, .total = logs.size(), .last_failure = ""};
   RunInParallel(at_a_time, logs.size(), [&](std::size_t i) {
     const HashedLog& log = logs[i];
@@ -206,8 +208,13 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
     const std::string digest = DoneDigest(log, options);
     const auto before = stored.find(log.path);
     if (has_run || before == stored.end() || before->second != digest) {
-      store->ReplaceLog(
-          RowOf(*outcome, done, options.programs.version), rows, done.is_final ? digest : "");
+      pending.push_back(
+          {RowOf(*outcome, done, options.programs.version), rows, done.is_final ? digest : ""});
+    }
+    // What was run is written at once. What was known goes together: each time takes a disk's wait.
+    if (has_run || pending.size() >= kMostPending) {
+      store->ReplaceLogs(pending);
+      pending.clear();
     }
     AddPages(*outcome, options.jobs, &batch);
     if (has_run) ++batch.num_run;
@@ -218,6 +225,7 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
     ++progress.done;
     if (show) show(progress);
   });
+  store->ReplaceLogs(pending);
   return batch;
 }
 

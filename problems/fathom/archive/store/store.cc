@@ -83,6 +83,38 @@ void RequireOurs(const std::filesystem::path& file, SQLite::Database* database) 
   }
 }
 
+// The run of that key in one database.
+std::optional<RunRecord> FindRunIn(SQLite::Database* database, const std::string& key) {
+  SQLite::Statement select(*database,
+                           "SELECT key, program, arguments, version, limits, \"end\", exit_code, "
+                           "signal, seconds, peak_mb, output, message FROM runs WHERE key = ?");
+  select.bind(1, key);
+  if (!select.executeStep()) return std::nullopt;
+  RunRecord run;
+  run.key = select.getColumn(0).getString();
+  run.program = select.getColumn(1).getString();
+  run.arguments = select.getColumn(2).getString();
+  run.version = select.getColumn(3).getString();
+  run.limits = select.getColumn(4).getString();
+  run.end = static_cast<ChildEnd>(select.getColumn(5).getInt());
+  run.exit_code = select.getColumn(6).getInt();
+  run.signal = select.getColumn(7).getInt();
+  run.seconds = select.getColumn(8).getDouble();
+  run.peak_mb = select.getColumn(9).getDouble();
+  run.output = select.getColumn(10).getString();
+  run.message = select.getColumn(11).getString();
+  return run;
+}
+
+void AddKnownContents(SQLite::Database* database, std::map<std::string, KnownContent>* known) {
+  SQLite::Statement select(*database, "SELECT path, stamps, content FROM files");
+  while (select.executeStep()) {
+    known->try_emplace(
+        select.getColumn(0).getString(),
+        KnownContent{select.getColumn(1).getString(), select.getColumn(2).getString()});
+  }
+}
+
 }  // namespace
 
 Store::Store(const std::filesystem::path& file) {
@@ -117,26 +149,15 @@ Store::Store(const std::filesystem::path& file) {
 
 Store::~Store() = default;
 
-std::optional<RunRecord> Store::FindRun(const std::string& key) const {
-  SQLite::Statement select(*database_,
-                           "SELECT key, program, arguments, version, limits, \"end\", exit_code, "
-                           "signal, seconds, peak_mb, output, message FROM runs WHERE key = ?");
-  select.bind(1, key);
-  if (!select.executeStep()) return std::nullopt;
-  RunRecord run;
-  run.key = select.getColumn(0).getString();
-  run.program = select.getColumn(1).getString();
-  run.arguments = select.getColumn(2).getString();
-  run.version = select.getColumn(3).getString();
-  run.limits = select.getColumn(4).getString();
-  run.end = static_cast<ChildEnd>(select.getColumn(5).getInt());
-  run.exit_code = select.getColumn(6).getInt();
-  run.signal = select.getColumn(7).getInt();
-  run.seconds = select.getColumn(8).getDouble();
-  run.peak_mb = select.getColumn(9).getDouble();
-  run.output = select.getColumn(10).getString();
-  run.message = select.getColumn(11).getString();
-  return run;
+std::optional<RunRecord> Store::FindRun(const std::string& key) {
+  if (auto run = FindRunIn(database_.get(), key)) return run;
+  for (const auto& other : others_) {
+    if (auto run = FindRunIn(other.get(), key)) {
+      KeepRun(*run);
+      return run;
+    }
+  }
+  return std::nullopt;
 }
 
 void Store::KeepRun(const RunRecord& run) {
@@ -158,12 +179,9 @@ void Store::KeepRun(const RunRecord& run) {
 }
 
 std::map<std::string, KnownContent> Store::KnownContents() const {
-  SQLite::Statement select(*database_, "SELECT path, stamps, content FROM files");
   std::map<std::string, KnownContent> known;
-  while (select.executeStep()) {
-    known[select.getColumn(0).getString()] = {select.getColumn(1).getString(),
-                                              select.getColumn(2).getString()};
-  }
+  AddKnownContents(database_.get(), &known);
+  for (const auto& other : others_) AddKnownContents(other.get(), &known);
   return known;
 }
 
@@ -181,16 +199,19 @@ void Store::KeepContents(const std::map<std::string, KnownContent>& contents) {
   transaction.commit();
 }
 
-void Store::ReplaceLog(const LogRow& row, const Tables& rows, const std::string& done) {
+void Store::ReplaceLogs(const std::vector<StoredLog>& logs) {
+  if (logs.empty()) return;
   SQLite::Transaction transaction(*database_);
-  DeleteLog(row.path, database_.get());
-  Insert(std::vector<LogRow>{row}, database_.get());
-  Insert(rows.fits, database_.get());
-  Insert(rows.scores, database_.get());
-  Insert(rows.verdicts, database_.get());
-  Insert(rows.causes, database_.get());
-  Insert(rows.findings, database_.get());
-  SetDone(row.path, done, database_.get());
+  for (const StoredLog& log : logs) {
+    DeleteLog(log.row.path, database_.get());
+    Insert(std::vector<LogRow>{log.row}, database_.get());
+    Insert(log.rows.fits, database_.get());
+    Insert(log.rows.scores, database_.get());
+    Insert(log.rows.verdicts, database_.get());
+    Insert(log.rows.causes, database_.get());
+    Insert(log.rows.findings, database_.get());
+    SetDone(log.row.path, log.done, database_.get());
+  }
   transaction.commit();
 }
 
@@ -250,7 +271,27 @@ Tables Store::ReadTables() const {
   return tables;
 }
 
+Tables Store::ReadSummaryTables() const {
+  Tables tables;
+  SelectInto(database_.get(), kByPath, &tables.logs);
+  SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
+  SelectInto(database_.get(), kAsWritten, &tables.changes);
+  return tables;
+}
+
 Tables ReadResults(const std::filesystem::path& file) { return Store(file).ReadTables(); }
+
+Tables ReadSummary(const std::filesystem::path& file) { return Store(file).ReadSummaryTables(); }
+
+void Store::LookInto(const std::filesystem::path& file) {
+  try {
+    others_.push_back(
+        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, 60000));
+    RequireOurs(file, others_.back().get());
+  } catch (const SQLite::Exception& error) {
+    throw InputError(fmt::format("--merge={}: cannot be read: {}.", file.string(), error.what()));
+  }
+}
 
 void Store::Merge(const std::filesystem::path& file) {
   try {

@@ -25,6 +25,13 @@ struct KnownContent {
   std::string content;
 };
 
+// The rows of one log.
+struct StoredLog {
+  LogRow row;
+  Tables rows;       // without `logs`
+  std::string done;  // what they were made of, as a digest
+};
+
 // The results of an archive, an SQLite database: the public tables (tables.h), and what they are
 // made of: `runs`, which holds what the programs wrote, and `files`. It keeps a rollback journal
 // and no write-ahead log, which would not do on a network file system. What a function writes is
@@ -36,17 +43,16 @@ class Store {
   explicit Store(const std::filesystem::path& file);
   ~Store();
 
-  std::optional<RunRecord> FindRun(const std::string& key) const;
+  std::optional<RunRecord> FindRun(const std::string& key);
   void KeepRun(const RunRecord& run);
 
   std::map<std::string, KnownContent> KnownContents() const;  // by path
   void KeepContents(const std::map<std::string, KnownContent>& contents);
 
-  // Rows of a log in all tables that have a column `log`, and in `logs`. `done`: what they were
-  // made of, as a digest.
-  void ReplaceLog(const LogRow& row, const Tables& rows, const std::string& done);
+  // Rows of logs in all tables that have a column `log`, and in `logs`.
+  void ReplaceLogs(const std::vector<StoredLog>& logs);
 
-  // Digests of ReplaceLog(), by path.
+  // StoredLog::done, by path.
   std::map<std::string, std::string> DoneLogs() const;
 
   // Takes out the logs that are not among these paths.
@@ -60,15 +66,25 @@ class Store {
   // The public tables, without VerdictRow::json. Logs, and what is of a log, are by its path.
   Tables ReadTables() const;
 
-  // Runs and contents of another results file that this one lacks. Throws InputError if it cannot
-  // be read.
+  // Of these only what a summary takes: logs, dive_fits and changes.
+  Tables ReadSummaryTables() const;
+
+  // Takes over the runs and contents of another results file that this one lacks. Throws InputError
+  // if it cannot be read.
   void Merge(const std::filesystem::path& file);
+
+  // From now on looks there too for runs and contents that this file lacks, and takes over those
+  // runs that are asked for. Throws InputError if it cannot be read.
+  void LookInto(const std::filesystem::path& file);
 
  private:
   std::unique_ptr<SQLite::Database> database_;
+  std::vector<std::unique_ptr<SQLite::Database>> others_;
 };
 
-// The public tables of a results file. Throws InputError as Store does.
+// The public tables of a results file, or what a summary takes of them. Throws InputError as Store
+// does.
 Tables ReadResults(const std::filesystem::path& file);
+Tables ReadSummary(const std::filesystem::path& file);
 
 }  // namespace fathom
