@@ -410,5 +410,37 @@ TEST(Batch, WritesTheFitsAsCsv) {
   }
 }
 
+// A CSV of two columns with the second one times a factor.
+void Scale(const Path& csv, double factor) {
+  std::ifstream in(csv);
+  std::string scaled, line;
+  std::getline(in, scaled);
+  scaled += "\n";
+  while (std::getline(in, line)) {
+    const std::size_t comma = line.find(',');
+    scaled +=
+        fmt::format("{},{}\n", line.substr(0, comma), factor * std::stod(line.substr(comma + 1)));
+  }
+  WriteTestFile(csv, scaled);
+}
+
+// One of another, lighter vehicle, which moves more than the others and would dominate them, and
+// one whose command has the wrong sign.
+TEST(Batch, LeavesOutOfTheFitOfADiveWhatSpoilsIt) {
+  const Path folder = EmptyTestFolder();
+  for (int i = 1; i <= 3; ++i) WriteLog(folder / "archive/dive" / fmt::format("run {}", i), i);
+  Scale(WriteLog(folder / "archive/dive/other", 4) / "velocity.csv", 5.0);
+  Scale(WriteLog(folder / "archive/dive/reversed", 5) / "command.csv", -1.0);
+  const Path results = folder / "results.sqlite";
+  EXPECT_EQ(RunBatch(folder / "archive", results).exit_code, 0);
+  const auto inertia = Query(
+      "SELECT logs, message, value FROM dive_fits WHERE parameter = 'inertia' AND usable", results);
+  ASSERT_EQ(inertia.size(), 1u);
+  EXPECT_THAT(inertia[0],
+              AllOf(StartsWith("3|Left out: dive/reversed ("), HasSubstr(", dive/other (")));
+  // That of the vehicle of small_log.h is 40 kg.
+  EXPECT_NEAR(std::stod(inertia[0].substr(inertia[0].rfind('|') + 1)), 40.0, 1.0);
+}
+
 }  // namespace
 }  // namespace fathom
