@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What fathom_batch costs beside the programs that it runs, on an example archive of 4 dives of 3
-// logs: its CPU time, with that of its children, over that of a shell that runs the same command
+// What fathom_batch costs beside the programs that it runs, on the example archive of 12 dives of
+// 3 logs: its CPU time, with that of its children, over that of a shell that runs the same command
 // lines one after the other; its duration with one program at a time over that with two; a rerun
 // that finds nothing new among 1000 logs; its own peak memory at 100 and at 1000 logs. In the last
 // two the programs are stubs. Exit 1 if a limit is broken. Times are the best of several runs.
@@ -154,10 +154,10 @@ bool MeasureRealPrograms(const fs::path& folder) {
   const fs::path archive = folder / "example", results = folder / "example.sqlite";
   setenv("BUILD", FATHOM_BUILD_DIR, 1);
   Run({.program = FATHOM_SOURCE_DIR "/scripts/example_archive.sh",
-       .arguments = {archive.string(), "4", "3"}});
+       .arguments = {archive.string(), "12", "3"}});
   constexpr double kNever = std::numeric_limits<double>::infinity();
   double batch_cpu = kNever, shell_cpu = kNever, alone = kNever, in_two = kNever;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const ChildResult one = FreshBatch(archive, results, 1);
     batch_cpu = std::min(batch_cpu, one.cpu_seconds);
     alone = std::min(alone, one.seconds);
@@ -165,8 +165,8 @@ bool MeasureRealPrograms(const fs::path& folder) {
     shell_cpu = std::min(shell_cpu, Run({.program = "sh", .arguments = {script}}).cpu_seconds);
     in_two = std::min(in_two, FreshBatch(archive, results, 2).seconds);
   }
-  fmt::print("12 logs, CPU: batch {:.2f} s, shell {:.2f} s\n", batch_cpu, shell_cpu);
-  fmt::print("12 logs, duration: --jobs=1 {:.2f} s, --jobs=2 {:.2f} s\n", alone, in_two);
+  fmt::print("36 logs, CPU: batch {:.2f} s, shell {:.2f} s\n", batch_cpu, shell_cpu);
+  fmt::print("36 logs, duration: --jobs=1 {:.2f} s, --jobs=2 {:.2f} s\n", alone, in_two);
   const double ratio = batch_cpu / shell_cpu, speed_up = alone / in_two;
   bool holds = Report("CPU time over that of a shell loop",
                       ratio,

@@ -72,7 +72,8 @@ void SetLimit(int resource, double value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-// In the child, where only what is safe in a signal handler may be called. Does not return.
+// In the child, which shares its parent's memory: only calls to the system, and nothing is changed.
+// Does not return.
 [[noreturn]] void BecomeProgram(
     const ChildCommand& command, char* const* argv, pid_t parent, int out, int err, int failure) {
   setpgid(0, 0);
@@ -207,7 +208,9 @@ ChildResult RunChild(const ChildCommand& command) {
   Pipe out = MakePipe(), err = MakePipe(), failure = MakePipe();
   const auto start = Clock::now();
   const pid_t parent = getpid();
-  const pid_t pid = fork();
+  // The child borrows this process' memory until it becomes the program: a copy would cost more
+  // than many a program takes.
+  const pid_t pid = vfork();
   PCHECK(pid >= 0);
   if (pid == 0) {
     BecomeProgram(command,
