@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What fathom_batch costs beside the programs that it runs, on the example archive of 12 dives of
-// 3 logs: its CPU time, with that of its children, over that of a shell that runs the same command
+// What fathom_batch costs beside the programs that it runs, on an example archive of 4 dives of
+// 9 logs: its CPU time, with that of its children, over that of a shell that runs the same command
 // lines one after the other; its duration with one program at a time over that with two; a rerun
 // that finds nothing new among 1000 logs; its own peak memory at 100 and at 1000 logs. In the last
 // two the programs are stubs. Exit 1 if a limit is broken. Times are the best of several runs.
@@ -154,7 +154,7 @@ bool MeasureRealPrograms(const fs::path& folder) {
   const fs::path archive = folder / "example", results = folder / "example.sqlite";
   setenv("BUILD", FATHOM_BUILD_DIR, 1);
   Run({.program = FATHOM_SOURCE_DIR "/scripts/example_archive.sh",
-       .arguments = {archive.string(), "12", "3"}});
+       .arguments = {archive.string(), "4", "9"}});
   constexpr double kNever = std::numeric_limits<double>::infinity();
   double batch_cpu = kNever, shell_cpu = kNever, alone = kNever, in_two = kNever;
   for (int i = 0; i < 2; ++i) {
