@@ -7,6 +7,7 @@
 #include "fathom/archive/jobs/run_in_parallel.h"
 #include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
+#include "fathom/base/exit_code.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
 #include "fathom/log/log_content.h"
@@ -55,7 +56,7 @@ VehicleOfLog VehicleOf(const std::string& named,
 }
 
 std::string WhyLeftOut(const DofRuns& runs, const std::vector<FindingRow>& findings) {
-  if (!IsUsable(runs.compare) && runs.compare.exit_code != 2) return WhyNot(runs.compare);
+  if (!IsUsable(runs.compare) && runs.compare.exit_code != kExitNoFit) return WhyNot(runs.compare);
   for (const FindingRow& finding : findings) {
     if (finding.severity == "red" && finding.dof == Name(runs.dof)) return finding.text;
   }
