@@ -10,6 +10,7 @@
 #include "fathom/report/figures/figure.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
 
 #include <algorithm>
@@ -116,6 +117,7 @@ int Run() {
   Log log = ReadLogFromFlags(FLAGS_log, dof);
   AddCameraSourceIfWanted(options, &log);
   const Comparison comparison = Compare(log, options);
+  for (const DofComparison& part : comparison.dofs) PrintWarnings(part.findings);
   for (const DofComparison& part : comparison.dofs) Print(part);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));
   if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(ComparisonPage(comparison)));

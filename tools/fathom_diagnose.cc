@@ -18,6 +18,7 @@
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 
@@ -126,6 +127,7 @@ int Run() {
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
   Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
+  PrintWarnings(diagnosis.findings);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
     return 2;

@@ -10,6 +10,7 @@
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -80,14 +81,11 @@ std::string VelocityFiles() {
 }
 
 void Print(const LogIdentification& identified) {
+  PrintWarnings(identified.findings);
   for (const std::string& remark : identified.signals.remarks) {
     std::printf("note: %s\n", remark.c_str());
   }
-  for (const Finding& finding : identified.findings) {
-    std::printf("%s: %s\n",
-                finding.severity == Severity::kWarning ? "WARNING" : "note",
-                finding.sentence.c_str());
-  }
+  PrintNotes(identified.findings);
   for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
   std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
 }

@@ -17,6 +17,7 @@
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -151,6 +152,7 @@ int RunRefine() {
 
   Identification& row = images.comparison.dofs.front().rows.back();
   row.fitted.provenance = Provenance();
+  PrintWarnings(images.comparison.dofs.front().findings);
   Print(images);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatImageComparison(images));
   if (!FLAGS_report.empty()) {

@@ -4,6 +4,8 @@
 #include "fathom/comparison/comparison.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/check/log_check.h"
+#include "fathom/comparison/check_rows.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
@@ -62,7 +64,7 @@ DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& opt
   DofComparison result;
   result.dof = dof;
   result.scored = SignalsOf(log, dof, {.source = available.front()});
-  result.findings = CheckSanity(result.scored);
+  result.findings = CheckLogs({&log, 1}, result.scored);
   result.remarks = result.scored.remarks;
   bool is_all_held_out = true;
   for (const Source source : options.sources.empty() ? available : options.sources) {
@@ -81,6 +83,7 @@ DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& opt
     throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
   }
   AddJointRow(log, options, &result);
+  CheckRows(log.mass, &result);
   return result;
 }
 

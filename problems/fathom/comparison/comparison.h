@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include "fathom/check/finding.h"
 #include "fathom/comparison/identification.h"
 #include "fathom/log/log.h"
-#include "fathom/signal/sanity.h"
 #include "fathom/signal/signals.h"
 
 #include <string>

@@ -123,8 +123,7 @@ PageSection SectionOf(const DofComparison& comparison) {
   PageSection section;
   section.heading = Capitalised(std::string(Name(comparison.dof)));
   for (const Finding& finding : comparison.findings) {
-    (finding.severity == Severity::kWarning ? section.warnings : section.text)
-        .push_back(finding.sentence);
+    if (finding.severity == Severity::kNote) section.text.push_back(finding.sentence);
   }
   for (const std::string& remark : comparison.remarks) section.text.push_back(remark);
   section.time_panels.push_back(ResponsePanel(comparison));
@@ -161,8 +160,7 @@ std::string ModelName(const Identification& identification) {
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
   for (const Finding& finding : comparison.findings) {
-    const bool is_warning = finding.severity == Severity::kWarning;
-    lines.push_back((is_warning ? "WARNING: " : "note: ") + finding.sentence);
+    if (finding.severity == Severity::kNote) lines.push_back("note: " + finding.sentence);
   }
   for (const std::string& remark : comparison.remarks) lines.push_back("note: " + remark);
   for (const Identification& row : comparison.rows) {
@@ -274,7 +272,14 @@ Page ComparisonPage(const Comparison& comparison) {
       "Every identifier family on every source of this log, scored by simulating "
       "from the command alone";
   for (const DofComparison& dof : comparison.dofs) page.lead.push_back(Sentence(dof));
-  page.warnings = comparison.remarks;
+  for (const DofComparison& dof : comparison.dofs) {
+    for (const Finding& finding : dof.findings) {
+      if (finding.severity == Severity::kNote) continue;
+      page.warnings.push_back(
+          fmt::format("{}: {}", Capitalised(std::string(Name(dof.dof))), finding.sentence));
+    }
+  }
+  page.warnings.insert(page.warnings.end(), comparison.remarks.begin(), comparison.remarks.end());
   for (const DofComparison& dof : comparison.dofs) {
     const auto duration = [](const std::vector<Segment>& segments) {
       double sum = 0.0;

@@ -21,7 +21,7 @@ std::string ModelName(const Identification& identification);
 // data) is flagged best.
 Table ParameterTable(const DofComparison& comparison);
 
-// What is to be said beside that table, a line each: warnings and notes on the data, why a row is
+// What is to be said beside that table, a line each: notes on the data, why a row is
 // unusable, and what the usable ones do not cover.
 std::vector<std::string> CommentsOn(const DofComparison& comparison);
 

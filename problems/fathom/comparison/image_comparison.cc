@@ -3,6 +3,8 @@
 
 #include "fathom/comparison/image_comparison.h"
 
+#include "fathom/check/log_check.h"
+#include "fathom/comparison/check_rows.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/joined_signals.h"
 
@@ -53,7 +55,7 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   dof.scored = std::move(scored.all);
   dof.log_of_train = std::move(scored.log_of_train);
   dof.log_of_held_out = std::move(scored.log_of_held_out);
-  dof.findings = CheckSanity(dof.scored);
+  dof.findings = CheckLogs(logs.logs, dof.scored);
   dof.remarks = dof.scored.remarks;
   if (has_velocity) {
     dof.remarks.insert(dof.remarks.end(), camera.remarks.begin(), camera.remarks.end());
@@ -79,6 +81,7 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   if (can_start) result.joint = FitJoint(logs.input, joint);
   dof.rows.push_back(
       OrBestGuess(IdentificationOf(result.joint, dof.scored), dof.rows, dof.scored.source));
+  CheckRows(MassOf(logs.logs), &dof);
   result.comparison.dofs.push_back(std::move(dof));
   return result;
 }

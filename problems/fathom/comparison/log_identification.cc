@@ -4,15 +4,32 @@
 #include "fathom/comparison/log_identification.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/check/inertia_check.h"
+#include "fathom/check/log_check.h"
 #include "fathom/comparison/joint_identification.h"
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace fathom {
+namespace {
+
+// Of an inertia that contradicts the vehicle's mass.
+void AddInertiaFinding(std::optional<double> mass, LogIdentification* identified) {
+  const FittedModel& fitted = identified->result.fitted;
+  if (!mass || !identified->result.is_usable) return;
+  const double std = std::sqrt(fitted.covariance(kInertia, kInertia));
+  auto finding = CheckInertia(fitted.dof, fitted.model.inertia, std, *mass);
+  if (!finding) return;
+  identified->findings.push_back(*std::move(finding));
+  identified->findings = WarningsFirst(std::move(identified->findings));
+}
+
+}  // namespace
 
 std::vector<std::string> LogIdentificationOptions::Problems() const {
   std::vector<std::string> problems;
@@ -37,14 +54,16 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   if (IsAllHeldOut(signals)) {
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
+  identified.findings = CheckLogs(logs, signals);
+  const std::optional<double> mass = MassOf(logs);
   if (!is_joint) logs = {};  // a long one takes as much memory as its signals
-  identified.findings = CheckSanity(signals);
   if (is_joint) {
     identified.result =
         IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks);
-    return identified;
+  } else {
+    identified.result = Identify(signals, signals, options.family, options.identification);
   }
-  identified.result = Identify(signals, signals, options.family, options.identification);
+  AddInertiaFinding(mass, &identified);
   return identified;
 }
 

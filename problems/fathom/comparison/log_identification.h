@@ -4,10 +4,10 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/check/finding.h"
 #include "fathom/comparison/family.h"
 #include "fathom/comparison/identification.h"
 #include "fathom/log/log.h"
-#include "fathom/signal/sanity.h"
 #include "fathom/signal/signals.h"
 
 #include <optional>

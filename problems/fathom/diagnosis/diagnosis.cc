@@ -4,6 +4,8 @@
 #include "fathom/diagnosis/diagnosis.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/check/inertia_check.h"
+#include "fathom/check/log_check.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/description.h"
 #include "fathom/diagnosis/fit/preparation.h"
@@ -11,23 +13,35 @@
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/parameters.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace fathom {
 namespace {
 
 // What is told whatever comes of the data.
-Diagnosis Begun(const MeasuredSegments& segments, const Preparation& preparation, Dof dof) {
+Diagnosis Begun(const MeasuredSegments& segments, Dof dof) {
   Diagnosis diagnosis;
   diagnosis.dof = dof;
   diagnosis.force_unit = segments.force_unit;
   diagnosis.logs = segments.logs;
   diagnosis.fits_displacement = segments.has_displacement;
   diagnosis.has_velocity = segments.has_velocity;
-  diagnosis.remarks = RemarksOnData(segments, preparation.num_outliers);
-  diagnosis.message = preparation.message;
   return diagnosis;
+}
+
+// Of an inertia, the extended model's, that contradicts the vehicle's mass.
+void AddInertiaFinding(std::optional<double> mass, Diagnosis* diagnosis) {
+  if (!mass) return;
+  const DiagnosedModel& extended = diagnosis->extended;
+  const double std = std::sqrt(extended.covariance(kInertia, kInertia));
+  auto finding = CheckInertia(diagnosis->dof, extended.model.baseline.inertia, std, *mass);
+  if (!finding) return;
+  diagnosis->findings.push_back(*std::move(finding));
+  diagnosis->findings = WarningsFirst(std::move(diagnosis->findings));
 }
 
 std::vector<Suspect> SuspectsIn(const MeasuredSegments& segments,
@@ -45,8 +59,13 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   if (const auto problems = options.Problems(); !problems.empty())
     throw InputError(problems.front());
   const MeasuredSegments segments = MeasuredSegmentsOf(logs, dof);
+  Diagnosis begun = Begun(segments, dof);
+  begun.findings = CheckLogs(logs, dof);
+  begun.message = WhyNoModel(begun.findings);
+  if (!begun.IsUsable()) return begun;
   const Preparation preparation = Prepare(segments, dof);
-  Diagnosis begun = Begun(segments, preparation, dof);
+  begun.remarks = RemarksOnData(segments, preparation.num_outliers);
+  begun.message = preparation.message;
   if (!preparation.prepared) return begun;
   const Prepared& prepared = *preparation.prepared;
   const Evidence evidence = EvidenceOf(prepared.data, prepared.baseline);
@@ -56,7 +75,9 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     begun.message = NoBaseline(dof);
     return begun;
   }
-  return Described(segments, prepared, judgement, std::move(begun));
+  Diagnosis diagnosis = Described(segments, prepared, judgement, std::move(begun));
+  AddInertiaFinding(MassOf(logs), &diagnosis);
+  return diagnosis;
 }
 
 }  // namespace fathom

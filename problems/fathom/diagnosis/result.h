@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/check/finding.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
@@ -164,6 +165,9 @@ struct Diagnosis {
       logs;  // their names, told apart by their folders where they are the same
   bool fits_displacement = false;  // poses were used too, or alone
   bool has_velocity = true;
+
+  // What the checks of every program say of the data, and of the inertia; warnings first.
+  std::vector<Finding> findings;
 
   // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted,
   // or it leaves the inertia open and nothing that was found makes up for it.

@@ -11,11 +11,12 @@
 namespace fathom {
 
 // A log as every program takes it: ReadLog(), thruster speeds turned into forces by the vehicle
-// file that log.yaml names, and the poses of a log whose only motion is detections
-// (TrackDetections); with `may_lack_motion` detections stay what they are. What was passed over on
-// the way is in its remarks.
+// file that log.yaml names, the mass from there unless log.yaml has it, and the poses of a log
+// whose only motion is detections (TrackDetections); with `may_lack_motion` detections stay what
+// they are. What was passed over on the way is in its remarks.
 //
-// Throws InputError as these do, and if thruster speeds come without a vehicle file.
+// Throws InputError as these do, if thruster speeds come without a vehicle file, and if that cannot
+// be read.
 Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options = {});
 
 // TrackDetections() where the log can do without: a calibration that is missing or cannot be used

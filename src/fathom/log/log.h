@@ -35,6 +35,7 @@ struct Log {
   std::string dive;                    // which logs belong together; may be empty
   std::optional<double> start;         // when it began, as log.yaml says [s since 1970, UTC]
   std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
+  std::optional<double> mass;          // of the vehicle, dry [kg]; see OpenLog()
   std::string command_unit;            // empty: N and N m
   std::string video;                   // of a camera log, a file in its folder; may be empty
 

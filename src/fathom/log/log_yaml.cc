@@ -59,6 +59,13 @@ std::optional<double> StartOf(const YamlMap& file) {
   return start;
 }
 
+std::optional<double> MassOf(const YamlMap& file) {
+  if (!file.Has("mass")) return std::nullopt;
+  const double mass = file.Number("mass");
+  if (!(mass > 0.0)) file.Fail("mass", fmt::format("is {}, expected a number above 0.", mass));
+  return mass;
+}
+
 std::string VideoOf(const YamlMap& file) {
   std::string video = file.String("video", "");
   if (LeavesItsFolder(video)) {
@@ -81,6 +88,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.dive = file.String("dive", "");
   log.start = StartOf(file);
   log.held_out = HeldOutOf(file);
+  log.mass = MassOf(file);
   log.command_unit = file.String("command_unit", "");
   log.video = VideoOf(file);
   file.Finish();

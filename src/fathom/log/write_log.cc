@@ -45,6 +45,7 @@ std::string FormatLogYaml(const Log& log) {
   for (const Dof dof : log.dofs) yaml << std::string(Name(dof));
   yaml << YAML::EndSeq;
   emit_text("vehicle", log.vehicle);
+  if (log.mass) yaml << YAML::Key << "mass" << YAML::Value << fmt::format("{}", *log.mass);
   emit_text("dive", log.dive);
   if (log.start) emit_text("start", FormatUtc(*log.start));
   if (!log.held_out.empty()) {

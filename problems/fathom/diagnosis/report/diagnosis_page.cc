@@ -171,6 +171,9 @@ Page DiagnosisPage(const Diagnosis& diagnosis) {
   page.title = fmt::format(
       "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
   page.lead = VerdictParagraphs(diagnosis);
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.severity == Severity::kWarning) page.warnings.push_back(finding.sentence);
+  }
   page.facts = FactsOf(diagnosis);
   AddBeforeAndAfter(diagnosis, &page);
   page.sections.push_back(NextStepsSection(diagnosis));

@@ -127,7 +127,7 @@ FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
 
 std::string FormatVerdict(const Diagnosis& diagnosis,
                           const std::vector<std::string>& log_fingerprints) {
-  Json causes = Json::array(), candidates = Json::array(), limits = Json::array();
+  Json findings = Json::array(), causes = Json::array(), candidates = Json::array(), limits = Json::array();
   for (const Cause& cause : diagnosis.causes) causes.push_back(FormatCause(diagnosis, cause));
   for (const Candidate& candidate : diagnosis.candidates) {
     candidates.push_back(FormatCandidate(diagnosis, candidate));
@@ -135,9 +135,15 @@ std::string FormatVerdict(const Diagnosis& diagnosis,
   for (const ExclusionLimit& limit : diagnosis.limits) {
     limits.push_back(FormatLimit(diagnosis, limit));
   }
+  for (const Finding& finding : diagnosis.findings) {
+    findings.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
+                        {"code", finding.code},
+                        {"sentence", finding.sentence}});
+  }
   const Json json = {{"schema", "fathom-verdict-1"},
                      {"log", fmt::format("{}", fmt::join(diagnosis.logs, ", "))},
                      {"dof", Name(diagnosis.dof)},
+                     {"findings", findings},
                      {"verdict", Name(diagnosis.verdict)},
                      {"sentence", VerdictSentence(diagnosis)},
                      {"force_unit", diagnosis.force_unit},

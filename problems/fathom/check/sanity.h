@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/check/finding.h"
 #include "fathom/signal/signals.h"
 
 #include <span>
@@ -12,18 +13,7 @@
 
 namespace fathom {
 
-enum class Severity {
-  kNote,     // worth knowing
-  kWarning,  // no fit of these data should be believed before this is explained
-};
-
-struct Finding {
-  Severity severity = Severity::kNote;
-  std::string code;      // one word for programs: "passivity"
-  std::string sentence;  // for a person, with its figures
-};
-
-// What is odd about the data before any fit; docs/signal.md, "Sanity". Cheap.
+// What is odd about the data before any fit; docs/checks.md. Cheap.
 //
 //   passivity           warning  force and velocity give a mean power below zero
 //   force_sign          warning  force and acceleration oppose each other at equal velocity

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/signal/sanity.h"
+#include "fathom/check/sanity.h"
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"

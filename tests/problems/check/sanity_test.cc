@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/signal/sanity.h"
+#include "fathom/check/sanity.h"
 
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/inertia_check.h"
+
+#include "fathom/base/interval95.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kMostMasses = 5.0;
+constexpr double kUsualMasses = 3.0;  // mass and added mass over mass, at most as a rule
+
+// A number read in the wrong unit makes the inertia this many times too large.
+struct UnitMistake {
+  double factor;
+  const char* text;
+};
+
+constexpr std::array<UnitMistake, 11> kUnitMistakes = {{
+    {1e-3, "forces in kN, not N (multiply them by 1000)"},
+    {1.0 / 9.80665, "forces in kgf, not N (multiply them by 9.807)"},
+    {1.0 / 4.44822, "forces in lbf, not N (multiply them by 4.448)"},
+    {3600.0, "thruster speeds in rpm, not Hz (divide them by 60)"},
+    {39.4784, "thruster speeds in rad/s, not Hz (divide them by 6.283)"},
+    {1e-3, "motion in mm and mm/s (multiply it by 0.001)"},
+    {1e-2, "motion in cm and cm/s (multiply it by 0.01)"},
+    {1.0 / 1.94384, "speeds in knots, not m/s (multiply them by 0.5144)"},
+    {1.0 / 3.6, "speeds in km/h, not m/s (multiply them by 0.2778)"},
+    {1.0 / 3.28084, "motion in feet (multiply it by 0.3048)"},
+    {1e3, "the mass of the vehicle in t, not kg"},
+}};
+
+std::string ExplainedBy(double inertia, double mass) {
+  std::vector<std::string> texts;
+  for (const UnitMistake& mistake : kUnitMistakes) {
+    const double masses = inertia / mistake.factor / mass;
+    if (masses >= 1.0 && masses <= kUsualMasses) texts.emplace_back(mistake.text);
+  }
+  if (texts.empty()) return "Check the units of force, motion and mass, and the clocks.";
+  return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));
+}
+
+}  // namespace
+
+std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, double mass) {
+  if (IsAngular(dof) || !std::isfinite(inertia) || !(mass > 0.0)) return std::nullopt;
+  const double reach = std::isfinite(std) ? kStdsOf95 * std : 0.0;
+  const bool is_too_small = inertia + reach < mass;
+  const bool is_too_large = inertia - reach > kMostMasses * mass;
+  if (!is_too_small && !is_too_large) return std::nullopt;
+  return Finding{Severity::kWarning,
+                 "inertia",
+                 fmt::format("The inertia of {:.4g} kg (± {:.2g}) is {} the vehicle's dry mass of "
+                             "{:.4g} kg. {}",
+                             inertia,
+                             reach,
+                             is_too_small ? "below" : "over five times",
+                             mass,
+                             ExplainedBy(inertia, mass))};
+}
+
+}  // namespace fathom

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/log_check.h"
+
+#include "fathom/check/motion_check.h"
+#include "fathom/check/sanity.h"
+#include "fathom/signal/sources/choose_source.h"
+#include "fathom/signal/sources/log_column.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+void Add(std::vector<Finding> more, std::vector<Finding>* findings) {
+  std::ranges::move(more, std::back_inserter(*findings));
+}
+
+}  // namespace
+
+std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals) {
+  std::vector<Finding> findings;
+  for (const Log& log : logs) Add(CheckMotion(log, signals.dof, signals.source), &findings);
+  Add(CheckSanity(signals), &findings);
+  return WarningsFirst(std::move(findings));
+}
+
+std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
+  std::vector<Finding> findings;
+  std::vector<Segment> segments;
+  for (const Log& log : logs) {
+    const Source source = BestSourceOf(log, dof);
+    Add(CheckMotion(log, dof, source), &findings);
+    Add(CheckOtherMotion(log, dof), &findings);
+    Signals signals = SignalsOf(log, dof, {.source = source});
+    std::ranges::move(signals.train, std::back_inserter(segments));
+  }
+  Add(CheckSanity(segments, dof, CommandUnitOf(logs.front(), dof)), &findings);
+  return WarningsFirst(std::move(findings));
+}
+
+std::string WhyNoModel(const std::vector<Finding>& findings) {
+  const auto found = std::ranges::find_if(findings, [](const Finding& finding) {
+    return finding.code == "constant_command" || finding.code == "constant_velocity";
+  });
+  return found == findings.end() ? "" : found->sentence;
+}
+
+std::optional<double> MassOf(std::span<const Log> logs) {
+  std::optional<double> mass;
+  for (const Log& log : logs) {
+    if (!log.mass) continue;
+    if (mass && *mass != *log.mass) return std::nullopt;
+    mass = log.mass;
+  }
+  return mass;
+}
+
+}  // namespace fathom

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/values/lost_values.h"
+
+#include "fathom/check/values/equal_runs.h"
+#include "fathom/check/values/quantile_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+constexpr double kFar = 5.0;  // usual large steps
+constexpr double kLargeStep = 0.9;
+constexpr std::size_t kFewestRows = 3;
+
+// The large ones of the steps between values that follow each other when zeros are passed over.
+double LargeStepOf(std::span<const double> values) {
+  std::vector<double> steps;
+  double before = 0.0;
+  for (const double value : values) {
+    if (value == 0.0) continue;
+    if (before != 0.0 && value != before) steps.push_back(std::abs(value - before));
+    before = value;
+  }
+  return steps.empty() ? 0.0 : QuantileOf(std::move(steps), kLargeStep);
+}
+
+}  // namespace
+
+std::optional<LostValues> FindLostValues(std::span<const double> values) {
+  const double far = kFar * LargeStepOf(values);
+  if (!(far > 0.0)) return std::nullopt;
+  LostValues lost;
+  for (const EqualRun& run : EqualRunsOf(values)) {
+    if (values[run.first] != 0.0 || run.first == 0 || run.last + 1 == values.size()) continue;
+    const double before = std::abs(values[run.first - 1]), after = std::abs(values[run.last + 1]);
+    if (!(std::min(before, after) > far)) continue;
+    if (lost.num_rows == 0) lost.first = run.first;
+    lost.num_rows += run.NumRows();
+  }
+  if (lost.num_rows < kFewestRows) return std::nullopt;
+  return lost;
+}
+
+}  // namespace fathom

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/values/stuck_values.h"
+
+#include "fathom/check/values/quantile_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+constexpr double kShortest = 1.0;  // [s]
+constexpr std::size_t kFewestRows = 5;
+constexpr double kFar = 5.0;  // usual large steps
+constexpr double kLargeStep = 0.9;
+constexpr double kShortestWithoutJump = 5.0;  // [s]
+constexpr double kFewEqual = 0.05;            // of the steps
+
+// How the values go on outside long runs.
+struct UsualSteps {
+  double large = 0.0;        // of those that are not 0
+  double equal_share = 0.0;  // of those that are 0
+};
+
+bool IsLong(std::span<const double> time, const EqualRun& run) {
+  return run.NumRows() >= kFewestRows && time[run.last] - time[run.first] >= kShortest;
+}
+
+UsualSteps UsualStepsOf(std::span<const double> time,
+                        std::span<const double> values,
+                        const std::vector<EqualRun>& runs) {
+  std::vector<double> changes;
+  std::size_t num_equal = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (k > 0) changes.push_back(std::abs(values[runs[k].first] - values[runs[k - 1].first]));
+    if (!IsLong(time, runs[k])) num_equal += runs[k].NumRows() - 1;
+  }
+  if (changes.empty()) return {};
+  const auto num_steps = static_cast<double>(changes.size() + num_equal);
+  return {.large = QuantileOf(std::move(changes), kLargeStep),
+          .equal_share = static_cast<double>(num_equal) / num_steps};
+}
+
+}  // namespace
+
+std::optional<StuckValues> FindStuckValues(std::span<const double> time,
+                                           std::span<const double> values) {
+  const std::vector<EqualRun> runs = EqualRunsOf(values);
+  const UsualSteps usual = UsualStepsOf(time, values, runs);
+  if (!(usual.large > 0.0)) return std::nullopt;
+  StuckValues stuck;
+  for (const EqualRun& run : runs) {
+    if (!IsLong(time, run)) continue;
+    const double value = values[run.first];
+    const double jump_in = run.first > 0 ? std::abs(value - values[run.first - 1]) : 0.0;
+    const double jump_out =
+        run.last + 1 < values.size() ? std::abs(value - values[run.last + 1]) : 0.0;
+    const bool jumps = std::max(jump_in, jump_out) > kFar * usual.large;
+    const bool never_rests = value != 0.0 && usual.equal_share < kFewEqual &&
+                             time[run.last] - time[run.first] >= kShortestWithoutJump;
+    if (!jumps && !never_rests) continue;
+    if (run.NumRows() > (stuck.num_rows == 0 ? 0 : stuck.longest.NumRows())) stuck.longest = run;
+    stuck.num_rows += run.NumRows();
+  }
+  if (stuck.num_rows == 0) return std::nullopt;
+  return stuck;
+}
+
+}  // namespace fathom
