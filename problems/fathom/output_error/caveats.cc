@@ -90,10 +90,7 @@ std::string CaveatOnDamping(int parameter, double value, double half_width, doub
 }
 
 std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
-  Tone tone;
-  if (command.time.size() > 1) {
-    tone = DominantTone(command, command.time.back() - command.time.front());
-  }
+  const Tone tone = DominantTone(command);
   const std::string input =
       tone.share >= kSingleTone
           ? fmt::format("its command is a single sine of {:.2g} rad/s", tone.frequency)

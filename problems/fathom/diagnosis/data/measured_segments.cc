@@ -89,6 +89,7 @@ MeasuredSegment SegmentBetween(double from,
 void AddSegmentsOf(const LogChannels& channels, Dof dof, MeasuredSegments* segments) {
   auto inputs = std::make_shared<EffectInputs>(MeasuredInputsOf(*channels.log, dof));
   inputs->log = channels.name;
+  const Tone command_tone = DominantTone(inputs->command);
   const SampledSignal& leading =
       segments->has_velocity ? *channels.velocity : *channels.displacement;
   const std::vector<double>& time = leading.time;
@@ -110,6 +111,7 @@ void AddSegmentsOf(const LogChannels& channels, Dof dof, MeasuredSegments* segme
         time[range.begin], time[range.end - 1], way[range.begin], channels, *segments);
     segment.is_held_out = range.is_held_out;
     segment.inputs = inputs;
+    segment.command_tone = command_tone;
     segments->all.push_back(std::move(segment));
   }
   if (kept.num_short > 0) {

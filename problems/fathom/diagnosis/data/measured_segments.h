@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
+#include "fathom/signal/filters/dominant_tone.h"
 #include "fathom/signal/signals.h"
 #include "fathom/simulate/effect_simulation.h"
 
@@ -20,6 +21,7 @@ struct MeasuredSegment {
   std::string log;  // its name, which no other of the logs has
   bool is_held_out = false;
   std::shared_ptr<const EffectInputs> inputs;  // of the whole log
+  Tone command_tone;                           // DominantTone() of their command
   OutputStamps stamps;
   std::vector<double> velocity;               // at stamps.velocity [m/s] or [rad/s]
   std::vector<double> displacement;           // at stamps.displacement [m] or [rad]

@@ -88,17 +88,23 @@ void Average(std::vector<double>* time, std::initializer_list<std::vector<double
 }  // namespace
 
 std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments) {
-  std::map<const EffectInputs*, std::shared_ptr<const EffectInputs>> thinned_inputs;
+  struct ThinnedInputs {
+    std::shared_ptr<const EffectInputs> inputs;
+    Tone command_tone;
+  };
+  std::map<const EffectInputs*, ThinnedInputs> thinned_inputs;
   std::vector<MeasuredSegment> thinned = segments;
   for (MeasuredSegment& segment : thinned) {
     if (IsFast(segment.inputs->command.time)) {
-      auto& inputs = thinned_inputs[segment.inputs.get()];
+      auto& [inputs, command_tone] = thinned_inputs[segment.inputs.get()];
       if (!inputs) {
         EffectInputs copy = *segment.inputs;
         copy.command = Averaged(copy.command);
+        command_tone = DominantTone(copy.command);
         inputs = std::make_shared<const EffectInputs>(std::move(copy));
       }
       segment.inputs = inputs;
+      segment.command_tone = command_tone;
     }
     Average(&segment.stamps.velocity, {&segment.velocity});
     Average(&segment.stamps.displacement, {&segment.displacement, &segment.displacement_variance});

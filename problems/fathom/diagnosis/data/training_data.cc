@@ -37,9 +37,7 @@ TrainingData::TrainingData(std::vector<MeasuredSegment> segments,
     longest_duration_ = std::max(longest_duration_, segment.duration());
     const HeldCommand& command = segment.inputs->command;
     for (const double force : command.value) most_force_ = std::max(most_force_, std::abs(force));
-    const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
-    const Tone tone = duration > 0.0 ? DominantTone(command, duration) : Tone{};
-    if (tone.share <= command_tone_.share) command_tone_ = tone;
+    if (segment.command_tone.share <= command_tone_.share) command_tone_ = segment.command_tone;
   }
   measured_.resize(bins_.size());
   for (size_t r = 0; r < segments_.size(); ++r) {

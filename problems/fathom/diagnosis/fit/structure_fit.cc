@@ -41,9 +41,9 @@ struct Descent {
   double damping = 1e-4;
 };
 
-// Takes the first step that lowers the error, damped as much as that needs; its residual and
-// Jacobian are not computed yet. False where no step promises enough, or, as far as the arithmetic
-// can tell, none leads lower.
+// Takes the first step that lowers the error, damped as much as that needs. Most steps that are
+// tried do, so each is run with its derivatives. False where no step promises enough, or, as far as
+// the arithmetic can tell, none leads lower.
 bool StepDown(const TrainingData& data,
               const Whitener& whitener,
               double smallest_share,
@@ -58,22 +58,22 @@ bool StepDown(const TrainingData& data,
     const double promised = 2.0 * at->normal.g.dot(way) - way.dot(at->normal.A * way);
     const double enough = std::max(kSmallestGain, smallest_share * at->fit.chi_squared);
     if (!(std::abs(promised) > enough)) return false;
-    ExtendedModel model = at->fit.model;
-    std::vector<InitialState> states = at->fit.initial;
-    Unpack(data, value, &model, &states);
-    const auto simulated = data.Simulate(model, states);
-    const double chi_squared = simulated ? ChiSquared(whitener, data.measured() - *simulated)
-                                         : std::numeric_limits<double>::infinity();
-    if (!(chi_squared < at->fit.chi_squared)) {
+    StructureFit next;
+    next.model = at->fit.model;
+    next.initial = at->fit.initial;
+    next.noise = at->fit.noise;
+    Unpack(data, value, &next.model, &next.initial);
+    if (LineariseAt(data, &next)) next.chi_squared = ChiSquared(whitener, next.residual);
+    if (!(next.chi_squared < at->fit.chi_squared)) {
       at->damping *= growth;
       growth *= 2.0;
       continue;
     }
-    const double gained = at->fit.chi_squared - chi_squared;
+    const double gained = at->fit.chi_squared - next.chi_squared;
     at->damping = std::max(1e-9, gained > 0.5 * promised ? 0.1 * at->damping : at->damping);
     at->unknowns.value = value;
-    at->fit.model = std::move(model);
-    at->fit.initial = std::move(states);
+    at->normal = NormalOf(whitener, next.jacobian, next.residual);
+    at->fit = std::move(next);
     return true;
   }
   return false;
@@ -111,14 +111,8 @@ StructureFit FitStructure(const TrainingData& data,
   at.unknowns = Pack(data, at.fit.model, at.fit.initial);
   at.fit.chi_squared = ChiSquared(whitener, at.fit.residual);
   at.normal = NormalOf(whitener, at.fit.jacobian, at.fit.residual);
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    if (!StepDown(data, whitener, smallest_share, &at)) {
-      at.fit.converged = true;
-      break;
-    }
-    if (!LineariseAt(data, &at.fit)) return std::move(at.fit);
-    at.fit.chi_squared = ChiSquared(whitener, at.fit.residual);
-    at.normal = NormalOf(whitener, at.fit.jacobian, at.fit.residual);
+  for (int iteration = 0; iteration < kMostIterations && !at.fit.converged; ++iteration) {
+    at.fit.converged = !StepDown(data, whitener, smallest_share, &at);
   }
   return Concluded(data, std::move(at), whitener);
 }

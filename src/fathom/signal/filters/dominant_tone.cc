@@ -105,4 +105,9 @@ Tone DominantTone(const HeldCommand& command, double duration) {
   return tone;
 }
 
+Tone DominantTone(const HeldCommand& command) {
+  const double duration = command.time.empty() ? 0.0 : command.time.back() - command.time.front();
+  return duration > 0.0 ? DominantTone(command, duration) : Tone{};
+}
+
 }  // namespace fathom

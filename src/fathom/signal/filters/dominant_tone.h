@@ -23,4 +23,7 @@ struct Tone {
 // (NaN, 0) for a constant command.
 Tone DominantTone(const HeldCommand& command, double duration);
 
+// The same over all of its stamps; no tone for fewer than two.
+Tone DominantTone(const HeldCommand& command);
+
 }  // namespace fathom

@@ -44,6 +44,7 @@ ThrusterStates<T> ThrustBefore(double start,
                                const EffectStack<T>& effects,
                                Instants<T>* instants) {
   ThrusterStates<T> thrust{};
+  if (!effects.Has(&EffectLaw<T>::follow)) return thrust;
   const std::vector<double>& edges = command.time;
   const std::size_t next_edge = std::upper_bound(edges.begin(), edges.end(), start) - edges.begin();
   std::size_t first = next_edge;

@@ -46,5 +46,15 @@ TEST(DominantTone, FindsNoneInAConstantCommand) {
   EXPECT_EQ(tone.share, 0.0);
 }
 
+TEST(DominantTone, TakesTheWholeCommandUnlessToldOtherwise) {
+  const HeldCommand command =
+      IrregularCommand(60.0, [](double t) { return std::sin((t < 1030.0 ? 0.5 : 1.3) * t); });
+  const double duration = command.time.back() - command.time.front();
+  EXPECT_EQ(DominantTone(command).frequency, DominantTone(command, duration).frequency);
+  EXPECT_NE(DominantTone(command).share, DominantTone(command, 0.5 * duration).share);
+  EXPECT_EQ(DominantTone({{0.0}, {1.0}}).share, 0.0);
+  EXPECT_EQ(DominantTone({{}, {}}).share, 0.0);
+}
+
 }  // namespace
 }  // namespace fathom
