@@ -164,6 +164,7 @@ struct Diagnosis {
       logs;  // their names, told apart by their folders where they are the same
   bool fits_displacement = false;  // poses were used too, or alone
   bool has_velocity = true;
+  std::optional<DataRange> range;  // of the training data
 
   // Why there is no diagnosis, and nothing below is filled in: no baseline model could be fitted,
   // or it leaves the inertia open and nothing that was found makes up for it.
