@@ -15,11 +15,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace fathom {
 namespace {
 
-using Json = JsonValue::Json;
+using Json = nlohmann::ordered_json;
 using Event = Json::parse_event_t;
 
 constexpr int kDeepestNesting = 16;
@@ -89,42 +90,55 @@ class WhileParsing {
   std::vector<Level> open_;
 };
 
+std::string Shortened(const Json& value) {
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= 40 ? text : text.substr(0, 40) + "...";
+}
+
+struct File {
+  std::string name;
+  Json root;
+};
+
 }  // namespace
 
-JsonValue::JsonValue(std::shared_ptr<const File> file, const Json* value, std::string path)
-    : file_(std::move(file)), value_(value), path_(std::move(path)) {}
+struct JsonValue::Place {
+  std::shared_ptr<const File> file;
+  const Json& json;
+  std::string path;
 
-JsonValue JsonValue::Parse(const std::string& file, std::string_view text) {
-  WhileParsing watch(file);
+  JsonValue At(const Json& value, std::string its_path) const {
+    return JsonValue(std::make_shared<const Place>(Place{file, value, std::move(its_path)}));
+  }
+};
+
+JsonValue::JsonValue(std::shared_ptr<const Place> place) : place_(std::move(place)) {}
+
+JsonValue JsonValue::Parse(const std::string& name, std::string_view text) {
+  WhileParsing watch(name);
   const auto see = [&](int depth, Event event, const Json& parsed) {
     watch.See(depth, event, parsed);
     return true;
   };
   try {
-    auto parsed = std::make_shared<const File>(file, Json::parse(text, see));
-    const Json* root = &parsed->root;
-    return {std::move(parsed), root, ""};
+    const auto file = std::make_shared<const File>(File{name, Json::parse(text, see)});
+    return JsonValue(std::make_shared<const Place>(Place{file, file->root, ""}));
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is not JSON: {}.", file, error.what()));
+    throw InputError(fmt::format("{}: is not JSON: {}.", name, error.what()));
   }
 }
 
-void JsonValue::Fail(const std::string& problem) const { Refuse(file_->name, path_, problem); }
-
-std::string JsonValue::PathOf(const std::string& key) const { return Below(path_, key); }
-
-std::string JsonValue::Shortened() const {
-  const std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() <= 40 ? text : text.substr(0, 40) + "...";
+void JsonValue::Fail(const std::string& problem) const {
+  Refuse(place_->file->name, place_->path, problem);
 }
 
 bool JsonValue::Has(const std::string& key) const {
-  return value_->is_object() && value_->contains(key);
+  return place_->json.is_object() && place_->json.contains(key);
 }
 
 JsonValue JsonValue::Member(const std::string& key) const {
-  if (!Has(key)) Refuse(file_->name, PathOf(key), "is missing");
-  return {file_, &value_->at(key), PathOf(key)};
+  if (!Has(key)) Refuse(place_->file->name, Below(place_->path, key), "is missing");
+  return place_->At(place_->json.at(key), Below(place_->path, key));
 }
 
 std::optional<JsonValue> JsonValue::MemberIfThere(const std::string& key) const {
@@ -134,16 +148,18 @@ std::optional<JsonValue> JsonValue::MemberIfThere(const std::string& key) const 
 
 std::vector<std::string> JsonValue::Keys() const {
   std::vector<std::string> keys;
-  if (!value_->is_object()) Fail(fmt::format("is {}, expected keys and values", Shortened()));
-  for (const auto& [key, value] : value_->items()) keys.push_back(key);
+  if (!place_->json.is_object())
+    Fail(fmt::format("is {}, expected keys and values", Shortened(place_->json)));
+  for (const auto& [key, value] : place_->json.items()) keys.push_back(key);
   return keys;
 }
 
 std::vector<JsonValue> JsonValue::List() const {
-  if (!value_->is_array()) Fail(fmt::format("is {}, expected a list", Shortened()));
+  if (!place_->json.is_array())
+    Fail(fmt::format("is {}, expected a list", Shortened(place_->json)));
   std::vector<JsonValue> list;
-  for (const Json& value : *value_) {
-    list.push_back({file_, &value, fmt::format("{}[{}]", path_, list.size())});
+  for (const Json& value : place_->json) {
+    list.push_back(place_->At(value, fmt::format("{}[{}]", place_->path, list.size())));
   }
   return list;
 }
@@ -155,26 +171,27 @@ std::vector<std::string> JsonValue::Texts() const {
 }
 
 std::string JsonValue::Text() const {
-  if (!value_->is_string()) Fail(fmt::format("is {}, expected a text", Shortened()));
-  return value_->get<std::string>();
+  if (!place_->json.is_string())
+    Fail(fmt::format("is {}, expected a text", Shortened(place_->json)));
+  return place_->json.get<std::string>();
 }
 
 double JsonValue::Number() const {
-  if (!value_->is_number() || !std::isfinite(value_->get<double>())) {
-    Fail(fmt::format("is {}, expected a finite number", Shortened()));
+  if (!place_->json.is_number() || !std::isfinite(place_->json.get<double>())) {
+    Fail(fmt::format("is {}, expected a finite number", Shortened(place_->json)));
   }
-  return value_->get<double>();
+  return place_->json.get<double>();
 }
 
 double JsonValue::NumberIfKnown() const {
-  return value_->is_null() ? std::numeric_limits<double>::quiet_NaN() : Number();
+  return place_->json.is_null() ? std::numeric_limits<double>::quiet_NaN() : Number();
 }
 
 void JsonValue::RequireKeysOf(const std::vector<std::string>& known) const {
   for (const std::string& key : Keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    Refuse(file_->name,
-           PathOf(key),
+    Refuse(place_->file->name,
+           Below(place_->path, key),
            fmt::format("is not known here, expected one of {}. Correct or remove it",
                        fmt::join(known, ", ")));
   }

@@ -9,19 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace fathom {
 
 // A value of a JSON file that knows its path, as "structure.effects[0].effect". Whatever does not
 // fit throws InputError: "file: 'path' is <found>, expected <expected>."
 class JsonValue {
  public:
-  using Json = nlohmann::ordered_json;
-
-  // The whole file; `file` stands for it in messages. Throws InputError for what is no JSON, nests
+  // The whole file; `name` stands for it in messages. Throws InputError for what is no JSON, nests
   // more than 16 levels deep, or holds a key twice: which of the two was meant, nobody can tell.
-  static JsonValue Parse(const std::string& file, std::string_view text);
+  static JsonValue Parse(const std::string& name, std::string_view text);
 
   bool Has(const std::string& key) const;
 
@@ -43,19 +39,11 @@ class JsonValue {
   [[noreturn]] void Fail(const std::string& problem) const;
 
  private:
-  struct File {
-    std::string name;
-    Json root;
-  };
+  struct Place;  // the value, its path and the file that holds both
 
-  JsonValue(std::shared_ptr<const File> file, const Json* value, std::string path);
+  explicit JsonValue(std::shared_ptr<const Place> place);
 
-  std::string PathOf(const std::string& key) const;
-  std::string Shortened() const;  // as a message shows it
-
-  std::shared_ptr<const File> file_;
-  const Json* value_;
-  std::string path_;
+  std::shared_ptr<const Place> place_;
 };
 
 }  // namespace fathom
