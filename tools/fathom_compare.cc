@@ -105,7 +105,7 @@ void AddCameraSourceIfWanted(const ComparisonOptions& options, Log* log) {
 
 int Run() {
   const ComparisonOptions options = OptionsFromFlags();
-  RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  RequireOnePath("log", RequireFlag("log", FLAGS_log, "a log folder or a CSV file"));
   RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, {FLAGS_log, FLAGS_velocity});
   std::optional<Dof> dof;
   if (options.dofs.size() == 1) dof = options.dofs.front();

@@ -94,11 +94,11 @@ Logs LogsFromFlags() {
   const std::optional<Dof> dof = DofFromFlag();
   Logs logs;
   logs.all = ReadLogsFromFlags(dof);
+  logs.dof = DofOfAll(logs.all, dof);
   for (Log& log : logs.all) {
     logs.fingerprints.push_back(FingerprintOf(log));
     log = WithSourceFromFlag(std::move(log));
   }
-  logs.dof = DofOf(logs.all.front(), dof);
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
     RefineFaceOnPoses(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });

@@ -4,18 +4,25 @@
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/log_prediction.h"
 #include "fathom/simulate/model_for_log.h"
+#include "fathom/simulate/prediction_remarks.h"
+#include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,8 +31,8 @@
 #include <nlohmann/json.hpp>
 
 DEFINE_string(model, "", "Model or verdict file (JSON).");
-DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file.");
-DEFINE_string(json, "", "Write the score to this JSON file.");
+DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file, of a single log.");
+DEFINE_string(json, "", "Write the scores to this JSON file.");
 DEFINE_bool(
     keep_run_effects,
     false,
@@ -35,16 +42,21 @@ DEFINE_bool(
 namespace fathom {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
-    "--model=FILE --log=LOG [--velocity=FILE] [--out=FILE] [--json=FILE] [--keep_run_effects]",
+    "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
+    "[--json=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts from the first measured speed (with a sensor lag, from the state that fits "
     "the first two seconds best) and starts anew after a gap of over 30 s. A verdict of "
     "fathom_diagnose is simulated with its causes, as the sensor would show it. The motion of "
-    "other DOFs is taken from the log. Causes of a run are left out on any other log."};
+    "other DOFs is taken from the log. Causes of a run are left out on any other log. "
+    "Several logs, as --log=A --log=B or --log=A,B, are scored one by one.",
+    {"log"}};
 
 // t and the predicted velocity at the stamps of all segments.
 std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
@@ -60,69 +72,125 @@ std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
 
 void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
   if (!std::isfinite(figures.mae)) {
-    std::printf(
-        "%s: predicted from rest. The log has no column '%s' and no pose to score the "
-        "prediction%s\n",
-        std::string(Name(dof)).c_str(),
-        std::string(VelocityColumn(dof)).c_str(),
+    fmt::print(
+        "{}: predicted from rest. The log has no column '{}' and no pose to score the "
+        "prediction{}\n",
+        Name(dof),
+        VelocityColumn(dof),
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
     return;
   }
-  std::printf("%s: velocity MAE %.5f %s, velocity NMAE %s over %d samples, %.0f s\n",
-              std::string(Name(dof)).c_str(),
-              figures.mae,
-              std::string(VelocityUnit(dof)).c_str(),
-              std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae).c_str() : "-",
-              figures.num_samples,
-              figures.duration);
+  fmt::print("{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
+             Name(dof),
+             figures.mae,
+             VelocityUnit(dof),
+             std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae) : "-",
+             figures.num_samples,
+             figures.duration);
+}
+
+// What became of one log.
+struct LogScore {
+  std::string log;                          // its name
+  std::optional<LogPrediction> prediction;  // nothing if the simulation diverges
+  std::vector<std::string> remarks;
+};
+
+LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
+  const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
+  LogScore score = {log.name, PredictLog(model, log), {}};
+  if (!score.prediction) return score;
+  score.remarks = RemarksOn(model, *score.prediction);
+  const std::vector<double>& last = score.prediction->segments.back().time;
+  std::string early_end = RemarkOnEarlyEnd(CommandOf(log, model.dof), last, kLongestGap);
+  if (!early_end.empty()) score.remarks.push_back(std::move(early_end));
+  if (!left_out.empty()) {
+    score.remarks.push_back(
+        fmt::format("left out: {}. Effects of the run that the model was identified from need not "
+                    "hold in another one. --keep_run_effects keeps them.",
+                    fmt::join(left_out, ", ")));
+  }
+  return score;
+}
+
+void Print(const LogScore& score, const Log& log, const FittedModel& model) {
+  if (!score.prediction) {
+    std::fflush(stdout);
+    fmt::print(stderr,
+               "fathom_simulate: the simulation of {} over {} diverges or is too stiff: inertia "
+               "{:g}, linear damping {:g}.\n",
+               FLAGS_model,
+               log.path.string(),
+               model.model.inertia,
+               model.model.linear_damping);
+    return;
+  }
+  PrintFigures(score.prediction->figures, log, model.dof);
+  for (const std::string& remark : score.remarks) fmt::print("note: {}\n", remark);
 }
 
 // Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
-std::string FormatScore(const FitFigures& figures, const Log& log, Dof dof) {
-  using Json = nlohmann::ordered_json;
-  const Json json = {{"schema", "fathom-score-1"},
-                     {"log", log.name},
-                     {"dof", Name(dof)},
-                     {"mae", figures.mae},
-                     {"nmae", figures.nmae},
-                     {"n", figures.num_samples},
-                     {"duration", figures.duration}};
+Json FormatScore(const LogScore& score, Dof dof) {
+  const FitFigures figures = score.prediction ? score.prediction->figures : FitFigures();
+  return {{"schema", "fathom-score-1"},
+          {"log", score.log},
+          {"dof", Name(dof)},
+          {"mae", figures.mae},
+          {"nmae", figures.nmae},
+          {"n", figures.num_samples},
+          {"duration", figures.duration},
+          {"remarks", score.remarks}};
+}
+
+// Of one log its score; of several "fathom-scores-1".
+std::string FormatScores(const std::vector<LogScore>& scores, Dof dof) {
+  Json json;
+  if (scores.size() == 1) {
+    json = FormatScore(scores.front(), dof);
+  } else {
+    json = {{"schema", "fathom-scores-1"}, {"scores", Json::array()}};
+    for (const LogScore& score : scores) json["scores"].push_back(FormatScore(score, dof));
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// Throws InputError if --dof is given and the model is of another one.
+void RequireDofOf(const FittedModel& model) {
+  const std::optional<Dof> dof = DofFromFlag();
+  if (!dof || *dof == model.dof) return;
+  throw InputError(fmt::format("--dof: is {}, but {} is a model of {}: expected {}, or no --dof.",
+                               Name(*dof),
+                               FLAGS_model,
+                               Name(model.dof),
+                               Name(model.dof)));
 }
 
 int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}},
-                 {FLAGS_model, FLAGS_log, FLAGS_velocity});
+  std::vector<std::string> inputs = InputsFromFlags();
+  inputs.push_back(FLAGS_model);
+  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}}, inputs);
   const FittedModel fitted = ReadModel(FLAGS_model);
-  const Log log = ReadLogFromFlags(FLAGS_log, fitted.dof, /*may_lack_motion=*/true);
-  const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
-  const auto prediction = PredictLog(model, log);
-  if (!prediction) {
-    std::fprintf(stderr,
-                 "fathom_simulate: the simulation of %s diverges or is too stiff: inertia %g, "
-                 "linear damping %g.\n",
-                 FLAGS_model.c_str(),
-                 model.model.inertia,
-                 model.model.linear_damping);
-    return 2;
+  RequireDofOf(fitted);
+  const std::vector<Log> logs = ReadLogsFromFlags(fitted.dof, /*may_lack_motion=*/true);
+  if (!FLAGS_out.empty() && logs.size() > 1) {
+    throw InputError("--out: holds the prediction of one log, expected a single --log with it.");
   }
-  PrintFigures(prediction->figures, log, model.dof);
-  const std::string remark =
-      RemarkOnEarlyEnd(CommandOf(log, model.dof), prediction->segments.back().time, kLongestGap);
-  if (!remark.empty()) std::printf("note: %s\n", remark.c_str());
-  if (!left_out.empty()) {
-    std::printf(
-        "note: left out: %s. Effects of the run that the model was identified from need not hold "
-        "in another one. --keep_run_effects keeps them.\n",
-        fmt::format("{}", fmt::join(left_out, ", ")).c_str());
+  std::vector<LogScore> scores;
+  for (const Log& log : logs) {
+    LogScore& score = scores.emplace_back(ScoreOf(fitted, log));
+    if (logs.size() > 1) fmt::print("{}\n", log.path.string());
+    Print(score, log, fitted);
   }
-  if (!FLAGS_json.empty()) {
-    WriteFile(FLAGS_json, FormatScore(prediction->figures, log, model.dof));
+  const auto num_failed = std::count_if(
+      scores.begin(), scores.end(), [](const LogScore& score) { return !score.prediction; });
+  const bool is_usable = num_failed < std::ssize(scores);
+  if (is_usable && !FLAGS_json.empty()) WriteFile(FLAGS_json, FormatScores(scores, fitted.dof));
+  if (is_usable && !FLAGS_out.empty()) {
+    WriteFile(FLAGS_out, FormatPrediction(*scores.front().prediction, fitted.dof));
   }
-  if (!FLAGS_out.empty()) WriteFile(FLAGS_out, FormatPrediction(*prediction, model.dof));
-  return 0;
+  return num_failed == 0 ? 0 : 2;
 }
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -88,10 +89,17 @@ void WriteFilm(const std::filesystem::path& folder,
     WriteFilmCorners(folder, poses, film, FLAGS_seed);
     return;
   }
-  Progress progress("image");
-  WriteFilmImages(folder, poses, film, FLAGS_seed, [&](int done, int expected) {
-    progress.Show(done, expected);
-  });
+  Progress line("image");
+  FilmProgress progress;
+  progress.on_start = [](int num_images, double num_bytes) {
+    constexpr double kBytesOfMegabyte = 1e6;
+    fmt::print(stderr,
+               "drawing {} images, about {:.0f} MB\n",
+               num_images,
+               std::ceil(num_bytes / kBytesOfMegabyte));
+  };
+  progress.on_image = [&](int done, int expected) { line.Show(done, expected); };
+  WriteFilmImages(folder, poses, film, FLAGS_seed, progress);
 }
 
 // As Synthesize. An effect on poses that are not logged is a trace in the film.

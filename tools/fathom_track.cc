@@ -13,6 +13,7 @@
 #include "fathom/detect/detect_tags.h"
 #include "fathom/log/remark.h"
 #include "fathom/marker_trajectory/marker_trajectory.h"
+#include "fathom/tool/flag_values.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/output_folder.h"
 #include "fathom/tool/progress.h"
@@ -208,6 +209,7 @@ void WriteIntoLog(const fs::path& folder,
 
 int RunTrack() {
   const fs::path folder = RequireFlag("log", FLAGS_log, "a log folder with images");
+  RequireOnePath("log", FLAGS_log);
   MarkerTrajectoryOptions options = TrajectoryOptionsFromFlags();
   const fs::path out = WhereToWrite(folder);
   RequireWritable(out);

@@ -62,7 +62,18 @@ TEST_F(DiagnoseRefusals, AnUnknownDof) {
 TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {
   WriteTestFile(log_ / "log.yaml", "name: small\ndof: [surge, yaw]\n");
   EXPECT_EQ(Refused({}),
-            "fathom_diagnose: --dof: is missing, and the log names 2 DOFs; say which.\n");
+            "fathom_diagnose: --dof: is missing, and " + (log_ / "log.yaml").string() +
+                " names 2 DOFs; say which.\n");
+}
+
+// The heave of the second log is not what the surge of the first one lacks.
+TEST_F(DiagnoseRefusals, LogsOfDifferentDofsWithoutSayingWhich) {
+  const Path second = WriteSmallLog(folder_ / "second");
+  WriteTestFile(second / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
+  WriteTestFile(second / "log.yaml", "name: second\ndof: heave\n");
+  EXPECT_EQ(Refused({"--log=" + second.string()}),
+            "fathom_diagnose: --dof: is missing, and " + (log_ / "log.yaml").string() +
+                " names surge, but " + (second / "log.yaml").string() + " heave; say which.\n");
 }
 
 TEST_F(DiagnoseRefusals, PosesThatAreTooFew) {

@@ -104,6 +104,41 @@ TEST(Outputs, AreTriedBeforeTheWork) {
               HasSubstr(log.string() + ": is a folder, expected a file to write."));
 }
 
+TEST(Outputs, MakeTheFoldersThatAreMissing) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "archive" / "log");
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const auto write = [&](const std::string& tool, std::vector<std::string> flags, const Path& out) {
+    EXPECT_FALSE(std::filesystem::exists(out.parent_path()));
+    const ToolRun run = RunToolBinary(tool, flags);
+    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
+    EXPECT_TRUE(std::filesystem::exists(out)) << out;
+  };
+  const std::string log_flag = "--log=" + log.string();
+  const Path identified = folder / "a" / "b" / "model.json";
+  write("fathom_identify", {log_flag, "--dof=surge", "--model=" + identified.string()}, identified);
+  const Path score = folder / "c" / "d" / "score.json";
+  write("fathom_simulate", {log_flag, "--model=" + model, "--json=" + score.string()}, score);
+  const Path rows = folder / "e" / "f" / "rows.json";
+  write("fathom_compare", {log_flag, "--families=least_squares", "--json=" + rows.string()}, rows);
+  const Path results = folder / "g" / "h" / "results.sqlite";
+  write("fathom_batch",
+        {"--archive=" + (folder / "archive").string(),
+         "--results=" + results.string(),
+         "--families=least_squares",
+         "--nodiagnose"},
+        results);
+}
+
+TEST(Outputs, MakeNoFolderIfTheInputIsBad) {
+  const Path folder = EmptyTestFolder();
+  ExpectRefusal("fathom_batch",
+                {"--archive=" + (folder / "none").string(),
+                 "--results=" + (folder / "a" / "results.sqlite").string(),
+                 "--csv=" + (folder / "b" / "fits.csv").string()},
+                folder);
+}
+
 TEST(Outputs, AreNotLeftHalfWrittenByAnInterrupt) {
   const Path folder = EmptyTestFolder();
   // The 3000 images take minutes: it is in the midst of them as soon as there are some.

@@ -70,6 +70,132 @@ TEST(SimulateTool, WritesTheScoreThatItPrints) {
   EXPECT_NEAR(score["nmae"], NumberBehind("NMAE ", run.out), 6e-5);
 }
 
+// The truth but for ten times the inertia, written as if it had been fitted to slower runs.
+std::string PoorModelJson() {
+  std::string model = SmallModelJson();
+  const auto exchange = [&](const std::string& from, const std::string& to) {
+    model.replace(model.find(from), from.size(), to);
+  };
+  exchange("\"value\": 40", "\"value\": 400");
+  exchange("\"nmae\": 0.01",
+           "\"nmae\": 0.41, \"speed_range\": [-0.1, 0.1], \"force_range\": [-8, 8]");
+  return model;
+}
+
+TEST(SimulateTool, SaysWhatAPoorPredictionIsWorth) {
+  const Path folder = EmptyTestFolder();
+  const Path json = folder / "score.json";
+  const std::string log = WriteSmallLog(folder / "log").string();
+  const std::string model = WriteTestFile(folder / "model.json", PoorModelJson()).string();
+  const ToolRun run = RunToolBinary(
+      "fathom_simulate", {"--model=" + model, "--log=" + log, "--json=" + json.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::vector<std::string> beginnings = {"The model is a poor fit: its NMAE on the data that",
+                                               "The prediction of this log is poor: its NMAE is",
+                                               "The speed of this log, ",
+                                               "The force of this log, -20 to 20 N, leaves what"};
+  const nlohmann::json remarks = JsonOf(json)["remarks"];
+  ASSERT_EQ(remarks.size(), beginnings.size());
+  for (std::size_t i = 0; i < beginnings.size(); ++i) {
+    EXPECT_THAT(run.out, HasSubstr("note: " + beginnings[i]));
+    EXPECT_THAT(remarks[i].get<std::string>(), ::testing::StartsWith(beginnings[i]));
+  }
+}
+
+TEST(SimulateTool, TheRangeOfAnIdentifiedModelReachesItsFile) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  const Path model = folder / "model.json";
+  const ToolRun identified = RunToolBinary(
+      "fathom_identify", {"--log=" + log.string(), "--dof=surge", "--model=" + model.string()});
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  EXPECT_EQ(JsonOf(model)["fit"]["force_range"], nlohmann::json({-20.0, 20.0}));
+  const ToolRun run =
+      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, ::testing::Not(HasSubstr("note: ")));
+}
+
+// A copy of the small log with a row more: the same data twice are refused.
+Path WriteSecondLog(const Path& folder) {
+  WriteSmallLog(folder);
+  WriteTestFile(folder / "log.yaml", "name: second\ndof: surge\n");
+  WriteTestFile(folder / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
+  return folder;
+}
+
+TEST(SimulateTool, ScoresSeveralLogsOneByOne) {
+  const Path folder = EmptyTestFolder();
+  const std::string first = WriteSmallLog(folder / "first").string();
+  const std::string second = WriteSecondLog(folder / "second").string();
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const Path json = folder / "scores.json";
+  for (const std::vector<std::string>& logs :
+       {std::vector<std::string>{"--log=" + first, "--log=" + second},
+        std::vector<std::string>{"--log=" + first + "," + second}}) {
+    std::vector<std::string> arguments = {"--model=" + model, "--json=" + json.string()};
+    arguments.insert(arguments.end(), logs.begin(), logs.end());
+    const ToolRun run = RunToolBinary("fathom_simulate", arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr(first + "\nsurge: velocity MAE "));
+    EXPECT_THAT(run.out, HasSubstr(second + "\nsurge: velocity MAE "));
+    const nlohmann::json file = JsonOf(json);
+    EXPECT_EQ(file["schema"], "fathom-scores-1");
+    ASSERT_EQ(file["scores"].size(), 2u);
+    EXPECT_EQ(file["scores"][0]["log"], "small");
+    EXPECT_EQ(file["scores"][0]["n"], 601);
+    EXPECT_EQ(file["scores"][1]["log"], "second");
+    EXPECT_EQ(file["scores"][1]["n"], 602);
+  }
+}
+
+TEST(SimulateTool, RefusesOnePredictionOfSeveralLogs) {
+  const Path folder = EmptyTestFolder();
+  const std::string first = WriteSmallLog(folder / "first").string();
+  const std::string second = WriteSecondLog(folder / "second").string();
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const ToolRun run = RunToolBinary("fathom_simulate",
+                                    {"--model=" + model,
+                                     "--log=" + first,
+                                     "--log=" + second,
+                                     "--out=" + (folder / "out.csv").string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err,
+            "fathom_simulate: --out: holds the prediction of one log, expected a single --log with "
+            "it.\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
+}
+
+TEST(SimulateTool, TakesTheDofOfTheModelOnly) {
+  const Path folder = EmptyTestFolder();
+  const std::string log = WriteTestFile(folder / "log.csv", SmallSingleCsv()).string();
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  const ToolRun same =
+      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log, "--dof=surge"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  const ToolRun other =
+      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log, "--dof=yaw"});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_EQ(other.err,
+            "fathom_simulate: --dof: is yaw, but " + model +
+                " is a model of surge: expected surge, or no --dof.\n");
+}
+
+TEST(SimulateTool, RefusesAModelFileWithAKeyThatNobodyReads) {
+  const Path folder = EmptyTestFolder();
+  const std::string log = WriteSmallLog(folder / "log").string();
+  std::string text = SmallModelJson();
+  text.replace(text.find("\"effects\""), 9, "\"effect\"");
+  const std::string model = WriteTestFile(folder / "model.json", text).string();
+  const ToolRun run = RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err,
+            "fathom_simulate: " + model +
+                ": 'structure.effect' is not known here, expected one of baseline, effects. "
+                "Correct or remove it.\n");
+}
+
 // m dv/dt + d_L v + b = tau from rest: v = (tau - b) / d_L (1 - exp(-d_L t / m)).
 TEST(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
   const Path folder = EmptyTestFolder();

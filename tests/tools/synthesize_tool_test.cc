@@ -307,6 +307,8 @@ TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {
                             .string();
   run = Synthesize({kVehicle, few, film, "--render", "--out=" + images.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
+  // Where nobody watches a line of progress, too.
+  EXPECT_THAT(run.err, testing::MatchesRegex("drawing 3 images, about [1-9][0-9]* MB\n"));
   EXPECT_EQ(Bytes(images / "frames.csv"),
             "t,file\n0,frames/000000.png\n0.1,frames/000001.png\n0.2,frames/000002.png\n");
   EXPECT_THAT(Bytes(images / "frames/000002.png"), StartsWith("\x89PNG"));

@@ -58,28 +58,22 @@ bool IsOf(const Shard& shard, const HashedLog& log) {
          static_cast<unsigned long long>(shard.index);
 }
 
-struct OpenArchive {
-  ArchiveSettings settings;
-  FoundArchive found;
-  std::vector<HashedLog> logs;  // of the shard
-};
-
-OpenArchive OpenAndHash(const BatchOptions& options, Store* store) {
-  OpenArchive archive;
-  archive.settings = ReadArchiveSettings(options.archive);
-  archive.found = WalkArchive(options.archive, archive.settings);
-  archive.logs = HashLogs(archive.found.logs, options.rehash, store);
-  for (const UnreadablePlace& place : archive.found.unreadable) {
-    archive.logs.push_back({.log = {options.archive / place.path, place.path},
-                            .path = PathText(place.path),
-                            .content = "",
-                            .unreadable = "the folder cannot be read: " + place.message,
-                            .duplicate_of = ""});
+// The logs of the archive, or of the shard.
+std::vector<HashedLog> Hashed(const FoundArchive& found,
+                              const BatchOptions& options,
+                              Store* store) {
+  std::vector<HashedLog> logs = HashLogs(found.logs, options.rehash, store);
+  for (const UnreadablePlace& place : found.unreadable) {
+    logs.push_back({.log = {options.archive / place.path, place.path},
+                    .path = PathText(place.path),
+                    .content = "",
+                    .unreadable = "the folder cannot be read: " + place.message,
+                    .duplicate_of = ""});
   }
   if (options.shard) {
-    std::erase_if(archive.logs, [&](const HashedLog& log) { return !IsOf(*options.shard, log); });
+    std::erase_if(logs, [&](const HashedLog& log) { return !IsOf(*options.shard, log); });
   }
-  return archive;
+  return logs;
 }
 
 LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings& settings) {
@@ -127,20 +121,27 @@ void CountStored(const Tables& tables, BatchSummary* summary) {
   }
 }
 
-// The archive, hashed, and the results, which nobody else writes meanwhile.
+// The archive, hashed, and the results, which nobody else writes meanwhile. The archive is read
+// first: results of one that cannot be used are not begun.
 struct OpenBatch {
+  ArchiveSettings settings;
+  FoundArchive found;
+  LogBatchOptions of_logs;
   BatchLock lock;
   Store store;
-  OpenArchive archive;
-  LogBatchOptions of_logs;
+  std::vector<HashedLog> logs;
 
-  explicit OpenBatch(const BatchOptions& options) : lock(options.results), store(options.results) {
+  explicit OpenBatch(const BatchOptions& options)
+      : settings(ReadArchiveSettings(options.archive)),
+        found(WalkArchive(options.archive, settings)),
+        of_logs(LogOptionsOf(options, settings)),
+        lock(options.results),
+        store(options.results) {
     for (const fs::path& file : options.merge) {
       // A part holds only what belongs to it.
       options.shard ? store.LookInto(file) : store.Merge(file);
     }
-    archive = OpenAndHash(options, &store);
-    of_logs = LogOptionsOf(options, archive.settings);
+    logs = Hashed(found, options, &store);
   }
 };
 
@@ -183,11 +184,11 @@ BatchSummary RunBatch(const BatchOptions& options,
   RequireUsable(options);
   OpenBatch batch(options);
   Store& store = batch.store;
-  const std::vector<HashedLog>& all = batch.archive.logs;
+  const std::vector<HashedLog>& all = batch.logs;
   const WorkFolder work(batch.of_logs.programs.work);
 
   BatchSummary summary;
-  summary.other_files = batch.archive.found.other_files;
+  summary.other_files = batch.found.other_files;
   std::vector<std::string> paths;
   for (const HashedLog& log : all) paths.push_back(log.path);
   store.RemoveOtherLogs(paths);
@@ -220,13 +221,13 @@ BatchPlan PlanBatch(const BatchOptions& options) {
   OpenBatch batch(options);
   const auto done = batch.store.DoneLogs();
   std::set<std::string> to_do;
-  for (const HashedLog& log : batch.archive.logs) {
+  for (const HashedLog& log : batch.logs) {
     if (!IsDone(done, log, batch.of_logs)) to_do.insert(log.path);
   }
   BatchPlan plan;
-  plan.num_logs = batch.archive.logs.size();
+  plan.num_logs = batch.logs.size();
   plan.num_to_do = to_do.size();
-  plan.other_files = batch.archive.found.other_files;
+  plan.other_files = batch.found.other_files;
   for (const LogRow& row : batch.store.ReadSummaryTables().logs) {
     if (to_do.contains(row.path)) ++plan.done_by_version[row.version];
   }

@@ -3,6 +3,7 @@
 
 #include "fathom/archive/batch_lock.h"
 
+#include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 
 #include <cerrno>
@@ -19,6 +20,7 @@ namespace fathom {
 
 BatchLock::BatchLock(const std::filesystem::path& results) {
   const std::string name = results.string() + ".lock";
+  MakeFolderOf(results);
   file_ = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) {
     throw InputError(fmt::format("{}: cannot be written: {}.", name, std::strerror(errno)));

@@ -8,8 +8,8 @@
 namespace fathom {
 
 // Keeps a second batch from the same results while this one lives. Beside them stands a file
-// `<results>.lock`, which stays. Throws InputError if another batch holds it. A lock goes with its
-// process, however that ends.
+// `<results>.lock`, which stays; their folder is made where it is missing. Throws InputError if
+// another batch holds it. A lock goes with its process, however that ends.
 class BatchLock {
  public:
   explicit BatchLock(const std::filesystem::path& results);

@@ -4,6 +4,7 @@
 #include "fathom/comparison/identification.h"
 
 #include "fathom/least_squares/least_squares.h"
+#include "fathom/simulate/data_range.h"
 #include "fathom/simulate/prediction.h"
 
 #include <algorithm>
@@ -41,8 +42,8 @@ FittedOutput OutputOf(std::span<const Segment> segments) {
 // What to say of a model whose free runs miss this share of `motion`. One that misses almost all
 // of it is no model, whatever its intervals say. Empty for a good fit.
 std::string CaveatOnFit(double nmae, std::string_view motion) {
-  constexpr double kPoor = 0.3, kExplainsLittle = 0.8;
-  if (!(nmae > kPoor)) return "";
+  constexpr double kExplainsLittle = 0.8;
+  if (!(nmae > kPoorFit)) return "";
   if (nmae > kExplainsLittle) {
     return fmt::format(
         "Simulated from the command alone, it misses {:.0f} % of {}: this model explains almost "
@@ -64,6 +65,7 @@ std::string CaveatOnFit(double nmae, std::string_view motion) {
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
   fitted->train = FiguresOf({fitted->model}, scored.train);
   fitted->held_out = FiguresOf({fitted->model}, scored.held_out);
+  fitted->range = RangeOf(scored.train);
   if (!scored.train.empty() && !std::isfinite(fitted->train.mae)) {
     fitted->caveats.push_back(
         "Its simulation from the command alone diverges, so it cannot predict.");

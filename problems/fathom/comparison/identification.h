@@ -51,7 +51,8 @@ Identification Identify(const Signals& signals,
                         Family family,
                         const IdentificationOptions& options = {});
 
-// The figures of a model by free runs over `scored`, and caveats where they are bad.
+// The figures of a model by free runs over `scored`, the range of its training data, and caveats
+// where the figures are bad.
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted);
 
 }  // namespace fathom

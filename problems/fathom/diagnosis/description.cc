@@ -7,6 +7,7 @@
 #include "fathom/diagnosis/judge/missing_force.h"
 #include "fathom/diagnosis/judge/ranking.h"
 #include "fathom/diagnosis/report/remarks.h"
+#include "fathom/simulate/data_range.h"
 
 #include <algorithm>
 #include <limits>
@@ -83,6 +84,12 @@ std::vector<ResidualTrace> PoseTraces(const MeasuredSegments& segments,
   return traces;
 }
 
+std::vector<Segment> PlainSegments(const std::vector<MeasuredSegment>& segments) {
+  std::vector<Segment> plain;
+  for (const MeasuredSegment& segment : segments) plain.push_back(PlainSegment(segment));
+  return plain;
+}
+
 // A diagnosis whose baseline only was where searches started from: nothing is said of it.
 Diagnosis WithoutBaseline(Diagnosis diagnosis) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -111,6 +118,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   const StartedModel& users = prepared.users;
   const StructureFit& fit = judgement.choice.fit();
   const StartedModel extended = judgement.choice.chosen == 0 ? users : StartedFrom(fit);
+  diagnosis.range = RangeOf(PlainSegments(prepared.data.segments()));
   const auto& [train_before, train_after, unseen, gain] = judgement.runs;
   diagnosis.verdict = judgement.verdict;
   diagnosis.baseline = Described(users, train_before, unseen.before, judgement.search.baseline);

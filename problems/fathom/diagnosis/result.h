@@ -165,6 +165,7 @@ struct Diagnosis {
       logs;  // their names, told apart by their folders where they are the same
   bool fits_displacement = false;  // poses were used too, or alone
   bool has_velocity = true;
+  std::optional<DataRange> range;  // of the training data
 
   // What the checks of every program say of the data, and of the inertia; warnings first.
   std::vector<Finding> findings;

@@ -52,20 +52,25 @@ void WriteFilmImages(const std::filesystem::path& folder,
                      std::span<const StampedPose> world_from_body,
                      const Film& film,
                      std::uint64_t seed,
-                     const std::function<void(int done, int expected)>& progress) {
+                     const FilmProgress& progress) {
   RequireMarkersInView(world_from_body, film);
   const TagRenderer renderer(film.rig.camera, film.true_map, film.view);
   WriteRig(folder, film);
+  const int num_images = static_cast<int>(world_from_body.size());
   std::string list = "t,file\n";
   for (std::size_t i = 0; i < world_from_body.size(); ++i) {
     const std::string file = fmt::format("frames/{:06}.png", i);
     // A seed of its own for each frame, so that frames can be drawn in any order.
     const std::uint64_t frame_seed = seed * 0x9e3779b97f4a7c15 + i;
-    WriteFile(
-        folder / file,
-        EncodePng(renderer.Render(PosesDuringExposure(world_from_body, i, film), frame_seed)));
+    const std::string png =
+        EncodePng(renderer.Render(PosesDuringExposure(world_from_body, i, film), frame_seed));
+    if (i == 0 && progress.on_start) {
+      progress.on_start(num_images,
+                        static_cast<double>(num_images) * static_cast<double>(png.size()));
+    }
+    WriteFile(folder / file, png);
     fmt::format_to(std::back_inserter(list), "{},{}\n", world_from_body[i].time, file);
-    if (progress) progress(static_cast<int>(i) + 1, static_cast<int>(world_from_body.size()));
+    if (progress.on_image) progress.on_image(static_cast<int>(i) + 1, num_images);
   }
   WriteFile(folder / "frames.csv", list);
 }

@@ -15,13 +15,6 @@ namespace fathom {
 namespace {
 
 void RequireAlike(const Log& log, const Signals& signals, const Signals& first) {
-  if (signals.dof != first.dof) {
-    throw InputError(
-        fmt::format("{}: its DOF is {}, expected {} as in the first log; say which with --dof.",
-                    log.path.string(),
-                    Name(signals.dof),
-                    Name(first.dof)));
-  }
   if (signals.force_unit != first.force_unit || signals.source != first.source) {
     throw InputError(fmt::format(
         "{}: its command unit or source differs from the first log's ({} from {}, expected {} "
@@ -45,10 +38,11 @@ JoinedSignals JoinSignals(std::span<const Log> logs,
                           std::optional<Dof> dof,
                           std::optional<Source> source) {
   JoinedSignals joined;
+  if (logs.empty()) return joined;
+  const Dof common_dof = DofOfAll(logs, dof);
   for (std::size_t k = 0; k < logs.size(); ++k) {
-    const Dof own_dof = DofOf(logs[k], dof);
-    const Source own_source = source ? *source : BestSourceOf(logs[k], own_dof);
-    Signals own = SignalsOf(logs[k], own_dof, {.source = own_source});
+    const Source own_source = source ? *source : BestSourceOf(logs[k], common_dof);
+    Signals own = SignalsOf(logs[k], common_dof, {.source = own_source});
     if (k == 0) {
       joined.all = std::move(own);
     } else {

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,21 @@ struct FitFigures {
   double nmae = std::numeric_limits<double>::quiet_NaN();  // no unit, docs/models.md (8)
   int num_samples = 0;
   double duration = 0.0;  // [s], summed over the segments
+};
+
+// A model whose free runs miss more of the motion than this is a poor one.
+inline constexpr double kPoorFit = 0.3;
+
+// The smallest and the greatest of some values.
+struct ValueRange {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// What data reach: a model of them extrapolates beyond.
+struct DataRange {
+  ValueRange speed;  // [m/s] or [rad/s]
+  ValueRange force;  // commanded [N] or [N m]
 };
 
 // A model with what is known about its making: what a model file holds.
@@ -39,6 +55,7 @@ struct FittedModel {
 
   FitFigures train;
   FitFigures held_out;
+  std::optional<DataRange> range;                 // of the training data; files of before have none
   std::vector<std::string> caveats;               // what the intervals do not cover
   std::map<std::string, std::string> provenance;  // log, family, source, options, version
 

@@ -58,7 +58,7 @@ TEST(JoinSignals, KnowsWhichLogASegmentIsOf) {
 
 TEST(JoinSignals, RefusesLogsOfDifferentDofsOrUnits) {
   EXPECT_THAT(RefusalOf({RunAlong(Dof::kSurge), RunAlong(Dof::kHeave)}),
-              HasSubstr("its DOF is heave, expected surge as in the first log"));
+              HasSubstr("names surge, but "));
   Log percent = RunAlong(Dof::kSurge);
   percent.command_unit = "%";
   EXPECT_THAT(RefusalOf({RunAlong(Dof::kSurge), percent}),

@@ -7,7 +7,10 @@
 
 #include <gflags/gflags.h>
 
-DEFINE_string(dof, "", "surge, sway, heave, roll, pitch or yaw. Default: the only DOF of the log.");
+DEFINE_string(dof,
+              "",
+              "surge, sway, heave, roll, pitch or yaw. Default: the only DOF of the log, or that "
+              "of the model.");
 
 namespace fathom {
 

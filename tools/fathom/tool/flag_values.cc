@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace fathom {
 
 std::vector<std::string> SplitAtCommas(const std::string& text) {
@@ -44,6 +46,13 @@ std::vector<std::string> PathsInValues(const std::string& flag) {
     for (std::string& path : SplitAtCommas(value)) paths.push_back(std::move(path));
   }
   return paths;
+}
+
+void RequireOnePath(const std::string& flag, const std::string& value) {
+  const std::size_t size = PathsInValues(value).size();
+  if (size < 2) return;
+  throw InputError(
+      fmt::format("--{}: names {}, expected one: this program takes one at a time.", flag, size));
 }
 
 }  // namespace fathom

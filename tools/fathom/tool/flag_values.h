@@ -23,6 +23,10 @@ std::vector<std::string> RepeatedValues(const std::string& flag);
 // ones. A path that is there may hold a comma.
 std::vector<std::string> PathsInValues(const std::string& flag);
 
+// Throws InputError if the value of a flag that takes one path names several: "--log: names 2,
+// expected one ..."
+void RequireOnePath(const std::string& flag, const std::string& value);
+
 // parse(text), with the flag's name before what it says of a text it cannot use.
 template <typename Parse>
 auto ParseFlag(const std::string& flag, const std::string& text, Parse parse) {

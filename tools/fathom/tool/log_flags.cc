@@ -21,7 +21,7 @@
 
 DEFINE_string(log,
               "",
-              "Log folder, or a single CSV with columns t, tau, v (then --dof is needed).");
+              "Log folder, or a single CSV with columns t, tau, v, which does not say its DOF.");
 DEFINE_string(velocity, "", "Read this CSV instead of the log's velocity.csv.");
 
 namespace fathom {

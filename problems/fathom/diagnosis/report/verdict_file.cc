@@ -25,14 +25,18 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 // What a model file says of a model, and the figures as verdicts name them.
 Json FormatDiagnosedModel(const Diagnosis& diagnosis, const DiagnosedModel& model) {
   const Json file = Json::parse(FormatModel(ModelOf(diagnosis, model)));
-  return {{"parameters", file.at("parameters")},
-          {"mae", model.train.mae},
-          {"nmae", model.train.nmae},
-          {"heldout_mae", model.held_out.mae},
-          {"heldout_nmae", model.held_out.nmae},
-          {"structure", file.at("structure")},
-          {"covariance", file.at("covariance")},
-          {"log_likelihood", model.weighed_log_likelihood}};
+  Json json = {{"parameters", file.at("parameters")},
+               {"mae", model.train.mae},
+               {"nmae", model.train.nmae},
+               {"heldout_mae", model.held_out.mae},
+               {"heldout_nmae", model.held_out.nmae},
+               {"structure", file.at("structure")},
+               {"covariance", file.at("covariance")},
+               {"log_likelihood", model.weighed_log_likelihood}};
+  for (const char* range : {"speed_range", "force_range"}) {
+    if (file.at("fit").contains(range)) json[range] = file.at("fit").at(range);
+  }
+  return json;
 }
 
 // An effect's parameters under their own names.
@@ -122,6 +126,7 @@ FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
   }
   fitted.train = model.train;
   fitted.held_out = model.held_out;
+  fitted.range = diagnosis.range;
   return fitted;
 }
 

@@ -67,11 +67,16 @@ void TryTemporaryOf(const fs::path& path) {
 
 void WriteFile(const fs::path& path, std::string_view content) {
   if (IsDevice(path)) return WriteInto(path, content, path);
-  std::error_code error;
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  MakeFolderOf(path);
   const Temporary temporary(path);
   WriteInto(temporary.path(), content, path);
   temporary.TakePlace();
+}
+
+void MakeFolderOf(const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (error) RefuseToWrite(file, error.message());
 }
 
 void RequireWritableFile(const fs::path& path) {

@@ -10,13 +10,6 @@
 
 namespace fathom {
 
-Dof DofOf(const Log& log, std::optional<Dof> given) {
-  if (given) return *given;
-  if (log.dofs.size() == 1) return log.dofs.front();
-  throw InputError(
-      fmt::format("--dof: is missing, and the log names {} DOFs; say which.", log.dofs.size()));
-}
-
 Dof DofOfAll(std::span<const Log> logs, std::optional<Dof> given) {
   if (given) return *given;
   for (const Log& log : logs) {

@@ -11,11 +11,8 @@
 
 namespace fathom {
 
-// The DOF to look at in a log: `given`, or the only one that log.yaml names. Throws InputError if
-// it names none or several.
-Dof DofOf(const Log& log, std::optional<Dof> given);
-
-// The same of one or more logs, which have to name the same one.
+// The DOF to look at in one log or more: `given`, or the only one that log.yaml names, the same in
+// all of them. Throws InputError if one names none or several, or if they name different ones.
 Dof DofOfAll(std::span<const Log> logs, std::optional<Dof> given);
 
 }  // namespace fathom

@@ -22,6 +22,16 @@ Json FormatFigures(const FitFigures& figures) {
           {"duration", figures.duration}};
 }
 
+// With the range of the data that were fitted, where it is known.
+Json FormatFit(const FittedModel& fitted) {
+  Json fit = FormatFigures(fitted.train);
+  if (fitted.range) {
+    fit["speed_range"] = {fitted.range->speed.low, fitted.range->speed.high};
+    fit["force_range"] = {fitted.range->force.low, fitted.range->force.high};
+  }
+  return fit;
+}
+
 Json FormatEffect(const ActiveEffect& active) {
   const EffectInfo& info = active.effect->info();
   Json json = {{"effect", info.name}};
@@ -71,7 +81,7 @@ std::string FormatModel(const FittedModel& fitted) {
                {"force_unit", fitted.force_unit},
                {"parameters", parameters},
                {"covariance", covariance},
-               {"fit", FormatFigures(fitted.train)},
+               {"fit", FormatFit(fitted)},
                {"held_out", FormatFigures(fitted.held_out)},
                {"caveats", fitted.caveats},
                {"provenance", fitted.provenance}};

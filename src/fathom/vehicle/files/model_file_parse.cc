@@ -1,286 +1,263 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
-#include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/files/effect_entries.h"
+#include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/files/model_file.h"
+#include "fathom/vehicle/negative_damping.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace fathom {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kDeepestNesting = 16;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
-// Walks a parsed file and complains in the words of docs/file_formats.md.
-class Reader {
- public:
-  explicit Reader(std::string name) : name_(std::move(name)) {}
+// Every key that Fathom's tools write, whether it is read here or only told to a person.
+const std::vector<std::string> kKeysOfModel = {"schema",
+                                               "dof",
+                                               "structure",
+                                               "force_unit",
+                                               "parameters",
+                                               "covariance",
+                                               "fit",
+                                               "held_out",
+                                               "caveats",
+                                               "provenance",
+                                               "logs",
+                                               "log_fingerprints"};
+const std::vector<std::string> kKeysOfFigures = {"mae", "nmae", "n", "duration"};
+const std::vector<std::string> kKeysOfFit = {
+    "mae", "nmae", "n", "duration", "speed_range", "force_range"};
+const std::vector<std::string> kKeysOfVerdict = {"schema",
+                                                 "log",
+                                                 "dof",
+                                                 "verdict",
+                                                 "sentence",
+                                                 "force_unit",
+                                                 "figures_of",
+                                                 "has_baseline",
+                                                 "baseline",
+                                                 "causes",
+                                                 "extended",
+                                                 "structure_share",
+                                                 "explained_share",
+                                                 "coincidence",
+                                                 "remaining_p_value",
+                                                 "heldout_gain",
+                                                 "candidates",
+                                                 "limits",
+                                                 "logs",
+                                                 "log_fingerprints",
+                                                 "remarks"};
+const std::vector<std::string> kKeysOfDiagnosedModel = {"parameters",
+                                                        "mae",
+                                                        "nmae",
+                                                        "heldout_mae",
+                                                        "heldout_nmae",
+                                                        "speed_range",
+                                                        "force_range",
+                                                        "structure",
+                                                        "covariance",
+                                                        "log_likelihood"};
 
-  [[noreturn]] void Fail(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: '{}' {}.", name_, key, what));
-  }
+// NaN where the file says null or nothing.
+double NumberIfThere(const JsonValue& json, const std::string& key) {
+  const auto value = json.MemberIfThere(key);
+  return value ? value->NumberIfKnown() : kNotKnown;
+}
 
-  const Json& Member(const Json& object, const std::string& key) const {
-    if (!object.is_object() || !object.contains(key)) Fail(key, "is missing");
-    return object.at(key);
-  }
+std::vector<std::string> TextsIfThere(const JsonValue& json, const std::string& key) {
+  const auto list = json.MemberIfThere(key);
+  return list ? list->Texts() : std::vector<std::string>();
+}
 
-  std::string Text(const Json& object, const std::string& key) const {
-    const Json& value = Member(object, key);
-    if (!value.is_string()) Fail(key, fmt::format("is {}, expected a text", Shortened(value)));
-    return value.get<std::string>();
-  }
-
-  double Number(const Json& object, const std::string& key) const {
-    const Json& value = Member(object, key);
-    if (!value.is_number() || !std::isfinite(value.get<double>())) {
-      Fail(key, fmt::format("is {}, expected a finite number", Shortened(value)));
-    }
-    return value.get<double>();
-  }
-
-  // Null where the file says nothing.
-  const Json* ListIfThere(const Json& object, const std::string& key) const {
-    if (!object.is_object() || !object.contains(key)) return nullptr;
-    const Json& value = object.at(key);
-    if (!value.is_array()) Fail(key, fmt::format("is {}, expected a list", Shortened(value)));
-    return &value;
-  }
-
-  // None where the file says nothing.
-  std::vector<std::string> TextsIfThere(const Json& object, const std::string& key) const {
-    std::vector<std::string> texts;
-    if (const Json* list = ListIfThere(object, key)) {
-      for (const Json& text : *list) {
-        if (!text.is_string()) Fail(key, "is not a list of texts");
-        texts.push_back(text.get<std::string>());
-      }
-    }
-    return texts;
-  }
-
-  // NaN where the file says null or nothing.
-  double NumberIfKnown(const Json& object, const std::string& key) const {
-    if (!object.is_object() || !object.contains(key) || object.at(key).is_null()) return kNotKnown;
-    return Number(object, key);
-  }
-
- private:
-  static std::string Shortened(const Json& value) {
-    const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() <= 40 ? text : text.substr(0, 40) + "...";
-  }
-
-  const std::string name_;
-};
-
-FitFigures ReadFigures(const Reader& reader, const Json& json, const char* key) {
-  if (!json.contains(key) || !json.at(key).is_object()) return {};
-  const Json& object = json.at(key);
+FitFigures ReadFigures(const JsonValue& json) {
   FitFigures figures;
-  figures.mae = reader.NumberIfKnown(object, "mae");
-  figures.nmae = reader.NumberIfKnown(object, "nmae");
+  figures.mae = NumberIfThere(json, "mae");
+  figures.nmae = NumberIfThere(json, "nmae");
   return figures;
 }
 
-// One entry of structure.effects or causes, without its values.
-ActiveEffect ReadEffect(const Reader& reader, const Json& json, Dof dof) {
-  const std::string name = reader.Text(json, "effect");
-  ActiveEffect active;
-  active.effect = FindEffect(name);
-  if (active.effect == nullptr) {
-    std::vector<std::string_view> names;
-    for (const Effect* effect : EffectCatalogue()) names.push_back(effect->info().name);
-    reader.Fail(
-        "effect",
-        fmt::format("is {}, an effect that this version cannot simulate, expected one of {}",
-                    Quoted(name),
-                    fmt::join(names, ", ")));
+ValueRange ReadRange(const JsonValue& json) {
+  const std::vector<JsonValue> ends = json.List();
+  if (ends.size() != 2) {
+    json.Fail(fmt::format("has {} entries, expected 2: the smallest and the greatest value",
+                          ends.size()));
   }
-  active.setting.dof = dof;
-  if (active.effect->info().has_partner()) {
-    const std::string partner = reader.Text(json, "partner");
-    const auto partner_dof = DofFromName(partner);
-    if (!partner_dof || *partner_dof == dof) {
-      reader.Fail(
-          "partner",
-          fmt::format("of {} is {}, expected another DOF than {}: surge, sway, heave, roll, "
-                      "pitch or yaw",
-                      name,
-                      Quoted(partner),
-                      Name(dof)));
-    }
-    active.setting.partner = *partner_dof;
+  const ValueRange range = {ends[0].Number(), ends[1].Number()};
+  if (range.low > range.high) {
+    json.Fail(fmt::format("is {} to {}, expected the smaller value first", range.low, range.high));
   }
-  if (json.contains("reference_force")) {
-    active.setting.reference_force = reader.Number(json, "reference_force");
-    if (!(active.setting.reference_force > 0.0)) {
-      reader.Fail("reference_force",
-                  fmt::format("is {}, expected a value above 0", active.setting.reference_force));
-    }
-  }
-  if (json.contains("log")) active.setting.log = reader.Text(json, "log");
-  return active;
+  return range;
 }
 
-// The effects of a model (of a verdict: of what it holds under "extended") without their values.
-// Where a verdict does not say, they are its causes; `values` then holds what these say.
-std::vector<ActiveEffect> ReadEffects(const Reader& reader,
-                                      const Json& file,
-                                      const Json& model,
-                                      Dof dof,
-                                      std::map<std::string, double>* values) {
-  std::vector<ActiveEffect> effects;
-  if (model.contains("structure")) {
-    if (const Json* list = reader.ListIfThere(model.at("structure"), "effects")) {
-      for (const Json& json : *list) effects.push_back(ReadEffect(reader, json, dof));
-    }
-  } else if (const Json* causes = reader.ListIfThere(file, "causes")) {
-    for (const Json& json : *causes) {
-      const ActiveEffect& active = effects.emplace_back(ReadEffect(reader, json, dof));
-      for (const EffectParameter& parameter : active.effect->info().parameters) {
-        const std::string name(parameter.name);
-        const Json& given = reader.Member(reader.Member(json, "parameters"), name);
-        (*values)[KeyOf(active, parameter)] = reader.Number(given, "value");
-      }
-    }
-    std::stable_sort(effects.begin(), effects.end(), [](const auto& a, const auto& b) {
-      return ActsBefore(a.effect, b.effect);
-    });
-  }
-  const std::string problem = ProblemWith(effects);
-  if (!problem.empty()) reader.Fail("effects", problem);
-  return effects;
+// Of what holds the figures; both ranges or none.
+std::optional<DataRange> ReadDataRange(const JsonValue& json) {
+  if (!json.Has("speed_range") && !json.Has("force_range")) return std::nullopt;
+  return DataRange{ReadRange(json.Member("speed_range")), ReadRange(json.Member("force_range"))};
 }
 
-void ReadParameters(const Reader& reader,
-                    const Json& parameters,
+// The effects of `model`, which is the file itself, or what a verdict holds under "extended". Where
+// a verdict does not say, they are its causes; `values` then holds what these say.
+std::vector<ActiveEffect> EffectsOf(const JsonValue& file,
+                                    const JsonValue& model,
+                                    const FittedModel& fitted,
+                                    std::map<std::string, double>* values) {
+  std::vector<ActiveEffect> causes;
+  if (const auto list = file.MemberIfThere("causes")) {
+    causes = ReadCauses(*list, fitted.dof, fitted.force_unit, values);
+  }
+  const auto structure = model.MemberIfThere("structure");
+  if (!structure) return causes;
+  values->clear();
+  return ReadEffects(*structure, fitted.dof);
+}
+
+// Throws InputError for what no vehicle can have.
+void RequirePhysical(const JsonValue& parameters,
+                     const ParameterVector& baseline,
+                     const std::vector<std::string>& caveats) {
+  if (!(baseline[kInertia] > 0.0)) {
+    parameters.Member("inertia").Fail(
+        fmt::format("is {}, expected a value above 0", baseline[kInertia]));
+  }
+  for (const int index : {kQuadraticDamping, kLinearDamping}) {
+    if (baseline[index] >= 0.0 || IsSaidToBeNegative(index, caveats)) continue;
+    const char* name = kParameterInfo[index].name;
+    parameters.Member(name).Fail(fmt::format(
+        "is {}, expected at least 0, or a caveat '{} is negative' as of a least-squares fit",
+        baseline[index],
+        name));
+  }
+}
+
+void ReadParameters(const JsonValue& parameters,
                     const std::map<std::string, double>& values,
                     FittedModel* fitted) {
   std::vector<std::string> keys;
   std::vector<double> variances;
-  const auto read = [&](const std::string& key) {
+  const auto read = [&](const std::string& key, const std::string& unit) {
     keys.push_back(key);
     const auto given = values.find(key);
-    if (given != values.end() && parameters.is_object() && !parameters.contains(key)) {
+    if (given != values.end() && !parameters.Has(key)) {
       variances.push_back(kNotKnown);
       return given->second;
     }
-    const Json& parameter = reader.Member(parameters, key);
-    const double std = reader.NumberIfKnown(parameter, "std");
-    variances.push_back(std * std);
-    return reader.Number(parameter, "value");
+    const ParameterEntry entry = ReadParameter(parameters.Member(key), unit);
+    variances.push_back(entry.std * entry.std);
+    return entry.value;
   };
   ParameterVector baseline;
-  for (int i = 0; i < kNumParameters; ++i) baseline[i] = read(kParameterInfo[i].name);
-  if (!(baseline[kInertia] > 0.0)) {
-    reader.Fail("inertia", fmt::format("is {}, expected a value above 0", baseline[kInertia]));
+  for (int i = 0; i < kNumParameters; ++i) {
+    baseline[i] = read(kParameterInfo[i].name, ParameterUnit(i, fitted->dof, fitted->force_unit));
   }
+  RequirePhysical(parameters, baseline, fitted->caveats);
   fitted->model = ModelFromVector(baseline);
   for (ActiveEffect& active : fitted->effects) {
     for (const EffectParameter& parameter : active.effect->info().parameters) {
-      const double value = read(KeyOf(active, parameter));
+      const std::string key = KeyOf(active, parameter);
+      const double value = read(key, UnitOf(parameter.quantity, fitted->dof, fitted->force_unit));
       if (!(value >= parameter.lower && value <= parameter.upper)) {
-        reader.Fail(
-            keys.back(),
+        const JsonValue place = parameters.Has(key) ? parameters.Member(key) : parameters;
+        place.Fail(
             fmt::format("is {}, expected {} to {}", value, parameter.lower, parameter.upper));
       }
       active.values.push_back(value);
     }
   }
-  for (const auto& [key, value] : parameters.items()) {
+  for (const std::string& key : parameters.Keys()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    reader.Fail(key,
-                fmt::format("is a parameter of no effect of this model, expected {}",
-                            fmt::join(keys, ", ")));
+    parameters.Member(key).Fail(fmt::format(
+        "is a parameter of no effect of this model, expected {}", fmt::join(keys, ", ")));
   }
   const auto size = static_cast<Eigen::Index>(keys.size());
   fitted->covariance.setConstant(size, size, kNotKnown);
   for (Eigen::Index i = 0; i < size; ++i) fitted->covariance(i, i) = variances[i];
 }
 
-void ReadCovariance(const Reader& reader, const Json& json, FittedModel* fitted) {
-  if (!json.contains("covariance")) return;
-  const Json& rows = json.at("covariance");
+void ReadCovariance(const JsonValue& json, FittedModel* fitted) {
   const Eigen::Index size = fitted->covariance.rows();
-  const auto fail = [&] {
-    reader.Fail("covariance", fmt::format("is not a {0} x {0} array of numbers or nulls", size));
-  };
-  const auto has_size = [&](const Json& list) {
-    return list.is_array() && static_cast<Eigen::Index>(list.size()) == size;
-  };
-  if (!has_size(rows)) fail();
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const Json& row = rows[static_cast<std::size_t>(i)];
-    if (!has_size(row)) fail();
-    for (Eigen::Index j = 0; j < size; ++j) {
-      const Json& value = row[static_cast<std::size_t>(j)];
-      if (!value.is_number() && !value.is_null()) fail();
-      fitted->covariance(i, j) = value.is_null() ? kNotKnown : value.get<double>();
+  const auto list_of_size = [&](const JsonValue& value) {
+    std::vector<JsonValue> list = value.List();
+    if (static_cast<Eigen::Index>(list.size()) != size) {
+      value.Fail(fmt::format(
+          "has {} entries, expected a {} x {} array of numbers or nulls", list.size(), size, size));
     }
+    return list;
+  };
+  Eigen::Index i = 0;
+  for (const JsonValue& row : list_of_size(json)) {
+    Eigen::Index j = 0;
+    for (const JsonValue& value : list_of_size(row)) {
+      fitted->covariance(i, j++) = value.NumberIfKnown();
+    }
+    ++i;
+  }
+}
+
+// Throws InputError for a key that no tool writes.
+void RequireKnownKeys(const JsonValue& file, bool is_verdict) {
+  file.RequireKeysOf(is_verdict ? kKeysOfVerdict : kKeysOfModel);
+  if (!is_verdict) return;
+  for (const char* model : {"baseline", "extended"}) {
+    if (const auto json = file.MemberIfThere(model)) json->RequireKeysOf(kKeysOfDiagnosedModel);
   }
 }
 
 }  // namespace
 
 FittedModel ParseModel(const std::string& name, std::string_view text) {
-  Json json;
-  const Json::parser_callback_t refuse_deep_nesting = [&](int depth, auto, const Json&) {
-    if (depth > kDeepestNesting) {
-      throw InputError(fmt::format(
-          "{}: is nested more than {} levels deep: not a model file.", name, kDeepestNesting));
-    }
-    return true;
-  };
-  try {
-    json = Json::parse(text, refuse_deep_nesting);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is not JSON: {}.", name, error.what()));
+  const JsonValue file = JsonValue::Parse(name, text);
+  const JsonValue schema = file.Member("schema");
+  const bool is_verdict = schema.Text() == "fathom-verdict-1";
+  if (schema.Text() != "fathom-model-1" && !is_verdict) {
+    schema.Fail(fmt::format("is {}, expected 'fathom-model-1' or 'fathom-verdict-1'",
+                            Quoted(schema.Text())));
   }
-  const Reader reader(name);
-  const std::string schema = reader.Text(json, "schema");
-  const bool is_verdict = schema == "fathom-verdict-1";
-  if (schema != "fathom-model-1" && !is_verdict) {
-    reader.Fail(
-        "schema",
-        fmt::format("is {}, expected 'fathom-model-1' or 'fathom-verdict-1'", Quoted(schema)));
-  }
-  const Json& model = is_verdict ? reader.Member(json, "extended") : json;
-  const Json& parameters = reader.Member(model, "parameters");
+  RequireKnownKeys(file, is_verdict);
+  const JsonValue model = is_verdict ? file.Member("extended") : file;
   FittedModel fitted;
-  const auto dof = DofFromName(reader.Text(json, "dof"));
-  if (!dof) reader.Fail("dof", "is not one of surge, sway, heave, roll, pitch, yaw");
+  const JsonValue dof_name = file.Member("dof");
+  const auto dof = DofFromName(dof_name.Text());
+  if (!dof) dof_name.Fail("is not one of surge, sway, heave, roll, pitch, yaw");
   fitted.dof = *dof;
-  fitted.force_unit =
-      json.contains("force_unit") ? reader.Text(json, "force_unit") : std::string(ForceUnit(*dof));
+  const auto force_unit = file.MemberIfThere("force_unit");
+  fitted.force_unit = force_unit ? force_unit->Text() : std::string(ForceUnit(*dof));
+  fitted.caveats = TextsIfThere(file, "caveats");
   std::map<std::string, double> values;
-  fitted.effects = ReadEffects(reader, json, model, *dof, &values);
-  ReadParameters(reader, parameters, values, &fitted);
-  ReadCovariance(reader, model, &fitted);
-  if (is_verdict) {
-    fitted.train = ReadFigures(reader, json, "extended");
-    fitted.held_out.nmae = reader.NumberIfKnown(model, "heldout_nmae");
-  } else {
-    fitted.train = ReadFigures(reader, json, "fit");
-    fitted.held_out = ReadFigures(reader, json, "held_out");
+  fitted.effects = EffectsOf(file, model, fitted, &values);
+  ReadParameters(model.Member("parameters"), values, &fitted);
+  if (const auto covariance = model.MemberIfThere("covariance")) {
+    ReadCovariance(*covariance, &fitted);
   }
-  fitted.log_fingerprints = reader.TextsIfThere(json, "log_fingerprints");
-  fitted.logs = reader.TextsIfThere(json, "logs");
+  if (is_verdict) {
+    fitted.train = ReadFigures(model);
+    fitted.range = ReadDataRange(model);
+    fitted.held_out.mae = NumberIfThere(model, "heldout_mae");
+    fitted.held_out.nmae = NumberIfThere(model, "heldout_nmae");
+  } else {
+    if (const auto fit = file.MemberIfThere("fit")) {
+      fit->RequireKeysOf(kKeysOfFit);
+      fitted.train = ReadFigures(*fit);
+      fitted.range = ReadDataRange(*fit);
+    }
+    if (const auto held_out = file.MemberIfThere("held_out")) {
+      held_out->RequireKeysOf(kKeysOfFigures);
+      fitted.held_out = ReadFigures(*held_out);
+    }
+  }
+  fitted.log_fingerprints = TextsIfThere(file, "log_fingerprints");
+  fitted.logs = TextsIfThere(file, "logs");
   return fitted;
 }
 

@@ -85,10 +85,14 @@ TEST(VerdictFile, HoldsEveryCandidate) {
 TEST(VerdictFile, GivesTheExtendedModelBackAsAModel) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   AddCause("periodic_force", {1.5, -2.5, 0.7}, {0.1, 0.2, 0.01}, &diagnosis);
+  diagnosis.range = {.speed = {-0.5, 0.25}, .force = {-60.0, 40.0}};
   diagnosis.extended.covariance(0, 4) = diagnosis.extended.covariance(4, 0) = -0.25;
   const FittedModel read = ParseModel("verdict.json", FormatVerdict(diagnosis, {"abc", "def"}));
   EXPECT_EQ(read.dof, Dof::kSurge);
   EXPECT_EQ(read.force_unit, "N");
+  ASSERT_TRUE(read.range);
+  EXPECT_EQ(read.range->speed.low, -0.5);
+  EXPECT_EQ(read.range->force.high, 40.0);
   EXPECT_EQ(read.model.inertia, 852.5);
   EXPECT_EQ(read.model.quadratic_damping, 54.0);
   EXPECT_EQ(read.model.linear_damping, 49.8);

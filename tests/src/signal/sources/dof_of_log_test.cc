@@ -29,11 +29,12 @@ std::string RefusalOf(std::vector<Log> logs) {
   return "";
 }
 
-TEST(DofOf, IsTheGivenOneOrTheOnlyOne) {
-  const Log log = LogAbout("a", {Dof::kHeave});
-  EXPECT_EQ(DofOf(log, Dof::kYaw), Dof::kYaw);
-  EXPECT_EQ(DofOf(log, {}), Dof::kHeave);
-  EXPECT_THROW(DofOf(LogAbout("b", {Dof::kHeave, Dof::kYaw}), {}), InputError);
+TEST(DofOfAll, IsTheGivenOneOrTheOnlyOne) {
+  const std::vector<Log> logs = {LogAbout("a", {Dof::kHeave})};
+  EXPECT_EQ(DofOfAll(logs, Dof::kYaw), Dof::kYaw);
+  EXPECT_EQ(DofOfAll(logs, {}), Dof::kHeave);
+  EXPECT_EQ(RefusalOf({LogAbout("b", {Dof::kHeave, Dof::kYaw})}),
+            "--dof: is missing, and b/log.yaml names 2 DOFs; say which.");
 }
 
 TEST(DofOfAll, IsTheOneThatAllLogsName) {

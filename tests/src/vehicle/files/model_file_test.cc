@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/negative_damping.h"
 
 #include <cmath>
 #include <string>
@@ -137,10 +138,11 @@ TEST(ModelFile, SaysWhatIsWrong) {
   EXPECT_THAT(ErrorFrom("[]"), HasSubstr("'schema' is missing"));
   EXPECT_THAT(ErrorAfter("fathom-model-1", "other"), HasSubstr("'schema' is 'other', expected"));
   EXPECT_THAT(ErrorAfter("\"heave\"", "\"up\""), HasSubstr("'dof' is not one of"));
-  EXPECT_THAT(ErrorAfter("\"inertia\"", "\"mass\""), HasSubstr("'inertia' is missing"));
-  EXPECT_THAT(ErrorAfter("1511.53", "\"x\""), HasSubstr("'value' is \"x\", expected a finite"));
+  EXPECT_THAT(ErrorAfter("\"inertia\"", "\"mass\""), HasSubstr("'parameters.inertia' is missing"));
+  EXPECT_THAT(ErrorAfter("1511.53", "\"x\""),
+              HasSubstr("'parameters.inertia.value' is \"x\", expected a finite"));
   EXPECT_THAT(ErrorAfter("1511.53", "-3.0"),
-              HasSubstr("'inertia' is -3, expected a value above 0"));
+              HasSubstr("'parameters.inertia' is -3, expected a value above 0"));
   EXPECT_THAT(ErrorAfter("\"covariance\": [", "\"covariance\": [3,"), HasSubstr("'covariance'"));
 }
 
@@ -189,36 +191,41 @@ TEST(ModelFile, RefusesAnEffectItCannotSimulate) {
     const std::string from = "\"effects\": []";
     return ErrorFrom(text.replace(text.find(from), from.size(), "\"effects\": [" + effects + "]"));
   };
-  EXPECT_THAT(error_with(R"({"effect": "ghost"})"),
-              HasSubstr("m.json: 'effect' is 'ghost', an effect that this version cannot simulate, "
-                        "expected one of time_offset, thrust_dead_zone, "));
-  EXPECT_THAT(error_with(R"({"effect": "velocity_coupling"})"), HasSubstr("'partner' is missing"));
+  EXPECT_THAT(
+      error_with(R"({"effect": "ghost"})"),
+      HasSubstr("m.json: 'structure.effects[0].effect' is 'ghost', an effect that this version "
+                "cannot simulate, expected one of time_offset, thrust_dead_zone, "));
+  EXPECT_THAT(error_with(R"({"effect": "velocity_coupling"})"),
+              HasSubstr("'structure.effects[0].partner' is missing"));
   EXPECT_THAT(
       error_with(R"({"effect": "velocity_coupling", "partner": "heave"})"),
-      HasSubstr("'partner' of velocity_coupling is 'heave', expected another DOF than heave"));
+      HasSubstr(
+          "effects[0].partner' of velocity_coupling is 'heave', expected another DOF than heave"));
   EXPECT_THAT(error_with(R"({"effect": "thrust_curve", "reference_force": 0})"),
-              HasSubstr("'reference_force' is 0, expected a value above 0"));
+              HasSubstr("effects[0].reference_force' is 0, expected a value above 0"));
   EXPECT_THAT(error_with(R"({"effect": "thruster_lag"})"),
-              HasSubstr("'thruster_lag.time_constant' is missing"));
-  EXPECT_THAT(error_with(R"({"effect": "sensor_lag"}, {"effect": "thruster_lag"})"),
-              HasSubstr("'effects' lists sensor_lag before thruster_lag, expected the order"));
+              HasSubstr("'parameters.thruster_lag.time_constant' is missing"));
+  EXPECT_THAT(
+      error_with(R"({"effect": "sensor_lag"}, {"effect": "thruster_lag"})"),
+      HasSubstr("'structure.effects' lists sensor_lag before thruster_lag, expected the order"));
   EXPECT_THAT(error_with(R"({"effect": "sensor_lag"}, {"effect": "sensor_lag"})"),
-              HasSubstr("'effects' lists sensor_lag twice"));
+              HasSubstr("'structure.effects' lists sensor_lag twice"));
   EXPECT_THAT(ErrorAfter("\"effects\": []", "\"effects\": 3"),
-              HasSubstr("'effects' is 3, expected a list"));
+              HasSubstr("'structure.effects' is 3, expected a list"));
 }
 
 TEST(ModelFile, RefusesAParameterThatNoEffectHas) {
-  EXPECT_THAT(ErrorAfter("\"inertia\":", "\"time_constant\": {\"value\": 1}, \"inertia\":"),
-              HasSubstr("'time_constant' is a parameter of no effect of this model, expected "
-                        "inertia, quadratic_damping, linear_damping, buoyancy."));
+  EXPECT_THAT(
+      ErrorAfter("\"inertia\":", "\"time_constant\": {\"value\": 1}, \"inertia\":"),
+      HasSubstr("'parameters.time_constant' is a parameter of no effect of this model, expected "
+                "inertia, quadratic_damping, linear_damping, buoyancy."));
 }
 
 TEST(ModelFile, RefusesAValueBeyondItsBounds) {
   std::string text = FormatModel(ExampleWithEffects());
   text.replace(text.find("0.47"), 4, "-0.1");
   EXPECT_THAT(ErrorFrom(text),
-              HasSubstr("'thruster_lag.time_constant' is -0.1, expected 0 to 20."));
+              HasSubstr("'parameters.thruster_lag.time_constant' is -0.1, expected 0 to 20."));
 }
 
 TEST(ModelFile, RefusesACovarianceOfAnotherSize) {
@@ -226,7 +233,104 @@ TEST(ModelFile, RefusesACovarianceOfAnotherSize) {
   const std::string key = "\"covariance\": ";
   const size_t begin = text.find(key), end = text.find("\"fit\"");
   EXPECT_THAT(ErrorFrom(text.replace(begin, end - begin, key + "[[1]],\n")),
-              HasSubstr("'covariance' is not a 9 x 9 array of numbers or nulls"));
+              HasSubstr("'covariance' has 1 entries, expected a 9 x 9 array of numbers or nulls."));
+}
+
+TEST(ModelFile, RefusesKeysThatNobodyWrites) {
+  // Without its dead zone the model would be another one.
+  EXPECT_EQ(ErrorAfter("\"effects\"", "\"effect\""),
+            "m.json: 'structure.effect' is not known here, expected one of baseline, effects. "
+            "Correct or remove it.");
+  EXPECT_THAT(ErrorAfter("\"fit\"", "\"fitt\""),
+              HasSubstr("'fitt' is not known here, expected one of schema, dof, structure, "));
+  EXPECT_THAT(ErrorAfter("\"nmae\"", "\"NMAE\""), HasSubstr("'fit.NMAE' is not known here"));
+  EXPECT_THAT(ErrorAfter("\"std\"", "\"sd\""),
+              HasSubstr("'parameters.inertia.sd' is not known here, expected one of value, std, "));
+  EXPECT_EQ(ErrorAfter("\"family\"", "\"anything\""), "no error");  // in the provenance
+}
+
+TEST(ModelFile, RefusesUnknownKeysOfAVerdict) {
+  const auto error_of = [](const std::string& cause) {
+    return ErrorFrom(VerdictWithCauses(cause, ""));
+  };
+  EXPECT_EQ(error_of(kLag), "no error");
+  EXPECT_THAT(error_of(R"({"effect": "sensor_lag", "parameter": {}})"),
+              HasSubstr("'causes[0].parameter' is not known here"));
+  EXPECT_THAT(error_of(R"({"effect": "sensor_lag", "partner": "yaw", "parameters": {}})"),
+              HasSubstr("'causes[0].partner' is not known here"));
+  EXPECT_THAT(error_of(R"({"effect": "sensor_lag", "parameters": {"time_constant": {"value": 1},
+                           "width": {"value": 2}}})"),
+              HasSubstr("'causes[0].parameters.width' is not known here"));
+  EXPECT_THAT(ErrorFrom(R"({"schema": "fathom-verdict-1", "dof": "surge", "fit": {}})"),
+              HasSubstr("'fit' is not known here"));
+}
+
+TEST(ModelFile, RefusesAKeyThatIsGivenTwice) {
+  EXPECT_EQ(ErrorAfter("\"fit\"", "\"dof\": \"heave\", \"fit\""),
+            "m.json: 'dof' is given twice, expected once.");
+  EXPECT_EQ(ErrorAfter("\"std\"", "\"value\": 1511.53, \"std\""),
+            "m.json: 'parameters.inertia.value' is given twice, expected once.");
+  EXPECT_EQ(ErrorFrom(R"({"a": [1, {"b": 1}, {"b": 1, "c": [], "b": 2}]})"),
+            "m.json: 'a[2].b' is given twice, expected once.");
+}
+
+TEST(ModelFile, RefusesUnitsOfAnotherDof) {
+  EXPECT_EQ(ErrorAfter("\"unit\": \"kg\"", "\"unit\": \"kg m^2\""),
+            "m.json: 'parameters.inertia.unit' is 'kg m^2', expected 'kg'.");
+  // What was identified from amperes is in amperes all through.
+  EXPECT_EQ(ErrorAfter("\"force_unit\": \"N\"", "\"force_unit\": \"A\""),
+            "m.json: 'parameters.inertia.unit' is 'kg', expected 'A s^2/m'.");
+  EXPECT_EQ(ErrorFrom(VerdictWithCauses(
+                R"({"effect": "thrust_dead_zone", "parameters": {"width": {"value": 8,
+                    "unit": "N m"}}})",
+                "")),
+            "m.json: 'causes[0].parameters.width.unit' is 'N m', expected 'N'.");
+}
+
+TEST(ModelFile, RefusesNegativeDampingUnlessItIsSaid) {
+  EXPECT_EQ(ErrorAfter("31.4", "-31.4"),
+            "m.json: 'parameters.linear_damping' is -31.4, expected at least 0, or a caveat "
+            "'linear_damping is negative' as of a least-squares fit.");
+  EXPECT_THAT(ErrorAfter("1911.21", "-1911.21"),
+              HasSubstr("'parameters.quadratic_damping' is -1911.21, expected at least 0"));
+  FittedModel fitted = Example();
+  fitted.model.linear_damping = -31.4;
+  fitted.caveats = {CaveatOnNegativeDamping(kLinearDamping, "-31.4 ± 2")};
+  EXPECT_EQ(ParseModel("m.json", FormatModel(fitted)).model.linear_damping, -31.4);
+  fitted.model.quadratic_damping = -2.5;  // of which the caveat does not speak
+  EXPECT_THAT(ErrorFrom(FormatModel(fitted)), HasSubstr("'parameters.quadratic_damping' is -2.5"));
+}
+
+TEST(ModelFile, RefusesANegativeDeviation) {
+  const std::string text = VerdictWithCauses(kLag, R"(, "sensor_lag.time_constant": {"value": 0.9,
+      "std": -0.5})");
+  EXPECT_EQ(ErrorFrom(text),
+            "m.json: 'extended.parameters.sensor_lag.time_constant.std' is -0.5, expected at "
+            "least 0.");
+}
+
+TEST(ModelFile, KeepsTheRangeOfTheData) {
+  FittedModel in = Example();
+  EXPECT_FALSE(ParseModel("m.json", FormatModel(in)).range);  // as in files before there were any
+  in.range = {.speed = {-0.75, 0.5}, .force = {-120.0, 100.5}};
+  const auto out = ParseModel("m.json", FormatModel(in)).range;
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->speed.low, -0.75);
+  EXPECT_EQ(out->speed.high, 0.5);
+  EXPECT_EQ(out->force.low, -120.0);
+  EXPECT_EQ(out->force.high, 100.5);
+}
+
+TEST(ModelFile, RefusesARangeThatIsNone) {
+  FittedModel in = Example();
+  in.range = {.speed = {0.5, -0.75}, .force = {-120.0, 100.5}};
+  EXPECT_EQ(ErrorFrom(FormatModel(in)),
+            "m.json: 'fit.speed_range' is 0.5 to -0.75, expected the smaller value first.");
+  EXPECT_EQ(ErrorAfter("\"mae\"", "\"speed_range\": [1], \"mae\""),
+            "m.json: 'fit.speed_range' has 1 entries, expected 2: the smallest and the greatest "
+            "value.");
+  EXPECT_EQ(ErrorAfter("\"mae\"", "\"speed_range\": [1, 2], \"mae\""),
+            "m.json: 'fit.force_range' is missing.");
 }
 
 }  // namespace
