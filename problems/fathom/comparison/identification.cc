@@ -4,11 +4,9 @@
 #include "fathom/comparison/identification.h"
 
 #include "fathom/least_squares/least_squares.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/free_run.h"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -30,16 +28,6 @@ void TakeOver(const Summary& summary, Identification* identification) {
 
 // Poses are fitted as they are, without a derivative between image and model, where all of them are
 // displacements along the DOF.
-FittedOutput OutputOf(std::span<const Segment> segments) {
-  const bool has_positions =
-      std::none_of(segments.begin(), segments.end(), [](const auto& segment) {
-        return segment.position.empty();
-      });
-  return has_positions ? FittedOutput::kPosition : FittedOutput::kVelocity;
-}
-
-// What to say of a model whose free runs miss this share of `motion`. One that misses almost all
-// of it is no model, whatever its intervals say. Empty for a good fit.
 std::string CaveatOnFit(double nmae, std::string_view motion) {
   constexpr double kPoor = 0.3, kExplainsLittle = 0.8;
   if (!(nmae > kPoor)) return "";

@@ -224,4 +224,14 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   return ChooseWeighting(segments, options, FitPlainly(segments, options));
 }
 
+FittedOutput OutputOf(std::span<const Segment> segments) {
+  const bool has_positions =
+      std::none_of(segments.begin(), segments.end(), [](const auto& segment) {
+        return segment.position.empty();
+      });
+  return has_positions ? FittedOutput::kPosition : FittedOutput::kVelocity;
+}
+
+// What to say of a model whose free runs miss this share of `motion`. One that misses almost all
+// of it is no model, whatever its intervals say. Empty for a good fit.
 }  // namespace fathom

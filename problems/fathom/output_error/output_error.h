@@ -20,4 +20,8 @@ namespace fathom {
 OutputErrorSummary FitOutputError(std::span<const Segment> segments,
                                   const OutputErrorOptions& options = {});
 
+// What a fit is compared with by default: the positions where every segment has them, since
+// velocities then are derived from them.
+FittedOutput OutputOf(std::span<const Segment> segments);
+
 }  // namespace fathom

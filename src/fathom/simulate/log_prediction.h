@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/log/log.h"
-#include "fathom/signal/segment.h"
+#include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <optional>
@@ -12,20 +12,34 @@
 
 namespace fathom {
 
-// What a model predicts for a whole log, held-out intervals and all.
-struct LogPrediction {
-  // At every stamp of the log's motion stream, or, without one, of its command, with a "measured"
-  // velocity of NaN but for the start from rest.
-  std::vector<Segment> segments;
-
-  // Of each segment, at its stamps: as the velocity sensor would show it [m/s] or [rad/s].
-  std::vector<std::vector<double>> velocity;
-
-  FitFigures figures;  // NaN where the log does not measure the motion
+// What part of a log a stretch of it is of.
+enum class LogPart {
+  kTrain,    // what a fit of this log takes
+  kHeldOut,  // its held-out intervals
+  kOutside,  // before the first command, and pieces too short to fit: in no figure
 };
 
-// Free runs of `model` over the segments of `log`, each started from its first measured speed. An
-// effect acts in the log whatever run it belongs to: RestrictToLog() comes before.
+struct PredictedStretch {
+  LogPart part = LogPart::kTrain;
+
+  // Velocities, as the sensor would show them; a `measured` velocity is NaN where the log has none.
+  FreeRun run;
+};
+
+// What a model predicts for a whole log.
+struct LogPrediction {
+  // At every stamp of the log's motion stream, or, without one, of its command, in the order of
+  // time.
+  std::vector<PredictedStretch> stretches;
+
+  // NaN where the log does not measure the motion.
+  FitFigures all;  // of both
+  FitFigures train, held_out;
+};
+
+// Free runs of `model` over `log`, each from FittedStart(), cut as SignalsOf() cuts: at silences of
+// over 30 s and at the ends of held-out intervals. An effect acts in the log whatever run it
+// belongs to: RestrictToLog() comes before.
 //
 // Nothing if a run diverges. Throws InputError if the log was commanded in another unit than the
 // model's, has no command along its DOF, or lacks the partner of an effect.
