@@ -11,7 +11,7 @@
 #include "fathom/log/read_log.h"
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/signals.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/free_run.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,6 +5,9 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/check/inertia_check.h"
+#include "fathom/check/log_check.h"
+#include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/log_prediction.h"
@@ -13,6 +16,7 @@
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -51,8 +55,8 @@ const ToolInfo kInfo = {
     "[--json=FILE] [--keep_run_effects]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
-    "none. It starts from the first measured speed (with a sensor lag, from the state that fits "
-    "the first two seconds best) and starts anew after a gap of over 30 s. A verdict of "
+    "none. It starts where the model fits the first two seconds best, and anew after a gap of "
+    "over 30 s and at the ends of held-out intervals. A verdict of "
     "fathom_diagnose is simulated with its causes, as the sensor would show it. The motion of "
     "other DOFs is taken from the log. Causes of a run are left out on any other log. "
     "Several logs, as --log=A --log=B or --log=A,B, are scored one by one.",
@@ -70,8 +74,21 @@ std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
   return csv;
 }
 
-void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
-  if (!std::isfinite(figures.mae)) {
+// `part`: ", held out" of a log, or nothing.
+void PrintFigures(const char* part, const FitFigures& figures, Dof dof) {
+  if (figures.num_samples == 0) return;
+  fmt::print("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
+             Name(dof),
+             part,
+             figures.mae,
+             VelocityUnit(dof),
+             std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae) : "-",
+             figures.num_samples,
+             figures.duration);
+}
+
+void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof) {
+  if (!std::isfinite(prediction.figures.mae)) {
     fmt::print(
         "{}: predicted from rest. The log has no column '{}' and no pose to score the "
         "prediction{}\n",
@@ -80,25 +97,37 @@ void PrintFigures(const FitFigures& figures, const Log& log, Dof dof) {
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
     return;
   }
-  fmt::print("{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
-             Name(dof),
-             figures.mae,
-             VelocityUnit(dof),
-             std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae) : "-",
-             figures.num_samples,
-             figures.duration);
+  if (log.held_out.empty()) {
+    PrintFigures("", prediction.figures, dof);
+    return;
+  }
+  PrintFigures(", training data", prediction.train, dof);
+  PrintFigures(", held out", prediction.held_out, dof);
 }
 
 // What became of one log.
 struct LogScore {
-  std::string log;                          // its name
+  std::string log;  // its name
+  std::vector<Finding> findings;
   std::optional<LogPrediction> prediction;  // nothing if the simulation diverges
   std::vector<std::string> remarks;
 };
 
+// What every tool checks, where the log measures the motion, and the model against the vehicle.
+std::vector<Finding> FindingsOn(const Log& log, const FittedModel& model) {
+  std::vector<Finding> findings;
+  if (!SourcesOf(log, model.dof).empty()) findings = CheckLogs({&log, 1}, model.dof);
+  if (!log.mass) return findings;
+  const double std = std::sqrt(model.covariance(kInertia, kInertia));
+  if (auto finding = CheckInertia(model.dof, model.model.inertia, std, *log.mass)) {
+    findings.push_back(*std::move(finding));
+  }
+  return WarningsFirst(std::move(findings));
+}
+
 LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
   const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
-  LogScore score = {log.name, PredictLog(model, log), {}};
+  LogScore score = {log.name, FindingsOn(log, model), PredictLog(model, log), {}};
   if (!score.prediction) return score;
   score.remarks = RemarksOn(model, *score.prediction);
   const std::vector<double>& last = score.prediction->segments.back().time;
@@ -125,13 +154,27 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
                model.model.linear_damping);
     return;
   }
-  PrintFigures(score.prediction->figures, log, model.dof);
+  PrintFigures(*score.prediction, log, model.dof);
   for (const std::string& remark : score.remarks) fmt::print("note: {}\n", remark);
+}
+
+Json FormatFigures(const FitFigures& figures) {
+  return {{"mae", figures.mae},
+          {"nmae", figures.nmae},
+          {"n", figures.num_samples},
+          {"duration", figures.duration}};
 }
 
 // Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
 Json FormatScore(const LogScore& score, Dof dof) {
-  const FitFigures figures = score.prediction ? score.prediction->figures : FitFigures();
+  const LogPrediction prediction = score.prediction.value_or(LogPrediction());
+  const FitFigures& figures = prediction.figures;
+  Json findings = Json::array();
+  for (const Finding& finding : score.findings) {
+    findings.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
+                        {"code", finding.code},
+                        {"sentence", finding.sentence}});
+  }
   return {{"schema", "fathom-score-1"},
           {"log", score.log},
           {"dof", Name(dof)},
@@ -139,6 +182,9 @@ Json FormatScore(const LogScore& score, Dof dof) {
           {"nmae", figures.nmae},
           {"n", figures.num_samples},
           {"duration", figures.duration},
+          {"train", FormatFigures(prediction.train)},
+          {"held_out", FormatFigures(prediction.held_out)},
+          {"findings", findings},
           {"remarks", score.remarks}};
 }
 
@@ -180,6 +226,7 @@ int Run() {
   std::vector<LogScore> scores;
   for (const Log& log : logs) {
     LogScore& score = scores.emplace_back(ScoreOf(fitted, log));
+    PrintWarnings(score.findings);
     if (logs.size() > 1) fmt::print("{}\n", log.path.string());
     Print(score, log, fitted);
   }

@@ -4,9 +4,9 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/comparison/recommendation.h"
 #include "fathom/report/format_value.h"
-#include "fathom/simulate/prediction.h"
-#include "fathom/simulate/run_start.h"
+#include "fathom/simulate/free_run.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -24,22 +25,6 @@ namespace {
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 bool HasHeldOut(const DofComparison& comparison) { return !comparison.scored.held_out.empty(); }
-
-// What a model is judged by: the error on data it has not seen, if any were held out. NaN: it
-// cannot predict them.
-double Score(const DofComparison& comparison, const Identification& row) {
-  return HasHeldOut(comparison) ? row.fitted.held_out.nmae : row.fitted.train.nmae;
-}
-
-// Null if no row is usable and can be simulated.
-const Identification* BestRow(const DofComparison& comparison) {
-  const Identification* best = nullptr;
-  for (const Identification& row : comparison.rows) {
-    if (!row.is_usable || !std::isfinite(Score(comparison, row))) continue;
-    if (best == nullptr || Score(comparison, row) < Score(comparison, *best)) best = &row;
-  }
-  return best;
-}
 
 std::string Figure(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
@@ -92,21 +77,35 @@ std::string Capitalised(std::string text) {
   return text;
 }
 
+// "Adaptive, velocity.csv (6.9 %)".
+std::string WithScore(const DofComparison& comparison, const Identification& row) {
+  return fmt::format("{} ({:.1f} %)", ModelName(row), 100.0 * ScoreOf(comparison, row));
+}
+
 std::string Sentence(const DofComparison& comparison) {
   const std::string dof = Capitalised(std::string(Name(comparison.dof)));
-  const Identification* best = BestRow(comparison);
-  if (best == nullptr) return fmt::format("{}: no family found a usable model.", dof);
+  const Recommendation recommendation = Recommend(comparison);
+  if (recommendation.taken == nullptr) {
+    return fmt::format("{}: no family found a usable model.", dof);
+  }
+  const Identification& taken = *recommendation.taken;
+  std::vector<std::string> as_good;
+  for (const Identification* row : recommendation.as_good) {
+    as_good.push_back(WithScore(comparison, *row));
+  }
   return fmt::format(
-      "{}: {} predicts best. Simulated from the command alone, it misses {:.1f} % of the speed "
-      "{}. Inertia {} {} (95 %).",
+      "{}: take {}. Simulated from the command alone, it misses {:.1f} % of the speed {}. "
+      "{}Inertia "
+      "{} {} (95 %).",
       dof,
-      ModelName(*best),
-      100.0 * Score(comparison, *best),
+      ModelName(taken),
+      100.0 * ScoreOf(comparison, taken),
       HasHeldOut(comparison) ? "on held-out data"
                              : "on the data that it was fitted to (no data are held out)",
-      FormatValue(best->fitted.model.inertia,
-                  kStdsOf95 * std::sqrt(best->fitted.covariance(kInertia, kInertia))),
-      UnitText(ParameterUnit(kInertia, comparison.dof, best->fitted.force_unit)));
+      as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
+      FormatValue(taken.fitted.model.inertia,
+                  kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
+      UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
 }
 
 void RemoveColumn(const std::string& heading, Table* table) {
@@ -189,7 +188,7 @@ Table ParameterTable(const DofComparison& comparison) {
                    {"velocity NMAE", true},
                    {"velocity MAE, held out", true},
                    {"velocity NMAE, held out", true}};
-  const Identification* best = BestRow(comparison);
+  const Identification* const taken = Recommend(comparison).taken;
   for (const Identification& row : comparison.rows) {
     TableRow line;
     line.cells = {std::string(Name(comparison.dof)), ModelName(row)};
@@ -202,9 +201,9 @@ Table ParameterTable(const DofComparison& comparison) {
     line.cells.push_back(Figure(row.fitted.train.nmae, "{:.4f}"));
     line.cells.push_back(Figure(row.fitted.held_out.mae, "{:.5f}"));
     line.cells.push_back(Figure(row.fitted.held_out.nmae, "{:.4f}"));
-    line.flag = !row.is_usable ? RowFlag::kUnusable
-                : &row == best ? RowFlag::kBest
-                               : RowFlag::kNone;
+    line.flag = !row.is_usable  ? RowFlag::kUnusable
+                : &row == taken ? RowFlag::kBest
+                                : RowFlag::kNone;
     table.rows.push_back(std::move(line));
   }
   return table;
@@ -217,8 +216,11 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
   panel.measured = Series{"measured", {}, ""};
   for (const Identification& row : comparison.rows) {
     if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
-    panel.responses.push_back(
-        {ModelName(row), {}, fmt::format("velocity NMAE {:.3f}", row.fitted.train.nmae)});
+    panel.responses.push_back({ModelName(row),
+                               {},
+                               fmt::format("{}velocity NMAE {:.3f}",
+                                           HasHeldOut(comparison) ? "held-out " : "",
+                                           ScoreOf(comparison, row))});
   }
   const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);
   if (const size_t num_logs = NumLogs(placed); num_logs > 1) {
@@ -236,9 +238,9 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
       auto& values = panel.responses[response++].values;
-      const auto predicted = Predict({row.fitted.model}, *segment, {InitialVelocity(*segment)});
-      if (predicted) {
-        values.insert(values.end(), predicted->begin(), predicted->end());
+      const auto run = FreeRunOver(*segment, {row.fitted.model});
+      if (run) {
+        values.insert(values.end(), run->predicted.begin(), run->predicted.end());
       } else {
         values.insert(values.end(), segment->time.size(), kNotComputed);
       }
@@ -295,7 +297,8 @@ Page ComparisonPage(const Comparison& comparison) {
   page.footer =
       "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "
       "started "
-      "from the speed at each segment's first stamp (docs/models.md). In the table, ± is one "
+      "where the model fits the first two seconds of each segment best (docs/models.md). In the "
+      "table, ± is one "
       "standard deviation. Bars and the sentences above give 95 % intervals.";
   return page;
 }

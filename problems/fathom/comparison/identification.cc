@@ -5,11 +5,9 @@
 
 #include "fathom/least_squares/least_squares.h"
 #include "fathom/simulate/data_range.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/free_run.h"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -27,16 +25,6 @@ void TakeOver(const Summary& summary, Identification* identification) {
   identification->fitted.model = summary.model;
   identification->fitted.covariance = summary.covariance;
   identification->fitted.caveats = summary.caveats;
-}
-
-// Poses are fitted as they are, without a derivative between image and model, where all of them are
-// displacements along the DOF.
-FittedOutput OutputOf(std::span<const Segment> segments) {
-  const bool has_positions =
-      std::none_of(segments.begin(), segments.end(), [](const auto& segment) {
-        return segment.position.empty();
-      });
-  return has_positions ? FittedOutput::kPosition : FittedOutput::kVelocity;
 }
 
 // What to say of a model whose free runs miss this share of `motion`. One that misses almost all

@@ -47,20 +47,18 @@ double HeldOutGain(const Prepared& prepared, const Judgement& judgement, const C
   return GainOf(scored, active.effect->info().needs_pose).value;
 }
 
-// Over training data first, each segment from where the fit starts it, then over those held out.
-std::vector<ResidualTrace> Traces(const Prepared& prepared, const StartedModel& extended) {
-  const StartedModel& users = prepared.users;
-  const std::vector<MeasuredSegment>& segments = prepared.data.segments();
+// Over training data first, then over those held out.
+std::vector<ResidualTrace> Traces(const Prepared& prepared, const ExtendedModel& extended) {
+  const ExtendedModel& users = prepared.users.model;
   std::vector<ResidualTrace> traces;
-  for (size_t r = 0; r < segments.size(); ++r) {
-    traces.push_back(TraceOf(segments[r],
-                             FreeRunOver(segments[r], users.model, users.initial[r]),
-                             FreeRunOver(segments[r], extended.model, extended.initial[r])));
-  }
-  for (const MeasuredSegment& segment : prepared.held_out) {
-    traces.push_back(
-        TraceOf(segment, FreeRunOver(segment, users.model), FreeRunOver(segment, extended.model)));
-  }
+  const auto add = [&](const std::vector<MeasuredSegment>& segments) {
+    for (const MeasuredSegment& segment : segments) {
+      traces.push_back(
+          TraceOf(segment, FreeRunOver(segment, users), FreeRunOver(segment, extended)));
+    }
+  };
+  add(prepared.data.segments());
+  add(prepared.held_out);
   return traces;
 }
 
@@ -156,7 +154,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   if (diagnosis.causes.empty() && !judgement.refusals.empty()) {
     diagnosis.not_named = NotNamedOf(judgement.refusals.back(), judgement.search.suspects);
   }
-  diagnosis.traces = Traces(prepared, extended);
+  diagnosis.traces = Traces(prepared, extended.model);
   if (MayLieInPoses(judgement.verdict, extended.model)) {
     diagnosis.pose_traces = PoseTraces(segments, users.model, extended.model);
   }

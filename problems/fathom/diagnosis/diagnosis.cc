@@ -8,6 +8,7 @@
 #include "fathom/check/log_check.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/description.h"
+#include "fathom/diagnosis/fit/identified_model.h"
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
 #include "fathom/diagnosis/report/remarks.h"
@@ -63,7 +64,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   begun.findings = CheckLogs(logs, dof);
   begun.message = WhyNoModel(begun.findings);
   if (!begun.IsUsable()) return begun;
-  const Preparation preparation = Prepare(segments, dof);
+  const Preparation preparation = Prepare(segments, dof, IdentifiedModelOf(logs, dof));
   begun.remarks = RemarksOnData(segments, preparation.num_outliers);
   begun.message = preparation.message;
   if (!preparation.prepared) return begun;

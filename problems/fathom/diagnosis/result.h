@@ -180,7 +180,7 @@ struct Diagnosis {
   // False where no model without a cause fits these logs, but one with a cause does. Then all that
   // is of the baseline, or of a comparison with it, is NaN or empty.
   bool has_baseline = true;
-  DiagnosedModel baseline;  // by output error, as fathom_identify gives it
+  DiagnosedModel baseline;  // as fathom_identify gives it
   DiagnosedModel extended;  // the baseline again where nothing is named
   std::vector<Cause> causes;
   std::optional<NotNamed> not_named;   // where there are no causes and one was refused

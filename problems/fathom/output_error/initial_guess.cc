@@ -5,7 +5,7 @@
 
 #include "fathom/adaptive/adaptive.h"
 #include "fathom/least_squares/least_squares.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/free_run.h"
 
 #include <algorithm>
 #include <cmath>

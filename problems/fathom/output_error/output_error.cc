@@ -224,4 +224,12 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   return ChooseWeighting(segments, options, FitPlainly(segments, options));
 }
 
+FittedOutput OutputOf(std::span<const Segment> segments) {
+  const bool has_positions =
+      std::none_of(segments.begin(), segments.end(), [](const auto& segment) {
+        return segment.position.empty();
+      });
+  return has_positions ? FittedOutput::kPosition : FittedOutput::kVelocity;
+}
+
 }  // namespace fathom

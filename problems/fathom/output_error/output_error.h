@@ -20,4 +20,8 @@ namespace fathom {
 OutputErrorSummary FitOutputError(std::span<const Segment> segments,
                                   const OutputErrorOptions& options = {});
 
+// What a fit is compared with by default: poses as they are, without a derivative between image and
+// model, where all of them are displacements along the DOF; else velocities.
+FittedOutput OutputOf(std::span<const Segment> segments);
+
 }  // namespace fathom

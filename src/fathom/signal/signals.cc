@@ -37,7 +37,7 @@ void RequireUsable(const SignalsOptions& options) {
 }
 
 size_t FewestSamples(const SignalsOptions& options) {
-  return std::max<size_t>(10, options.order + 2);
+  return std::max<size_t>(kFewestOfSegment, options.order + 2);
 }
 
 // Why no range of the motion is long enough: too little of it, another clock, or all in pieces.

@@ -9,6 +9,7 @@
 #include "fathom/signal/sources/source.h"
 #include "fathom/signal/split_at_gaps.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ struct Signals {
   std::vector<Segment> held_out;     // inside them
   std::vector<std::string> remarks;  // what was left out, counted, a sentence each
 };
+
+// A piece of a log with fewer samples is left out.
+inline constexpr std::size_t kFewestOfSegment = 10;
 
 struct SignalsOptions {
   Source source = Source::kPoseEstimator;

@@ -8,12 +8,15 @@
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
+#include "fathom/simulate/free_run.h"
 #include "fathom/simulate/prediction.h"
 #include "fathom/simulate/run_start.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,36 +35,77 @@ void RequireUnitOf(const FittedModel& model, const Log& log) {
                   model.force_unit));
 }
 
-std::vector<Segment> SegmentsOf(const Stream& velocity, Dof dof, const HeldCommand& command) {
-  const std::vector<double>& measured = *velocity.Find(VelocityColumn(dof));
-  std::vector<Segment> segments;
-  for (const SampleRange& range : SplitAtGaps(velocity.time)) {
-    const auto part = [&](const std::vector<double>& all) {
-      return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(range.begin),
-                                 all.begin() + static_cast<std::ptrdiff_t>(range.end));
-    };
-    Segment& segment = segments.emplace_back();
-    segment.time = part(velocity.time);
-    segment.velocity = part(measured);
-    segment.command = command;
+// A stretch of the log, to be run over.
+struct Stretch {
+  LogPart part = LogPart::kTrain;
+  Segment segment;
+  double position = 0.0;  // at its start, where the segment has none [m] or [rad]
+};
+
+// Of velocity.csv: from the first command on as SignalsOf() cuts, and what lies before.
+std::vector<Stretch> StretchesOf(const Log& log, Dof dof, const HeldCommand& command) {
+  const std::vector<double>& time = log.velocity->time;
+  const std::vector<double>& measured = *log.velocity->Find(VelocityColumn(dof));
+  const auto first =
+      static_cast<std::size_t>(std::ranges::lower_bound(time, command.time.front()) - time.begin());
+  const std::vector<double> way = WayAlong(time, measured, first);
+  std::vector<Stretch> stretches;
+  const auto add = [&](const SampleRange& range, LogPart part) {
+    Stretch& stretch = stretches.emplace_back();
+    stretch.part = part;
+    const auto begin = static_cast<std::ptrdiff_t>(range.begin);
+    const auto end = static_cast<std::ptrdiff_t>(range.end);
+    stretch.segment.time.assign(time.begin() + begin, time.begin() + end);
+    stretch.segment.velocity.assign(measured.begin() + begin, measured.begin() + end);
+    stretch.segment.command = command.Between(time[range.begin], time[range.end - 1]);
+    stretch.position = log.pose ? PositionAt(log, dof, time[range.begin]) : way[range.begin];
+  };
+  for (const SampleRange& range : SplitAtGaps(std::span(time).first(first))) {
+    add(range, LogPart::kOutside);
   }
-  return segments;
+  for (const SampleRange& range : SplitAtGaps(time, log.held_out, first)) {
+    const bool is_short = range.size() < kFewestOfSegment;
+    add(range,
+        is_short            ? LogPart::kOutside
+        : range.is_held_out ? LogPart::kHeldOut
+                            : LogPart::kTrain);
+  }
+  return stretches;
 }
 
-std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
-  const HeldCommand command = CommandOf(log, dof);
-  if (log.velocity && log.velocity->Find(VelocityColumn(dof)) != nullptr) {
-    return SegmentsOf(*log.velocity, dof, command);
+// Of the poses.
+std::vector<Stretch> StretchesOf(const Log& log, Dof dof) {
+  Signals signals = SignalsOf(log, dof, {.source = Source::kCamera});
+  std::vector<Stretch> stretches;
+  for (Segment& segment : signals.train) {
+    stretches.push_back({LogPart::kTrain, std::move(segment)});
   }
-  if (log.pose) {
-    return SignalsOf(log, dof, {.source = Source::kCamera, .split_held_out = false}).train;
+  for (Segment& segment : signals.held_out) {
+    stretches.push_back({LogPart::kHeldOut, std::move(segment)});
   }
+  std::ranges::sort(
+      stretches, {}, [](const Stretch& stretch) { return stretch.segment.time.front(); });
+  for (Stretch& stretch : stretches) {
+    stretch.position = PositionAt(log, dof, stretch.segment.time.front());
+  }
+  return stretches;
+}
+
+// A run from rest over the command, where no motion was measured.
+std::optional<LogPrediction> FromRest(const ExtendedModel& model,
+                                      HeldCommand command,
+                                      const EffectInputs& inputs) {
   Segment segment;
   segment.time = command.time;
-  segment.command = command;
+  segment.command = std::move(command);
   segment.velocity.assign(segment.time.size(), std::numeric_limits<double>::quiet_NaN());
-  segment.velocity.front() = 0.0;
-  return {segment};
+  auto predicted = Predict(model, segment, {}, &inputs);
+  if (!predicted) return std::nullopt;
+  LogPrediction prediction;
+  prediction.segments.push_back(std::move(segment));
+  prediction.parts.push_back(LogPart::kOutside);
+  prediction.velocity.push_back(*std::move(predicted));
+  return prediction;
 }
 
 }  // namespace
@@ -69,27 +113,35 @@ std::vector<Segment> SegmentsOf(const Log& log, Dof dof) {
 std::optional<LogPrediction> PredictLog(const FittedModel& fitted, const Log& log) {
   RequireUnitOf(fitted, log);
   const ExtendedModel model = fitted.Extended();
-  LogPrediction prediction;
-  prediction.segments = SegmentsOf(log, fitted.dof);
-  const bool is_measured = std::isfinite(prediction.segments.front().velocity.back());
+  const HeldCommand command = CommandOf(log, fitted.dof);
   EffectInputs inputs;
   if (!model.effects.empty()) {
     inputs = EffectInputsOf(log, fitted.dof);
     RequirePartners(model, inputs, log);
   }
-  FigureSums sums;
-  for (const Segment& segment : prediction.segments) {
-    const double first = segment.velocity.front();
-    const double position = PositionAt(log, fitted.dof, segment.time.front());
-    const auto start = is_measured ? StartOf(model, segment, first, position, &inputs)
-                                   : InitialState{first, position};
-    if (!start) return std::nullopt;
-    auto velocity = Predict(model, segment, *start, &inputs);
-    if (!velocity) return std::nullopt;
-    sums.Add(segment.time, segment.velocity, *velocity);
-    prediction.velocity.push_back(std::move(*velocity));
+  const bool has_velocity =
+      log.velocity && log.velocity->Find(VelocityColumn(fitted.dof)) != nullptr;
+  if (!has_velocity && !log.pose) return FromRest(model, command, inputs);
+  LogPrediction prediction;
+  FigureSums all, train, held_out;
+  for (Stretch& stretch :
+       has_velocity ? StretchesOf(log, fitted.dof, command) : StretchesOf(log, fitted.dof)) {
+    const EffectInputs* const needed = model.effects.empty() ? nullptr : &inputs;
+    auto run = FreeRunOver(stretch.segment, model, stretch.position, needed);
+    if (!run) return std::nullopt;
+    const auto add_to = [&](FigureSums* sums) {
+      sums->Add(run->time, run->measured, run->predicted);
+    };
+    if (stretch.part != LogPart::kOutside) add_to(&all);
+    if (stretch.part == LogPart::kTrain) add_to(&train);
+    if (stretch.part == LogPart::kHeldOut) add_to(&held_out);
+    prediction.segments.push_back(std::move(stretch.segment));
+    prediction.parts.push_back(stretch.part);
+    prediction.velocity.push_back(std::move(run->predicted));
   }
-  prediction.figures = sums.Figures();
+  prediction.figures = all.Figures();
+  prediction.train = train.Figures();
+  prediction.held_out = held_out.Figures();
   return prediction;
 }
 

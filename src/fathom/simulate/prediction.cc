@@ -4,7 +4,6 @@
 #include "fathom/simulate/prediction.h"
 
 #include "fathom/simulate/effect_simulation.h"
-#include "fathom/simulate/run_start.h"
 
 #include <cmath>
 #include <cstddef>
@@ -51,23 +50,6 @@ FitFigures FigureSums::Figures() const {
   figures.mae = sum_of_errors_ / num_samples_;                               // docs/models.md (7)
   if (sum_of_speeds_ > 0.0) figures.nmae = sum_of_errors_ / sum_of_speeds_;  // docs/models.md (8)
   return figures;
-}
-
-FitFigures FiguresOf(const ExtendedModel& model,
-                     std::span<const Segment> segments,
-                     std::span<const double> positions,
-                     const EffectInputs* inputs) {
-  CHECK(positions.empty() || positions.size() == segments.size());
-  FigureSums sums;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Segment& segment = segments[k];
-    const double position = positions.empty() ? 0.0 : positions[k];
-    const auto start = StartOf(model, segment, InitialVelocity(segment), position, inputs);
-    const auto predicted = start ? Predict(model, segment, *start, inputs) : std::nullopt;
-    if (!predicted) return {};
-    sums.Add(segment.time, segment.velocity, *predicted);
-  }
-  return sums.Figures();
 }
 
 }  // namespace fathom

@@ -41,12 +41,4 @@ class FigureSums {
   int num_samples_ = 0;
 };
 
-// Of the free runs over all `segments`, each from the StartOf() its InitialVelocity() and the
-// position of the same index; `positions` may be empty, and `inputs` null, where the model has no
-// effects. All NaN if a run diverges.
-FitFigures FiguresOf(const ExtendedModel& model,
-                     std::span<const Segment> segments,
-                     std::span<const double> positions = {},
-                     const EffectInputs* inputs = nullptr);
-
 }  // namespace fathom

@@ -80,35 +80,18 @@ TEST(Predict, StartsAtThePositionItIsGiven) {
   EXPECT_NEAR((*pulled)[2], 0.5 * 2.0 * std::sin(2.0), 1e-4);
 }
 
-TEST(FiguresOf, FollowEquations10And11OfThePaperOverAllSegments) {
-  // Predicted 0.5, 1.5, 2.5 and -1, 0, 1: errors 0, 0.5, 0.5 and 0, 0.2, 0.
-  const std::vector<Segment> segments = {SegmentWith({0.5, 2.0, 2.0}),
-                                         SegmentWith({-1.0, 0.2, 1.0})};
-  const FitFigures figures = FiguresOf({kModel}, segments);
+TEST(FigureSums, FollowEquations10And11OfThePaperOverAllRuns) {
+  // Errors 0, 0.5, 0.5 and 0, 0.2, 0.
+  FigureSums sums;
+  const std::vector<double> time = {1.0, 1.5, 2.0};
+  sums.Add(time, std::vector{0.5, 2.0, 2.0}, std::vector{0.5, 1.5, 2.5});
+  sums.Add(time, std::vector{-1.0, 0.2, 1.0}, std::vector{-1.0, 0.0, 1.0});
+  const FitFigures figures = sums.Figures();
   EXPECT_NEAR(figures.mae, 1.2 / 6.0, 1e-14);
   EXPECT_NEAR(figures.nmae, 1.2 / (0.5 + 2.0 + 2.0 + 1.0 + 0.2 + 1.0), 1e-14);
   EXPECT_EQ(figures.num_samples, 6);
   EXPECT_DOUBLE_EQ(figures.duration, 2.0);
-}
-
-TEST(FiguresOf, AreNotANumberWhenTheRunDivergesOrThereIsNoData) {
-  const std::vector<Segment> segments = {SegmentWith({1.0, 2.0, 2.0})};
-  EXPECT_TRUE(std::isnan(FiguresOf({{1.0, 0.0, -90.0, 0.0}}, segments).nmae));
-  EXPECT_TRUE(std::isnan(FiguresOf({kModel}, {}).nmae));
-  const std::vector<Segment> at_rest = {SegmentWith({0.0, 0.0, 0.0})};
-  EXPECT_TRUE(std::isnan(FiguresOf({kModel}, at_rest).nmae));
-  EXPECT_NEAR(FiguresOf({kModel}, at_rest).mae, 1.0, 1e-14);
-}
-
-TEST(FiguresOf, CountFromWhereTheReadingStarts) {
-  const EffectInputs inputs = PushedInputs();
-  // Predicted 0.5, 1.5, 2.5.
-  const std::vector<Segment> segments = {SegmentWith({0.5, 2.0, 2.0})};
-  const std::vector<double> positions = {0.0};
-  const FitFigures figures = FiguresOf(With("sensor_bias", {0.3}), segments, positions, &inputs);
-  EXPECT_NEAR(figures.mae, 1.0 / 3.0, 1e-12);
-  EXPECT_NEAR(figures.nmae, 1.0 / 4.5, 1e-12);
-  EXPECT_EQ(figures.num_samples, 3);
+  EXPECT_TRUE(std::isnan(FigureSums().Figures().nmae));
 }
 
 }  // namespace

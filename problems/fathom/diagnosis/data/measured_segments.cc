@@ -10,6 +10,7 @@
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,16 +47,6 @@ SampledSignal Between(const SampledSignal& channel, double from, double to) {
   const auto offset = begin - channel.time.begin();
   return {{begin, end},
           {channel.value.begin() + offset, channel.value.begin() + (end - channel.time.begin())}};
-}
-
-// The way from sample `first` on to each sample, along the measured velocity.
-std::vector<double> WayAlong(const SampledSignal& velocity, size_t first) {
-  const auto& [time, value] = velocity;
-  std::vector<double> way(time.size(), 0.0);
-  for (size_t i = first + 1; i < time.size(); ++i) {
-    way[i] = way[i - 1] + 0.5 * (time[i] - time[i - 1]) * (value[i - 1] + value[i]);
-  }
-  return way;
 }
 
 // A segment of what all logs measure, from `from` to `to` [s]. `position`: where it starts if
@@ -103,7 +94,7 @@ void AddSegmentsOf(const LogChannels& channels, Dof dof, MeasuredSegments* segme
     segments->remarks.push_back(channels.name + ": " + remark);
   }
   const std::vector<double> way =
-      segments->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading, first);
+      segments->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading.time, leading.value, first);
   const LongRanges kept =
       WithoutShort(SplitAtGaps(time, channels.log->held_out, first), kFewestSamples);
   for (const SampleRange& range : kept.ranges) {

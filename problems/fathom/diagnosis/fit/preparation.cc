@@ -70,7 +70,9 @@ std::optional<StructureFit> Unfitted(const TrainingData& data, const RobustStart
 
 }  // namespace
 
-Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
+Preparation Prepare(const MeasuredSegments& segments,
+                    Dof dof,
+                    const std::optional<IdentifiedModel>& identified) {
   Preparation preparation;
   std::vector<MeasuredSegment> train = Part(segments.all, false);
   const auto by_momentum = StartByMomentum(train);
@@ -108,7 +110,12 @@ Preparation Prepare(const MeasuredSegments& segments, Dof dof) {
   if (by_output_error) {
     prepared.baseline = FitBaseline(data, by_output_error->model, by_output_error->initial);
     if (prepared.baseline.IsSimulated()) {
-      prepared.users = UsersModel(data, *by_output_error).value_or(StartedFrom(prepared.baseline));
+      RobustStart users = *by_output_error;
+      if (identified && identified->model.inertia <= kRunAway * inertia_by_momentum) {
+        users.model.baseline = identified->model;
+        users.covariance = identified->covariance;
+      }
+      prepared.users = UsersModel(data, users).value_or(StartedFrom(prepared.baseline));
     }
   }
   if (!prepared.baseline.IsSimulated()) {

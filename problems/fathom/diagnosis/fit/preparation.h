@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/diagnosis/fit/identified_model.h"
 #include "fathom/diagnosis/fit/started_model.h"
 
 #include <optional>
@@ -43,7 +44,9 @@ struct Preparation {
 std::string NoBaseline(Dof dof);
 
 // Takes outliers out of what is not held out, fits the baseline to the rest along `dof`, and thins
-// it.
-Preparation Prepare(const MeasuredSegments& segments, Dof dof);
+// it. `identified`: the user's model; absent: output error's with plain weights.
+Preparation Prepare(const MeasuredSegments& segments,
+                    Dof dof,
+                    const std::optional<IdentifiedModel>& identified = std::nullopt);
 
 }  // namespace fathom

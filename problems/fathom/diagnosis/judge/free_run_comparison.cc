@@ -11,13 +11,10 @@ namespace {
 
 // Of free runs over the training data.
 FitFigures TrainFigures(const TrainingData& data,
-                        const ExtendedModel& model,
-                        const std::vector<InitialState>& initial) {
+                        const ExtendedModel& model) {
   std::vector<FreeRun> runs;
-  for (size_t r = 0; r < data.segments().size(); ++r) {
-    if (auto run = FreeRunOver(data.segments()[r], model, initial[r])) {
-      runs.push_back(std::move(*run));
-    }
+  for (const MeasuredSegment& segment : data.segments()) {
+    if (auto run = FreeRunOver(segment, model)) runs.push_back(std::move(*run));
   }
   return FiguresOfRuns(runs);
 }
@@ -33,8 +30,8 @@ FreeRunComparison CompareWithUsers(const Prepared& prepared,
   FreeRunComparison runs;
   runs.unseen = prepared.held_out.empty() ? Score(parts, fit, criterion)
                                           : Score(prepared.held_out, users.model, fit.model);
-  runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
-  runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
+  runs.train_before = TrainFigures(prepared.data, users.model);
+  runs.train_after = TrainFigures(prepared.data, fit.model);
   runs.gain = GainOf(runs.unseen, acts_on_poses_alone);
   return runs;
 }

@@ -3,8 +3,9 @@
 
 #include "fathom/diagnosis/judge/held_out.h"
 
-#include "fathom/diagnosis/judge/fitted_start.h"
-#include "fathom/simulate/prediction.h"
+#include "fathom/simulate/effect_simulation.h"
+#include "fathom/simulate/fitted_start.h"
+#include "fathom/simulate/simulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,54 +15,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kBlock = 10.0;  // [s], several times the vehicle's memory of an error
-constexpr double kShortestBlock = 5.0;
-constexpr double kWantedBlocks = 8.0;
-constexpr size_t kFewestBlocks = 4;
-
-struct BlockSums {
-  double before = 0.0, after = 0.0;
-};
-
-// In blocks of so many seconds each.
-std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
-                                   std::span<const FreeRun> after,
-                                   double length) {
-  std::vector<BlockSums> blocks;
-  for (size_t r = 0; r < before.size(); ++r) {
-    double block_end = -1e300;
-    for (size_t i = 0; i < before[r].time.size(); ++i) {
-      if (before[r].time[i] >= block_end) {
-        block_end = before[r].time[i] + length;
-        blocks.emplace_back();
-      }
-      blocks.back().before += std::abs(before[r].predicted[i] - before[r].measured[i]);
-      blocks.back().after += std::abs(after[r].predicted[i] - after[r].measured[i]);
-    }
-  }
-  return blocks;
-}
-
-// Of blocks [s]: shorter ones where the runs are short.
-double BlockLength(std::span<const FreeRun> runs) {
-  double total = 0.0;
-  for (const FreeRun& run : runs) {
-    if (!run.time.empty()) total += run.time.back() - run.time.front();
-  }
-  return std::clamp(total / kWantedBlocks, kShortestBlock, kBlock);
-}
-
-// Student's t at 97.5 %, by degrees of freedom: Cornish-Fisher's expansion about the normal
-// quantile, which is right to 1 % from three on; Abramowitz, Stegun, 26.7.5.
-double StudentQuantile(double freedom) {
-  constexpr double z = 1.959963985;
-  if (freedom < 2.0) return 12.706;
-  if (freedom < 3.0) return 4.303;
-  constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4.0 * freedom) +
-         (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom) +
-         (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
-}
+constexpr double kBlock = 10.0;  // [s], of poses
 
 // Measured less predicted, as a straight line: at the first stamp and per second. 0 if there is
 // nothing.
@@ -86,12 +40,28 @@ Miss MissOf(std::span<const double> time,
   return {.first = (sy - slope * st) / n, .slope = slope};
 }
 
+MeasuredMotion MotionOf(const MeasuredSegment& segment) {
+  return {.start = segment.stamps.start,
+          .velocity_time = segment.stamps.velocity,
+          .velocity = segment.velocity,
+          .displacement_time = segment.stamps.displacement,
+          .displacement = segment.displacement};
+}
+
+// What the sensors show in a free run. Velocities without effects come from Simulation, as those of
+// every tool do.
 std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
-                                         const ExtendedModel& model,
-                                         const InitialState& initial) {
+                                         const ExtendedModel& model) {
+  const EffectInputs& inputs = *segment.inputs;
+  const auto start = FittedStart(model, inputs, MotionOf(segment), segment.initial.position);
+  if (!start) return std::nullopt;
   EffectOutputs outputs;
-  const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
-  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
+  const EffectSimulation simulation(&inputs, segment.stamps);
+  if (!simulation.Run(model, *start, &outputs)) return std::nullopt;
+  if (segment.velocity.empty() || !model.effects.empty()) return outputs;
+  outputs.velocity.resize(segment.stamps.velocity.size());
+  const Simulation plain(inputs.command, segment.stamps.velocity);
+  if (!plain.Run(model.baseline, *start, outputs.velocity, {})) return std::nullopt;
   return outputs;
 }
 
@@ -123,31 +93,16 @@ FreeRun PosesByBlock(const MeasuredSegment& segment, const EffectOutputs& output
 }  // namespace
 
 std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model) {
-  const auto start = FittedStart(segment, model);
-  if (!start) return std::nullopt;
-  return FreeRunOver(segment, model, *start);
+  auto outputs = OutputsOver(segment, model);
+  if (!outputs) return std::nullopt;
+  return RunOf(segment, *std::move(outputs));
 }
 
 std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const ExtendedModel& model) {
   if (segment.velocity.empty() || segment.displacement.empty()) return std::nullopt;
-  const auto start = FittedStart(segment, model);
-  const auto outputs = start ? OutputsOver(segment, model, *start) : std::nullopt;
+  const auto outputs = OutputsOver(segment, model);
   if (!outputs) return std::nullopt;
   return PosesByBlock(segment, *outputs);
-}
-
-std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment,
-                                   const ExtendedModel& model,
-                                   const InitialState& initial) {
-  auto outputs = OutputsOver(segment, model, initial);
-  if (!outputs) return std::nullopt;
-  return RunOf(segment, std::move(*outputs));
-}
-
-FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
-  FigureSums sums;
-  for (const FreeRun& run : runs) sums.Add(run.time, run.measured, run.predicted);
-  return sums.Figures();
 }
 
 bool AreOverTheSame(std::span<const FreeRun> a, std::span<const FreeRun> b) {
@@ -156,43 +111,13 @@ bool AreOverTheSame(std::span<const FreeRun> a, std::span<const FreeRun> b) {
   });
 }
 
-Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<BlockSums> blocks = SumsByBlock(before, after, BlockLength(before));
-  BlockSums all;
-  for (const BlockSums& block : blocks) {
-    all.before += block.before;
-    all.after += block.after;
-  }
-  if (blocks.empty()) return {.value = kNone, .low = kNone, .high = kNone};
-  const double left = all.after / all.before;
-  const auto n = static_cast<double>(blocks.size());
-  if (blocks.size() < kFewestBlocks) return {.value = 1.0 - left, .low = kNone, .high = kNone};
-  double sum = 0.0, neighbours = 0.0, last = 0.0;
-  for (const BlockSums& block : blocks) {
-    const double apart = block.after - left * block.before;
-    sum += apart * apart;
-    neighbours += 2.0 * apart * last;
-    last = apart;
-  }
-  // Neighbours share the errors about their edge.
-  const double variance = std::max(sum, sum + neighbours) * n / (n - 1.0);
-  const double std = std::sqrt(variance) / all.before;
-  const double reach = StudentQuantile(n - 1.0) * std;
-  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = 1.0 - left + reach};
-}
-
 Scored Score(const std::vector<MeasuredSegment>& segments,
              const ExtendedModel& before,
              const ExtendedModel& after) {
   Scored scored;
   for (const MeasuredSegment& segment : segments) {
-    const auto outputs_of = [&](const ExtendedModel& model) -> std::optional<EffectOutputs> {
-      const auto start = FittedStart(segment, model);
-      if (!start) return std::nullopt;
-      return OutputsOver(segment, model, *start);
-    };
-    auto outputs_before = outputs_of(before), outputs_after = outputs_of(after);
+    auto outputs_before = OutputsOver(segment, before);
+    auto outputs_after = OutputsOver(segment, after);
     if (!outputs_before || !outputs_after) continue;
     if (!segment.velocity.empty() && !segment.displacement.empty()) {
       scored.poses_before.push_back(PosesByBlock(segment, *outputs_before));

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/judge/fitted_start.h"
+#include "fathom/simulate/fitted_start.h"
 
 #include "fathom/base/median.h"
+#include "fathom/simulate/effect_simulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +20,65 @@ namespace {
 constexpr double kStart = 2.0;          // [s]
 constexpr std::ptrdiff_t kFewest = 10;  // samples of the same
 
-// The first seconds of a segment, with ten samples at least.
-MeasuredSegment FirstSeconds(const MeasuredSegment& segment) {
-  MeasuredSegment first = segment;
-  const auto cut = [&](std::vector<double>* time, std::vector<double>* value) {
-    const auto end = std::upper_bound(time->begin(), time->end(), segment.stamps.start + kStart);
+// The first seconds of a stretch.
+struct FirstSeconds {
+  OutputStamps stamps;
+  std::vector<double> velocity, displacement;
+};
+
+// With ten samples at least.
+FirstSeconds FirstSecondsOf(const MeasuredMotion& motion) {
+  FirstSeconds first;
+  first.stamps.start = motion.start;
+  const auto take = [&](std::span<const double> all_stamps,
+                        std::span<const double> all_values,
+                        std::vector<double>* time,
+                        std::vector<double>* value) {
+    const auto end = std::ranges::upper_bound(all_stamps, motion.start + kStart);
     const std::ptrdiff_t count =
-        std::max(end - time->begin(), std::min(std::ssize(*time), kFewest));
-    time->resize(count);
-    value->resize(count);
+        std::max(end - all_stamps.begin(), std::min(std::ssize(all_stamps), kFewest));
+    time->assign(all_stamps.begin(), all_stamps.begin() + count);
+    value->assign(all_values.begin(), all_values.begin() + count);
   };
-  cut(&first.stamps.velocity, &first.velocity);
-  cut(&first.stamps.displacement, &first.displacement);
+  take(motion.velocity_time, motion.velocity, &first.stamps.velocity, &first.velocity);
+  take(motion.displacement_time,
+       motion.displacement,
+       &first.stamps.displacement,
+       &first.displacement);
   return first;
+}
+
+// A straight line through the first samples, at `start` [s].
+struct Line {
+  double value = 0.0, slope = 0.0;
+};
+Line LineThrough(double start, std::span<const double> time, std::span<const double> value) {
+  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double t = time[i] - start;
+    n += 1.0;
+    st += t;
+    sy += value[i];
+    stt += t * t;
+    sty += t * value[i];
+  }
+  const double slope = (n * sty - st * sy) / std::max(1e-12, n * stt - st * st);
+  return {(sy - slope * st) / n, slope};
+}
+
+InitialState GuessOf(const FirstSeconds& first, double position) {
+  InitialState guess;
+  guess.position = position;
+  if (!first.displacement.empty()) {
+    const Line line =
+        LineThrough(first.stamps.start, first.stamps.displacement, first.displacement);
+    guess.position = line.value;
+    guess.velocity = line.slope;
+  }
+  if (!first.velocity.empty()) {
+    guess.velocity = LineThrough(first.stamps.start, first.stamps.velocity, first.velocity).value;
+  }
+  return guess;
 }
 
 // Takes out what is far from what a run shows, as a single wrong sample among a few is.
@@ -62,11 +109,10 @@ struct StartUnknown {
   Eigen::Index column;  // in a run's sensitivities
 };
 
-std::vector<StartUnknown> StartUnknownsOf(const MeasuredSegment& segment,
-                                          const ExtendedModel& model) {
+std::vector<StartUnknown> StartUnknownsOf(const FirstSeconds& first, const ExtendedModel& model) {
   std::vector<StartUnknown> unknowns = {
       {&InitialState::velocity, EffectSimulation::kInitialVelocityColumn}};
-  if (!segment.displacement.empty()) {
+  if (!first.displacement.empty()) {
     unknowns.push_back({&InitialState::position, EffectSimulation::kInitialPositionColumn});
   }
   const std::vector<Excess> excesses = EffectSimulation::ExcessesOf(model);
@@ -86,10 +132,10 @@ struct StartStep {
 
 // Velocities, where they are measured, tell the speed, and displacements the place: these weigh
 // next to nothing beside them.
-StartStep StepTowards(const MeasuredSegment& segment,
+StartStep StepTowards(const FirstSeconds& first,
                       const EffectOutputs& outputs,
                       const std::vector<StartUnknown>& unknowns) {
-  constexpr double kWeightOfPlace = 1e-2;
+  constexpr double kWeightOfPlace = 1e-6;
   const auto num_velocities = static_cast<Eigen::Index>(outputs.velocity.size());
   const auto num_displacements = static_cast<Eigen::Index>(outputs.displacement.size());
   Eigen::MatrixXd rows(num_velocities + num_displacements, std::ssize(unknowns));
@@ -99,10 +145,10 @@ StartStep StepTowards(const MeasuredSegment& segment,
     rows.col(j).tail(num_displacements) = outputs.displacement_sensitivity.col(unknowns[j].column);
   }
   for (Eigen::Index i = 0; i < num_velocities; ++i) {
-    miss[i] = segment.velocity[i] - outputs.velocity[i];
+    miss[i] = first.velocity[i] - outputs.velocity[i];
   }
   for (Eigen::Index i = 0; i < num_displacements; ++i) {
-    miss[num_velocities + i] = segment.displacement[i] - outputs.displacement[i];
+    miss[num_velocities + i] = first.displacement[i] - outputs.displacement[i];
   }
   if (num_velocities > 0) {
     rows.bottomRows(num_displacements) *= kWeightOfPlace;
@@ -126,11 +172,12 @@ struct Fitted {
   EffectOutputs outputs;
 };
 
-std::optional<Fitted> FitStart(const MeasuredSegment& first,
+std::optional<Fitted> FitStart(const FirstSeconds& first,
                                const ExtendedModel& model,
+                               const EffectInputs& inputs,
                                const InitialState& guess) {
   constexpr int kMostSteps = 6;
-  const EffectSimulation simulation(first.inputs.get(), first.stamps);
+  const EffectSimulation simulation(&inputs, first.stamps);
   const std::vector<StartUnknown> unknowns = StartUnknownsOf(first, model);
   Fitted best = {guess, {}};
   if (!simulation.RunWithSensitivities(model, guess, &best.outputs)) return std::nullopt;
@@ -155,14 +202,29 @@ std::optional<Fitted> FitStart(const MeasuredSegment& first,
 
 }  // namespace
 
-std::optional<InitialState> FittedStart(const MeasuredSegment& segment,
-                                        const ExtendedModel& model) {
-  MeasuredSegment first = FirstSeconds(segment);
-  const auto rough = FitStart(first, model, segment.initial);
+MeasuredMotion MotionOf(const Segment& segment) {
+  MeasuredMotion motion;
+  motion.start = segment.time.front();
+  if (segment.position.empty()) {
+    motion.velocity_time = segment.time;
+    motion.velocity = segment.velocity;
+  } else {
+    motion.displacement_time = segment.time;
+    motion.displacement = segment.position;
+  }
+  return motion;
+}
+
+std::optional<InitialState> FittedStart(const ExtendedModel& model,
+                                        const EffectInputs& inputs,
+                                        const MeasuredMotion& motion,
+                                        double position) {
+  FirstSeconds first = FirstSecondsOf(motion);
+  const auto rough = FitStart(first, model, inputs, GuessOf(first, position));
   if (!rough) return std::nullopt;
   TakeOutOutliers(rough->outputs.velocity, &first.stamps.velocity, &first.velocity);
   TakeOutOutliers(rough->outputs.displacement, &first.stamps.displacement, &first.displacement);
-  const auto fitted = FitStart(first, model, rough->state);
+  const auto fitted = FitStart(first, model, inputs, rough->state);
   return fitted ? fitted->state : rough->state;
 }
 

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/free_run.h"
+
+#include "fathom/simulate/fitted_start.h"
+#include "fathom/simulate/prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kBlock = 10.0;  // [s], several times the vehicle's memory of an error
+constexpr double kShortestBlock = 5.0;
+constexpr double kWantedBlocks = 8.0;
+constexpr size_t kFewestBlocks = 4;
+
+struct BlockSums {
+  double before = 0.0, after = 0.0;
+};
+
+// In blocks of so many seconds each.
+std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
+                                   std::span<const FreeRun> after,
+                                   double length) {
+  std::vector<BlockSums> blocks;
+  for (size_t r = 0; r < before.size(); ++r) {
+    double block_end = -1e300;
+    for (size_t i = 0; i < before[r].time.size(); ++i) {
+      if (before[r].time[i] >= block_end) {
+        block_end = before[r].time[i] + length;
+        blocks.emplace_back();
+      }
+      blocks.back().before += std::abs(before[r].predicted[i] - before[r].measured[i]);
+      blocks.back().after += std::abs(after[r].predicted[i] - after[r].measured[i]);
+    }
+  }
+  return blocks;
+}
+
+// Of blocks [s]: shorter ones where the runs are short.
+double BlockLength(std::span<const FreeRun> runs) {
+  double total = 0.0;
+  for (const FreeRun& run : runs) {
+    if (!run.time.empty()) total += run.time.back() - run.time.front();
+  }
+  return std::clamp(total / kWantedBlocks, kShortestBlock, kBlock);
+}
+
+// Student's t at 97.5 %, by degrees of freedom: Cornish-Fisher's expansion about the normal
+// quantile, which is right to 1 % from three on; Abramowitz, Stegun, 26.7.5.
+double StudentQuantile(double freedom) {
+  constexpr double z = 1.959963985;
+  if (freedom < 2.0) return 12.706;
+  if (freedom < 3.0) return 4.303;
+  constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4.0 * freedom) +
+         (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom) +
+         (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
+}
+
+// What a model without effects takes of a segment.
+EffectInputs CommandOnly(const Segment& segment) {
+  EffectInputs inputs;
+  inputs.command = segment.command;
+  return inputs;
+}
+
+}  // namespace
+
+std::optional<FreeRun> FreeRunOver(const Segment& segment,
+                                   const ExtendedModel& model,
+                                   double position,
+                                   const EffectInputs* inputs) {
+  const EffectInputs own = inputs == nullptr ? CommandOnly(segment) : EffectInputs();
+  const EffectInputs& used = inputs == nullptr ? own : *inputs;
+  const auto start = FittedStart(model, used, MotionOf(segment), position);
+  auto predicted = start ? Predict(model, segment, *start, &used) : std::nullopt;
+  if (!predicted) return std::nullopt;
+  return FreeRun{segment.time, segment.velocity, *std::move(predicted)};
+}
+
+FitFigures FiguresOfRuns(std::span<const FreeRun> runs) {
+  FigureSums sums;
+  for (const FreeRun& run : runs) sums.Add(run.time, run.measured, run.predicted);
+  return sums.Figures();
+}
+
+FitFigures FiguresOf(const ExtendedModel& model, std::span<const Segment> segments) {
+  FigureSums sums;
+  for (const Segment& segment : segments) {
+    const auto run = FreeRunOver(segment, model);
+    if (!run) return {};
+    sums.Add(run->time, run->measured, run->predicted);
+  }
+  return sums.Figures();
+}
+
+Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<BlockSums> blocks = SumsByBlock(before, after, BlockLength(before));
+  BlockSums all;
+  for (const BlockSums& block : blocks) {
+    all.before += block.before;
+    all.after += block.after;
+  }
+  if (blocks.empty()) return {.value = kNone, .low = kNone, .high = kNone};
+  const double left = all.after / all.before;
+  const auto n = static_cast<double>(blocks.size());
+  if (blocks.size() < kFewestBlocks) return {.value = 1.0 - left, .low = kNone, .high = kNone};
+  double sum = 0.0, neighbours = 0.0, last = 0.0;
+  for (const BlockSums& block : blocks) {
+    const double apart = block.after - left * block.before;
+    sum += apart * apart;
+    neighbours += 2.0 * apart * last;
+    last = apart;
+  }
+  // Neighbours share the errors about their edge.
+  const double variance = std::max(sum, sum + neighbours) * n / (n - 1.0);
+  const double std = std::sqrt(variance) / all.before;
+  const double reach = StudentQuantile(n - 1.0) * std;
+  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = 1.0 - left + reach};
+}
+
+}  // namespace fathom
