@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/description.h"
 
+#include "fathom/diagnosis/judge/explained_share.h"
 #include "fathom/diagnosis/judge/limits.h"
 #include "fathom/diagnosis/judge/missing_force.h"
 #include "fathom/diagnosis/judge/ranking.h"
@@ -10,6 +11,7 @@
 #include "fathom/simulate/data_range.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <utility>
@@ -28,10 +30,21 @@ DiagnosedModel Described(const StartedModel& model,
           .weighed_log_likelihood = weighed.log_likelihood};
 }
 
-// Share of the baseline's squared error that is more than noise.
-double StructureShare(const StartedModel& baseline, const StartedModel& extended) {
-  const double before = baseline.residual.squaredNorm();
-  return before > 0.0 ? std::clamp(1.0 - extended.residual.squaredNorm() / before, 0.0, 1.0) : 0.0;
+// On unseen data; where there are none, on the training data, which `traces` begin with.
+double ShareOf(const Scored& unseen, const std::vector<ResidualTrace>& traces) {
+  if (!unseen.before.empty()) {
+    const std::array sources = {SourceRuns{unseen.before, unseen.after},
+                                SourceRuns{unseen.poses_before, unseen.poses_after}};
+    return ExplainedShare(sources);
+  }
+  std::vector<FreeRun> before, after;
+  for (const ResidualTrace& trace : traces) {
+    if (trace.before.empty() || trace.after.empty()) continue;
+    before.push_back({trace.time, trace.measured, trace.before});
+    after.push_back({trace.time, trace.measured, trace.after});
+  }
+  const SourceRuns runs = {before, after};
+  return ExplainedShare({&runs, 1});
 }
 
 // What a cause gains on the held-out data beside the others; where there are none, what all gain on
@@ -97,7 +110,7 @@ Diagnosis WithoutBaseline(Diagnosis diagnosis) {
       .covariance = Eigen::MatrixXd::Constant(kNumParameters, kNumParameters, kNone),
       .train = {kNone, kNone},
       .held_out = {kNone, kNone}};
-  diagnosis.structure_share = diagnosis.explained_share = kNone;
+  diagnosis.explained_share = kNone;
   diagnosis.held_out_gain = diagnosis.held_out_gain_low = diagnosis.held_out_gain_high = kNone;
   for (Cause& cause : diagnosis.causes) cause.held_out_gain = kNone;
   diagnosis.missing_force.explained.clear();
@@ -130,10 +143,6 @@ Diagnosis Described(const MeasuredSegments& segments,
                               judgement.book()[judgement.choice.chosen].fit,
                               judgement.search.suspects);
 
-  const double explained = judgement.book()[judgement.choice.chosen].gain;
-  const double all_structure = explained + judgement.remaining.gain;
-  diagnosis.structure_share = StructureShare(users, extended);
-  diagnosis.explained_share = all_structure > 0.0 ? explained / all_structure : 0.0;
   const bool is_noise = judgement.verdict == Verdict::kConsistent;
   if (is_noise && !judgement.evidence.IsNegligible()) {
     diagnosis.wander_ratio = WanderRatio(prepared.data, users.residual);
@@ -155,6 +164,9 @@ Diagnosis Described(const MeasuredSegments& segments,
     diagnosis.not_named = NotNamedOf(judgement.refusals.back(), judgement.search.suspects);
   }
   diagnosis.traces = Traces(prepared, extended.model);
+  if (!diagnosis.causes.empty()) {
+    diagnosis.explained_share = ShareOf(judgement.runs.unseen, diagnosis.traces);
+  }
   if (MayLieInPoses(judgement.verdict, extended.model)) {
     diagnosis.pose_traces = PoseTraces(segments, users.model, extended.model);
   }

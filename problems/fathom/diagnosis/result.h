@@ -187,10 +187,10 @@ struct Diagnosis {
   std::vector<Candidate> candidates;   // best first
   std::vector<ExclusionLimit> limits;  // of effects of one parameter that are not named
 
-  // Share of the baseline's squared error that is structure rather than noise, 0 to 1; and of that
-  // structure, what the causes account for.
-  double structure_share = 0.0;
-  double explained_share = 0.0;
+  // What share of the baseline's squared error beyond the scatter from sample to sample the causes
+  // remove, 0 to 1, on data that no fit has seen: ExplainedShare(). NaN where there are no causes
+  // or the share is not known.
+  double explained_share = std::numeric_limits<double>::quiet_NaN();
 
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
   // named and the rest passes for noise that wanders; else 0.

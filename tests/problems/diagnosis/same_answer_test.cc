@@ -37,7 +37,6 @@ std::vector<Log> ThreeLogs() {
 // Every number that a verdict hangs on.
 std::vector<double> NumbersOf(const Diagnosis& d) {
   std::vector<double> numbers = {static_cast<double>(d.verdict),
-                                 d.structure_share,
                                  d.explained_share,
                                  d.remaining_p_value,
                                  d.held_out_gain,

@@ -45,6 +45,7 @@ Log LogOf(const SurgeRun& run, std::uint64_t seed) {
   Drive drive;
   drive.dof = Dof::kSurge;
   drive.input = run.input;
+  drive.turbulence = {.force = run.turbulence, .correlation_time = 3.0};
   experiment.drives = {drive};
   if (run.has_velocity) {
     experiment.velocity.emplace();

@@ -29,6 +29,7 @@ struct SurgeRun {
   double noise_correlation = 0.0;  // from one sample to the next
   bool has_poses = false;
   double position_noise = 0.01;    // [m]
+  double turbulence = 0.0;         // RMS of a random force that decays within 3 s [N]
   std::string effects;             // as --effects; none: nothing hidden
   std::vector<ActiveEffect> more;  // effects that have no name in the catalogue
   std::string name = "run";

@@ -142,12 +142,9 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
     facts.push_back(
         {names.size() == 1 ? "cause" : "causes", fmt::format("{}", fmt::join(names, "; "))});
   }
-  const auto add_percent = [&](const char* name, double share) {
-    if (std::isfinite(share)) facts.push_back({name, fmt::format("{:.0f} %", 100.0 * share)});
-  };
-  add_percent("squared error that is not noise", diagnosis.structure_share);
-  if (!names.empty() && diagnosis.structure_share >= 0.005) {
-    add_percent("of that, explained", diagnosis.explained_share);
+  if (std::isfinite(diagnosis.explained_share)) {
+    facts.push_back({"squared error beyond scatter, explained",
+                     fmt::format("{:.0f} %", 100.0 * diagnosis.explained_share)});
   }
   if (diagnosis.gain_is_in_poses) {
     const double gain = diagnosis.held_out_gain;

@@ -132,7 +132,8 @@ FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
 
 std::string FormatVerdict(const Diagnosis& diagnosis,
                           const std::vector<std::string>& log_fingerprints) {
-  Json findings = Json::array(), causes = Json::array(), candidates = Json::array(), limits = Json::array();
+  Json findings = Json::array(), causes = Json::array(), candidates = Json::array(),
+       limits = Json::array();
   for (const Cause& cause : diagnosis.causes) causes.push_back(FormatCause(diagnosis, cause));
   for (const Candidate& candidate : diagnosis.candidates) {
     candidates.push_back(FormatCandidate(diagnosis, candidate));
@@ -157,7 +158,6 @@ std::string FormatVerdict(const Diagnosis& diagnosis,
                      {"baseline", FormatDiagnosedModel(diagnosis, diagnosis.baseline)},
                      {"causes", causes},
                      {"extended", FormatDiagnosedModel(diagnosis, diagnosis.extended)},
-                     {"structure_share", diagnosis.structure_share},
                      {"explained_share", diagnosis.explained_share},
                      {"coincidence",
                       diagnosis.coincidence ? Json{{"cause", diagnosis.coincidence->label},

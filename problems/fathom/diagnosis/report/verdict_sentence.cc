@@ -50,7 +50,7 @@ std::string WithDigits(double value, int digits) {
 
 // Why the error is there, all causes together.
 std::string WhyItMisses(const Diagnosis& diagnosis) {
-  const std::string share = Percent(diagnosis.structure_share * diagnosis.explained_share);
+  const std::string share = Percent(diagnosis.explained_share);
   const std::string subject =
       fmt::format("{} of the error of your {} model", share, Name(diagnosis.dof));
   if (diagnosis.causes.size() == 1) {
@@ -241,18 +241,17 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
     }
   } else if (diagnosis.not_named) {
     text = fmt::format(
-        "{} of the error of your {} model is not noise. It fits best with {}, but {}: no cause is "
+        "Part of the error of your {} model is not noise. It fits best with {}, but {}: no cause "
+        "is "
         "named.{}",
-        Percent(diagnosis.structure_share),
         Name(diagnosis.dof),
         diagnosis.not_named->label,
         diagnosis.not_named->why,
         WhatTheRestFollows(diagnosis));
   } else {
     text = fmt::format(
-        "{} of the error of your {} model is not noise, and no effect in the catalogue explains "
+        "Part of the error of your {} model is not noise, and no effect in the catalogue explains "
         "it.{}",
-        Percent(diagnosis.structure_share),
         Name(diagnosis.dof),
         WhatTheRestFollows(diagnosis));
   }

@@ -26,7 +26,7 @@ TEST(VerdictSentence, OfAConsistentLog) {
             "is 0.12.");
 }
 
-// 0.71 times 0.99 is 70 %. The half interval of the width is 1.96 * 0.17 = 0.33 N: one decimal,
+// The half interval of the width is 1.96 * 0.17 = 0.33 N: one decimal,
 // from 7.67 to 8.33. That of the inertia is 11.6 kg, which starts with a 1: to the kilogram.
 TEST(VerdictSentence, OfAnExplainedLog) {
   EXPECT_EQ(
@@ -55,7 +55,7 @@ TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
   diagnosis.not_named = {"coulomb_friction", "the error on held-out data grows by 12 %"};
   EXPECT_EQ(
       VerdictSentence(diagnosis),
-      "62 % of the error of your surge model is not noise. It fits best with "
+      "Part of the error of your surge model is not noise. It fits best with "
       "coulomb_friction, but the error on held-out data grows by 12 %: no cause is named. The "
       "velocity NMAE on held-out data is 0.12.");
 }
@@ -85,7 +85,7 @@ TEST(VerdictSentence, SaysWhatTheMissingForceFollows) {
 
 TEST(VerdictSentence, OfAnUnexplainedLog) {
   EXPECT_EQ(VerdictSentence(UnexplainedDiagnosis()),
-            "62 % of the error of your surge model is not noise, and no effect in the catalogue "
+            "Part of the error of your surge model is not noise, and no effect in the catalogue "
             "explains it. The velocity NMAE on held-out data is 0.12.");
 }
 

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The share of the error that the first sentence of a diagnosis names, against the share that the
+// true model removes from the motion without noise.
+
+#include "fathom/diagnosis/data/measured_segments.h"
+#include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/vehicle/effects/catalogue.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "surge_run.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::StartsWith;
+
+constexpr double kWidth = 8.0;  // of the dead zone [N]
+
+struct Hidden {
+  double turbulence = 0.0;  // [N]: the part of the error that no cause explains
+  bool has_poses = false;
+  double share_near = 0.0;  // what the true share is about
+};
+
+SurgeRun RunWith(const Hidden& hidden) {
+  SurgeRun run;
+  run.input = Multisine(30.0);
+  run.duration = 600.0;
+  run.turbulence = hidden.turbulence;
+  run.has_poses = hidden.has_poses;
+  run.effects = fmt::format("thrust_dead_zone:width={}", kWidth);
+  return run;
+}
+
+Log WithHeldOut(Log log) {
+  log.held_out = {{.from = 400.0, .to = 600.0}};
+  return log;
+}
+
+// How much of the squared error of `users` the true model removes on the held-out data of a log
+// without noise.
+double TrueShare(const Log& clean, const ExtendedModel& users) {
+  const ExtendedModel truth = {kSurgeTruth,
+                               {{FindEffect("thrust_dead_zone"), {.dof = Dof::kSurge}, {kWidth}}}};
+  const std::vector<Log> logs = {clean};
+  double before = 0.0, after = 0.0;
+  for (const MeasuredSegment& segment : MeasuredSegmentsOf(logs, Dof::kSurge).all) {
+    if (!segment.is_held_out) continue;
+    const auto of_users = FreeRunOver(segment, users), of_truth = FreeRunOver(segment, truth);
+    for (std::size_t i = 0; i < of_users->time.size(); ++i) {
+      const double miss = of_users->predicted[i] - of_users->measured[i];
+      const double left = of_truth->predicted[i] - of_truth->measured[i];
+      before += miss * miss;
+      after += left * left;
+    }
+  }
+  return 1.0 - after / before;
+}
+
+class HeadlineShare : public ::testing::TestWithParam<Hidden> {};
+
+TEST_P(HeadlineShare, IsTheShareThatTheTrueModelRemoves) {
+  const Hidden& hidden = GetParam();
+  SurgeRun run = RunWith(hidden);
+  const std::vector<Log> logs = {WithHeldOut(LogOf(run, 3))};
+  const Diagnosis diagnosis = Diagnose(logs, Dof::kSurge);
+  ASSERT_EQ(diagnosis.causes.size(), 1u) << VerdictSentence(diagnosis);
+
+  run.velocity_noise = 1e-9;
+  run.position_noise = 1e-9;
+  const double truth = TrueShare(WithHeldOut(LogOf(run, 3)), diagnosis.baseline.model);
+  EXPECT_NEAR(truth, hidden.share_near, 0.1);
+  EXPECT_NEAR(diagnosis.explained_share, truth, 0.1);
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              StartsWith(fmt::format("{:.0f} % of the error of your surge model comes from",
+                                     100.0 * diagnosis.explained_share)));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfOneAndTwoSources,
+                         HeadlineShare,
+                         ::testing::Values(Hidden{10.0, false, 0.2},
+                                           Hidden{5.0, false, 0.5},
+                                           Hidden{1.6, false, 0.9},
+                                           Hidden{10.0, true, 0.2},
+                                           Hidden{5.0, true, 0.5},
+                                           Hidden{1.6, true, 0.9}),
+                         [](const auto& info) {
+                           return fmt::format("{}of{}",
+                                              info.param.has_poses ? "Two" : "One",
+                                              static_cast<int>(100.0 * info.param.share_near));
+                         });
+
+}  // namespace
+}  // namespace fathom
