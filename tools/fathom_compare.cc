@@ -46,7 +46,8 @@ const ToolInfo kInfo = {
     "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
     "The row to take is marked *: of those whose held-out velocity NMAE is the least within "
-    "chance, the one whose parameters are determined best (docs/comparison.md). A row without a usable model is marked !. The family joint needs "
+    "chance, the one whose parameters are determined best (docs/comparison.md). A row without a "
+    "usable model is marked !. The family joint needs "
     "detections.csv, camera.yaml, tags.yaml and mount.yaml. Exit code 2: a DOF has no usable "
     "model."};
 

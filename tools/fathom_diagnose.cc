@@ -130,6 +130,9 @@ int Run() {
   PrintWarnings(diagnosis.findings);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
+    if (!FLAGS_report.empty()) {
+      WriteFile(FLAGS_report, RenderPage(NoDiagnosisPage(diagnosis, why)));
+    }
     return 2;
   }
   for (const Log& log : logs.all) {

@@ -158,7 +158,7 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
 
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run) {
   FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_WARNING;
+  FLAGS_minloglevel = google::GLOG_FATAL;  // what a solver tries and drops is no news to a user
   google::InitGoogleLogging(info.name.c_str());
   RemoveTemporariesOnInterrupt();
   int exit_code = kExitBadInput;

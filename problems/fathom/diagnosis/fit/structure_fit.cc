@@ -15,7 +15,7 @@ namespace fathom {
 namespace {
 
 constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
-constexpr int kMostIterations = 40;
+constexpr int kMostIterations = 100;
 constexpr double kMostDamping = 1e10;
 
 double ChiSquared(const Whitener& whitener, const Eigen::VectorXd& residual) {

@@ -17,7 +17,7 @@ namespace fathom {
 
 // A model where its generalised squared error is least. All members belong to this one fit.
 struct StructureFit {
-  bool converged = false;
+  bool converged = false;  // false: it stopped before it arrived, and is ranked nowhere
   ExtendedModel model;
   std::vector<InitialState> initial;
 

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -85,6 +86,35 @@ std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives) 
   return labels;
 }
 
+std::string PlacesText(const Diagnosis& diagnosis, const Cause& cause) {
+  std::set<Place> places = {EffectOfCause(diagnosis, cause).effect->info().place};
+  for (const Alternative& alternative : cause.alternatives) {
+    places.insert(alternative.effect->info().place);
+  }
+  std::vector<std::string> names;
+  for (const Place place : places) {
+    names.push_back(fmt::format("{} the {}", place == Place::kWater ? "in" : "of", Name(place)));
+  }
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+std::string AdviceText(const Diagnosis& diagnosis, const Cause& cause) {
+  const ActiveEffect& active = EffectOfCause(diagnosis, cause);
+  const EffectInfo& info = active.effect->info();
+  const std::vector<double>& command = diagnosis.missing_force.command;
+  const Quantity& quantity = info.parameters.front().quantity;
+  const bool is_force = quantity.force == 1.0 && quantity.speed == 0.0 && quantity.time == 0.0;
+  const bool is_step_of_force = info.depends_on_time && info.place == Place::kWater && is_force;
+  if (!is_step_of_force || command.empty()) return std::string(info.advice);
+  double sum = 0.0;
+  for (const double force : command) sum += force * force;
+  const double usual = std::sqrt(sum / static_cast<double>(command.size()));
+  if (!(std::abs(active.values.front()) > usual)) return std::string(info.advice);
+  return "The step is as large as the thrust itself. Look for thrusters that stopped or ran on, a "
+         "vehicle held fast, or a command that was not carried out at that time. A payload is that "
+         "heavy on no vehicle that still moves.";
+}
+
 std::string ReasonText(const Diagnosis& diagnosis,
                        const Cause& cause,
                        std::string_view preposition) {
@@ -95,7 +125,10 @@ std::string ReasonText(const Diagnosis& diagnosis,
   const std::vector<Alternative> alternatives = AlternativesOf(cause);
   if (alternatives.empty()) return reason;
   if (alternatives.size() > kMostListed) {
-    return fmt::format("{}, or {}one of {} others", reason, preposition, alternatives.size());
+    return fmt::format("an effect {}: {} fits best, and {} others fit as well",
+                       PlacesText(diagnosis, cause),
+                       reason,
+                       alternatives.size());
   }
   if (alternatives.size() > kMostTold) {
     return fmt::format(

@@ -22,10 +22,18 @@ std::vector<Alternative> AlternativesOf(const Cause& cause);
 
 std::vector<std::string> LabelsOf(const std::vector<Alternative>& alternatives);
 
+// Where a cause and what it may be instead act: "of the actuator or in the water".
+std::string PlacesText(const Diagnosis& diagnosis, const Cause& cause);
+
+// What to do about a cause: the effect's own advice, unless a step of the force is larger than the
+// RMS command, which no payload is.
+std::string AdviceText(const Diagnosis& diagnosis, const Cause& cause);
+
 // What a cause is and how large, and what it may be instead: "a thruster dead zone
 // (thrust_dead_zone), width 8.0 N (7.7 to 8.3 N), or from a steady current (steady_current)".
 // `preposition` stands before each alternative, as the sentence has it before the cause: "from " or
-// "".
+// "". Of more than four alternatives the place is named: "an effect of the actuator: ... fits best,
+// and 5 others fit as well".
 std::string ReasonText(const Diagnosis& diagnosis,
                        const Cause& cause,
                        std::string_view preposition);

@@ -161,16 +161,38 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   return facts;
 }
 
+std::string TitleOf(const Diagnosis& diagnosis) {
+  return fmt::format(
+      "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
+}
+
+std::vector<std::string> WarningsOf(const Diagnosis& diagnosis) {
+  std::vector<std::string> warnings;
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.severity == Severity::kWarning) warnings.push_back(finding.sentence);
+  }
+  return warnings;
+}
+
 }  // namespace
+
+Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
+  Page page;
+  page.title = TitleOf(diagnosis);
+  page.lead = {fmt::format("There is no diagnosis: {}", why)};
+  page.warnings = WarningsOf(diagnosis);
+  PageSection notes;
+  notes.heading = "Remarks";
+  notes.text = diagnosis.remarks;
+  if (!notes.text.empty()) page.sections.push_back(std::move(notes));
+  return page;
+}
 
 Page DiagnosisPage(const Diagnosis& diagnosis) {
   Page page;
-  page.title = fmt::format(
-      "{}: diagnosis of the {} model", fmt::join(diagnosis.logs, ", "), Name(diagnosis.dof));
+  page.title = TitleOf(diagnosis);
   page.lead = VerdictParagraphs(diagnosis);
-  for (const Finding& finding : diagnosis.findings) {
-    if (finding.severity == Severity::kWarning) page.warnings.push_back(finding.sentence);
-  }
+  page.warnings = WarningsOf(diagnosis);
   page.facts = FactsOf(diagnosis);
   AddBeforeAndAfter(diagnosis, &page);
   page.sections.push_back(NextStepsSection(diagnosis));

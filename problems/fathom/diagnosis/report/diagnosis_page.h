@@ -6,9 +6,14 @@
 #include "fathom/diagnosis/result.h"
 #include "fathom/report/page.h"
 
+#include <string>
+
 namespace fathom {
 
 // All of a diagnosis on one page, the sentence and the residuals before and after first.
 Page DiagnosisPage(const Diagnosis& diagnosis);
+
+// The page where there is none: why, WhyOfNoUse(), and what the checks found.
+Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why);
 
 }  // namespace fathom

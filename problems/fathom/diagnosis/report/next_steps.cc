@@ -31,7 +31,7 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     const std::string label = LabelOf(info, active.setting);
     const std::vector<Alternative> alternatives = AlternativesOf(cause);
     if (alternatives.empty()) {
-      steps.push_back(fmt::format("{}: {}", label, info.advice));
+      steps.push_back(fmt::format("{}: {}", label, AdviceText(diagnosis, cause)));
     } else {
       steps.push_back(fmt::format("First find out whether the cause is {} or {}. {}",
                                   label,
@@ -39,7 +39,7 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
                                   ToDecide(cause)));
     }
     if (!alternatives.empty() && alternatives.size() <= kMostAdvised) {
-      steps.push_back(fmt::format("If it is {}: {}", label, info.advice));
+      steps.push_back(fmt::format("If it is {}: {}", label, AdviceText(diagnosis, cause)));
       for (const Alternative& alternative : alternatives) {
         steps.push_back(
             fmt::format("If it is {}: {}", alternative.label, alternative.effect->info().advice));

@@ -78,7 +78,7 @@ Json FormatCause(const Diagnosis& diagnosis, const Cause& cause) {
   json["experiment"] = cause.experiment.text;
   json["scope"] = info.scope == Scope::kRun ? "run" : "vehicle";
   json["because"] = info.cause;
-  json["advice"] = info.advice;
+  json["advice"] = AdviceText(diagnosis, cause);
   return json;
 }
 

@@ -12,8 +12,10 @@
 namespace fathom {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(NextSteps, SayWhatToDoAboutACertainCause) {
   EXPECT_THAT(NextSteps(ExplainedDiagnosis()),
@@ -80,6 +82,17 @@ TEST(NextSteps, SayWhatAVerdictWithoutCausesMeans) {
   EXPECT_THAT(NextSteps(ConsistentDiagnosis()),
               ElementsAre(HasSubstr("within the speeds and commands of these data")));
   EXPECT_THAT(NextSteps(UnexplainedDiagnosis()), ElementsAre(HasSubstr("adding_an_effect.md")));
+}
+
+// 38 N, the whole thrust, were called a dropped payload.
+TEST(NextSteps, DoNotCallAStepAsLargeAsTheThrustAPayload) {
+  Diagnosis diagnosis = ConsistentDiagnosis();  // whose command is 36 N RMS
+  diagnosis.verdict = Verdict::kExplained;
+  AddCause("buoyancy_step", {38.0, 60.0}, {0.5, 0.2}, &diagnosis);
+  EXPECT_THAT(NextSteps(diagnosis), Contains(HasSubstr("thrusters that stopped")));
+  EXPECT_THAT(NextSteps(diagnosis), Not(Contains(HasSubstr("payload dropped"))));
+  diagnosis.extended.model.effects[0].values[0] = 8.0;
+  EXPECT_THAT(NextSteps(diagnosis), Contains(HasSubstr("payload dropped")));
 }
 
 }  // namespace

@@ -165,8 +165,12 @@ TEST(VerdictSentence, ListsManyAlternativesOnce) {
   diagnosis.causes[0].alternatives = AlternativesNamed(
       {"thruster_lag", "time_offset", "thrust_curve", "fluid_memory", "thrust_fade"});
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr(", or from one of 5 others. This log cannot tell sensor_lag from any "
-                        "of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));
+              HasSubstr("comes from an effect of the actuator or in the water or of the sensor: a "
+                        "lag of the velocity measurement"));
+  EXPECT_THAT(
+      VerdictSentence(diagnosis),
+      HasSubstr(" fits best, and 5 others fit as well. This log cannot tell sensor_lag "
+                "from any of thruster_lag, time_offset, thrust_curve, fluid_memory, thrust_fade."));
 }
 
 TEST(VerdictSentence, SaysWhereASizeIsABoundAndNoEstimate) {
