@@ -7,6 +7,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/log_identification.h"
+#include "fathom/comparison/run_agreement_text.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
@@ -88,6 +89,10 @@ void Print(const LogIdentification& identified) {
   PrintNotes(identified.findings);
   for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
   std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
+  if (!identified.agreement) return;
+  const FittedModel& fitted = identified.result.fitted;
+  const Table runs = RunTable(*identified.agreement, fitted.dof, fitted.force_unit);
+  std::printf("\n%s", FormatTable(runs).c_str());
 }
 
 std::map<std::string, std::string> ProvenanceOf(const Identification& result) {

@@ -7,10 +7,13 @@
 #include "fathom/check/inertia_check.h"
 #include "fathom/check/log_check.h"
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/comparison/run_agreement_text.h"
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +30,47 @@ void AddInertiaFinding(std::optional<double> mass, LogIdentification* identified
   if (!finding) return;
   identified->findings.push_back(*std::move(finding));
   identified->findings = WarningsFirst(std::move(identified->findings));
+}
+
+// The training segments of one log.
+Signals OfLog(std::size_t log, const std::vector<std::size_t>& log_of_train, const Signals& all) {
+  Signals own;
+  own.dof = all.dof;
+  own.source = all.source;
+  own.force_unit = all.force_unit;
+  for (std::size_t k = 0; k < all.train.size(); ++k) {
+    if (log_of_train[k] == log) own.train.push_back(all.train[k]);
+  }
+  return own;
+}
+
+// Fits each log alone, and widens the intervals of all together by what these differ by.
+void CompareRuns(const std::vector<std::string>& names,
+                 const std::vector<std::size_t>& log_of_train,
+                 const LogIdentificationOptions& options,
+                 LogIdentification* identified) {
+  std::vector<RunEstimate> runs;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Signals own = OfLog(k, log_of_train, identified->signals);
+    const Identification alone = Identify(own, own, options.family, options.identification);
+    RunEstimate& run = runs.emplace_back();
+    run.log = names[k];
+    run.is_usable = alone.is_usable;
+    if (!run.is_usable) continue;
+    run.value = ToVector(alone.fitted.model);
+    run.std = alone.fitted.covariance.topLeftCorner<kNumParameters, kNumParameters>()
+                  .diagonal()
+                  .cwiseSqrt();
+  }
+  RunAgreement agreement = AgreementOf(std::move(runs));
+  FittedModel& fitted = identified->result.fitted;
+  if (identified->result.is_usable) {
+    ParameterVector widening;
+    for (int i = 0; i < kNumParameters; ++i) widening[i] = agreement.spreads[i].widening;
+    fitted.covariance = widening.asDiagonal() * fitted.covariance * widening.asDiagonal();
+    for (std::string& remark : RemarksOn(agreement)) fitted.caveats.push_back(std::move(remark));
+  }
+  identified->agreement = std::move(agreement);
 }
 
 }  // namespace
@@ -48,20 +92,24 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   if (logs.empty()) throw InputError("An identification needs at least one log.");
   const bool is_joint = options.family == Family::kJoint;
   LogIdentification identified;
-  identified.signals =
-      JoinSignals(logs, options.dof, is_joint ? Source::kCamera : options.source).all;
+  JoinedSignals joined =
+      JoinSignals(logs, options.dof, is_joint ? Source::kCamera : options.source);
+  identified.signals = std::move(joined.all);
   const Signals& signals = identified.signals;
   if (IsAllHeldOut(signals)) {
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
   identified.findings = CheckLogs(logs, signals);
   const std::optional<double> mass = MassOf(logs);
+  std::vector<std::string> names;
+  for (const Log& log : logs) names.push_back(log.path.filename().string());
   if (!is_joint) logs = {};  // a long one takes as much memory as its signals
   if (is_joint) {
     identified.result =
         IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks);
   } else {
     identified.result = Identify(signals, signals, options.family, options.identification);
+    if (names.size() > 1) CompareRuns(names, joined.log_of_train, options, &identified);
   }
   AddInertiaFinding(mass, &identified);
   return identified;

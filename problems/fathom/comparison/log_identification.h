@@ -7,6 +7,7 @@
 #include "fathom/check/finding.h"
 #include "fathom/comparison/family.h"
 #include "fathom/comparison/identification.h"
+#include "fathom/comparison/run_agreement.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 
@@ -32,6 +33,10 @@ struct LogIdentification {
   std::vector<Finding> findings;
   std::vector<std::string> remarks;  // of the joint refinement, a sentence each
   Identification result;
+
+  // Of several logs, each by the same family alone. The intervals of the result are widened by what
+  // the runs differ by more than by noise, and its caveats say so. Absent for kJoint.
+  std::optional<RunAgreement> agreement;
 };
 
 // Fits one family to several logs together, each with an initial state of its own, and scores it on

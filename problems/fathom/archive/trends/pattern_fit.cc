@@ -3,7 +3,7 @@
 
 #include "fathom/archive/trends/pattern_fit.h"
 
-#include "fathom/archive/trends/chi_square.h"
+#include "fathom/base/chi_square.h"
 
 #include <algorithm>
 #include <cmath>

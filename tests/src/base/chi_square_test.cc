@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/archive/trends/chi_square.h"
+#include "fathom/base/chi_square.h"
 
 #include <gtest/gtest.h>
 

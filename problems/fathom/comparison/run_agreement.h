@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/parameters.h"
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What one of several runs says alone.
+struct RunEstimate {
+  std::string log;         // its name
+  bool is_usable = false;  // false: it determines no model alone, and the numbers mean nothing
+  ParameterVector value = ParameterVector::Constant(std::numeric_limits<double>::quiet_NaN());
+  ParameterVector std = ParameterVector::Constant(std::numeric_limits<double>::quiet_NaN());
+};
+
+// How far several runs say the same of one parameter.
+struct Spread {
+  double chi_squared = 0.0;  // of their values about their weighted mean
+  int freedom = 0;           // runs less one
+  double p_value = 1.0;      // of such a spread, if the runs differ by noise alone
+
+  // What the standard deviation of a fit to all of them is to be multiplied by, at least 1: the
+  // ratio of what they scatter by to what their own deviations say (Birge 1932).
+  double widening = 1.0;
+};
+
+struct RunAgreement {
+  std::vector<RunEstimate> runs;
+  std::array<Spread, kNumParameters> spreads;  // in the order of kParameterInfo
+
+  // The run without which the others agree far better, and the parameter in which it differs;
+  // empty: none stands apart.
+  std::string stands_apart;
+  int parameter_apart = 0;
+
+  // Whether the runs of any parameter differ by more than noise (p below 1 %).
+  bool IsBroken() const;
+};
+
+// Of at least two runs. Those that are not usable count in no spread.
+RunAgreement AgreementOf(std::vector<RunEstimate> runs);
+
+}  // namespace fathom
