@@ -40,7 +40,7 @@ DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_double(false_alarm_rate,
               0.05,
               "Probability of naming a cause when nothing is missing, above 0 and at most 0.5.");
-DEFINE_uint64(seed, 1, "Seed of the random draws for thresholds and intervals.");
+DEFINE_uint64(seed, 1, "Seed of the random draws behind the thresholds.");
 
 namespace fathom {
 namespace {

@@ -14,7 +14,7 @@ struct SourceRuns {
   std::span<const FreeRun> before, after;
 };
 
-// What share of the first model's error the second removes, docs/diagnosis.md (9):
+// What share of the first model's error the second removes, docs/diagnosis.md (12):
 //
 //   sum (E_before - E_after) / sigma^2  over  sum (E_before - n sigma^2) / sigma^2
 //

@@ -56,7 +56,7 @@ Significance::Significance(const Eigen::MatrixXd& null_maxima,
     }
     rarest.push_back(least);
   }
-  // The least p-value of n independent suspects has median 1 - 0.5^(1/n).
+  // The least p-value of n independent suspects has the 20 % quantile 1 - 0.8^(1/n).
   if (!rarest.empty()) num_families_ = std::max(1.0, NumberFor(Quantile(rarest, 0.2), 0.2));
   for (size_t k = 0; k < num_tests_.size(); ++k) num_tests_[k] *= caution[k];
   for (int k = 0; k < static_cast<int>(num_tests_.size()); ++k) {
