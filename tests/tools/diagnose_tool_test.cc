@@ -358,13 +358,14 @@ TEST(DiagnoseTool, AFewSecondsEndWithExitCodeTwo) {
     std::string line, few;
     for (int i = 0; i <= count && std::getline(all, line); ++i) few += line + "\n";
     WriteTestFile(log / "velocity.csv", few);
+    WriteTestFile(log / "command.csv", "t,tau_surge\n0,20\n0.5,-20\n1,20\n");
     const ToolRun run = Diagnosed(log, {});
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_THAT(run.err, HasSubstr("samples (at 10 Hz at most), expected at least 60"));
   }
 }
 
-TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
+TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndAPageThatSaysWhy) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
   std::string command = "t,tau_surge\n", velocity = "t,u\n";
@@ -374,16 +375,18 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndNoFile) {
   }
   WriteTestFile(log / "command.csv", command);
   WriteTestFile(log / "velocity.csv", velocity);
-  const auto before = ListOf(folder);
-  const ToolRun run = Diagnosed(log,
-                                {"--verdict=" + (folder / "verdict.json").string(),
-                                 "--report=" + (folder / "page.html").string()});
+  const Path page = folder / "page.html";
+  const ToolRun run = Diagnosed(
+      log, {"--verdict=" + (folder / "verdict.json").string(), "--report=" + page.string()});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err,
-            "fathom_diagnose: no diagnosis: output error finds no physical baseline model for "
-            "surge, and no effect that was tried makes up for it. fathom_identify says why.\n");
-  EXPECT_EQ(ListOf(folder), before);
+            "WARNING: The force is constant at 0 N. The log cannot determine a model.\n"
+            "WARNING: The velocity is constant at 0 m/s. The log cannot determine a model.\n"
+            "fathom_diagnose: no diagnosis: The force is constant at 0 N. The log cannot determine "
+            "a model.\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "verdict.json"));
+  EXPECT_THAT(Bytes(page), HasSubstr("There is no diagnosis: The force is constant at 0 N."));
 }
 
 // The thrusters never answer: nothing that moves depends on the inertia.

@@ -61,7 +61,7 @@ TEST_F(RealLogsTool, LbvSurgeRunsFromItsPoses) {
 TEST_F(RealLogsTool, LbvYawIsFoundNotToBePassive) {
   for (const char* tool : {"fathom_identify", "fathom_compare"}) {
     const ToolRun run = RunToolBinary(tool, {Log("lbv_yaw")});
-    EXPECT_THAT(run.out, AllOf(HasSubstr("WARNING: "), HasSubstr("passive"))) << tool;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("WARNING: "), HasSubstr("passive"))) << tool;
   }
 }
 

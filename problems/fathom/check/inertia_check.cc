@@ -45,7 +45,12 @@ std::string ExplainedBy(double inertia, double mass) {
     const double masses = inertia / mistake.factor / mass;
     if (masses >= 1.0 && masses <= kUsualMasses) texts.emplace_back(mistake.text);
   }
-  if (texts.empty()) return "Check the units of force, motion and mass, and the clocks.";
+  if (texts.empty()) {
+    const char* const flat =
+        inertia > mass ? " A flat vehicle moved across its plane may reach six times its mass."
+                       : "";
+    return fmt::format("Check the units of force, motion and mass, and the clocks.{}", flat);
+  }
   return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));
 }
 

@@ -9,8 +9,11 @@
 #include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace fathom {
 namespace {
@@ -19,11 +22,22 @@ void Add(std::vector<Finding> more, std::vector<Finding>* findings) {
   std::ranges::move(more, std::back_inserter(*findings));
 }
 
+// The same, beginning with the name of the log's folder where it is one of several.
+std::vector<Finding> OfLog(const Log& log, std::size_t num_logs, std::vector<Finding> findings) {
+  if (num_logs == 1) return findings;
+  for (Finding& finding : findings) {
+    finding.sentence = fmt::format("{}: {}", log.path.filename().string(), finding.sentence);
+  }
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals) {
   std::vector<Finding> findings;
-  for (const Log& log : logs) Add(CheckMotion(log, signals.dof, signals.source), &findings);
+  for (const Log& log : logs) {
+    Add(OfLog(log, logs.size(), CheckMotion(log, signals.dof, signals.source)), &findings);
+  }
   Add(CheckSanity(signals), &findings);
   return WarningsFirst(std::move(findings));
 }
@@ -33,8 +47,8 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
   std::vector<Segment> segments;
   for (const Log& log : logs) {
     const Source source = BestSourceOf(log, dof);
-    Add(CheckMotion(log, dof, source), &findings);
-    Add(CheckOtherMotion(log, dof), &findings);
+    Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
+    Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
     Signals signals = SignalsOf(log, dof, {.source = source});
     std::ranges::move(signals.train, std::back_inserter(segments));
   }

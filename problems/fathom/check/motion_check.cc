@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,7 +27,7 @@ namespace {
 constexpr double kShortHold = 0.3;  // [s]; a delay of half of that is no worse than a filter's
 
 struct Column {
-  std::string name;  // "dive_3/velocity.csv: u"
+  std::string name;  // "velocity.csv: u"
   std::span<const double> time, values;
 
   double Share(std::size_t num_rows) const {
@@ -47,6 +48,9 @@ Rows RowsOtherThan0(const Column& column) {
   }
   return rows;
 }
+
+// Without the folder: a log may be moved, and what is wrong with it stays the same.
+std::string NameOf(const std::filesystem::path& file) { return file.filename().string(); }
 
 Finding Warning(const char* code, std::string sentence) {
   return {Severity::kWarning, code, std::move(sentence)};
@@ -149,7 +153,7 @@ std::vector<Finding> CheckMotion(const Log& log, Dof dof, Source source) {
   if (source == Source::kPoseEstimator) {
     if (!log.velocity) return findings;
     const std::array names = {VelocityColumn(dof)};
-    CheckColumns(*log.velocity, names, FileOf(log, "velocity.csv"), &findings);
+    CheckColumns(*log.velocity, names, NameOf(FileOf(log, "velocity.csv")), &findings);
     return findings;
   }
   if (!log.pose) return findings;
@@ -157,7 +161,7 @@ std::vector<Finding> CheckMotion(const Log& log, Dof dof, Source source) {
   constexpr std::array<std::string_view, 4> kQuaternion = {"qx", "qy", "qz", "qw"};
   const auto names = IsAngular(dof) ? std::span<const std::string_view>(kQuaternion)
                                     : std::span<const std::string_view>(kPosition);
-  CheckColumns(*log.pose, names, PoseFileOf(log), &findings);
+  CheckColumns(*log.pose, names, NameOf(PoseFileOf(log)), &findings);
   return findings;
 }
 
@@ -168,7 +172,7 @@ std::vector<Finding> CheckOtherMotion(const Log& log, Dof dof) {
     if (other == dof) continue;
     std::vector<Finding> own;
     const std::array names = {VelocityColumn(other)};
-    CheckColumns(*log.velocity, names, FileOf(log, "velocity.csv"), &own);
+    CheckColumns(*log.velocity, names, NameOf(FileOf(log, "velocity.csv")), &own);
     for (Finding& finding : own) findings.push_back(std::move(finding));
   }
   return findings;

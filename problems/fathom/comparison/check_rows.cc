@@ -4,25 +4,28 @@
 #include "fathom/comparison/check_rows.h"
 
 #include "fathom/check/inertia_check.h"
-#include "fathom/comparison/comparison_page.h"
+#include "fathom/comparison/identification_text.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace fathom {
 
-void CheckRows(std::optional<double> mass, DofComparison* comparison) {
-  if (!mass) return;
-  for (const Identification& row : comparison->rows) {
+std::vector<Finding> CheckRows(std::span<const Identification> rows, std::optional<double> mass) {
+  std::vector<Finding> findings;
+  if (!mass) return findings;
+  for (const Identification& row : rows) {
     if (!row.is_usable) continue;
-    const double std = std::sqrt(row.fitted.covariance(kInertia, kInertia));
-    auto finding = CheckInertia(comparison->dof, row.fitted.model.inertia, std, *mass);
+    const FittedModel& fitted = row.fitted;
+    const double std = std::sqrt(fitted.covariance(kInertia, kInertia));
+    auto finding = CheckInertia(fitted.dof, fitted.model.inertia, std, *mass);
     if (!finding) continue;
     finding->sentence = fmt::format("{}: {}", ModelName(row), finding->sentence);
-    comparison->findings.push_back(*std::move(finding));
+    findings.push_back(*std::move(finding));
   }
-  comparison->findings = WarningsFirst(std::move(comparison->findings));
+  return findings;
 }
 
 }  // namespace fathom

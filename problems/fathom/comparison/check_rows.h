@@ -3,14 +3,17 @@
 
 #pragma once
 
-#include "fathom/comparison/comparison.h"
+#include "fathom/check/finding.h"
+#include "fathom/comparison/identification.h"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace fathom {
 
 // Holds the inertia of every usable row against the vehicle's dry mass [kg], if that is known: a
-// warning of code "inertia" for each row that contradicts it, before the other findings.
-void CheckRows(std::optional<double> mass, DofComparison* comparison);
+// warning of code "inertia" for each row that contradicts it.
+std::vector<Finding> CheckRows(std::span<const Identification> rows, std::optional<double> mass);
 
 }  // namespace fathom

@@ -11,6 +11,8 @@
 #include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,7 +85,8 @@ DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& opt
     throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
   }
   AddJointRow(log, options, &result);
-  CheckRows(log.mass, &result);
+  std::ranges::move(CheckRows(result.rows, log.mass), std::back_inserter(result.findings));
+  result.findings = WarningsFirst(std::move(result.findings));
   return result;
 }
 

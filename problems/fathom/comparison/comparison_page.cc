@@ -4,6 +4,7 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/report/format_value.h"
 #include "fathom/simulate/free_run.h"
@@ -147,14 +148,6 @@ PageSection SectionOf(const DofComparison& comparison) {
 }
 
 }  // namespace
-
-std::string ModelName(const Identification& identification) {
-  constexpr std::array<const char*, 4> kFamilies = {
-      "Least squares", "Adaptive", "Output error", "Joint"};
-  return fmt::format("{}, {}",
-                     kFamilies[static_cast<size_t>(identification.family)],
-                     NameInText(identification.source));
-}
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;

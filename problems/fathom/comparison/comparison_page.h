@@ -13,9 +13,6 @@
 
 namespace fathom {
 
-// "Least squares, velocity.csv", "Output error, camera": the rows of the paper's Table II.
-std::string ModelName(const Identification& identification);
-
 // The paper's Table II for one DOF, with 95 % intervals' standard deviations and held-out figures.
 // The usable row with the least error on unseen data (or, where none is held out, on the training
 // data) is flagged best.

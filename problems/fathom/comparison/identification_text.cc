@@ -7,6 +7,7 @@
 #include "fathom/report/table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -81,6 +82,14 @@ Table ParameterTable(const Identification& identification) {
 }
 
 }  // namespace
+
+std::string ModelName(const Identification& identification) {
+  constexpr std::array<const char*, 4> kFamilies = {
+      "Least squares", "Adaptive", "Output error", "Joint"};
+  return fmt::format("{}, {}",
+                     kFamilies[static_cast<size_t>(identification.family)],
+                     NameInText(identification.source));
+}
 
 Ratio RatioOf(const FittedModel& fitted, int numerator, int denominator) {
   const ParameterVector p = ToVector(fitted.model);

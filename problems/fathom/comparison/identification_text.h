@@ -15,6 +15,9 @@ namespace fathom {
 std::string FormatIdentification(const Identification& identification,
                                  const std::string& velocity_file = "velocity.csv");
 
+// "Least squares, velocity.csv", "Output error, camera": the rows of the paper's Table II.
+std::string ModelName(const Identification& identification);
+
 // A ratio of two parameters with its standard deviation, by the delta method.
 struct Ratio {
   double value = 0.0;

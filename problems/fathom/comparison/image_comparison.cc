@@ -9,6 +9,7 @@
 #include "fathom/signal/joined_signals.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,7 +82,8 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   if (can_start) result.joint = FitJoint(logs.input, joint);
   dof.rows.push_back(
       OrBestGuess(IdentificationOf(result.joint, dof.scored), dof.rows, dof.scored.source));
-  CheckRows(MassOf(logs.logs), &dof);
+  std::ranges::move(CheckRows(dof.rows, MassOf(logs.logs)), std::back_inserter(dof.findings));
+  dof.findings = WarningsFirst(std::move(dof.findings));
   result.comparison.dofs.push_back(std::move(dof));
   return result;
 }

@@ -30,6 +30,14 @@ DiagnosedModel Described(const StartedModel& model,
           .weighed_log_likelihood = weighed.log_likelihood};
 }
 
+FitFigures TrainFigures(const Prepared& prepared, const ExtendedModel& model) {
+  std::vector<FreeRun> runs;
+  for (const MeasuredSegment& segment : prepared.data.segments()) {
+    if (auto run = FreeRunOver(segment, model)) runs.push_back(*std::move(run));
+  }
+  return FiguresOfRuns(runs);
+}
+
 // On unseen data; where there are none, on the training data, which `traces` begin with.
 double ShareOf(const Scored& unseen, const std::vector<ResidualTrace>& traces) {
   if (!unseen.before.empty()) {
@@ -130,10 +138,13 @@ Diagnosis Described(const MeasuredSegments& segments,
   const StructureFit& fit = judgement.choice.fit();
   const StartedModel extended = judgement.choice.chosen == 0 ? users : StartedFrom(fit);
   diagnosis.range = RangeOf(PlainSegments(prepared.data.segments()));
-  const auto& [train_before, train_after, unseen, gain] = judgement.runs;
+  const auto& unseen = judgement.runs.unseen;
+  const auto& gain = judgement.runs.gain;
   diagnosis.verdict = judgement.verdict;
-  diagnosis.baseline = Described(users, train_before, unseen.before, judgement.search.baseline);
-  diagnosis.extended = Described(extended, train_after, unseen.after, fit);
+  diagnosis.baseline = Described(
+      users, TrainFigures(prepared, users.model), unseen.before, judgement.search.baseline);
+  diagnosis.extended =
+      Described(extended, TrainFigures(prepared, extended.model), unseen.after, fit);
   diagnosis.causes = CausesOf(judgement);
   for (Cause& cause : diagnosis.causes) {
     cause.held_out_gain = HeldOutGain(prepared, judgement, cause);

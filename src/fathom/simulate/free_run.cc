@@ -64,23 +64,19 @@ double StudentQuantile(double freedom) {
          (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
 }
 
-// What a model without effects takes of a segment.
-EffectInputs CommandOnly(const Segment& segment) {
-  EffectInputs inputs;
-  inputs.command = segment.command;
-  return inputs;
-}
-
 }  // namespace
 
 std::optional<FreeRun> FreeRunOver(const Segment& segment,
                                    const ExtendedModel& model,
                                    double position,
                                    const EffectInputs* inputs) {
-  const EffectInputs own = inputs == nullptr ? CommandOnly(segment) : EffectInputs();
-  const EffectInputs& used = inputs == nullptr ? own : *inputs;
-  const auto start = FittedStart(model, used, MotionOf(segment), position);
-  auto predicted = start ? Predict(model, segment, *start, &used) : std::nullopt;
+  EffectInputs command_only;
+  if (inputs == nullptr) {
+    command_only.command = segment.command;
+    inputs = &command_only;
+  }
+  const auto start = FittedStart(model, *inputs, MotionOf(segment), position);
+  auto predicted = start ? Predict(model, segment, *start, inputs) : std::nullopt;
   if (!predicted) return std::nullopt;
   return FreeRun{segment.time, segment.velocity, *std::move(predicted)};
 }

@@ -17,13 +17,12 @@ std::optional<std::vector<double>> Predict(const ExtendedModel& model,
                                            const Segment& segment,
                                            const InitialState& initial,
                                            const EffectInputs* inputs) {
-  if (model.effects.empty()) {
-    std::vector<double> velocity(segment.time.size());
-    const Simulation simulation(segment.command, segment.time);
-    if (!simulation.Run(model.baseline, initial, velocity, {})) return std::nullopt;
-    return velocity;
+  CHECK(inputs != nullptr || model.effects.empty());
+  EffectInputs command_only;
+  if (inputs == nullptr) {
+    command_only.command = segment.command;
+    inputs = &command_only;
   }
-  CHECK(inputs != nullptr);
   EffectOutputs outputs;
   const EffectSimulation simulation(inputs, {segment.time.front(), segment.time, {}});
   if (!simulation.Run(model, initial, &outputs)) return std::nullopt;

@@ -18,8 +18,8 @@ namespace fathom {
 // What the velocity sensor shows at the stamps of `segment` in a free run from `initial`, which
 // holds at the first stamp: the measurement never enters. Nothing if the simulation diverges.
 //
-// Without effects the velocity is integrated from the segment's command alone (Simulation);
-// `inputs` may then be null. With effects, EffectSimulation takes the log's.
+// By EffectSimulation, whose inputs are the log's; without effects `inputs` may be null, and the
+// segment's command is all that it takes.
 std::optional<std::vector<double>> Predict(const ExtendedModel& model,
                                            const Segment& segment,
                                            const InitialState& initial,

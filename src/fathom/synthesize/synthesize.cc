@@ -138,7 +138,6 @@ Log Synthesize(const Vehicle& vehicle,
   log.name = experiment.name;
   log.dofs = DrivenDofs(vehicle, experiment);
   log.vehicle = vehicle.name;
-  log.mass = vehicle.mass;
   log.notes = experiment.notes;
   log.held_out = experiment.held_out;
 

@@ -46,7 +46,7 @@ TEST(MotionCheck, NamesFileColumnAndTime) {
   ASSERT_THAT(findings, ElementsAre(Field(&Finding::code, "lost_values")));
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   EXPECT_EQ(findings[0].sentence,
-            "dive/velocity.csv: u is exactly 0 in 20 rows (2 %) while the rows before and after "
+            "velocity.csv: u is exactly 0 in 20 rows (2 %) while the rows before and after "
             "them are far from 0, first at t = 4 s. The sensor had no reading. Take these rows "
             "out.");
 }

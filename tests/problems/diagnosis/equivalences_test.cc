@@ -7,6 +7,7 @@
 
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/fit/structure_fit.h"
+#include "fathom/diagnosis/report/verdict_sentence.h"
 
 #include <cmath>
 #include <ostream>
@@ -210,7 +211,7 @@ TEST_P(AnEquivalence, ComesBackAsAGroupAndItsExperimentDecides) {
   equivalence.run.effects = equivalence.effects;
   const Log log = LogOf(equivalence.run, seed);
   const Diagnosis first = Diagnose(std::vector{log}, Dof::kSurge);
-  SCOPED_TRACE(TextOf(first));
+  SCOPED_TRACE(TextOf(first) + VerdictSentence(first));
   const bool is_sine = std::holds_alternative<SineInput>(equivalence.run.input.kind);
   EXPECT_NEAR(ChiSquaredWith(equivalence.hidden, first, equivalence.run, log),
               ChiSquaredWith(equivalence.rival, first, equivalence.run, log),
@@ -225,7 +226,7 @@ TEST_P(AnEquivalence, ComesBackAsAGroupAndItsExperimentDecides) {
   equivalence.experiment.effects = equivalence.effects;
   const Diagnosis second =
       Diagnose(std::vector{LogOf(equivalence.experiment, seed + 100)}, Dof::kSurge);
-  SCOPED_TRACE(TextOf(second));
+  SCOPED_TRACE(TextOf(second) + VerdictSentence(second));
   EXPECT_EQ(second.verdict, Verdict::kExplained);
   const auto decided = GroupsOf(second);
   ASSERT_EQ(decided.size(), 1u);

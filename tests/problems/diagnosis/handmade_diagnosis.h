@@ -88,7 +88,8 @@ inline void AddCause(const std::string& effect,
   diagnosis->causes.push_back(cause);
 }
 
-// A dead zone that explains 70 % of the squared error beyond scatter, and moves the inertia to 852.5 +- 5.9 kg.
+// A dead zone that explains 70 % of the squared error beyond scatter, and moves the inertia to
+// 852.5 +- 5.9 kg.
 inline Diagnosis ExplainedDiagnosis() {
   Diagnosis diagnosis = ConsistentDiagnosis();
   diagnosis.verdict = Verdict::kExplained;

@@ -88,12 +88,12 @@ TEST_P(HeadlineShare, IsTheShareThatTheTrueModelRemoves) {
 
 INSTANTIATE_TEST_SUITE_P(OfOneAndTwoSources,
                          HeadlineShare,
-                         ::testing::Values(Hidden{10.0, false, 0.2},
-                                           Hidden{5.0, false, 0.5},
-                                           Hidden{1.6, false, 0.9},
-                                           Hidden{10.0, true, 0.2},
-                                           Hidden{5.0, true, 0.5},
-                                           Hidden{1.6, true, 0.9}),
+                         ::testing::Values(Hidden{1.2, false, 0.2},
+                                           Hidden{0.8, false, 0.5},
+                                           Hidden{0.27, false, 0.9},
+                                           Hidden{1.2, true, 0.2},
+                                           Hidden{0.8, true, 0.5},
+                                           Hidden{0.27, true, 0.9}),
                          [](const auto& info) {
                            return fmt::format("{}of{}",
                                               info.param.has_poses ? "Two" : "One",

@@ -3,10 +3,15 @@
 
 #include "fathom/check/values/repeated_block.h"
 
+#include "fathom/base/median.h"
+#include "fathom/check/values/quantile_of.h"
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace fathom {
@@ -56,6 +61,31 @@ RepeatedBlock Grown(std::span<const double> values, std::size_t first, std::size
   return {.first = first, .second = first + shift, .num_rows = end - first};
 }
 
+// Whether the steps from row to row differ from each other by about as much as they are.
+bool HasNoise(std::span<const double> values) {
+  constexpr double kNoisy = 0.3;  // 1.7 for noise alone, next to 0 for a smooth motion
+  std::vector<double> steps, bends;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    steps.push_back(std::abs(values[i + 1] - values[i]));
+    bends.push_back(std::abs(values[i + 1] - 2.0 * values[i] + values[i - 1]));
+  }
+  return Median(std::move(bends)) > kNoisy * Median(std::move(steps));
+}
+
+// Whether the second place of a block begins or ends with a jump.
+bool HasSeam(std::span<const double> values, const RepeatedBlock& block) {
+  constexpr double kLargeStep = 0.9, kFar = 5.0;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
+  }
+  const double far = kFar * QuantileOf(std::move(steps), kLargeStep);
+  const std::size_t end = block.second + block.num_rows;
+  const bool jumps_in =
+      block.second > 0 && std::abs(values[block.second] - values[block.second - 1]) > far;
+  return jumps_in || (end < values.size() && std::abs(values[end] - values[end - 1]) > far);
+}
+
 }  // namespace
 
 std::optional<RepeatedBlock> FindRepeatedBlock(std::span<const double> values) {
@@ -82,6 +112,7 @@ std::optional<RepeatedBlock> FindRepeatedBlock(std::span<const double> values) {
     hash.Move(values[at], values[at + kWindow]);
   }
   if (longest.num_rows < 2 * kWindow) return std::nullopt;
+  if (!HasNoise(values) && !HasSeam(values, longest)) return std::nullopt;
   return longest;
 }
 

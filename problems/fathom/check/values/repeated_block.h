@@ -17,7 +17,9 @@ struct RepeatedBlock {
 };
 
 // The longest block of at least 100 values, half of them different from each other, that comes
-// again later to the last digit. With noise no two stretches are the same.
+// again later to the last digit, in a column with noise, in which no two stretches are the same, or
+// with a jump where it begins or ends again. A simulation without noise repeats itself as its
+// command does.
 std::optional<RepeatedBlock> FindRepeatedBlock(std::span<const double> values);
 
 }  // namespace fathom

@@ -93,8 +93,9 @@ void AddSegmentsOf(const LogChannels& channels, Dof dof, MeasuredSegments* segme
   if (const auto remark = RemarkOnEarlyEnd(inputs->command, time, kLongestGap); !remark.empty()) {
     segments->remarks.push_back(channels.name + ": " + remark);
   }
-  const std::vector<double> way =
-      segments->has_displacement ? std::vector<double>(time.size(), 0.0) : WayAlong(leading.time, leading.value, first);
+  const std::vector<double> way = segments->has_displacement
+                                      ? std::vector<double>(time.size(), 0.0)
+                                      : WayAlong(leading.time, leading.value, first);
   const LongRanges kept =
       WithoutShort(SplitAtGaps(time, channels.log->held_out, first), kFewestSamples);
   for (const SampleRange& range : kept.ranges) {

@@ -11,10 +11,11 @@ namespace {
 
 // Of free runs over the training data.
 FitFigures TrainFigures(const TrainingData& data,
-                        const ExtendedModel& model) {
+                        const ExtendedModel& model,
+                        const std::vector<InitialState>& initial) {
   std::vector<FreeRun> runs;
-  for (const MeasuredSegment& segment : data.segments()) {
-    if (auto run = FreeRunOver(segment, model)) runs.push_back(std::move(*run));
+  for (std::size_t r = 0; r < data.segments().size(); ++r) {
+    if (auto run = RunFrom(initial[r], data.segments()[r], model)) runs.push_back(std::move(*run));
   }
   return FiguresOfRuns(runs);
 }
@@ -30,8 +31,8 @@ FreeRunComparison CompareWithUsers(const Prepared& prepared,
   FreeRunComparison runs;
   runs.unseen = prepared.held_out.empty() ? Score(parts, fit, criterion)
                                           : Score(prepared.held_out, users.model, fit.model);
-  runs.train_before = TrainFigures(prepared.data, users.model);
-  runs.train_after = TrainFigures(prepared.data, fit.model);
+  runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
+  runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
   runs.gain = GainOf(runs.unseen, acts_on_poses_alone);
   return runs;
 }

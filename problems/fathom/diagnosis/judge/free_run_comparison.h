@@ -13,7 +13,7 @@ namespace fathom {
 
 // The user's model beside what is named (itself, where nothing is), by free runs.
 struct FreeRunComparison {
-  FitFigures train_before, train_after;
+  FitFigures train_before, train_after;  // from the states that the fits end with
   Scored unseen;  // on data that no fit has seen: held out, or blocks left out in turn
   Gain gain;      // of it
 };

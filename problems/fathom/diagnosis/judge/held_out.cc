@@ -5,7 +5,6 @@
 
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/simulate/fitted_start.h"
-#include "fathom/simulate/simulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,21 +47,22 @@ MeasuredMotion MotionOf(const MeasuredSegment& segment) {
           .displacement = segment.displacement};
 }
 
-// What the sensors show in a free run. Velocities without effects come from Simulation, as those of
-// every tool do.
+std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
+                                         const ExtendedModel& model,
+                                         const InitialState& initial) {
+  EffectOutputs outputs;
+  const EffectSimulation simulation(segment.inputs.get(), segment.stamps);
+  if (!simulation.Run(model, initial, &outputs)) return std::nullopt;
+  return outputs;
+}
+
+// What the sensors show in a free run.
 std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
                                          const ExtendedModel& model) {
-  const EffectInputs& inputs = *segment.inputs;
-  const auto start = FittedStart(model, inputs, MotionOf(segment), segment.initial.position);
+  const auto start =
+      FittedStart(model, *segment.inputs, MotionOf(segment), segment.initial.position);
   if (!start) return std::nullopt;
-  EffectOutputs outputs;
-  const EffectSimulation simulation(&inputs, segment.stamps);
-  if (!simulation.Run(model, *start, &outputs)) return std::nullopt;
-  if (segment.velocity.empty() || !model.effects.empty()) return outputs;
-  outputs.velocity.resize(segment.stamps.velocity.size());
-  const Simulation plain(inputs.command, segment.stamps.velocity);
-  if (!plain.Run(model.baseline, *start, outputs.velocity, {})) return std::nullopt;
-  return outputs;
+  return OutputsOver(segment, model, *start);
 }
 
 FreeRun RunOf(const MeasuredSegment& segment, EffectOutputs outputs) {
@@ -103,6 +103,14 @@ std::optional<FreeRun> PosesByBlock(const MeasuredSegment& segment, const Extend
   const auto outputs = OutputsOver(segment, model);
   if (!outputs) return std::nullopt;
   return PosesByBlock(segment, *outputs);
+}
+
+std::optional<FreeRun> RunFrom(const InitialState& initial,
+                               const MeasuredSegment& segment,
+                               const ExtendedModel& model) {
+  auto outputs = OutputsOver(segment, model, initial);
+  if (!outputs) return std::nullopt;
+  return RunOf(segment, *std::move(outputs));
 }
 
 bool AreOverTheSame(std::span<const FreeRun> a, std::span<const FreeRun> b) {

@@ -17,6 +17,11 @@ namespace fathom {
 // where no velocity is measured.
 std::optional<FreeRun> FreeRunOver(const MeasuredSegment& segment, const ExtendedModel& model);
 
+// The same from a given start, as a fit ends with it.
+std::optional<FreeRun> RunFrom(const InitialState& initial,
+                               const MeasuredSegment& segment,
+                               const ExtendedModel& model);
+
 // The displacements of a run from such a state, where velocities and poses are measured: each block
 // of 10 s put onto the straight line that was measured. A free run strays from its place by far
 // more than what is wrong with poses moves them; how they move within a block shows it.

@@ -4,6 +4,8 @@
 #include "fathom/check/values/repeated_block.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "values/noisy_motion.h"
 #include <gtest/gtest.h>
@@ -30,6 +32,18 @@ TEST(RepeatedBlock, IsNotWhereNothingMovesOrTheSensorIsCoarse) {
   EXPECT_FALSE(FindRepeatedBlock(std::vector<double>(1000, 0.0)));
   EXPECT_FALSE(FindRepeatedBlock(Rounded(NoisyMotionOf(20000).value, 0.01)));
   EXPECT_FALSE(FindRepeatedBlock(Rounded(NoisyMotionOf(20000).value, 0.1)));
+}
+
+// A simulation without noise, of a periodic command.
+TEST(RepeatedBlock, IsNotThePeriodOfASimulationUnlessACopyBreaksIt) {
+  std::vector<double> values;
+  for (int i = 0; i < 2000; ++i)
+    values.push_back(std::sin(2.0 * std::numbers::pi * (i % 200) / 200));
+  EXPECT_FALSE(FindRepeatedBlock(values));
+  for (int i = 0; i < 2000; ++i) values[i] += 1e-4 * i;
+  EXPECT_FALSE(FindRepeatedBlock(values));
+  std::copy_n(values.begin() + 130, 150, values.begin() + 1000);
+  EXPECT_TRUE(FindRepeatedBlock(values));
 }
 
 }  // namespace
