@@ -347,7 +347,6 @@ TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
   EXPECT_EQ(pages[0], pages[1]);
 }
 
-// Nothing was commanded and nothing moved: no model, no verdict, no page.
 // Down to the fewest samples that can be trained on: no noise can be learned from them.
 TEST(DiagnoseTool, AFewSecondsEndWithExitCodeTwo) {
   for (const int count : {20, 30, 59}) {
@@ -365,6 +364,7 @@ TEST(DiagnoseTool, AFewSecondsEndWithExitCodeTwo) {
   }
 }
 
+// Nothing was commanded and nothing moved: no model, no verdict, and a page that says so.
 TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndAPageThatSaysWhy) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
@@ -386,7 +386,7 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndAPageThatSaysWhy) {
             "fathom_diagnose: no diagnosis: The force is constant at 0 N. The log cannot determine "
             "a model.\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "verdict.json"));
-  EXPECT_THAT(Bytes(page), HasSubstr("There is no diagnosis: The force is constant at 0 N."));
+  EXPECT_THAT(TextOf(page), HasSubstr("There is no diagnosis: The force is constant at 0 N."));
 }
 
 // The thrusters never answer: nothing that moves depends on the inertia.
