@@ -223,10 +223,13 @@ TEST(IdentifyTool, TakesLogsOneByOneAndBetweenCommas) {
   EXPECT_EQ(one_by_one.exit_code, 0) << one_by_one.err;
   EXPECT_NE(one_by_one.out, alone.out);
 
-  std::filesystem::rename(folder / "a,b", folder / "a");
-  const std::string both = (folder / "a").string() + "," + second;
+  std::filesystem::rename(folder / "a,b", folder / "a_b");
+  const std::string both = (folder / "a_b").string() + "," + second;
   const ToolRun between_commas = RunToolBinary("fathom_identify", {"--log=" + both, "--dof=surge"});
-  EXPECT_EQ(between_commas.out, one_by_one.out);
+  // But for the name, which the table of runs shows.
+  std::string out = between_commas.out;
+  ASSERT_NE(out.find("a_b"), std::string::npos) << out;
+  EXPECT_EQ(out.replace(out.find("a_b"), 3, "a,b"), one_by_one.out);
 }
 
 }  // namespace

@@ -94,12 +94,12 @@ std::vector<Stretch> StretchesOf(const Log& log, Dof dof) {
 // A run from rest over the command, where no motion was measured.
 std::optional<LogPrediction> FromRest(const ExtendedModel& model,
                                       HeldCommand command,
-                                      const EffectInputs& inputs) {
+                                      const EffectInputs* inputs) {
   Segment segment;
   segment.time = command.time;
   segment.command = std::move(command);
   segment.velocity.assign(segment.time.size(), std::numeric_limits<double>::quiet_NaN());
-  auto predicted = Predict(model, segment, {}, &inputs);
+  auto predicted = Predict(model, segment, {}, inputs);
   if (!predicted) return std::nullopt;
   LogPrediction prediction;
   prediction.segments.push_back(std::move(segment));
@@ -121,12 +121,12 @@ std::optional<LogPrediction> PredictLog(const FittedModel& fitted, const Log& lo
   }
   const bool has_velocity =
       log.velocity && log.velocity->Find(VelocityColumn(fitted.dof)) != nullptr;
-  if (!has_velocity && !log.pose) return FromRest(model, command, inputs);
+  const EffectInputs* const needed = model.effects.empty() ? nullptr : &inputs;
+  if (!has_velocity && !log.pose) return FromRest(model, command, needed);
   LogPrediction prediction;
   FigureSums all, train, held_out;
   for (Stretch& stretch :
        has_velocity ? StretchesOf(log, fitted.dof, command) : StretchesOf(log, fitted.dof)) {
-    const EffectInputs* const needed = model.effects.empty() ? nullptr : &inputs;
     auto run = FreeRunOver(stretch.segment, model, stretch.position, needed);
     if (!run) return std::nullopt;
     const auto add_to = [&](FigureSums* sums) {

@@ -88,10 +88,10 @@ TEST_P(HeadlineShare, IsTheShareThatTheTrueModelRemoves) {
 
 INSTANTIATE_TEST_SUITE_P(OfOneAndTwoSources,
                          HeadlineShare,
-                         ::testing::Values(Hidden{1.2, false, 0.2},
+                         ::testing::Values(Hidden{1.0, false, 0.2},
                                            Hidden{0.8, false, 0.5},
                                            Hidden{0.27, false, 0.9},
-                                           Hidden{1.2, true, 0.2},
+                                           Hidden{1.0, true, 0.2},
                                            Hidden{0.8, true, 0.5},
                                            Hidden{0.27, true, 0.9}),
                          [](const auto& info) {
