@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/check/finding_json.h"
 #include "fathom/check/inertia_check.h"
 #include "fathom/check/log_check.h"
 #include "fathom/signal/sources/choose_source.h"
@@ -117,11 +118,7 @@ struct LogScore {
 std::vector<Finding> FindingsOn(const Log& log, const FittedModel& model) {
   std::vector<Finding> findings;
   if (!SourcesOf(log, model.dof).empty()) findings = CheckLogs({&log, 1}, model.dof);
-  if (!log.mass) return findings;
-  const double std = std::sqrt(model.covariance(kInertia, kInertia));
-  if (auto finding = CheckInertia(model.dof, model.model.inertia, std, *log.mass)) {
-    findings.push_back(*std::move(finding));
-  }
+  if (auto finding = CheckInertia(model, log.mass)) findings.push_back(*std::move(finding));
   return WarningsFirst(std::move(findings));
 }
 
@@ -169,12 +166,6 @@ Json FormatFigures(const FitFigures& figures) {
 Json FormatScore(const LogScore& score, Dof dof) {
   const LogPrediction prediction = score.prediction.value_or(LogPrediction());
   const FitFigures& figures = prediction.figures;
-  Json findings = Json::array();
-  for (const Finding& finding : score.findings) {
-    findings.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
-                        {"code", finding.code},
-                        {"sentence", finding.sentence}});
-  }
   return {{"schema", "fathom-score-1"},
           {"log", score.log},
           {"dof", Name(dof)},
@@ -184,7 +175,7 @@ Json FormatScore(const LogScore& score, Dof dof) {
           {"duration", figures.duration},
           {"train", FormatFigures(prediction.train)},
           {"held_out", FormatFigures(prediction.held_out)},
-          {"findings", findings},
+          {"findings", JsonOf(score.findings)},
           {"remarks", score.remarks}};
 }
 

@@ -8,7 +8,6 @@
 #include "fathom/adaptive/pass.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
-#include "fathom/vehicle/negative_damping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +58,11 @@ void AddCaveats(const Models& last_part, double step, AdaptiveSummary* summary) 
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
     const double value = ToVector(summary->model)[index];
     if (value >= 0.0) continue;
-    summary->caveats.push_back(CaveatOnNegativeDamping(index, fmt::format("{:.4g}", value)));
+    summary->caveats.push_back(
+        fmt::format("{} is negative ({:.4g}), which is unphysical. The fit takes another term or "
+                    "an unmodelled effect for damping.",
+                    kParameterInfo[index].name,
+                    value));
   }
   summary->caveats.emplace_back(
       "The intervals are the scatter of the estimate over the last third of the pass and not "

@@ -4,6 +4,7 @@
 #include "fathom/check/inertia_check.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <array>
 #include <cmath>
@@ -71,6 +72,12 @@ std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, double 
                              is_too_small ? "below" : "over five times",
                              mass,
                              ExplainedBy(inertia, mass))};
+}
+
+std::optional<Finding> CheckInertia(const FittedModel& model, std::optional<double> mass) {
+  if (!mass) return std::nullopt;
+  const double std = std::sqrt(model.covariance(kInertia, kInertia));
+  return CheckInertia(model.dof, model.model.inertia, std, *mass);
 }
 
 }  // namespace fathom

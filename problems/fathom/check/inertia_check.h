@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/check/finding.h"
+#include "fathom/vehicle/fitted_model.h"
 
 #include <optional>
 
@@ -15,5 +16,8 @@ namespace fathom {
 // its mass, and the water that a body takes along adds once or twice that. The sentence names the
 // units whose mistake would explain it. Nothing for an angular DOF.
 std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, double mass);
+
+// The same of a model; nothing where the mass is not known.
+std::optional<Finding> CheckInertia(const FittedModel& model, std::optional<double> mass);
 
 }  // namespace fathom

@@ -6,7 +6,6 @@
 #include "fathom/check/inertia_check.h"
 #include "fathom/comparison/identification_text.h"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,12 +14,9 @@ namespace fathom {
 
 std::vector<Finding> CheckRows(std::span<const Identification> rows, std::optional<double> mass) {
   std::vector<Finding> findings;
-  if (!mass) return findings;
   for (const Identification& row : rows) {
     if (!row.is_usable) continue;
-    const FittedModel& fitted = row.fitted;
-    const double std = std::sqrt(fitted.covariance(kInertia, kInertia));
-    auto finding = CheckInertia(fitted.dof, fitted.model.inertia, std, *mass);
+    auto finding = CheckInertia(row.fitted, mass);
     if (!finding) continue;
     finding->sentence = fmt::format("{}: {}", ModelName(row), finding->sentence);
     findings.push_back(*std::move(finding));

@@ -3,6 +3,8 @@
 
 #include "fathom/comparison/comparison_file.h"
 
+#include "fathom/check/finding_json.h"
+
 #include <cmath>
 #include <limits>
 
@@ -47,11 +49,10 @@ std::string FormatComparison(const Comparison& comparison) {
   Json rows = Json::array(), findings = Json::array();
   for (const DofComparison& dof : comparison.dofs) {
     for (const Identification& row : dof.rows) rows.push_back(FormatRow(row));
-    for (const Finding& finding : dof.findings) {
-      findings.push_back({{"dof", Name(dof.dof)},
-                          {"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
-                          {"code", finding.code},
-                          {"sentence", finding.sentence}});
+    for (Json& finding : JsonOf(dof.findings)) {
+      Json of_dof = {{"dof", Name(dof.dof)}};
+      of_dof.update(finding);
+      findings.push_back(std::move(of_dof));
     }
   }
   const Json json = {{"schema", "fathom-comparison-1"},

@@ -11,7 +11,6 @@
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -20,17 +19,6 @@
 
 namespace fathom {
 namespace {
-
-// Of an inertia that contradicts the vehicle's mass.
-void AddInertiaFinding(std::optional<double> mass, LogIdentification* identified) {
-  const FittedModel& fitted = identified->result.fitted;
-  if (!mass || !identified->result.is_usable) return;
-  const double std = std::sqrt(fitted.covariance(kInertia, kInertia));
-  auto finding = CheckInertia(fitted.dof, fitted.model.inertia, std, *mass);
-  if (!finding) return;
-  identified->findings.push_back(*std::move(finding));
-  identified->findings = WarningsFirst(std::move(identified->findings));
-}
 
 // The training segments of one log.
 Signals OfLog(std::size_t log, const std::vector<std::size_t>& log_of_train, const Signals& all) {
@@ -111,7 +99,11 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     identified.result = Identify(signals, signals, options.family, options.identification);
     if (names.size() > 1) CompareRuns(names, joined.log_of_train, options, &identified);
   }
-  AddInertiaFinding(mass, &identified);
+  if (!identified.result.is_usable) return identified;
+  if (auto finding = CheckInertia(identified.result.fitted, mass)) {
+    identified.findings.push_back(*std::move(finding));
+    identified.findings = WarningsFirst(std::move(identified.findings));
+  }
   return identified;
 }
 

@@ -73,11 +73,6 @@ double DistanceFromOthers(std::span<const Value> values, std::size_t index) {
 
 }  // namespace
 
-bool RunAgreement::IsBroken() const {
-  return std::ranges::any_of(spreads,
-                             [](const Spread& spread) { return spread.p_value < kBroken; });
-}
-
 RunAgreement AgreementOf(std::vector<RunEstimate> runs) {
   RunAgreement agreement;
   agreement.runs = std::move(runs);

@@ -40,9 +40,6 @@ struct RunAgreement {
   // empty: none stands apart.
   std::string stands_apart;
   int parameter_apart = 0;
-
-  // Whether the runs of any parameter differ by more than noise (p below 1 %).
-  bool IsBroken() const;
 };
 
 // Of at least two runs. Those that are not usable count in no spread.

@@ -12,12 +12,10 @@
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
 #include "fathom/diagnosis/report/remarks.h"
+#include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
-#include "fathom/vehicle/parameters.h"
 
-#include <cmath>
-#include <optional>
 #include <utility>
 
 namespace fathom {
@@ -32,17 +30,6 @@ Diagnosis Begun(const MeasuredSegments& segments, Dof dof) {
   diagnosis.fits_displacement = segments.has_displacement;
   diagnosis.has_velocity = segments.has_velocity;
   return diagnosis;
-}
-
-// Of an inertia, the extended model's, that contradicts the vehicle's mass.
-void AddInertiaFinding(std::optional<double> mass, Diagnosis* diagnosis) {
-  if (!mass) return;
-  const DiagnosedModel& extended = diagnosis->extended;
-  const double std = std::sqrt(extended.covariance(kInertia, kInertia));
-  auto finding = CheckInertia(diagnosis->dof, extended.model.baseline.inertia, std, *mass);
-  if (!finding) return;
-  diagnosis->findings.push_back(*std::move(finding));
-  diagnosis->findings = WarningsFirst(std::move(diagnosis->findings));
 }
 
 std::vector<Suspect> SuspectsIn(const MeasuredSegments& segments,
@@ -77,7 +64,11 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     return begun;
   }
   Diagnosis diagnosis = Described(segments, prepared, judgement, std::move(begun));
-  AddInertiaFinding(MassOf(logs), &diagnosis);
+  const FittedModel extended = ModelOf(diagnosis, diagnosis.extended);
+  if (auto finding = CheckInertia(extended, MassOf(logs))) {
+    diagnosis.findings.push_back(*std::move(finding));
+    diagnosis.findings = WarningsFirst(std::move(diagnosis.findings));
+  }
   return diagnosis;
 }
 

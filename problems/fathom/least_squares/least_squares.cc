@@ -6,7 +6,6 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
 #include "fathom/least_squares/regression.h"
-#include "fathom/vehicle/negative_damping.h"
 
 #include <cmath>
 
@@ -28,8 +27,12 @@ void AddCaveats(LeastSquaresSummary* summary) {
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
     const double half_width = kStdsOf95 * std::sqrt(summary->covariance(index, index));
     if (parameters[index] < 0.0) {
-      summary->caveats.push_back(CaveatOnNegativeDamping(
-          index, fmt::format("{:.4g} ± {:.2g}", parameters[index], half_width)));
+      summary->caveats.push_back(fmt::format(
+          "{} is negative ({:.4g} ± {:.2g}), which is unphysical. The fit takes another term or "
+          "an unmodelled effect for damping.",
+          kParameterInfo[index].name,
+          parameters[index],
+          half_width));
     } else if (half_width > parameters[index]) {
       summary->caveats.push_back(fmt::format("{} cannot be distinguished from 0 ({:.4g} ± {:.2g}).",
                                              kParameterInfo[index].name,

@@ -81,6 +81,12 @@ EffectInputs EffectInputsOf(const Log& log, Dof dof) {
   return inputs;
 }
 
+EffectInputs CommandOnly(const Segment& segment) {
+  EffectInputs inputs;
+  inputs.command = segment.command;
+  return inputs;
+}
+
 void RequirePartners(const ExtendedModel& model, const EffectInputs& inputs, const Log& log) {
   for (const ActiveEffect& active : model.effects) {
     if (!active.effect->info().partner) continue;

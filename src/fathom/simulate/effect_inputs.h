@@ -7,6 +7,7 @@
 #include "fathom/log/held_command.h"
 #include "fathom/log/log.h"
 #include "fathom/log/sampled_signal.h"
+#include "fathom/signal/segment.h"
 #include "fathom/vehicle/extended_model.h"
 
 #include <array>
@@ -34,6 +35,9 @@ EffectInputs MeasuredInputsOf(const Log& log, Dof dof);
 
 // The same, with the poses' derivatives where velocity.csv has none.
 EffectInputs EffectInputsOf(const Log& log, Dof dof);
+
+// What a model without effects takes: the command of a segment.
+EffectInputs CommandOnly(const Segment& segment);
 
 // Throws InputError, saying which effect misses what, unless `inputs` hold what the effects of
 // `model` need of their partners. `log` as messages name it.

@@ -5,6 +5,7 @@
 
 #include "fathom/base/median.h"
 #include "fathom/simulate/effect_simulation.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,24 +47,6 @@ FirstSeconds FirstSecondsOf(const MeasuredMotion& motion) {
        &first.stamps.displacement,
        &first.displacement);
   return first;
-}
-
-// A straight line through the first samples, at `start` [s].
-struct Line {
-  double value = 0.0, slope = 0.0;
-};
-Line LineThrough(double start, std::span<const double> time, std::span<const double> value) {
-  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double t = time[i] - start;
-    n += 1.0;
-    st += t;
-    sy += value[i];
-    stt += t * t;
-    sty += t * value[i];
-  }
-  const double slope = (n * sty - st * sy) / std::max(1e-12, n * stt - st * st);
-  return {(sy - slope * st) / n, slope};
 }
 
 InitialState GuessOf(const FirstSeconds& first, double position) {

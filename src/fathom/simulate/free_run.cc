@@ -70,11 +70,8 @@ std::optional<FreeRun> FreeRunOver(const Segment& segment,
                                    const ExtendedModel& model,
                                    double position,
                                    const EffectInputs* inputs) {
-  EffectInputs command_only;
-  if (inputs == nullptr) {
-    command_only.command = segment.command;
-    inputs = &command_only;
-  }
+  const EffectInputs own = inputs == nullptr ? CommandOnly(segment) : EffectInputs();
+  if (inputs == nullptr) inputs = &own;
   const auto start = FittedStart(model, *inputs, MotionOf(segment), position);
   auto predicted = start ? Predict(model, segment, *start, inputs) : std::nullopt;
   if (!predicted) return std::nullopt;

@@ -18,11 +18,8 @@ std::optional<std::vector<double>> Predict(const ExtendedModel& model,
                                            const InitialState& initial,
                                            const EffectInputs* inputs) {
   CHECK(inputs != nullptr || model.effects.empty());
-  EffectInputs command_only;
-  if (inputs == nullptr) {
-    command_only.command = segment.command;
-    inputs = &command_only;
-  }
+  const EffectInputs own = inputs == nullptr ? CommandOnly(segment) : EffectInputs();
+  if (inputs == nullptr) inputs = &own;
   EffectOutputs outputs;
   const EffectSimulation simulation(inputs, {segment.time.front(), segment.time, {}});
   if (!simulation.Run(model, initial, &outputs)) return std::nullopt;

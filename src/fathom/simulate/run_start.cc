@@ -16,6 +16,20 @@ double InitialVelocity(const Segment& segment) {
                                                  : segment.velocity.front();
 }
 
+Line LineThrough(double start, std::span<const double> time, std::span<const double> value) {
+  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double t = time[i] - start;
+    n += 1.0;
+    st += t;
+    sy += value[i];
+    stt += t * t;
+    sty += t * value[i];
+  }
+  const double slope = (n * sty - st * sy) / std::max(1e-12, n * stt - st * st);
+  return {(sy - slope * st) / n, slope};
+}
+
 double PositionAt(const Log& log, Dof dof, double time) {
   if (!log.pose) return 0.0;
   const Poses poses = PosesOf(*log.pose);

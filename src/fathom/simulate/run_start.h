@@ -20,6 +20,12 @@ namespace fathom {
 // measured velocity.
 double InitialVelocity(const Segment& segment);
 
+// A straight line through samples, by least squares: its value at `start` [s], and its slope.
+struct Line {
+  double value = 0.0, slope = 0.0;
+};
+Line LineThrough(double start, std::span<const double> time, std::span<const double> value);
+
 // The displacement along `dof` at `time` where the log has poses, in line between them; else 0.
 double PositionAt(const Log& log, Dof dof, double time);
 

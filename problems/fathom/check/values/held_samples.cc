@@ -4,8 +4,8 @@
 #include "fathom/check/values/held_samples.h"
 
 #include "fathom/base/median.h"
+#include "fathom/base/quantile.h"
 #include "fathom/check/values/equal_runs.h"
-#include "fathom/check/values/quantile_of.h"
 
 #include <cmath>
 #include <cstddef>
@@ -43,7 +43,7 @@ std::optional<HeldSamples> FindHeldSamples(std::span<const double> time,
   const bool is_regular = static_cast<double>(num_alone) <= kMostAlone * num_values &&
                           static_cast<double>(num_long) <= kMostLong * num_values;
   if (usual < 2.0 || !is_regular) return std::nullopt;
-  if (Median(changes) < kSeveral * QuantileOf(changes, kSmallestChange)) return std::nullopt;
+  if (Median(changes) < kSeveral * Quantile(changes, kSmallestChange)) return std::nullopt;
   return HeldSamples{.interval = Median(intervals), .row_step = MedianStep(time)};
 }
 

@@ -4,7 +4,7 @@
 #include "fathom/check/values/lost_values.h"
 
 #include "fathom/check/values/equal_runs.h"
-#include "fathom/check/values/quantile_of.h"
+#include "fathom/check/values/large_jump.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,10 @@
 namespace fathom {
 namespace {
 
-constexpr double kFar = 5.0;  // usual large steps
-constexpr double kLargeStep = 0.9;
 constexpr std::size_t kFewestRows = 3;
 
-// The large ones of the steps between values that follow each other when zeros are passed over.
-double LargeStepOf(std::span<const double> values) {
+// The sizes of the steps between values that follow each other when zeros are passed over.
+std::vector<double> StepsOf(std::span<const double> values) {
   std::vector<double> steps;
   double before = 0.0;
   for (const double value : values) {
@@ -26,13 +24,13 @@ double LargeStepOf(std::span<const double> values) {
     if (before != 0.0 && value != before) steps.push_back(std::abs(value - before));
     before = value;
   }
-  return steps.empty() ? 0.0 : QuantileOf(std::move(steps), kLargeStep);
+  return steps;
 }
 
 }  // namespace
 
 std::optional<LostValues> FindLostValues(std::span<const double> values) {
-  const double far = kFar * LargeStepOf(values);
+  const double far = LargeJump(StepsOf(values));
   if (!(far > 0.0)) return std::nullopt;
   LostValues lost;
   for (const EqualRun& run : EqualRunsOf(values)) {

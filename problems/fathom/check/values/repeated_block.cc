@@ -4,7 +4,7 @@
 #include "fathom/check/values/repeated_block.h"
 
 #include "fathom/base/median.h"
-#include "fathom/check/values/quantile_of.h"
+#include "fathom/check/values/large_jump.h"
 
 #include <algorithm>
 #include <bit>
@@ -74,12 +74,11 @@ bool HasNoise(std::span<const double> values) {
 
 // Whether the second place of a block begins or ends with a jump.
 bool HasSeam(std::span<const double> values, const RepeatedBlock& block) {
-  constexpr double kLargeStep = 0.9, kFar = 5.0;
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
   }
-  const double far = kFar * QuantileOf(std::move(steps), kLargeStep);
+  const double far = LargeJump(std::move(steps));
   const std::size_t end = block.second + block.num_rows;
   const bool jumps_in =
       block.second > 0 && std::abs(values[block.second] - values[block.second - 1]) > far;

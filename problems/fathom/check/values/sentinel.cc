@@ -3,7 +3,7 @@
 
 #include "fathom/check/values/sentinel.h"
 
-#include "fathom/check/values/quantile_of.h"
+#include "fathom/base/quantile.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ bool IsKnown(double value) {
 
 std::optional<Sentinel> FindSentinel(std::span<const double> values) {
   if (values.size() < 3) return std::nullopt;
-  const double middle = QuantileOf({values.begin(), values.end()}, 0.5);
+  const double middle = Quantile({values.begin(), values.end()}, 0.5);
   const auto furthest =
       std::ranges::max_element(values, {}, [&](double value) { return std::abs(value - middle); });
   Sentinel sentinel = {.value = *furthest, .num_rows = 0, .first = 0};

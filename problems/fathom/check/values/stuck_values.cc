@@ -3,7 +3,7 @@
 
 #include "fathom/check/values/stuck_values.h"
 
-#include "fathom/check/values/quantile_of.h"
+#include "fathom/check/values/large_jump.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,12 @@ namespace {
 
 constexpr double kShortest = 1.0;  // [s]
 constexpr std::size_t kFewestRows = 5;
-constexpr double kFar = 5.0;  // usual large steps
-constexpr double kLargeStep = 0.9;
 constexpr double kShortestWithoutJump = 5.0;  // [s]
 constexpr double kFewEqual = 0.05;            // of the steps
 
 // How the values go on outside long runs.
 struct UsualSteps {
-  double large = 0.0;        // of those that are not 0
+  double jump = 0.0;         // LargeJump() of those that are not 0
   double equal_share = 0.0;  // of those that are 0
 };
 
@@ -41,7 +39,7 @@ UsualSteps UsualStepsOf(std::span<const double> time,
   }
   if (changes.empty()) return {};
   const auto num_steps = static_cast<double>(changes.size() + num_equal);
-  return {.large = QuantileOf(std::move(changes), kLargeStep),
+  return {.jump = LargeJump(std::move(changes)),
           .equal_share = static_cast<double>(num_equal) / num_steps};
 }
 
@@ -51,7 +49,7 @@ std::optional<StuckValues> FindStuckValues(std::span<const double> time,
                                            std::span<const double> values) {
   const std::vector<EqualRun> runs = EqualRunsOf(values);
   const UsualSteps usual = UsualStepsOf(time, values, runs);
-  if (!(usual.large > 0.0)) return std::nullopt;
+  if (!(usual.jump > 0.0)) return std::nullopt;
   StuckValues stuck;
   for (const EqualRun& run : runs) {
     if (!IsLong(time, run)) continue;
@@ -59,7 +57,7 @@ std::optional<StuckValues> FindStuckValues(std::span<const double> time,
     const double jump_in = run.first > 0 ? std::abs(value - values[run.first - 1]) : 0.0;
     const double jump_out =
         run.last + 1 < values.size() ? std::abs(value - values[run.last + 1]) : 0.0;
-    const bool jumps = std::max(jump_in, jump_out) > kFar * usual.large;
+    const bool jumps = std::max(jump_in, jump_out) > usual.jump;
     const bool never_rests = value != 0.0 && usual.equal_share < kFewEqual &&
                              time[run.last] - time[run.first] >= kShortestWithoutJump;
     if (!jumps && !never_rests) continue;

@@ -24,20 +24,11 @@ namespace {
 constexpr size_t kFewestSamples = 20;  // of a segment's leading channel
 constexpr double kStartWindow = 2.0;   // [s] of samples behind the guess of the start
 
-// Value and slope at the first sample, by a straight line over the first two seconds.
-std::pair<double, double> StartOf(std::span<const double> time, std::span<const double> value) {
-  double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
-  for (size_t i = 0; i < time.size(); ++i) {
-    const double t = time[i] - time[0];
-    if (t > kStartWindow && i >= 5) break;
-    n += 1.0;
-    st += t;
-    sy += value[i];
-    stt += t * t;
-    sty += t * value[i];
-  }
-  const double slope = (n * sty - st * sy) / std::max(1e-12, n * stt - st * st);
-  return {(sy - slope * st) / n, slope};
+// At the first sample, by a straight line over the first two seconds, five samples at least.
+Line StartOf(std::span<const double> time, std::span<const double> value) {
+  std::size_t count = 0;
+  while (count < time.size() && (time[count] - time[0] <= kStartWindow || count < 5)) ++count;
+  return LineThrough(time[0], time.first(count), value.first(count));
 }
 
 // The samples from `from` to `to` [s], both included.
@@ -177,7 +168,7 @@ MeasuredSegments MeasuredSegmentsOf(std::span<const Log> logs, Dof dof) {
 void RestartAt(double time, MeasuredSegment* segment) {
   segment->stamps.start = time;
   if (!segment->velocity.empty()) {
-    segment->initial.velocity = StartOf(segment->stamps.velocity, segment->velocity).first;
+    segment->initial.velocity = StartOf(segment->stamps.velocity, segment->velocity).value;
   }
   if (segment->displacement.size() < 2) return;
   const auto [value, slope] = StartOf(segment->stamps.displacement, segment->displacement);

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/verdict_file.h"
 
+#include "fathom/check/finding_json.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -132,8 +133,7 @@ FittedModel ModelOf(const Diagnosis& diagnosis, const DiagnosedModel& model) {
 
 std::string FormatVerdict(const Diagnosis& diagnosis,
                           const std::vector<std::string>& log_fingerprints) {
-  Json findings = Json::array(), causes = Json::array(), candidates = Json::array(),
-       limits = Json::array();
+  Json causes = Json::array(), candidates = Json::array(), limits = Json::array();
   for (const Cause& cause : diagnosis.causes) causes.push_back(FormatCause(diagnosis, cause));
   for (const Candidate& candidate : diagnosis.candidates) {
     candidates.push_back(FormatCandidate(diagnosis, candidate));
@@ -141,15 +141,10 @@ std::string FormatVerdict(const Diagnosis& diagnosis,
   for (const ExclusionLimit& limit : diagnosis.limits) {
     limits.push_back(FormatLimit(diagnosis, limit));
   }
-  for (const Finding& finding : diagnosis.findings) {
-    findings.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
-                        {"code", finding.code},
-                        {"sentence", finding.sentence}});
-  }
   const Json json = {{"schema", "fathom-verdict-1"},
                      {"log", fmt::format("{}", fmt::join(diagnosis.logs, ", "))},
                      {"dof", Name(diagnosis.dof)},
-                     {"findings", findings},
+                     {"findings", JsonOf(diagnosis.findings)},
                      {"verdict", Name(diagnosis.verdict)},
                      {"sentence", VerdictSentence(diagnosis)},
                      {"force_unit", diagnosis.force_unit},

@@ -5,12 +5,12 @@
 #include "fathom/vehicle/files/effect_entries.h"
 #include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/files/model_file.h"
-#include "fathom/vehicle/negative_damping.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -124,26 +124,30 @@ std::vector<ActiveEffect> EffectsOf(const JsonValue& file,
   return ReadEffects(*structure, fitted.dof);
 }
 
+// Families that do not bound the damping. With them it may come out below 0, which a caveat says.
+const std::set<std::string> kUnboundedFamilies = {"adaptive", "least_squares"};
+
 // Throws InputError for what no vehicle can have.
 void RequirePhysical(const JsonValue& parameters,
                      const ParameterVector& baseline,
-                     const std::vector<std::string>& caveats) {
+                     const std::string& family) {
   if (!(baseline[kInertia] > 0.0)) {
     parameters.Member("inertia").Fail(
         fmt::format("is {}, expected a value above 0", baseline[kInertia]));
   }
+  if (kUnboundedFamilies.contains(family)) return;
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
-    if (baseline[index] >= 0.0 || IsSaidToBeNegative(index, caveats)) continue;
-    const char* name = kParameterInfo[index].name;
-    parameters.Member(name).Fail(fmt::format(
-        "is {}, expected at least 0, or a caveat '{} is negative' as of a least-squares fit",
-        baseline[index],
-        name));
+    if (baseline[index] >= 0.0) continue;
+    parameters.Member(kParameterInfo[index].name)
+        .Fail(fmt::format("is {}, expected at least 0, but for a model of the family {}",
+                          baseline[index],
+                          fmt::join(kUnboundedFamilies, " or ")));
   }
 }
 
 void ReadParameters(const JsonValue& parameters,
                     const std::map<std::string, double>& values,
+                    const std::string& family,
                     FittedModel* fitted) {
   std::vector<std::string> keys;
   std::vector<double> variances;
@@ -162,7 +166,7 @@ void ReadParameters(const JsonValue& parameters,
   for (int i = 0; i < kNumParameters; ++i) {
     baseline[i] = read(kParameterInfo[i].name, ParameterUnit(i, fitted->dof, fitted->force_unit));
   }
-  RequirePhysical(parameters, baseline, fitted->caveats);
+  RequirePhysical(parameters, baseline, family);
   fitted->model = ModelFromVector(baseline);
   for (ActiveEffect& active : fitted->effects) {
     for (const EffectParameter& parameter : active.effect->info().parameters) {
@@ -206,6 +210,12 @@ void ReadCovariance(const JsonValue& json, FittedModel* fitted) {
   }
 }
 
+// By which the model came about; empty where the file does not say.
+std::string FamilyOf(const JsonValue& file) {
+  const auto provenance = file.MemberIfThere("provenance");
+  return provenance && provenance->Has("family") ? provenance->Member("family").Text() : "";
+}
+
 // Throws InputError for a key that no tool writes.
 void RequireKnownKeys(const JsonValue& file, bool is_verdict) {
   file.RequireKeysOf(is_verdict ? kKeysOfVerdict : kKeysOfModel);
@@ -237,7 +247,7 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
   fitted.caveats = TextsIfThere(file, "caveats");
   std::map<std::string, double> values;
   fitted.effects = EffectsOf(file, model, fitted, &values);
-  ReadParameters(model.Member("parameters"), values, &fitted);
+  ReadParameters(model.Member("parameters"), values, FamilyOf(file), &fitted);
   if (const auto covariance = model.MemberIfThere("covariance")) {
     ReadCovariance(*covariance, &fitted);
   }

@@ -5,7 +5,6 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/vehicle/effects/catalogue.h"
-#include "fathom/vehicle/negative_damping.h"
 
 #include <cmath>
 #include <string>
@@ -287,18 +286,20 @@ TEST(ModelFile, RefusesUnitsOfAnotherDof) {
             "m.json: 'causes[0].parameters.width.unit' is 'N m', expected 'N'.");
 }
 
-TEST(ModelFile, RefusesNegativeDampingUnlessItIsSaid) {
+// Least squares and the adaptive law do not bound the damping.
+TEST(ModelFile, RefusesNegativeDampingButOfFamiliesThatDoNotBoundIt) {
   EXPECT_EQ(ErrorAfter("31.4", "-31.4"),
-            "m.json: 'parameters.linear_damping' is -31.4, expected at least 0, or a caveat "
-            "'linear_damping is negative' as of a least-squares fit.");
+            "m.json: 'parameters.linear_damping' is -31.4, expected at least 0, but for a model of "
+            "the family adaptive or least_squares.");
   EXPECT_THAT(ErrorAfter("1911.21", "-1911.21"),
               HasSubstr("'parameters.quadratic_damping' is -1911.21, expected at least 0"));
   FittedModel fitted = Example();
   fitted.model.linear_damping = -31.4;
-  fitted.caveats = {CaveatOnNegativeDamping(kLinearDamping, "-31.4 ± 2")};
+  fitted.caveats = {"linear_damping is negative."};  // words decide nothing
+  fitted.provenance["family"] = "output_error";
+  EXPECT_THAT(ErrorFrom(FormatModel(fitted)), HasSubstr("'parameters.linear_damping' is -31.4"));
+  fitted.provenance["family"] = "least_squares";
   EXPECT_EQ(ParseModel("m.json", FormatModel(fitted)).model.linear_damping, -31.4);
-  fitted.model.quadratic_damping = -2.5;  // of which the caveat does not speak
-  EXPECT_THAT(ErrorFrom(FormatModel(fitted)), HasSubstr("'parameters.quadratic_damping' is -2.5"));
 }
 
 TEST(ModelFile, RefusesANegativeDeviation) {

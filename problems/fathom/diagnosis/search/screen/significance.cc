@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/search/screen/significance.h"
 
+#include "fathom/base/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,12 +23,6 @@ double AnyOf(double p, double n) { return -std::expm1(n * std::log1p(-std::min(p
 // The n for which AnyOf(p, n) is `any`.
 double NumberFor(double p, double any) {
   return std::log1p(-any) / std::log1p(-std::clamp(p, 1e-300, 1.0 - 1e-12));
-}
-
-double Quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[place];
 }
 
 // Where a suspect's maxima are compared with chi squared: high enough that one-sided trials, whose
