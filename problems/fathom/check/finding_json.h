@@ -11,7 +11,8 @@
 
 namespace fathom {
 
-// [{severity, code, sentence}], as every file has them: severity "red" for a warning, else "yellow".
+// [{severity, code, sentence}], as every file has them: severity "red" for a warning, else
+// "yellow".
 nlohmann::ordered_json JsonOf(const std::vector<Finding>& findings);
 
 }  // namespace fathom
