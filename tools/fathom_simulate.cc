@@ -118,7 +118,9 @@ struct LogScore {
 std::vector<Finding> FindingsOn(const Log& log, const FittedModel& model) {
   std::vector<Finding> findings;
   if (!SourcesOf(log, model.dof).empty()) findings = CheckLogs({&log, 1}, model.dof);
-  if (auto finding = CheckInertia(model, log.mass)) findings.push_back(*std::move(finding));
+  if (auto finding = CheckInertia(model, BodyOf({&log, 1}))) {
+    findings.push_back(*std::move(finding));
+  }
   return WarningsFirst(std::move(findings));
 }
 

@@ -6,8 +6,10 @@
 #include "fathom/base/interval95.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,9 @@ namespace fathom {
 namespace {
 
 constexpr double kMostMasses = 5.0;
-constexpr double kUsualMasses = 3.0;  // mass and added mass over mass, at most as a rule
+constexpr double kWater = 1000.0;      // [kg/m^3]
+constexpr double kBoxOverPlate = 2.0;  // see MostInertia()
+constexpr double kUsualMasses = 3.0;   // mass and added mass over mass, at most as a rule
 
 // A number read in the wrong unit makes the inertia this many times too large.
 struct UnitMistake {
@@ -40,7 +44,8 @@ constexpr std::array<UnitMistake, 11> kUnitMistakes = {{
     {1e3, "the mass of the vehicle in t, not kg"},
 }};
 
-std::string ExplainedBy(double inertia, double mass) {
+std::string ExplainedBy(double inertia, const Body& body) {
+  const double mass = body.mass;
   std::vector<std::string> texts;
   for (const UnitMistake& mistake : kUnitMistakes) {
     const double masses = inertia / mistake.factor / mass;
@@ -48,8 +53,10 @@ std::string ExplainedBy(double inertia, double mass) {
   }
   if (texts.empty()) {
     const char* const flat =
-        inertia > mass ? " A flat vehicle moved across its plane may reach six times its mass."
-                       : "";
+        inertia > mass && !body.size
+            ? " A flat vehicle moved across its plane may reach six times its mass: a vehicle file "
+              "tells its size."
+            : "";
     return fmt::format("Check the units of force, motion and mass, and the clocks.{}", flat);
   }
   return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));
@@ -57,27 +64,42 @@ std::string ExplainedBy(double inertia, double mass) {
 
 }  // namespace
 
-std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, double mass) {
-  if (IsAngular(dof) || !std::isfinite(inertia) || !(mass > 0.0)) return std::nullopt;
-  const double reach = std::isfinite(std) ? kStdsOf95 * std : 0.0;
-  const bool is_too_small = inertia + reach < mass;
-  const bool is_too_large = inertia - reach > kMostMasses * mass;
-  if (!is_too_small && !is_too_large) return std::nullopt;
-  return Finding{Severity::kWarning,
-                 "inertia",
-                 fmt::format("The inertia of {:.4g} kg (± {:.2g}) is {} the vehicle's dry mass of "
-                             "{:.4g} kg. {}",
-                             inertia,
-                             reach,
-                             is_too_small ? "below" : "over five times",
-                             mass,
-                             ExplainedBy(inertia, mass))};
+double MostInertia(Dof dof, const Body& body) {
+  const double as_a_rule = kMostMasses * body.mass;
+  if (!body.size) return as_a_rule;
+  std::vector<double> face;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != Index(dof)) face.push_back((*body.size)[axis]);
+  }
+  const auto [shorter, longer] = std::minmax(face[0], face[1]);
+  const double plate = kWater * std::numbers::pi / 4.0 * shorter * shorter * longer;
+  return std::max(as_a_rule, kBoxOverPlate * (body.mass + plate));
 }
 
-std::optional<Finding> CheckInertia(const FittedModel& model, std::optional<double> mass) {
-  if (!mass) return std::nullopt;
+std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body) {
+  const double mass = body.mass;
+  if (IsAngular(dof) || !std::isfinite(inertia) || !(mass > 0.0)) return std::nullopt;
+  const double reach = std::isfinite(std) ? kStdsOf95 * std : 0.0;
+  const double most = MostInertia(dof, body);
+  const bool is_too_small = inertia + reach < mass;
+  const bool is_too_large = inertia - reach > most;
+  if (!is_too_small && !is_too_large) return std::nullopt;
+  return Finding{
+      Severity::kWarning,
+      "inertia",
+      fmt::format(
+          "The inertia of {:.4g} kg (± {:.2g}) is {} the vehicle's dry mass of {:.4g} kg. {}",
+          inertia,
+          reach,
+          is_too_small ? "below" : fmt::format("over {:.2g} times", most / mass),
+          mass,
+          ExplainedBy(inertia, body))};
+}
+
+std::optional<Finding> CheckInertia(const FittedModel& model, const std::optional<Body>& body) {
+  if (!body || model.force_unit != ForceUnit(model.dof)) return std::nullopt;
   const double std = std::sqrt(model.covariance(kInertia, kInertia));
-  return CheckInertia(model.dof, model.model.inertia, std, *mass);
+  return CheckInertia(model.dof, model.model.inertia, std, *body);
 }
 
 }  // namespace fathom

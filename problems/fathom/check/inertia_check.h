@@ -7,17 +7,38 @@
 #include "fathom/check/finding.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <array>
 #include <optional>
 
 namespace fathom {
 
-// An inertia against the dry mass of the vehicle [kg]: a warning of code "inertia" if its 95 %
-// interval lies below the mass, or above five times the mass. A vehicle cannot move with less than
-// its mass, and the water that a body takes along adds once or twice that. The sentence names the
-// units whose mistake would explain it. Nothing for an angular DOF.
-std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, double mass);
+// What is known of a vehicle's body.
+struct Body {
+  double mass = 0.0;                               // dry [kg], above 0
+  std::optional<std::array<double, 3>> size = {};  // length, width, height [m], above 0
+};
 
-// The same of a model; nothing where the mass is not known.
-std::optional<Finding> CheckInertia(const FittedModel& model, std::optional<double> mass);
+// The most inertia [kg] that a body may have along surge, sway or heave.
+//
+//   max(5 m, 2 (m + rho pi/4 a^2 b))                                       docs/checks.md (5)
+//
+//   m     dry mass                                                         [kg]
+//   a, b  shorter and longer side of the face across the motion            [m]
+//   rho   1000                                                             [kg/m^3]
+//
+// rho pi/4 a^2 b is the added mass of a plate a b at most (DNV-RP-H103, Table A-2: times 0.58 for a
+// square, 1 for a long one). A box pushes up to 1.5 times that (there, a cube), and frames hold
+// water that no one weighs: hence the 2. Without a size, five masses.
+double MostInertia(Dof dof, const Body& body);
+
+// An inertia against the body of the vehicle: a warning of code "inertia" if its 95 % interval lies
+// below the dry mass, or above MostInertia(). A vehicle cannot move with less than its mass, and
+// the water that a body takes along adds once or twice that. The sentence names the units whose
+// mistake would explain it. Nothing for an angular DOF.
+std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body);
+
+// The same of a model; nothing where the body is not known, or the force is not in newton: the
+// inertia is then not in kg.
+std::optional<Finding> CheckInertia(const FittedModel& model, const std::optional<Body>& body);
 
 }  // namespace fathom

@@ -7,10 +7,14 @@
 #include "fathom/check/sanity.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,6 +33,15 @@ std::vector<Finding> OfLog(const Log& log, std::size_t num_logs, std::vector<Fin
     finding.sentence = fmt::format("{}: {}", log.path.filename().string(), finding.sentence);
   }
   return findings;
+}
+
+// Length, width and height of the vehicle [m], where the log names a vehicle file that is there.
+std::optional<std::array<double, 3>> SizeOf(const Log& log) {
+  const std::filesystem::path file = log.path / log.vehicle;
+  std::error_code error;
+  if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return std::nullopt;
+  const Eigen::Vector3d size = ReadVehicleFile(file).size;
+  return std::array{size.x(), size.y(), size.z()};
 }
 
 }  // namespace
@@ -63,14 +76,15 @@ std::string WhyNoModel(const std::vector<Finding>& findings) {
   return found == findings.end() ? "" : found->sentence;
 }
 
-std::optional<double> MassOf(std::span<const Log> logs) {
-  std::optional<double> mass;
+std::optional<Body> BodyOf(std::span<const Log> logs) {
+  std::optional<Body> body;
   for (const Log& log : logs) {
     if (!log.mass) continue;
-    if (mass && *mass != *log.mass) return std::nullopt;
-    mass = log.mass;
+    const Body own = {*log.mass, SizeOf(log)};
+    if (body && (body->mass != own.mass || body->size != own.size)) return std::nullopt;
+    body = own;
   }
-  return mass;
+  return body;
 }
 
 }  // namespace fathom

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/check/finding.h"
+#include "fathom/check/inertia_check.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 
@@ -28,7 +29,9 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof);
 // that never changes; empty if there is none.
 std::string WhyNoModel(const std::vector<Finding>& findings);
 
-// The dry mass [kg] that the logs agree on; nothing if none has one, or two have different ones.
-std::optional<double> MassOf(std::span<const Log> logs);
+// The body that the logs agree on: their mass, and the size in the vehicle file that they name.
+// Nothing if none knows its mass, or two have different bodies. Throws InputError if that file
+// breaks its format.
+std::optional<Body> BodyOf(std::span<const Log> logs);
 
 }  // namespace fathom

@@ -3,7 +3,6 @@
 
 #include "fathom/comparison/check_rows.h"
 
-#include "fathom/check/inertia_check.h"
 #include "fathom/comparison/identification_text.h"
 
 #include <utility>
@@ -12,11 +11,12 @@
 
 namespace fathom {
 
-std::vector<Finding> CheckRows(std::span<const Identification> rows, std::optional<double> mass) {
+std::vector<Finding> CheckRows(std::span<const Identification> rows,
+                               const std::optional<Body>& body) {
   std::vector<Finding> findings;
   for (const Identification& row : rows) {
     if (!row.is_usable) continue;
-    auto finding = CheckInertia(row.fitted, mass);
+    auto finding = CheckInertia(row.fitted, body);
     if (!finding) continue;
     finding->sentence = fmt::format("{}: {}", ModelName(row), finding->sentence);
     findings.push_back(*std::move(finding));

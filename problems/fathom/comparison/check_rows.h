@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/check/finding.h"
+#include "fathom/check/inertia_check.h"
 #include "fathom/comparison/identification.h"
 
 #include <optional>
@@ -12,8 +13,9 @@
 
 namespace fathom {
 
-// Holds the inertia of every usable row against the vehicle's dry mass [kg], if that is known: a
-// warning of code "inertia" for each row that contradicts it.
-std::vector<Finding> CheckRows(std::span<const Identification> rows, std::optional<double> mass);
+// Holds the inertia of every usable row against the vehicle's body, if that is known: a warning of
+// code "inertia" for each row that contradicts it.
+std::vector<Finding> CheckRows(std::span<const Identification> rows,
+                               const std::optional<Body>& body);
 
 }  // namespace fathom

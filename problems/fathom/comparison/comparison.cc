@@ -85,7 +85,7 @@ DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& opt
     throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
   }
   AddJointRow(log, options, &result);
-  std::ranges::move(CheckRows(result.rows, log.mass), std::back_inserter(result.findings));
+  std::ranges::move(CheckRows(result.rows, BodyOf({&log, 1})), std::back_inserter(result.findings));
   result.findings = WarningsFirst(std::move(result.findings));
   return result;
 }

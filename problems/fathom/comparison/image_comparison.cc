@@ -82,7 +82,7 @@ ImageComparison CompareOnImages(const MarkerLogs& logs, const ImageComparisonOpt
   if (can_start) result.joint = FitJoint(logs.input, joint);
   dof.rows.push_back(
       OrBestGuess(IdentificationOf(result.joint, dof.scored), dof.rows, dof.scored.source));
-  std::ranges::move(CheckRows(dof.rows, MassOf(logs.logs)), std::back_inserter(dof.findings));
+  std::ranges::move(CheckRows(dof.rows, BodyOf(logs.logs)), std::back_inserter(dof.findings));
   dof.findings = WarningsFirst(std::move(dof.findings));
   result.comparison.dofs.push_back(std::move(dof));
   return result;

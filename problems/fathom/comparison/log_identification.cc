@@ -88,7 +88,7 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
   identified.findings = CheckLogs(logs, signals);
-  const std::optional<double> mass = MassOf(logs);
+  const std::optional<Body> body = BodyOf(logs);
   std::vector<std::string> names;
   for (const Log& log : logs) names.push_back(log.path.filename().string());
   if (!is_joint) logs = {};  // a long one takes as much memory as its signals
@@ -100,7 +100,7 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     if (names.size() > 1) CompareRuns(names, joined.log_of_train, options, &identified);
   }
   if (!identified.result.is_usable) return identified;
-  if (auto finding = CheckInertia(identified.result.fitted, mass)) {
+  if (auto finding = CheckInertia(identified.result.fitted, body)) {
     identified.findings.push_back(*std::move(finding));
     identified.findings = WarningsFirst(std::move(identified.findings));
   }

@@ -65,7 +65,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   }
   Diagnosis diagnosis = Described(segments, prepared, judgement, std::move(begun));
   const FittedModel extended = ModelOf(diagnosis, diagnosis.extended);
-  if (auto finding = CheckInertia(extended, MassOf(logs))) {
+  if (auto finding = CheckInertia(extended, BodyOf(logs))) {
     diagnosis.findings.push_back(*std::move(finding));
     diagnosis.findings = WarningsFirst(std::move(diagnosis.findings));
   }
