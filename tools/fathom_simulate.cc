@@ -8,6 +8,7 @@
 #include "fathom/check/finding_json.h"
 #include "fathom/check/inertia_check.h"
 #include "fathom/check/log_check.h"
+#include "fathom/check/prediction_check.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
@@ -114,11 +115,17 @@ struct LogScore {
   std::vector<std::string> remarks;
 };
 
-// What every tool checks, where the log measures the motion, and the model against the vehicle.
-std::vector<Finding> FindingsOn(const Log& log, const FittedModel& model) {
+// What every tool checks, where the log measures the motion; the model against the vehicle, and the
+// prediction against the log.
+std::vector<Finding> FindingsOn(const Log& log,
+                                const FittedModel& model,
+                                const std::optional<LogPrediction>& prediction) {
   std::vector<Finding> findings;
   if (!SourcesOf(log, model.dof).empty()) findings = CheckLogs({&log, 1}, model.dof);
   if (auto finding = CheckInertia(model, BodyOf({&log, 1}))) {
+    findings.push_back(*std::move(finding));
+  }
+  if (auto finding = CheckPrediction(prediction, model.dof)) {
     findings.push_back(*std::move(finding));
   }
   return WarningsFirst(std::move(findings));
@@ -126,7 +133,8 @@ std::vector<Finding> FindingsOn(const Log& log, const FittedModel& model) {
 
 LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
   const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
-  LogScore score = {log.name, FindingsOn(log, model), PredictLog(model, log), {}};
+  LogScore score = {log.name, {}, PredictLog(model, log), {}};
+  score.findings = FindingsOn(log, model, score.prediction);
   if (!score.prediction) return score;
   score.remarks = RemarksOn(model, *score.prediction);
   const std::vector<double>& last = score.prediction->segments.back().time;

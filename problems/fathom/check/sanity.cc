@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
+#include "fathom/check/batch_means.h"
 #include "fathom/signal/filters/autoregression.h"
 #include "fathom/signal/filters/integral.h"
 
@@ -20,12 +21,11 @@
 namespace fathom {
 namespace {
 
-constexpr double kHighestSpeed = 20.0;  // [m/s] or [rad/s]
-constexpr double kShortestStep = 1e-3;  // [s]
-constexpr double kLongestStep = 1.0;    // [s]
-constexpr double kJitter = 0.3;         // of the median step
-constexpr double kGap = 5.0;            // median steps
-constexpr int kNumBatches = 16;
+constexpr double kHighestSpeed = 20.0;    // [m/s] or [rad/s]
+constexpr double kShortestStep = 1e-3;    // [s]
+constexpr double kLongestStep = 1.0;      // [s]
+constexpr double kJitter = 0.3;           // of the median step
+constexpr double kGap = 5.0;              // median steps
 constexpr double kPowerErrors = 3.0;      // standard errors below zero
 constexpr double kSignErrors = 4.0;       // the same for the slope,
 constexpr double kSignCorrelation = 0.2;  // with a correlation of at least this
@@ -77,12 +77,7 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
   const double mean_velocity = (samples.velocity * samples.step).sum() / duration;
   const Eigen::ArrayXd power = (samples.force - mean_force) * (samples.velocity - mean_velocity);
   const double mean = (power * samples.step).sum() / duration;
-  const Eigen::Index n = power.size() / kNumBatches;
-  if (n < 2) return;
-  Eigen::ArrayXd batches(kNumBatches);
-  for (Eigen::Index k = 0; k < kNumBatches; ++k) batches[k] = power.segment(k * n, n).mean();
-  const double error =
-      std::sqrt((batches - batches.mean()).square().sum() / (kNumBatches * (kNumBatches - 1.0)));
+  const double error = ErrorOfMean(power);
   if (!(mean < -kPowerErrors * error)) return;
   Warn("passivity",
        fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} ± "

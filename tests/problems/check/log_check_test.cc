@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// All checks of a log, over logs that are sound.
+
+#include "fathom/check/log_check.h"
+
+#include "fathom/log/read_log.h"
+#include "fathom/signal/sources/choose_source.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "real_data.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::string> WarningsOf(const Log& log, Dof dof) {
+  std::vector<std::string> sentences;
+  for (const Finding& finding : CheckLogs({&log, 1}, dof)) {
+    if (finding.severity == Severity::kWarning) sentences.push_back(finding.sentence);
+  }
+  return sentences;
+}
+
+void ExpectNoWarning(const Log& log) {
+  for (const Dof dof : log.dofs) {
+    if (SourcesOf(log, dof).empty()) continue;
+    EXPECT_THAT(WarningsOf(log, dof), IsEmpty()) << log.path << ", " << Name(dof);
+  }
+}
+
+TEST(LogCheck, WarnsOfNothingInTheBundledLog) {
+  const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  ASSERT_THAT(log.dofs, ElementsAre(Dof::kSurge, Dof::kHeave, Dof::kYaw));
+  ExpectNoWarning(log);
+}
+
+TEST(LogCheck, TakesTheBodyThatTheLogsAgreeOn) {
+  Log one, other;
+  one.path = other.path = FATHOM_DATA_DIR "/vehicles";
+  EXPECT_FALSE(BodyOf(std::vector{one, other}));
+  one.mass = 274.0;
+  ASSERT_TRUE(BodyOf(std::vector{one, other}));
+  EXPECT_FALSE(BodyOf(std::vector{one, other})->size);
+  one.vehicle = "flatfish.yaml";
+  EXPECT_THAT(BodyOf(std::vector{one, other})->size.value(), ElementsAre(2.10, 1.02, 0.50));
+  other.mass = 275.0;
+  EXPECT_FALSE(BodyOf(std::vector{one, other}));
+}
+
+void AddRuns(const fs::path& folder, std::vector<fs::path>* places) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (fs::exists(entry.path() / "log.yaml")) places->push_back(entry.path());
+  }
+}
+
+class LogCheckOfRealLogs : public OnRealData {};
+
+TEST_F(LogCheckOfRealLogs, WarnsOfNoSoundLog) {
+  std::vector<fs::path> places;
+  for (const char* one :
+       {"lbv_surge", "pool_rov_surge", "emps_pulses_pose", "emps_pulses_velocity"}) {
+    places.push_back(folder_ / one);
+  }
+  AddRuns(folder_ / "kingfisher_runs", &places);
+  ASSERT_EQ(places.size(), 4u + 12u);
+  for (const fs::path& place : places) ExpectNoWarning(ReadLog(place));
+}
+
+// Shafts of motors turn faster than any vehicle: the warning is right, and the only one.
+TEST_F(LogCheckOfRealLogs, SaysThatShaftsAreFasterThanVehicles) {
+  std::vector<fs::path> places = {folder_ / "dc_motor_stairs"};
+  AddRuns(folder_ / "hsm150_runs", &places);
+  ASSERT_EQ(places.size(), 1u + 12u);
+  for (const fs::path& place : places) {
+    EXPECT_THAT(WarningsOf(ReadLog(place), Dof::kYaw),
+                ElementsAre(HasSubstr("expected at most 20")))
+        << place;
+  }
+}
+
+}  // namespace
+}  // namespace fathom
