@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "real_data.h"
 #include "run_tool.h"
@@ -20,6 +21,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Path = std::filesystem::path;
 
 class RealLogsTool : public OnRealData {
@@ -78,6 +80,35 @@ TEST_F(RealLogsTool, PoolRovSurgeIsPredictedAndGivenAsRatios) {
                     HasSubstr("The command is in A, not in N")));
   EXPECT_GT(NumberBehind("linear_damping / inertia", run.out), 0.0);
   EXPECT_GT(NumberBehind("quadratic_damping / inertia", run.out), 0.0);
+}
+
+struct SoundRun {
+  std::string log;
+  std::string dof;
+};
+
+// No tool warns of a sound log, nor of what a model of the log predicts of it.
+TEST_F(RealLogsTool, WarnNoneOfSoundLogs) {
+  const std::string model = (EmptyTestFolder() / "model.json").string();
+  std::vector<SoundRun> runs = {{"lbv_surge", "surge"},
+                                {"pool_rov_surge", "surge"},
+                                {"emps_pulses_velocity", "surge"},
+                                {"emps_pulses_pose", "surge"}};
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "kingfisher_runs")) {
+    if (!std::filesystem::exists(entry.path() / "log.yaml")) continue;
+    const std::string name = "kingfisher_runs/" + entry.path().filename().string();
+    runs.push_back({name, "surge"});
+    runs.push_back({name, "yaw"});
+  }
+  for (const SoundRun& sound : runs) {
+    const ToolRun identified = RunToolBinary(
+        "fathom_identify", {Log(sound.log), "--dof=" + sound.dof, "--model=" + model});
+    EXPECT_THAT(identified.err, Not(HasSubstr("WARNING: "))) << sound.log << ", " << sound.dof;
+    if (identified.exit_code != 0) continue;
+    const ToolRun simulated =
+        RunToolBinary("fathom_simulate", {"--model=" + model, Log(sound.log)});
+    EXPECT_THAT(simulated.err, Not(HasSubstr("WARNING: "))) << sound.log << ", " << sound.dof;
+  }
 }
 
 }  // namespace
