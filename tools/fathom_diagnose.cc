@@ -37,9 +37,11 @@ DEFINE_string(source,
               "logs have; effects on a sensor need both.");
 DEFINE_string(verdict, "", "Write the verdict, with the extended model in it, to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
-DEFINE_double(false_alarm_rate,
-              0.05,
-              "Probability of naming a cause when nothing is missing, above 0 and at most 0.5.");
+DEFINE_double(
+    false_alarm_rate,
+    0.05,
+    "Nominal probability of naming a cause when nothing is missing, above 0 and at most 0.5. "
+    "Of 5 % about half are measured: docs/diagnosis_scores.md.");
 DEFINE_uint64(seed, 1, "Seed of the random draws behind the thresholds.");
 
 namespace fathom {

@@ -34,7 +34,11 @@
 
 DEFINE_string(vehicle, "", "Vehicle file (YAML) that holds a model of each driven DOF.");
 DEFINE_string(experiment, "", "Experiment file (YAML).");
-DEFINE_uint64(seed, 1, "Seed of every random number: the same seed gives the same bytes.");
+DEFINE_uint64(
+    seed,
+    1,
+    "Seed of every random number: the same seed gives the same log, but for the last digit on "
+    "another platform.");
 DEFINE_string(out, "", "Folder of the log to write: a new or an empty one.");
 DEFINE_bool(overwrite, false, "Replace the log in --out if there is one.");
 DEFINE_string(effects,

@@ -70,7 +70,7 @@ Samples SamplesOf(std::span<const Segment> segments) {
   return samples;
 }
 
-// The power of the fluctuations, docs/signal.md (10): a constant force (buoyancy) takes no part.
+// The power of the fluctuations, docs/checks.md (1): a constant force (buoyancy) takes no part.
 void CheckPassivity(const Samples& samples, const std::string& unit, Findings* findings) {
   const double duration = samples.step.sum();
   const double mean_force = (samples.force * samples.step).sum() / duration;
@@ -109,7 +109,7 @@ Eigen::VectorXd WithoutVelocity(const Eigen::VectorXd& v, const Eigen::VectorXd&
   return rest;
 }
 
-// At equal velocity, acceleration against force; docs/signal.md (11).
+// At equal velocity, acceleration against force; docs/checks.md (2).
 void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   std::vector<double> rows[3];
   for (const Segment& segment : segments) {

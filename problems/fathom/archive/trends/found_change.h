@@ -9,7 +9,7 @@
 namespace fathom {
 
 // One found column with the values on its two sides, in the parameter's unit and with standard
-// deviations that hold the scatter between dives: docs/archive_trends.md (5). Other changes of the
+// deviations that hold the scatter between dives: docs/archive_trends.md (1). Other changes of the
 // series are as they are at the step; for a trend, at the first dive of the series.
 Change ChangeOf(const SeriesModel& model,
                 std::size_t found_index,

@@ -28,7 +28,7 @@ struct JudgedEvent {
 
 // The cause with the least misfit and price of free numbers, if it fits (p > 0.01); those within 6
 // of it are alternatives. Where no cause fits alone, two together have to be better by 6 than any
-// alone; where these do not fit either, "unnamed": archive_trends.md (9).
+// alone; where these do not fit either, "unnamed": archive_trends.md (8).
 JudgedEvent Judge(const EventFit& event, std::span<const Pattern> patterns, int num_dives);
 
 }  // namespace fathom

@@ -14,7 +14,7 @@
 
 namespace fathom {
 
-// What happened to the vehicle, from the pattern of what changed: archive_trends.md (7) to (10).
+// What happened to the vehicle, from the pattern of what changed: archive_trends.md (7) to (9).
 //
 // `search` is what FindChanges said of the same estimates with the same options. Changes at the
 // same dive, give or take one, are one event; so are all trends. Each event is judged over every

@@ -25,7 +25,7 @@ struct ScanAtTau {
   Eigen::ArrayXd half_log_gain;  // 0 there
 };
 
-// One more change of a series that has some already, at every place: docs/archive_trends.md (3).
+// One more change of a series that has some already, at every place: docs/archive_trends.md (4).
 // With n dives candidate k is a step between the dives k and k + 1 for k < n - 1, the trend for
 // k = n - 1, and a value of its own for dive k - n from n on.
 struct ScanDesign {
