@@ -99,9 +99,9 @@ TEST(RemarksOnData, CountTheSamplesLeftOut) {
 TEST(RemarksOnData, SayThatALongLogIsNotSearchedWhole) {
   Preparation preparation;
   preparation.duration = 36000.0;
-  preparation.used = 7200.0;
+  preparation.used = 3600.0;
   EXPECT_THAT(RemarksOnData({}, preparation),
-              ElementsAre(StartsWith("Causes are searched for in 2 of the 10 h of training data")));
+              ElementsAre(StartsWith("Causes are searched for in 1 of the 10 h of training data")));
 }
 
 }  // namespace
