@@ -52,7 +52,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   begun.message = WhyNoModel(begun.findings);
   if (!begun.IsUsable()) return begun;
   const Preparation preparation = Prepare(segments, dof, IdentifiedModelOf(logs, dof));
-  begun.remarks = RemarksOnData(segments, preparation.num_outliers);
+  begun.remarks = RemarksOnData(segments, preparation);
   begun.message = preparation.message;
   if (!preparation.prepared) return begun;
   const Prepared& prepared = *preparation.prepared;

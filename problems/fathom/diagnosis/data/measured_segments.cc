@@ -178,7 +178,8 @@ void RestartAt(double time, MeasuredSegment* segment) {
 
 Segment PlainSegment(const MeasuredSegment& segment) {
   Segment plain;
-  plain.command = segment.inputs->command;
+  plain.command = segment.inputs->command.Between(segment.stamps.start,
+                                                  segment.stamps.start + segment.duration());
   if (!segment.velocity.empty()) {
     plain.time = segment.stamps.velocity;
     plain.velocity = segment.velocity;

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/fit/preparation.h"
 
+#include "fathom/diagnosis/data/excerpt.h"
 #include "fathom/diagnosis/data/thinned.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/momentum_balance.h"
@@ -21,6 +22,9 @@ namespace {
 
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
+
+// Of what is trained on [s]. More makes intervals narrower than what differs from minute to minute.
+constexpr double kMostTraining = 3600.0;
 
 std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {
   std::vector<MeasuredSegment> part;
@@ -75,6 +79,9 @@ Preparation Prepare(const MeasuredSegments& segments,
                     const std::optional<IdentifiedModel>& identified) {
   Preparation preparation;
   std::vector<MeasuredSegment> train = Part(segments.all, false);
+  preparation.duration = DurationOf(train);
+  train = Excerpt(std::move(train), kMostTraining);
+  preparation.used = DurationOf(train);
   const auto by_momentum = StartByMomentum(train);
   if (!by_momentum) {
     preparation.message = NoBaseline(dof);

@@ -36,6 +36,8 @@ struct Prepared {
 
 struct Preparation {
   int num_outliers = 0;              // single samples that were taken out of the training data
+  double duration = 0.0;             // of what there is to train on [s],
+  double used = 0.0;                 // and of the Excerpt() of it that is
   std::string message;               // why there can be no diagnosis; empty if there can
   std::optional<Prepared> prepared;  // there if no message is
 };
@@ -43,8 +45,9 @@ struct Preparation {
 // Why there is no diagnosis where there is no baseline and nothing is named.
 std::string NoBaseline(Dof dof);
 
-// Takes outliers out of what is not held out, fits the baseline to the rest along `dof`, and thins
-// it. `identified`: the user's model; absent: output error's with plain weights.
+// Takes an Excerpt() of what is not held out where that lasts for hours, and outliers out of it,
+// fits the baseline to the rest along `dof`, and thins it. `identified`: the user's model; absent:
+// output error's with plain weights.
 Preparation Prepare(const MeasuredSegments& segments,
                     Dof dof,
                     const std::optional<IdentifiedModel>& identified = std::nullopt);

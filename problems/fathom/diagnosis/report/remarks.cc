@@ -101,8 +101,18 @@ NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects
   return {LabelsOf(refusal.refused, suspects), WhyRefused(refusal)};
 }
 
-std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers) {
+std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
+                                       const Preparation& preparation) {
+  constexpr double kHour = 3600.0;  // [s]
   std::vector<std::string> remarks = segments.remarks;
+  if (preparation.used < preparation.duration) {
+    remarks.push_back(fmt::format(
+        "Causes are searched for in {:.3g} of the {:.3g} h of training data, in pieces that are "
+        "spread evenly over it. The baseline is fitted to all of it.",
+        preparation.used / kHour,
+        preparation.duration / kHour));
+  }
+  const int num_outliers = preparation.num_outliers;
   if (num_outliers > 0) {
     remarks.push_back(fmt::format("Left out: {} single outlier{} far from {} neighbours.",
                                   num_outliers,

@@ -14,7 +14,8 @@ namespace fathom {
 
 // What is to be said of the data before anything is looked for: what was dropped, counted; what
 // could not be tried, and why.
-std::vector<std::string> RemarksOnData(const MeasuredSegments& segments, int num_outliers);
+std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
+                                       const Preparation& preparation);
 
 // What a refusal says of what it refuses.
 NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects);

@@ -86,11 +86,22 @@ TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
 TEST(RemarksOnData, CountTheSamplesLeftOut) {
   MeasuredSegments segments;
   segments.remarks = {"first"};
-  EXPECT_THAT(RemarksOnData(segments, 0), ElementsAre("first"));
-  EXPECT_THAT(RemarksOnData(segments, 1),
+  Preparation preparation;
+  EXPECT_THAT(RemarksOnData(segments, preparation), ElementsAre("first"));
+  preparation.num_outliers = 1;
+  EXPECT_THAT(RemarksOnData(segments, preparation),
               ElementsAre("first", "Left out: 1 single outlier far from its neighbours."));
-  EXPECT_THAT(RemarksOnData(segments, 2),
+  preparation.num_outliers = 2;
+  EXPECT_THAT(RemarksOnData(segments, preparation),
               ElementsAre("first", "Left out: 2 single outliers far from their neighbours."));
+}
+
+TEST(RemarksOnData, SayThatALongLogIsNotSearchedWhole) {
+  Preparation preparation;
+  preparation.duration = 36000.0;
+  preparation.used = 3600.0;
+  EXPECT_THAT(RemarksOnData({}, preparation),
+              ElementsAre(StartsWith("Causes are searched for in 1 of the 10 h of training data")));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -26,21 +27,26 @@ Cleared Clear(const StructureFit& fit, const RowMajorMatrix& signatures, const W
   const Eigen::Index n = fit.residual.size();
   const Eigen::Index num_fitted = fit.jacobian.cols();
   const Eigen::Index num_columns = signatures.cols();
-  RowMajorMatrix block(n, num_fitted + 1 + num_columns);
-  block.leftCols(num_fitted) = fit.jacobian;
-  block.col(num_fitted) = fit.residual;
-  block.rightCols(num_columns) = signatures;
-  whitener.Apply(block, block);
-  Eigen::MatrixXd fitted = block.leftCols(num_fitted);
+  Cleared cleared;
+  cleared.columns.resize(n, num_columns);
+  Eigen::MatrixXd fitted(n, num_fitted);
+  {
+    RowMajorMatrix block(n, num_fitted + 1 + num_columns);
+    block.leftCols(num_fitted) = fit.jacobian;
+    block.col(num_fitted) = fit.residual;
+    block.rightCols(num_columns) = signatures;
+    whitener.Apply(block, block);
+    fitted = block.leftCols(num_fitted);
+    cleared.residual = block.col(num_fitted);
+    cleared.columns = block.rightCols(num_columns);
+  }  // a long log's block takes as much memory as all else
   for (auto column : fitted.colwise()) column /= std::max(column.norm(), 1e-300);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(fitted);
   qr.setThreshold(1e-9);
   const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(n, qr.rank());
-  Cleared cleared;
-  cleared.columns = block.rightCols(num_columns);
-  cleared.residual = block.col(num_fitted);
   cleared.norms = cleared.columns.colwise().norm();
-  cleared.columns -= Q * (Q.transpose() * cleared.columns);
+  const Eigen::MatrixXd imitated = Q.transpose() * cleared.columns;
+  cleared.columns.noalias() -= Q * imitated;
   cleared.residual -= Q * (Q.transpose() * cleared.residual);
   return cleared;
 }
@@ -63,8 +69,8 @@ Eigen::MatrixXd UnitColumns(const Eigen::MatrixXd& own, const Eigen::VectorXd& n
 
 Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& whitener)
     : trials_(trials) {
-  const Cleared cleared = Clear(fit, trials->signatures, whitener);
-  unit_ = Eigen::MatrixXd::Zero(cleared.columns.rows(), cleared.columns.cols());
+  Cleared cleared = Clear(fit, trials->signatures, whitener);
+  unit_ = std::move(cleared.columns);  // each trial's columns take the place of its own
   const size_t num_trials = trials->trials.size();
   scores_.assign(num_trials, 0.0);
   surviving_shares_.assign(num_trials, 0.0);
@@ -74,7 +80,8 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
     const Trial& trial = trials->trials[t];
     const int first = trial.first_column, count = trial.num_columns;
     amounts_[t].assign(count, 0.0);
-    const Eigen::MatrixXd own = cleared.columns.middleCols(first, count);
+    const Eigen::MatrixXd own = unit_.middleCols(first, count);
+    unit_.middleCols(first, count).setZero();
     const Eigen::VectorXd norms = cleared.norms.segment(first, count);
     for (int k = 0; k < count; ++k) {
       if (!(norms[k] > 0.0)) continue;

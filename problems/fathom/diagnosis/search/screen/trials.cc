@@ -64,7 +64,8 @@ void AppendSignatures(const TrainingData& data,
     trial.first_column = num_columns;
     num_columns += trial.num_columns;
   }
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(data.bins().size(), num_columns);
+  RowMajorMatrix& columns = trials->signatures;
+  columns = RowMajorMatrix::Zero(data.bins().size(), num_columns);
   const auto base = data.Simulate(fit.model, fit.initial);
   for (const Trial& trial : trials->trials) {
     const Suspect& suspect = suspects[trial.suspect];
@@ -84,7 +85,6 @@ void AppendSignatures(const TrainingData& data,
       }
     }
   }
-  trials->signatures = columns;
 }
 
 }  // namespace

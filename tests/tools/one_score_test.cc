@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One model on one log has one score, whichever tool tells it: all start a free run by one rule.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "real_data.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using Path = std::filesystem::path;
+
+// The held-out NMAE of output error's model of a DOF, by each tool.
+struct Scores {
+  double identify = 0.0, compare = 0.0, diagnose = 0.0, simulate = 0.0;
+};
+
+Scores ScoresOf(const std::string& log, const std::string& dof, const Path& folder) {
+  const auto file = [&](const char* name) { return (folder / name).string(); };
+  const auto run = [](const std::string& tool, const std::vector<std::string>& arguments) {
+    const ToolRun run = RunToolBinary(tool, arguments);
+    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
+  };
+  const std::string of_log = "--log=" + log, of_dof = "--dof=" + dof;
+  run("fathom_identify", {of_log, of_dof, "--model=" + file("model.json")});
+  run("fathom_compare",
+      {of_log, "--dofs=" + dof, "--families=output_error", "--json=" + file("comparison.json")});
+  run("fathom_diagnose", {of_log, of_dof, "--verdict=" + file("verdict.json")});
+  run("fathom_simulate", {of_log, "--model=" + file("model.json"), "--json=" + file("score.json")});
+  return {JsonOf(file("model.json"))["held_out"]["nmae"],
+          JsonOf(file("comparison.json"))["rows"][0]["heldout_nmae"],
+          JsonOf(file("verdict.json"))["baseline"]["heldout_nmae"],
+          JsonOf(file("score.json"))["held_out"]["nmae"]};
+}
+
+// Equal but for the last bits, which a sum taken in another order may change.
+void ExpectOneNumber(const Scores& scores) {
+  EXPECT_GT(scores.identify, 0.0);
+  EXPECT_DOUBLE_EQ(scores.compare, scores.identify);
+  EXPECT_DOUBLE_EQ(scores.diagnose, scores.identify);
+  EXPECT_DOUBLE_EQ(scores.simulate, scores.identify);
+}
+
+class OneScore : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(OneScore, OfTheBundledLog) {
+  ExpectOneNumber(ScoresOf(FATHOM_DATA_DIR "/flatfish", GetParam(), EmptyTestFolder()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Dofs, OneScore, ::testing::Values("surge", "heave", "yaw"));
+
+using OneScoreOnRealData = OnRealData;
+
+TEST_F(OneScoreOnRealData, OfAMachineAndOfAVehicle) {
+  for (const char* log : {"emps_pulses_velocity", "pool_rov_surge"}) {
+    SCOPED_TRACE(log);
+    const Path folder = EmptyTestFolder() / log;
+    std::filesystem::create_directories(folder);
+    ExpectOneNumber(ScoresOf((folder_ / log).string(), "surge", folder));
+  }
+}
+
+}  // namespace
+}  // namespace fathom
