@@ -185,7 +185,7 @@ Json FormatScore(const LogScore& score, Dof dof) {
           {"duration", figures.duration},
           {"train", FormatFigures(prediction.train)},
           {"held_out", FormatFigures(prediction.held_out)},
-          {"findings", JsonOf(score.findings)},
+          {"findings", JsonOf<Json>(score.findings)},
           {"remarks", score.remarks}};
 }
 

@@ -7,12 +7,19 @@
 
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace fathom {
 
 // [{severity, code, sentence}], as every file has them: severity "red" for a warning, else
-// "yellow".
-nlohmann::ordered_json JsonOf(const std::vector<Finding>& findings);
+// "yellow". `Json` is nlohmann's, which this header is spared.
+template <typename Json>
+Json JsonOf(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    list.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
+                    {"code", finding.code},
+                    {"sentence", finding.sentence}});
+  }
+  return list;
+}
 
 }  // namespace fathom

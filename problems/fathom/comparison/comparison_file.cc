@@ -49,7 +49,7 @@ std::string FormatComparison(const Comparison& comparison) {
   Json rows = Json::array(), findings = Json::array();
   for (const DofComparison& dof : comparison.dofs) {
     for (const Identification& row : dof.rows) rows.push_back(FormatRow(row));
-    for (Json& finding : JsonOf(dof.findings)) {
+    for (Json& finding : JsonOf<Json>(dof.findings)) {
       Json of_dof = {{"dof", Name(dof.dof)}};
       of_dof.update(finding);
       findings.push_back(std::move(of_dof));
