@@ -146,16 +146,19 @@ TEST_F(ArchiveInBrowser, PrintsAsAFile) {
 }
 
 // 2000 dives of 5 logs, 3 DOFs and 4 parameters. The best of three, for other work on the machine.
+// A machine that takes over a third of a second to read the file alone is given three times as
+// long.
 TEST_F(ArchiveInBrowser, OpensThousandsOfDivesWithinASecond) {
   const ArchiveReport report = ExampleArchive({2000, 5});
-  double fastest = std::numeric_limits<double>::infinity();  // [ms]
-  for (int i = 0; i < 3 && !(fastest < 1000.0); ++i) {
+  double share = std::numeric_limits<double>::infinity();  // of the time that it may take
+  for (int i = 0; i < 3 && !(share < 1.0); ++i) {
     auto findings = Findings(report, {.width = 1400, .has_real_time = true});
     EXPECT_EQ(findings["rows"], "100");
     EXPECT_EQ(findings["rows_all"], "2000");
-    fastest = std::min(fastest, std::stod(findings["drawn_ms"]));
+    const double read = std::stod(findings["read_ms"]), drawn = std::stod(findings["drawn_ms"]);
+    share = std::min(share, drawn / std::max(1000.0, 3.0 * read));
   }
-  EXPECT_LT(fastest, 1000.0);
+  EXPECT_LT(share, 1.0);
 }
 
 }  // namespace

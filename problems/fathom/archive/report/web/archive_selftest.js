@@ -1,7 +1,7 @@
 // Uses the page as a reader would and writes what happened into it; for the tests.
-const testYourself = (drawnAfter) => {
+const testYourself = (readAfter, drawnAfter) => {
   const root = document.documentElement;
-  const findings = {drawn_ms: drawnAfter.toFixed(1), width: root.clientWidth};
+  const findings = {read_ms: readAfter.toFixed(1), drawn_ms: drawnAfter.toFixed(1), width: root.clientWidth};
   const all = (selector) => [...document.querySelectorAll(selector)];
   // Pixels by which something sticks out of the page.
   const overflow = () => Math.max(root.scrollWidth - root.clientWidth, 0);
@@ -9,6 +9,7 @@ const testYourself = (drawnAfter) => {
   try {
     findings.overflow = overflow();
     findings.controls_in_sight = all("input, select, .plain").filter((field) => field.offsetWidth > 0).length;
+    for (const start of undrawn) start();
     findings.charts = all(".over-dives svg").length;
     findings.charts_drawn = all(".over-dives svg").filter((svg) => svg.querySelector(".dots")?.getAttribute("d")).length;
     findings.borders = all(".border").filter((path) => path.getAttribute("d")).length;

@@ -50,6 +50,10 @@ const axisLabels = (svg, names, x, y, left, right) => {
   }
 };
 
+// Places that are too far down to be in sight when the page opens, and are drawn when they come near.
+const undrawn = new Set();
+const NEAR = 600;  // [px]
+
 // Draws anew whenever the width changes; on paper in the width that is given for it.
 const drawToFit = (place, draw, paperWidth) => {
   let width = 0;
@@ -58,8 +62,22 @@ const drawToFit = (place, draw, paperWidth) => {
     width = wanted;
     draw(width);
   };
-  fit(place.clientWidth);
-  new ResizeObserver(() => fit(place.clientWidth)).observe(place);
+  const start = () => {
+    undrawn.delete(start);
+    fit(place.clientWidth);
+    new ResizeObserver(() => fit(place.clientWidth)).observe(place);
+  };
+  undrawn.add(start);
+  if (place.getBoundingClientRect().top < window.innerHeight + NEAR) {
+    start();
+  } else {
+    const coming = new IntersectionObserver((entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      coming.disconnect();
+      if (undrawn.has(start)) start();
+    }, {rootMargin: `${NEAR}px`});
+    coming.observe(place);
+  }
   window.addEventListener("beforeprint", () => fit(paperWidth));
   window.addEventListener("afterprint", () => fit(place.clientWidth));
 };

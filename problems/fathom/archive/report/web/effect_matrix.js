@@ -35,6 +35,8 @@ const cellTitle = (row, count, names) => {
   return `${where}: ${counted(count, "log")} ${what}`;
 };
 
+const matrixHeight = (rows) => rows.length * CELL.height + 24;
+
 const drawEffectMatrix = (svg, rows, dives, width) => {
   const left = Math.min(170, Math.round(0.34 * width));
   const numColumns = Math.min(dives.length, Math.floor((width - left) / CELL.least));
@@ -43,9 +45,8 @@ const drawEffectMatrix = (svg, rows, dives, width) => {
                              (_, i) => dives.slice(i * each, (i + 1) * each).map(diveName));
   const column = Math.min((width - left) / columns.length, CELL.most);
   const gap = column > 10 ? 2 : 0.5;
-  const height = rows.length * CELL.height + 24;
+  const height = matrixHeight(rows);
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  svg.style.height = `${height}px`;
   svg.replaceChildren();
   rows.forEach((row, i) => {
     const top = i * CELL.height;
@@ -84,6 +85,7 @@ const showEffectMatrices = (place, dives) => {
   for (const dof of isDiagnosed) {
     const rows = matrixRows(dives, dof);
     const svg = drawing("svg", {class: "matrix", role: "img", "aria-label": `logs by effect and dive, ${dof}`});
+    svg.style.height = `${matrixHeight(rows)}px`;
     const hint = element("p", "hint");
     place.append(element("h3", "", capitalised(dof)), svg, hint);
     drawToFit(place, (width) => {
