@@ -9,6 +9,7 @@
 #include "fathom/output_error/coarse_segments.h"
 #include "fathom/output_error/initial_guess.h"
 #include "fathom/output_error/learned/choose_weighting.h"
+#include "fathom/output_error/left_out_runs.h"
 #include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
@@ -221,7 +222,21 @@ OutputErrorSummary FitPlainly(std::span<const Segment> segments,
 OutputErrorSummary FitOutputError(std::span<const Segment> segments,
                                   const OutputErrorOptions& options) {
   RequireUsable(segments, options);
-  return ChooseWeighting(segments, options, FitPlainly(segments, options));
+  OutputErrorSummary plain = FitPlainly(segments, options);
+  OutputErrorSummary chosen = ChooseWeighting(segments, options, plain);
+  if (options.weighting != Weighting::kAuto || chosen.weighting == Weighting::kPlain) return chosen;
+  const auto more = MoreMissedOfLeftOutRuns(
+      segments, options.output, plain, [&](std::span<const Segment> rest, Weighting weighting) {
+        OutputErrorOptions own = options;
+        own.weighting = weighting;
+        own.initial_guess = plain.model;
+        return ChooseWeighting(rest, own, FitPlainly(rest, own));
+      });
+  if (!more || *more < 0.0) return chosen;
+  plain.weighting_reason = fmt::format(
+      "Learned weights would predict no run better: of runs left out in turn they miss {:+.1f} %.",
+      100.0 * *more);
+  return plain;
 }
 
 FittedOutput OutputOf(std::span<const Segment> segments) {
