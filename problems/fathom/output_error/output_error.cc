@@ -234,7 +234,7 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
       });
   if (!more || *more < 0.0) return chosen;
   plain.weighting_reason = fmt::format(
-      "Learned weights would predict no run better: of runs left out in turn they miss {:+.1f} %.",
+      "Learned weights do not predict left-out runs better: they miss {:.1f} % more of them.",
       100.0 * *more);
   return plain;
 }

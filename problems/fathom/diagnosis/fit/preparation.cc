@@ -23,7 +23,7 @@ namespace {
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
 
-// Of what is trained on [s]. More makes intervals narrower than what differs from minute to minute.
+// Of what is trained on [s]: memory and time of the screen grow with it; docs/diagnosis.md (2).
 constexpr double kMostTraining = 3600.0;
 
 std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {

@@ -36,8 +36,8 @@ struct Prepared {
 
 struct Preparation {
   int num_outliers = 0;              // single samples that were taken out of the training data
-  double duration = 0.0;             // of what there is to train on [s],
-  double used = 0.0;                 // and of the Excerpt() of it that is
+  double duration = 0.0;             // of all training data [s]
+  double used = 0.0;                 // of the Excerpt() that the diagnosis takes of them [s]
   std::string message;               // why there can be no diagnosis; empty if there can
   std::optional<Prepared> prepared;  // there if no message is
 };
@@ -45,8 +45,8 @@ struct Preparation {
 // Why there is no diagnosis where there is no baseline and nothing is named.
 std::string NoBaseline(Dof dof);
 
-// Takes an Excerpt() of what is not held out where that lasts for hours, and outliers out of it,
-// fits the baseline to the rest along `dof`, and thins it. `identified`: the user's model; absent:
+// Takes an Excerpt() of an hour of what is not held out and outliers out of that, fits the baseline
+// to the rest along `dof`, and thins it. `identified`: the user's model; absent:
 // output error's with plain weights.
 Preparation Prepare(const MeasuredSegments& segments,
                     Dof dof,
