@@ -77,10 +77,11 @@ void FathomJacobian(benchmark::State& state) {
   const auto cost = MakeWindowCost({.segment = &segment, .end = segment.time.size()},
                                    std::make_shared<SimulationScratch>());
   std::vector<double> residuals(cost->num_residuals());
-  std::vector<double> by_parameters(4 * residuals.size()), by_state(residuals.size());
-  double parameters[] = {std::log(600.0), 30.0, 60.0, 0.0}, initial[] = {0.0};
-  const double* blocks[] = {parameters, initial};
-  double* jacobians[] = {by_parameters.data(), by_state.data()};
+  std::vector<double> by_vehicle(3 * residuals.size()), by_buoyancy(residuals.size()),
+      by_state(residuals.size());
+  double vehicle[] = {std::log(600.0), 30.0, 60.0}, buoyancy[] = {0.0}, initial[] = {0.0};
+  const double* blocks[] = {vehicle, buoyancy, initial};
+  double* jacobians[] = {by_vehicle.data(), by_buoyancy.data(), by_state.data()};
   for (auto _ : state) {
     initial[0] += 1e-9;  // another point each time, so that nothing is remembered
     benchmark::DoNotOptimize(cost->Evaluate(blocks, residuals.data(), jacobians));

@@ -33,6 +33,11 @@ DEFINE_string(source,
               "",
               "pose_estimator (velocity.csv) or camera (poses). Default: velocity.csv, "
               "or the poses if the log has no velocities.");
+DEFINE_string(
+    offset,
+    "shared",
+    "Output error of several logs: shared (one buoyancy in all) or per_log (each its own; "
+    "inertia and damping are shared).");
 DEFINE_string(model, "", "Write the model to this JSON file.");
 
 namespace fathom {
@@ -42,10 +47,10 @@ const ToolInfo kInfo = {
     "fathom_identify",
     "Identifies the motion model of one degree of freedom from logs.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
-    "[--model=FILE]",
+    "[--offset=shared|per_log] [--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
     "Several logs, as --log=A --log=B or --log=A,B, are fitted together, each with its own initial "
-    "state. The family joint uses "
+    "state, and with --offset=per_log its own buoyancy. The family joint uses "
     "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md.",
     {"log"}};
 
@@ -53,6 +58,7 @@ LogIdentificationOptions OptionsFromFlags() {
   LogIdentificationOptions options;
   options.family = ParseFlag("family", FLAGS_family, ParseFamily);
   options.identification = IdentificationOptionsFromFlags();
+  options.offset = ParseFlag("offset", FLAGS_offset, ParseOffsetScope);
   options.dof = DofFromFlag();
   if (!FLAGS_source.empty()) options.source = ParseFlag("source", FLAGS_source, ParseSource);
   if (const auto problems = options.Problems(); !problems.empty()) {
@@ -89,8 +95,12 @@ void Print(const LogIdentification& identified) {
   PrintNotes(identified.findings);
   for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
   std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
-  if (!identified.agreement) return;
   const FittedModel& fitted = identified.result.fitted;
+  if (!identified.offsets.empty()) {
+    const Table offsets = OffsetTable(identified.offsets, fitted.dof, fitted.force_unit);
+    std::printf("\n%s", FormatTable(offsets).c_str());
+  }
+  if (!identified.agreement) return;
   const Table runs = RunTable(*identified.agreement, fitted.dof, fitted.force_unit);
   std::printf("\n%s", FormatTable(runs).c_str());
 }
@@ -103,6 +113,7 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
       {"velocity", FLAGS_velocity},
       {"gains", FLAGS_gains},
       {"integrator", FLAGS_integrator},
+      {"offset", FLAGS_offset},
       {"huber", fmt::format("{}", FLAGS_huber)},
       {"shooting_window", fmt::format("{}", FLAGS_shooting_window)},
       {"version", FATHOM_VERSION}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,51 @@ TEST(IdentifyTool, TakesSeveralLogsTogether) {
   // 1 / sqrt(2), but for the correction for the number of unknowns, a few out of hundreds of
   // effective samples.
   EXPECT_NEAR(std_twice / std_once, std::sqrt(0.5), 0.03);
+}
+
+// The same motion under a command that reads 12 N more: as the log of a vehicle trimmed anew.
+TEST(IdentifyTool, GivesEachLogItsOwnOffsetIfAskedTo) {
+  const Path folder = Path(::testing::TempDir()) / "identify_tool_trimmed_anew";
+  std::filesystem::remove_all(folder);
+  const std::string first = WriteSmallLog(folder / "before").string();
+  const std::string second = WriteSmallLog(folder / "after").string();
+  std::istringstream rows(SmallCommandCsv());
+  std::string row, text;
+  std::getline(rows, text);
+  while (std::getline(rows, row)) {
+    const std::size_t comma = row.find(',');
+    const double force = std::stod(row.substr(comma + 1)) + 12.0;
+    text += "\n" + row.substr(0, comma) + "," + std::to_string(force);
+  }
+  WriteTestFile(Path(second) / "command.csv", text);
+  const std::vector<std::string> logs = {"--log=" + first, "--log=" + second, "--dof=surge"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), logs.begin(), logs.end());
+    return more;
+  };
+  const auto alone = IdentifiedModel({"--log=" + first, "--dof=surge"});
+  const auto own = IdentifiedModel(with({"--offset=per_log"}));
+  EXPECT_NEAR(InertiaOf(own), InertiaOf(alone), 0.05 * InertiaOf(alone));
+  const double offset = alone["parameters"]["buoyancy"]["value"];
+  EXPECT_NEAR(own["parameters"]["buoyancy"]["value"].get<double>(), offset + 6.0, 0.3);
+  EXPECT_EQ(own["provenance"]["offset"], "per_log");
+  const ToolRun run = RunToolBinary("fathom_identify", with({"--offset=per_log"}));
+  EXPECT_THAT(run.out, HasSubstr("They scatter by 8.5 N"));  // 12 / sqrt(2)
+  EXPECT_THAT(run.out, HasSubstr("training NMAE\n"));
+}
+
+TEST(IdentifyTool, RefusesOffsetsPerLogOfAFamilyThatHasNone) {
+  const ToolRun run = RunToolBinary(
+      "fathom_identify",
+      {"--log=" + kFlatfish, "--dof=heave", "--offset=per_log", "--family=least_squares"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err,
+              HasSubstr("--offset: is per_log, expected shared: the family least_squares has one "
+                        "offset in all logs."));
+  const ToolRun unknown =
+      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=heave", "--offset=each"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("--offset: is 'each', expected one of shared, per_log."));
 }
 
 TEST(IdentifyTool, RefusesACopyOfALogBesideIt) {

@@ -100,6 +100,7 @@ Identification Identify(const Signals& signals,
       TakeOver(summary, &result);
       result.weighting = Name(summary.weighting);
       result.weighting_reason = summary.weighting_reason;
+      result.offsets = summary.offsets;
       result.share = summary.evidence.share;
       result.condition_number = summary.evidence.condition_number;
       break;

@@ -12,6 +12,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -32,6 +33,9 @@ struct Identification {
   // Of output error alone, else empty: "plain" or "learned", and for a person why.
   std::string weighting;
   std::string weighting_reason;
+
+  // Of output error alone: by OutputErrorOptions::offsets.
+  std::vector<OutputErrorSummary::Offset> offsets;
 
   // How well the log excites each parameter: the share of its signature that the others cannot
   // imitate, 0 to 1, and the condition number of all four. NaN where the family does not compute

@@ -10,7 +10,9 @@
 #include "fathom/comparison/run_agreement_text.h"
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
+#include "fathom/simulate/free_run.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -37,10 +39,12 @@ void CompareRuns(const std::vector<std::string>& names,
                  const std::vector<std::size_t>& log_of_train,
                  const LogIdentificationOptions& options,
                  LogIdentification* identified) {
+  IdentificationOptions alone_options = options.identification;
+  alone_options.output_error.offsets = {};
   std::vector<RunEstimate> runs;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Signals own = OfLog(k, log_of_train, identified->signals);
-    const Identification alone = Identify(own, own, options.family, options.identification);
+    const Identification alone = Identify(own, own, options.family, alone_options);
     RunEstimate& run = runs.emplace_back();
     run.log = names[k];
     run.is_usable = alone.is_usable;
@@ -61,6 +65,25 @@ void CompareRuns(const std::vector<std::string>& names,
   identified->agreement = std::move(agreement);
 }
 
+// The offsets of the fit by log, of those that have training data.
+std::vector<LogOffset> OffsetsOf(const Identification& result,
+                                 const std::vector<std::string>& names,
+                                 const std::vector<std::size_t>& log_of_train,
+                                 const Signals& signals) {
+  const OffsetSharing sharing = OneOffsetPerLog(log_of_train);
+  std::vector<LogOffset> offsets;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto first = std::find(log_of_train.begin(), log_of_train.end(), k);
+    if (first == log_of_train.end()) continue;
+    const auto& [value, std] = result.offsets[sharing.At(first - log_of_train.begin())];
+    UncoupledModel<double> model = result.fitted.model;
+    model.buoyancy = value;
+    const Signals own = OfLog(k, log_of_train, signals);
+    offsets.push_back({names[k], value, std, FiguresOf({model}, own.train)});
+  }
+  return offsets;
+}
+
 }  // namespace
 
 std::vector<std::string> LogIdentificationOptions::Problems() const {
@@ -69,6 +92,11 @@ std::vector<std::string> LogIdentificationOptions::Problems() const {
     problems.emplace_back(
         "source: is 'pose_estimator', expected camera: the family joint takes the corners that a "
         "camera saw");
+  }
+  if (offset == OffsetScope::kPerLog && family != Family::kOutputError) {
+    problems.push_back(
+        fmt::format("offset: is per_log, expected shared: the family {} has one offset in all logs",
+                    Name(family)));
   }
   return problems;
 }
@@ -96,7 +124,17 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     identified.result =
         IdentifyJointly(std::move(logs), signals, options.identification, &identified.remarks);
   } else {
-    identified.result = Identify(signals, signals, options.family, options.identification);
+    const bool has_own_offsets = options.offset == OffsetScope::kPerLog;
+    IdentificationOptions identification = options.identification;
+    identification.output_error.offsets =
+        has_own_offsets ? OneOffsetPerLog(joined.log_of_train) : OffsetSharing();
+    Identification& result = identified.result;
+    result = Identify(signals, signals, options.family, identification);
+    if (has_own_offsets && result.is_usable) {
+      identified.offsets = OffsetsOf(result, names, joined.log_of_train, signals);
+      std::string remark = RemarkOnOffsets(identified.offsets, result.fitted.force_unit);
+      if (!remark.empty()) result.fitted.caveats.push_back(std::move(remark));
+    }
     if (names.size() > 1) CompareRuns(names, joined.log_of_train, options, &identified);
   }
   if (!identified.result.is_usable) return identified;

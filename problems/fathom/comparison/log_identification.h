@@ -7,8 +7,10 @@
 #include "fathom/check/finding.h"
 #include "fathom/comparison/family.h"
 #include "fathom/comparison/identification.h"
+#include "fathom/comparison/log_offset.h"
 #include "fathom/comparison/run_agreement.h"
 #include "fathom/log/log.h"
+#include "fathom/output_error/offset_sharing.h"
 #include "fathom/signal/signals.h"
 
 #include <optional>
@@ -21,6 +23,9 @@ struct LogIdentificationOptions {
   std::optional<Dof> dof = {};        // absent: the only one that each log names
   std::optional<Source> source = {};  // absent: the best that each log has, for kJoint kCamera
   Family family = Family::kOutputError;
+  // Of output error alone: whether the logs share one offset or have one each. It takes the place
+  // of identification.output_error.offsets.
+  OffsetScope offset = OffsetScope::kShared;
   IdentificationOptions identification = {};
 
   // Every broken rule, a sentence each, by the name of the field; empty if there is none.
@@ -37,6 +42,10 @@ struct LogIdentification {
   // Of several logs, each by the same family alone. The intervals of the result are widened by what
   // the runs differ by more than by noise, and its caveats say so. Absent for kJoint.
   std::optional<RunAgreement> agreement;
+
+  // By OffsetScope::kPerLog, else empty: of the logs that have training data. The model has their
+  // mean, by which its figures are.
+  std::vector<LogOffset> offsets;
 };
 
 // Fits one family to several logs together, each with an initial state of its own, and scores it on

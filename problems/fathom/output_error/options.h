@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/output_error/offset_sharing.h"
 #include "fathom/output_error/shooting_window.h"
 #include "fathom/output_error/weighting.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -24,6 +25,8 @@ struct OutputErrorOptions {
   // Which squares count. The joint refinement and the diagnosis start from plain ones; the tools
   // choose.
   Weighting weighting = Weighting::kPlain;
+
+  OffsetSharing offsets = {};
 
   // Residuals beyond this many robust standard deviations count linearly, not squared. Above 0;
   // infinite: plain least squares.

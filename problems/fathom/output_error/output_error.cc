@@ -35,7 +35,7 @@ double ResidualSpread(const std::vector<ShootingWindow>& windows, const WindowUn
   std::vector<double> sizes;
   for (size_t w = 0; w < windows.size(); ++w) {
     for (const double miss :
-         WindowMisses(windows[w], unknowns.parameters.data(), unknowns.states[w].data())) {
+         WindowMisses(windows[w], ModelIn(windows[w], unknowns), StateOf(unknowns, w))) {
       sizes.push_back(std::abs(miss));
     }
   }
@@ -67,7 +67,8 @@ void RequireUsable(std::span<const Segment> segments, const OutputErrorOptions& 
   const bool has_short = std::any_of(segments.begin(), segments.end(), [](const Segment& segment) {
     return segment.time.size() < 2;
   });
-  const size_t num_unknowns = kNumParameters + segments.size() * StateSize(options.output);
+  const size_t num_unknowns =
+      kBuoyancy + options.offsets.Count() + segments.size() * StateSize(options.output);
   if (has_short || num_samples <= num_unknowns) {
     throw InputError(
         fmt::format("Output error has {} samples in {} segments, expected at least two in each and "
@@ -76,6 +77,11 @@ void RequireUsable(std::span<const Segment> segments, const OutputErrorOptions& 
                     num_samples,
                     segments.size(),
                     num_unknowns));
+  }
+  if (!options.offsets.IsOneInAll() && options.offsets.offset_of.size() != segments.size()) {
+    throw InputError(fmt::format("The options name offsets of {} segments, expected {}.",
+                                 options.offsets.offset_of.size(),
+                                 segments.size()));
   }
   for (const Segment& segment : segments) {
     if (Measured(segment, options.output).size() != segment.time.size()) {
@@ -93,10 +99,11 @@ InitialGuess GuessFor(std::span<const Segment> segments,
 
 // The model, and each window's first measurement.
 WindowUnknowns UnknownsAt(const UncoupledModel<double>& model,
-                          const std::vector<ShootingWindow>& windows) {
+                          const std::vector<ShootingWindow>& windows,
+                          const OutputErrorOptions& options) {
   WindowUnknowns unknowns;
-  unknowns.parameters = {
-      std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
+  unknowns.vehicle = BlockOf(model);
+  unknowns.offsets.assign(options.offsets.Count(), model.buoyancy);
   for (const ShootingWindow& window : windows) {
     const Segment& segment = *window.segment;
     unknowns.states.push_back({segment.velocity[window.begin],
@@ -111,7 +118,7 @@ std::vector<InitialState> SegmentStates(const WindowUnknowns& unknowns,
   std::vector<InitialState> states;
   for (size_t w = 0; w < windows.size(); ++w) {
     if (w > 0 && Continues(windows, w - 1)) continue;
-    states.push_back({unknowns.states[w][0], unknowns.states[w][1]});
+    states.push_back(StateOf(unknowns, w));
   }
   return states;
 }
@@ -165,16 +172,15 @@ std::optional<WindowUnknowns> CoarseOptimum(const UncoupledModel<double>& guess,
   if (coarse.empty()) return std::nullopt;
   const std::vector<ShootingWindow> windows = LayOutWindows(coarse, options);
   if (windows.size() != fine.size()) return std::nullopt;
-  Found found = SearchFrom(UnknownsAt(guess, windows), false, coarse, windows, options);
+  Found found = SearchFrom(UnknownsAt(guess, windows, options), false, coarse, windows, options);
   if (!found.end.solve.converged) return std::nullopt;
   WindowUnknowns near = std::move(found.end.unknowns);
-  const UncoupledModel<double> model = ModelOf(near);
   for (size_t w = 0; w < windows.size(); ++w) {
     // A coarse window begins a little later, or earlier, than its fine one.
     const double begin = windows[w].segment->time[windows[w].begin];
     const double back = begin - fine[w].segment->time[fine[w].begin];
     auto& [v, x] = near.states[w];
-    v -= back * model.Acceleration(v, fine[w].segment->command.At(begin));
+    v -= back * ModelIn(windows[w], near).Acceleration(v, fine[w].segment->command.At(begin));
     x -= back * v;
   }
   return near;
@@ -190,7 +196,7 @@ Found Search(const UncoupledModel<double>& guess,
     Found found = SearchFrom(*near, true, segments, windows, options);
     if (found.end.solve.converged) return found;
   }
-  return SearchFrom(UnknownsAt(guess, windows), false, segments, windows, options);
+  return SearchFrom(UnknownsAt(guess, windows, options), false, segments, windows, options);
 }
 
 OutputErrorSummary FitPlainly(std::span<const Segment> segments,
@@ -210,9 +216,14 @@ OutputErrorSummary FitPlainly(std::span<const Segment> segments,
   summary.model = ModelOf(end.unknowns);
   for (const int index : end.solve.held) summary.on_bound[index] = true;
   summary.initial_states = SegmentStates(end.unknowns, windows);
-  summary.evidence = EvidenceAt(
-      summary.model, segments, summary.initial_states, options.output, sigma, options.huber_k);
-  summary.covariance = summary.evidence.covariance;
+  for (const double value : end.unknowns.offsets) summary.offsets.push_back({.value = value});
+  summary.Take(EvidenceAt(summary.ModelsIn(segments.size(), options.offsets),
+                          segments,
+                          summary.initial_states,
+                          options.output,
+                          sigma,
+                          options.huber_k,
+                          options.offsets));
   DescribeEvidence(segments, &summary);
   return summary;
 }
@@ -225,13 +236,16 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   OutputErrorSummary plain = FitPlainly(segments, options);
   OutputErrorSummary chosen = ChooseWeighting(segments, options, plain);
   if (options.weighting != Weighting::kAuto || chosen.weighting == Weighting::kPlain) return chosen;
-  const auto more = MoreMissedOfLeftOutRuns(
-      segments, options.output, plain, [&](std::span<const Segment> rest, Weighting weighting) {
-        OutputErrorOptions own = options;
-        own.weighting = weighting;
-        own.initial_guess = plain.model;
-        return ChooseWeighting(rest, own, FitPlainly(rest, own));
-      });
+  const auto fit = [&](std::span<const size_t> kept, Weighting weighting) {
+    std::vector<Segment> rest;
+    for (const size_t s : kept) rest.push_back(segments[s]);
+    OutputErrorOptions own = options;
+    own.offsets = SharingAmong(kept, options.offsets);
+    own.weighting = weighting;
+    own.initial_guess = plain.model;
+    return ChooseWeighting(rest, own, FitPlainly(rest, own));
+  };
+  const auto more = MoreMissedOfLeftOutRuns(segments, options, plain, fit);
   if (!more || *more < 0.0) return chosen;
   plain.weighting_reason = fmt::format(
       "Learned weights do not predict left-out runs better: they miss {:.1f} % more of them.",

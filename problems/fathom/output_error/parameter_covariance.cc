@@ -32,7 +32,7 @@ Pieces UnbrokenPieces(const std::vector<double>& time) {
 
 // The optimum that the evidence is about; as in EvidenceAt().
 struct Optimum {
-  const UncoupledModel<double>& model;
+  std::span<const UncoupledModel<double>> models;
   std::span<const Segment> segments;
   std::span<const InitialState> initial_states;
   FittedOutput output;
@@ -67,7 +67,7 @@ std::optional<Eigen::VectorXd> SimulatedRows::Residual(size_t s) const {
   const bool is_velocity = at_.output == FittedOutput::kVelocity;
   std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
   const Simulation simulation(segment.command, segment.time);
-  if (!simulation.Run(at_.model, at_.initial_states[s], v, x)) return std::nullopt;
+  if (!simulation.Run(at_.models[s], at_.initial_states[s], v, x)) return std::nullopt;
   const std::vector<double>& simulated = is_velocity ? v : x;
   const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
   using Column = Eigen::Map<const Eigen::VectorXd>;
@@ -88,10 +88,10 @@ bool SimulatedRows::VisitRows(size_t s, const Pieces& pieces, Visit visit) const
     const size_t end = std::min(begin + kStretch, segment.time.size());
     const size_t num_outputs = std::min(end + 1, segment.time.size()) - begin;
     const auto time = std::span(segment.time).subspan(begin, num_outputs);
-    if (!SimulateStretch(at_.model, segment.command, time, at_.output, &start, &stretch)) {
+    if (!SimulateStretch(at_.models[s], segment.command, time, at_.output, &start, &stretch)) {
       return false;
     }
-    FillSamples(at_.model, segment, begin, end, at_.output, at_.sigma, stretch, &samples);
+    FillSamples(at_.models[s], segment, begin, end, at_.output, at_.sigma, stretch, &samples);
     for (size_t first = begin; first < end;) {
       const size_t last = std::min(end, piece->end);
       const auto from = static_cast<Eigen::Index>(first - begin);
@@ -193,8 +193,9 @@ InfluenceSums SumsOf(const std::vector<std::vector<double>>& influence) {
 template <typename Rows>
 ReducedNormal NormalOf(const Rows& rows,
                        const std::vector<Pieces>& pieces,
-                       const Autoregression& noise) {
-  ReducedNormal normal;
+                       const Autoregression& noise,
+                       const OffsetSharing& offsets) {
+  ReducedNormal normal(static_cast<Eigen::Index>(offsets.Count()));
   const int num_columns = kSharedColumns + rows.state_size();
   ColouredGram coloured(noise, num_columns);
   for (size_t s = 0; s < rows.num_segments(); ++s) {
@@ -206,34 +207,33 @@ ReducedNormal NormalOf(const Rows& rows,
       if (is_end) B += coloured.EndPiece();
     };
     rows.VisitRows(s, pieces[s], visit);
-    AddSegment(A, B, &normal);
+    AddSegment(A, B, static_cast<Eigen::Index>(offsets.At(s)), &normal);
   }
   return normal;
 }
 
 void DescribeParameters(const ReducedNormal& normal, double freedom, ParameterEvidence* evidence) {
-  const SolvedNormal alone = Solve(normal, kNumParameters);
+  const SolvedNormal alone = Solve(normal, false);
   evidence->covariance = freedom * alone.covariance;
+  evidence->offset_variance = freedom * alone.offset_variance;
   evidence->share = alone.share;
   evidence->condition_number = alone.condition_number;
-  const SolvedNormal with_offset = Solve(normal, kSharedColumns);
-  evidence->covariance_with_time_offset =
-      freedom * with_offset.covariance.topLeftCorner(kNumParameters, kNumParameters);
+  const SolvedNormal with_offset = Solve(normal, true);
+  evidence->covariance_with_time_offset = freedom * with_offset.covariance;
   if (std::isfinite(alone.condition_number) && !std::isfinite(with_offset.condition_number)) {
     evidence->covariance_with_time_offset.setConstant(std::numeric_limits<double>::infinity());
   }
-  evidence->share_with_time_offset = with_offset.share.head(kNumParameters);
-  // The residuals that an offset leaves, fitted by the parameters alone.
-  const Matrix A_pp = normal.A.topLeftCorner(kNumParameters, kNumParameters);
-  evidence->change_per_second_of_offset =
-      -A_pp.ldlt().solve(normal.A.topRightCorner(kNumParameters, 1));
+  evidence->share_with_time_offset = with_offset.share;
+  evidence->change_per_second_of_offset = alone.change_per_second_of_offset;
 }
 
 // First the residuals and their colour, then what the colour does to the parameters: simulating
 // twice is cheaper than keeping the signatures of a long log.
 template <typename Rows>
-ParameterEvidence EvidenceOfRows(const Rows& rows) {
+ParameterEvidence EvidenceOfRows(const Rows& rows, const OffsetSharing& offsets) {
   ParameterEvidence evidence;
+  evidence.offset_variance = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(offsets.Count()),
+                                                       ParameterEvidence::kNotComputed);
   std::optional<Residuals> residuals = ResidualsOf(rows);
   if (!residuals) return evidence;
   const InfluenceSums sums = SumsOf(residuals->influence);
@@ -241,9 +241,9 @@ ParameterEvidence EvidenceOfRows(const Rows& rows) {
   const int max_order = static_cast<int>(std::min({60.0, 10.0 * std::log10(n), n / 10.0}));
   evidence.noise = FitAutoregression(std::move(residuals->influence), max_order);
   evidence.noise_correlation = sums.product / sums.power;
-  const ReducedNormal normal = NormalOf(rows, residuals->pieces, evidence.noise);
-  const double num_unknowns =
-      kNumParameters + static_cast<double>(rows.num_segments()) * rows.state_size();
+  const ReducedNormal normal = NormalOf(rows, residuals->pieces, evidence.noise, offsets);
+  const double num_unknowns = static_cast<double>(kBuoyancy + normal.num_offsets()) +
+                              static_cast<double>(rows.num_segments()) * rows.state_size();
   const double freedom = FreedomFactor(evidence.noise, sums.power, n, num_unknowns);
   DescribeParameters(normal, freedom, &evidence);
   return evidence;
@@ -251,18 +251,19 @@ ParameterEvidence EvidenceOfRows(const Rows& rows) {
 
 }  // namespace
 
-ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
+ParameterEvidence EvidenceAt(std::span<const UncoupledModel<double>> models,
                              std::span<const Segment> segments,
                              std::span<const InitialState> initial_states,
                              FittedOutput output,
                              double sigma,
-                             double huber_k) {
-  const Optimum at = {model, segments, initial_states, output, sigma, huber_k};
-  return EvidenceOfRows(SimulatedRows(at));
+                             double huber_k,
+                             const OffsetSharing& offsets) {
+  const Optimum at = {models, segments, initial_states, output, sigma, huber_k};
+  return EvidenceOfRows(SimulatedRows(at), offsets);
 }
 
-ParameterEvidence EvidenceOf(std::span<const Samples> whitened) {
-  return EvidenceOfRows(WhitenedRows(whitened));
+ParameterEvidence EvidenceOf(std::span<const Samples> whitened, const OffsetSharing& offsets) {
+  return EvidenceOfRows(WhitenedRows(whitened), offsets);
 }
 
 }  // namespace fathom

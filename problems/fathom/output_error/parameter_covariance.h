@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/output_error/offset_sharing.h"
 #include "fathom/output_error/shooting_window.h"
 #include "fathom/output_error/signatures.h"
 #include "fathom/signal/filters/autoregression.h"
@@ -13,6 +14,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace fathom {
 
@@ -34,6 +37,9 @@ struct ParameterEvidence {
   // How the parameters would follow a time offset of the command: the fit's change per second.
   ParameterVector change_per_second_of_offset = ParameterVector::Constant(kNotComputed);
 
+  // Of each offset, where logs have their own; [force squared].
+  Eigen::VectorXd offset_variance;
+
   // Ratio of the largest to the smallest singular value of the scaled signatures.
   double condition_number = kNotComputed;
 
@@ -41,17 +47,20 @@ struct ParameterEvidence {
   double noise_correlation = kNotComputed;  // of neighbouring residuals
 };
 
-// `initial_states` has one entry per segment; `sigma` and `huber_k` as in ShootingWindow. Returns
-// an empty-handed evidence (NaN) if a simulation diverges or some direction leaves no trace at all.
-ParameterEvidence EvidenceAt(const UncoupledModel<double>& model,
+// `models` and `initial_states` have one entry per segment: the models differ by their buoyancy at
+// most, where logs have `offsets` of their own. `sigma` and
+// `huber_k` as in ShootingWindow. Returns an empty-handed evidence (NaN) if a simulation diverges
+// or some direction leaves no trace at all.
+ParameterEvidence EvidenceAt(std::span<const UncoupledModel<double>> models,
                              std::span<const Segment> segments,
                              std::span<const InitialState> initial_states,
                              FittedOutput output,
                              double sigma,
-                             double huber_k);
+                             double huber_k,
+                             const OffsetSharing& offsets = {});
 
 // The same from rows whose residuals are about white and of variance 1, weighed by plain squares:
 // consecutive ones of a segment each.
-ParameterEvidence EvidenceOf(std::span<const Samples> whitened);
+ParameterEvidence EvidenceOf(std::span<const Samples> whitened, const OffsetSharing& offsets = {});
 
 }  // namespace fathom

@@ -5,8 +5,8 @@
 
 #include "fathom/output_error/window_layout.h"
 
-#include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include <ceres/cost_function.h>
@@ -25,7 +25,9 @@ std::unique_ptr<ceres::Problem> BuildProblem(std::vector<ShootingWindow> windows
   for (size_t w = 0; w < windows.size(); ++w) {
     windows[w].sigma = sigma;
     windows[w].huber_k = huber_k;
-    std::vector<double*> blocks = {unknowns->parameters.data(), unknowns->states[w].data()};
+    std::vector<double*> blocks = {unknowns->vehicle.data(),
+                                   &unknowns->offsets[windows[w].offset],
+                                   unknowns->states[w].data()};
     if (Continues(windows, w)) {
       windows[w].continuity_sigma = continuity * sigma;
       blocks.push_back(unknowns->states[w + 1].data());
@@ -37,11 +39,17 @@ std::unique_ptr<ceres::Problem> BuildProblem(std::vector<ShootingWindow> windows
 
 }  // namespace
 
+InitialState StateOf(const WindowUnknowns& unknowns, std::size_t w) {
+  return {unknowns.states[w][0], unknowns.states[w][1]};
+}
+
 UncoupledModel<double> ModelOf(const WindowUnknowns& unknowns) {
-  return {std::exp(unknowns.parameters[kInertia]),
-          unknowns.parameters[kQuadraticDamping],
-          unknowns.parameters[kLinearDamping],
-          unknowns.parameters[kBuoyancy]};
+  const double sum = std::accumulate(unknowns.offsets.begin(), unknowns.offsets.end(), 0.0);
+  return ModelOf(unknowns.vehicle.data(), sum / static_cast<double>(unknowns.offsets.size()));
+}
+
+UncoupledModel<double> ModelIn(const ShootingWindow& window, const WindowUnknowns& unknowns) {
+  return ModelOf(unknowns.vehicle.data(), unknowns.offsets[window.offset]);
 }
 
 ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows,
@@ -57,7 +65,7 @@ ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows
   // is sparse.
   solver.is_dense = unknowns.states.size() <= 8;
   BoundedSolve solve = SolveWithBounds(
-      solver, {kQuadraticDamping, kLinearDamping}, {}, unknowns.parameters.data(), problem.get());
+      solver, {kQuadraticDamping, kLinearDamping}, {}, unknowns.vehicle.data(), problem.get());
   if (!solve.converged) {
     solve.message = "the search did not converge to a physical model.";
     unknowns = start;

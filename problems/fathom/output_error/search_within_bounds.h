@@ -6,7 +6,6 @@
 #include "fathom/output_error/options.h"
 #include "fathom/output_error/shooting_window.h"
 #include "fathom/solve/solve_with_bounds.h"
-#include "fathom/vehicle/parameters.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
@@ -14,13 +13,21 @@
 
 namespace fathom {
 
-// What the search moves. The inertia is carried as its logarithm, so it stays positive.
+// What the search moves.
 struct WindowUnknowns {
-  std::array<double, kNumParameters> parameters = {};
+  VehicleBlock vehicle = {};
+  std::vector<double> offsets;                // the buoyancy: one, or one per log
   std::vector<std::array<double, 2>> states;  // of each window: velocity, position
 };
 
+// At the start of window `w`.
+InitialState StateOf(const WindowUnknowns& unknowns, std::size_t w);
+
+// With the mean of the offsets.
 UncoupledModel<double> ModelOf(const WindowUnknowns& unknowns);
+
+// As it acts in `window`.
+UncoupledModel<double> ModelIn(const ShootingWindow& window, const WindowUnknowns& unknowns);
 
 struct ConstrainedOptimum {
   BoundedSolve solve;

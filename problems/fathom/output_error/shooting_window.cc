@@ -4,8 +4,6 @@
 #include "fathom/output_error/shooting_window.h"
 
 #include "fathom/output_error/root_huber.h"
-#include "fathom/simulate/simulate.h"
-#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -30,13 +28,6 @@ std::span<const double> OutputTimes(const ShootingWindow& window) {
   return std::span(window.segment->time).subspan(window.begin, past_end - window.begin);
 }
 
-UncoupledModel<double> ModelFromBlock(const double* parameters) {
-  return {std::exp(parameters[kInertia]),
-          parameters[kQuadraticDamping],
-          parameters[kLinearDamping],
-          parameters[kBuoyancy]};
-}
-
 InitialState StateFromBlock(FittedOutput output, const double* state) {
   return {state[0], output == FittedOutput::kPosition ? state[1] : 0.0};
 }
@@ -51,7 +42,8 @@ class WindowCost final : public ceres::CostFunction {
         scratch_(std::move(scratch)) {
     const bool continues = window.continuity_sigma > 0.0;
     set_num_residuals(num_columns_ + 1 + (continues ? state_size_ : 0));
-    mutable_parameter_block_sizes()->push_back(kNumParameters);
+    mutable_parameter_block_sizes()->push_back(kBuoyancy);
+    mutable_parameter_block_sizes()->push_back(1);
     mutable_parameter_block_sizes()->push_back(state_size_);
     if (continues) mutable_parameter_block_sizes()->push_back(state_size_);
   }
@@ -59,48 +51,46 @@ class WindowCost final : public ceres::CostFunction {
   bool Evaluate(const double* const* parameters,
                 double* residuals,
                 double** jacobians) const override {
-    if (!Linearise(parameters[0], parameters[1])) return false;
+    if (!Linearise(parameters)) return false;
     const int num_continuity = num_residuals() - num_columns_ - 1;
     std::copy_n(residuals_.data(), num_columns_ + 1, residuals);
     for (int k = 0; k < num_continuity; ++k) {
-      residuals[num_columns_ + 1 + k] = reached_[k] - parameters[2][k] / window_.continuity_sigma;
+      residuals[num_columns_ + 1 + k] = reached_[k] - parameters[3][k] / window_.continuity_sigma;
     }
     if (jacobians == nullptr) return true;
-    for (int row = 0; row < num_residuals(); ++row) {
-      if (jacobians[0] != nullptr) {
-        for (int j = 0; j < kNumParameters; ++j) {
-          jacobians[0][row * kNumParameters + j] = jacobian_(row, j);
-        }
-      }
-      if (jacobians[1] != nullptr) {
-        for (int j = 0; j < state_size_; ++j) {
-          jacobians[1][row * state_size_ + j] = jacobian_(row, kNumParameters + j);
-        }
-      }
-      if (num_continuity > 0 && jacobians[2] != nullptr) {
-        for (int j = 0; j < state_size_; ++j) {
-          const bool is_own = row == num_columns_ + 1 + j;
-          jacobians[2][row * state_size_ + j] = is_own ? -1.0 / window_.continuity_sigma : 0.0;
-        }
-      }
-    }
+    CopyColumns(0, kBuoyancy, jacobians[0]);
+    CopyColumns(kBuoyancy, 1, jacobians[1]);
+    CopyColumns(kNumParameters, state_size_, jacobians[2]);
+    if (num_continuity == 0 || jacobians[3] == nullptr) return true;
+    Eigen::Map<RowMajorMatrix> by_next(jacobians[3], num_residuals(), state_size_);
+    by_next.setZero();
+    by_next.bottomRows(num_continuity).diagonal().setConstant(-1.0 / window_.continuity_sigma);
     return true;
   }
 
  private:
   static constexpr int kMostColumns = kNumParameters + 2;
   using Row = Eigen::Matrix<double, 1, kMostColumns>;
+  using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  // Of jacobian_, to where Ceres wants them; null: nowhere.
+  void CopyColumns(int first, int count, double* to) const {
+    if (to == nullptr) return;
+    Eigen::Map<RowMajorMatrix>(to, num_residuals(), count) = jacobian_.middleCols(first, count);
+  }
 
   // Fills residuals_, reached_ and jacobian_ at this point. Ceres asks for the residuals at a trial
   // point and, if it is accepted, for the Jacobian at the same point: simulate once with
   // derivatives and remember the point by its values.
-  bool Linearise(const double* parameters, const double* state) const {
-    trial_point_.assign(parameters, parameters + kNumParameters);
-    trial_point_.insert(trial_point_.end(), state, state + state_size_);
+  bool Linearise(const double* const* blocks) const {
+    trial_point_.assign(blocks[0], blocks[0] + kBuoyancy);
+    trial_point_.push_back(*blocks[1]);
+    trial_point_.insert(trial_point_.end(), blocks[2], blocks[2] + state_size_);
     if (trial_point_ == point_) return true;
     point_.clear();
-    if (!Simulate(parameters, state)) return false;
-    const double inertia = std::exp(parameters[kInertia]);
+    const UncoupledModel<double> model = ModelOf(blocks[0], *blocks[1]);
+    if (!Simulate(model, StateFromBlock(window_.output, blocks[2]))) return false;
+    const double inertia = model.inertia;
     AccumulateSamples(inertia);
     const int num_continuity = num_residuals() - num_columns_ - 1;
     const int last = simulation_.num_outputs() - 1;
@@ -114,7 +104,7 @@ class WindowCost final : public ceres::CostFunction {
     return true;
   }
 
-  bool Simulate(const double* parameters, const double* state) const {
+  bool Simulate(const UncoupledModel<double>& model, const InitialState& state) const {
     const size_t n = simulation_.num_outputs();
     const bool with_position = window_.output == FittedOutput::kPosition;
     if (scratch_->velocity.size() < n) {
@@ -130,8 +120,8 @@ class WindowCost final : public ceres::CostFunction {
     };
     const size_t num_positions = with_position ? n : 0;
     return simulation_.RunWithSensitivities(
-        ModelFromBlock(parameters),
-        StateFromBlock(window_.output, state),
+        model,
+        state,
         first(scratch_->velocity, n),
         first(scratch_->position, num_positions),
         first(scratch_->velocity_sensitivity, n * kSensitivities),
@@ -226,6 +216,15 @@ class WindowCost final : public ceres::CostFunction {
 
 }  // namespace
 
+VehicleBlock BlockOf(const UncoupledModel<double>& model) {
+  return {std::log(model.inertia), model.quadratic_damping, model.linear_damping};
+}
+
+UncoupledModel<double> ModelOf(const double* vehicle, double buoyancy) {
+  return {
+      std::exp(vehicle[kInertia]), vehicle[kQuadraticDamping], vehicle[kLinearDamping], buoyancy};
+}
+
 std::unique_ptr<ceres::CostFunction> MakeWindowCost(const ShootingWindow& window,
                                                     std::shared_ptr<SimulationScratch> scratch) {
   CHECK_LT(window.begin, window.end);
@@ -234,16 +233,13 @@ std::unique_ptr<ceres::CostFunction> MakeWindowCost(const ShootingWindow& window
 }
 
 std::vector<double> WindowMisses(const ShootingWindow& window,
-                                 const double* parameters,
-                                 const double* state) {
+                                 const UncoupledModel<double>& model,
+                                 const InitialState& state) {
   const bool is_velocity = window.output == FittedOutput::kVelocity;
   const Simulation simulation(window.segment->command, OutputTimes(window));
   std::vector<double> velocity(simulation.num_outputs());
   std::vector<double> position(is_velocity ? 0 : velocity.size());
-  if (!simulation.Run(
-          ModelFromBlock(parameters), StateFromBlock(window.output, state), velocity, position)) {
-    return {};
-  }
+  if (!simulation.Run(model, state, velocity, position)) return {};
   std::vector<double> misses = is_velocity ? velocity : position;
   const auto& measured = is_velocity ? window.segment->velocity : window.segment->position;
   misses.resize(window.end - window.begin);

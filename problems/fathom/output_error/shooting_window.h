@@ -4,7 +4,12 @@
 #pragma once
 
 #include "fathom/signal/signals.h"
+#include "fathom/simulate/simulate.h"
+#include "fathom/vehicle/parameters.h"
+#include "fathom/vehicle/uncoupled_model.h"
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -18,6 +23,14 @@ namespace fathom {
 // What the simulation is compared with. The position is used where poses are the measurement: no
 // derivative then stands between data and model.
 enum class FittedOutput { kVelocity, kPosition };
+
+// The parameters that all logs share as the search carries them: the logarithm of the inertia,
+// which keeps it positive, and both dampings. The last parameter, the buoyancy, has a block of its
+// own: an offset may belong to a log.
+static_assert(kBuoyancy == kNumParameters - 1);
+using VehicleBlock = std::array<double, kBuoyancy>;
+VehicleBlock BlockOf(const UncoupledModel<double>& model);
+UncoupledModel<double> ModelOf(const double* vehicle, double buoyancy);
 
 // Length of the state block: the initial velocity, and the initial position where it is observed.
 constexpr int StateSize(FittedOutput output) { return output == FittedOutput::kVelocity ? 1 : 2; }
@@ -34,6 +47,7 @@ struct ShootingWindow {
   size_t begin = 0;  // index of its first sample
   size_t end = 0;    // one past its last
   FittedOutput output = FittedOutput::kVelocity;
+  std::size_t offset = 0;  // which of WindowUnknowns::offsets acts in it
 
   // Standard deviation of the measurement [unit of the output], and from how many of them on a
   // residual counts linearly (infinite: never).
@@ -54,18 +68,17 @@ struct ShootingWindow {
 // no parameter can change, sqrt(r'r - q'q). Cost, gradient and Gauss-Newton matrix are the same,
 // and memory does not grow with the log (docs/output_error.md (9)).
 //
-// Parameter blocks: [log inertia, quadratic_damping, linear_damping, buoyancy], the window's
-// initial state, and with continuity_sigma > 0 the next window's. The logarithm keeps the inertia
-// positive. Evaluation fails (returns false) where the simulation diverges. `window.segment` must
-// outlive the result. Not for several threads at once: windows made with the same `scratch` share
-// it.
+// Parameter blocks: the VehicleBlock, the buoyancy, the window's initial state, and with
+// continuity_sigma > 0 the next window's. Evaluation fails (returns false) where the simulation
+// diverges. `window.segment` must outlive the result. Not for several threads at once: windows made
+// with the same `scratch` share it.
 std::unique_ptr<ceres::CostFunction> MakeWindowCost(const ShootingWindow& window,
                                                     std::shared_ptr<SimulationScratch> scratch);
 
 // The window's residuals sample by sample, simulated - measured [unit of the output]; empty if the
-// simulation diverges. `parameters` and `state` as in the parameter blocks.
+// simulation diverges.
 std::vector<double> WindowMisses(const ShootingWindow& window,
-                                 const double* parameters,
-                                 const double* state);
+                                 const UncoupledModel<double>& model,
+                                 const InitialState& state);
 
 }  // namespace fathom

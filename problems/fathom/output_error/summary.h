@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/noise/noise_model.h"
+#include "fathom/output_error/offset_sharing.h"
 #include "fathom/output_error/parameter_covariance.h"
 #include "fathom/output_error/weighting.h"
 #include "fathom/simulate/simulate.h"
@@ -11,6 +12,7 @@
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -47,6 +49,18 @@ struct OutputErrorSummary {
 
   UncoupledModel<double> model = {kNotComputed, kNotComputed, kNotComputed, kNotComputed};
 
+  // The buoyancy by OutputErrorOptions::offsets, of which the model has the mean: one, or one per
+  // log. Its standard deviation is that of the fit.
+  struct Offset {
+    double value = kNotComputed;
+    double std = kNotComputed;
+  };
+  std::vector<Offset> offsets;
+
+  // The model as it acts in each of the segments.
+  std::vector<UncoupledModel<double>> ModelsIn(std::size_t num_segments,
+                                               const OffsetSharing& sharing) const;
+
   // In the order of kParameterInfo. A damping that ended on its bound 0 has the spread it would
   // have without the bound; its interval is to be cut at 0.
   ParameterCovariance covariance = ParameterCovariance::Constant(kNotComputed);
@@ -57,6 +71,9 @@ struct OutputErrorSummary {
 
   // Shares, condition number and noise at the optimum.
   ParameterEvidence evidence;
+
+  // Fills the evidence and what follows from it: the covariance, the offsets' deviations.
+  void Take(ParameterEvidence found);
 
   // What the reader must know beyond the intervals, a sentence each.
   std::vector<std::string> caveats;

@@ -11,7 +11,8 @@ namespace fathom {
 std::vector<ShootingWindow> LayOutWindows(std::span<const Segment> segments,
                                           const OutputErrorOptions& options) {
   std::vector<ShootingWindow> windows;
-  for (const Segment& segment : segments) {
+  for (size_t s = 0; s < segments.size(); ++s) {
+    const Segment& segment = segments[s];
     const double duration = segment.time.back() - segment.time.front();
     const double num_windows = std::clamp(std::ceil(duration / options.shooting_window),
                                           1.0,
@@ -25,8 +26,11 @@ std::vector<ShootingWindow> LayOutWindows(std::span<const Segment> segments,
               segment.time.begin();
       }
       if (end <= begin) continue;  // a gap as long as a window
-      windows.push_back(
-          {.segment = &segment, .begin = begin, .end = end, .output = options.output});
+      windows.push_back({.segment = &segment,
+                         .begin = begin,
+                         .end = end,
+                         .output = options.output,
+                         .offset = options.offsets.At(s)});
       begin = end;
     }
   }

@@ -73,7 +73,8 @@ void ExpectWhatTheFormulasSay(FittedOutput output) {
   const UncoupledModel<double> model = SyntheticRun{}.truth;
   const InitialState initial = {0.1, -0.2};
   const std::vector<Segment> segments = {LongSegmentWithGaps()};
-  const auto evidence = EvidenceAt(model, segments, std::vector{initial}, output, 1.0, kInfinity);
+  const auto evidence =
+      EvidenceAt(std::vector{model}, segments, std::vector{initial}, output, 1.0, kInfinity);
   ASSERT_GT(evidence.noise.order(), 0);
   Eigen::MatrixXd A, B;
   WriteOut(model, segments[0], initial, output, evidence.noise, &A, &B);
@@ -106,11 +107,11 @@ TEST(EvidenceAt, TakesASegmentWithEverySampleClipped) {
     run.noise = 0.01;
     std::vector<Segment> segments = {Synthesize(run, 1), Synthesize(run, 2)};
     const std::vector<InitialState> states(2);
-    const auto alone =
-        EvidenceAt(run.truth, std::span(segments).first(1), states, output, 0.01, 3.0);
+    const std::vector truth(2, run.truth);
+    const auto alone = EvidenceAt(truth, std::span(segments).first(1), states, output, 0.01, 3.0);
     for (double& v : segments[1].velocity) v += 100.0;
     for (double& x : segments[1].position) x += 100.0;
-    const auto both = EvidenceAt(run.truth, segments, states, output, 0.01, 3.0);
+    const auto both = EvidenceAt(truth, segments, states, output, 0.01, 3.0);
     EXPECT_DOUBLE_EQ(both.condition_number, alone.condition_number);
     for (int i = 0; i < kNumParameters; ++i) {
       EXPECT_DOUBLE_EQ(both.share[i], alone.share[i]);
@@ -142,8 +143,12 @@ TEST(EvidenceAt, SaysThatADelayLeavesTheParametersUnknownWhereTheyImitateIt) {
   segment.velocity = v;
   for (int i = 0; i < num_samples; ++i) segment.velocity[i] += 0.01 * std::sin(2.3 * i * i);
   const std::vector<Segment> segments = {segment};
-  const auto evidence =
-      EvidenceAt(model, segments, std::vector{on_orbit}, FittedOutput::kVelocity, 0.01, kInfinity);
+  const auto evidence = EvidenceAt(std::vector{model},
+                                   segments,
+                                   std::vector{on_orbit},
+                                   FittedOutput::kVelocity,
+                                   0.01,
+                                   kInfinity);
   EXPECT_TRUE(std::isfinite(evidence.covariance(kInertia, kInertia)));
   EXPECT_EQ(evidence.share_with_time_offset[kInertia], 0.0);
   EXPECT_EQ(evidence.covariance_with_time_offset(kInertia, kInertia), kInfinity);

@@ -24,10 +24,12 @@ namespace {
 // What the plain fit misses over each segment. Empty if a segment cannot be simulated.
 std::vector<std::vector<double>> ResidualsOf(const OutputErrorSummary& plain,
                                              std::span<const Segment> segments,
-                                             FittedOutput output) {
+                                             const OutputErrorOptions& options) {
+  const auto models = plain.ModelsIn(segments.size(), options.offsets);
   std::vector<std::vector<double>> residuals;
   for (size_t s = 0; s < segments.size(); ++s) {
-    residuals.push_back(RunOverSamples(plain.model, plain.initial_states[s], segments[s], output));
+    residuals.push_back(
+        RunOverSamples(models[s], plain.initial_states[s], segments[s], options.output));
     if (residuals.back().empty()) return {};
   }
   return residuals;
@@ -49,6 +51,7 @@ std::vector<BinnedSegment> BinsOf(std::span<const Segment> segments,
 
 OutputErrorSummary SummaryOf(const LearnedFit& fit,
                              std::span<const Segment> segments,
+                             const OffsetSharing& offsets,
                              const OutputErrorSummary& plain) {
   OutputErrorSummary summary;
   summary.converged = true;
@@ -59,6 +62,7 @@ OutputErrorSummary SummaryOf(const LearnedFit& fit,
   summary.num_iterations = plain.num_iterations;
   summary.model = fit.model;
   for (const int index : fit.held) summary.on_bound[index] = true;
+  for (const double value : fit.offsets) summary.offsets.push_back({.value = value});
   summary.initial_states = fit.initial_states;
   std::vector<Samples> rows;
   summary.final_cost = 0.0;
@@ -66,8 +70,7 @@ OutputErrorSummary SummaryOf(const LearnedFit& fit,
     rows.push_back({run.J(), run.residual().array()});
     summary.final_cost += 0.5 * run.residual().squaredNorm();
   }
-  summary.evidence = EvidenceOf(rows);
-  summary.covariance = summary.evidence.covariance;
+  summary.Take(EvidenceOf(rows, offsets));
   DescribeEvidence(segments, &summary);
   return summary;
 }
@@ -80,14 +83,15 @@ OutputErrorSummary Because(std::string reason, OutputErrorSummary summary) {
 // The learned answer, unless its free runs miss more than those of the plain one are expected to
 // miss of data that it was not fitted to; docs/output_error.md (14).
 OutputErrorSummary Judged(std::span<const BinnedSegment> bins,
+                          const OffsetSharing& offsets,
                           OutputErrorSummary plain,
                           OutputErrorSummary learned) {
   if (!learned.IsUsable()) {
     return Because("Under the learned noise the data do not determine the model.",
                    std::move(plain));
   }
-  const auto by_plain = FreeRunsOf(plain.model, bins);
-  const auto by_learned = FreeRunsOf(learned.model, bins);
+  const auto by_plain = FreeRunsOf(plain.ModelsIn(bins.size(), offsets), bins);
+  const auto by_learned = FreeRunsOf(learned.ModelsIn(bins.size(), offsets), bins);
   if (!by_plain || !by_learned) {
     return Because("A free run diverges from a state within the log.", std::move(plain));
   }
@@ -120,7 +124,7 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   if (is_auto && !plain.IsUsable()) {
     return Because("The data do not determine the model by plain squares.", std::move(plain));
   }
-  const auto residuals = ResidualsOf(plain, segments, options.output);
+  const auto residuals = ResidualsOf(plain, segments, options);
   if (residuals.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
   if (is_auto && IsWhite(residuals)) {
     return Because("What plain squares miss is white: no other weights are better.",
@@ -129,14 +133,13 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   std::vector<std::vector<bool>> is_wild;
   for (const auto& residual : residuals) is_wild.push_back(WildSamples(residual));
   const auto bins = BinsOf(segments, options.output, is_wild, plain.model);
-  const LearnedFit fit =
-      FitLearned(bins, plain.model, plain.initial_states, options.max_iterations);
+  const LearnedFit fit = FitLearned(bins, plain, options);
   if (!fit.converged) {
     return Because("No noise can be learned: " + fit.message, std::move(plain));
   }
-  OutputErrorSummary learned = SummaryOf(fit, segments, plain);
+  OutputErrorSummary learned = SummaryOf(fit, segments, options.offsets, plain);
   if (!is_auto) return Because("It was asked for.", std::move(learned));
-  return Judged(bins, std::move(plain), std::move(learned));
+  return Judged(bins, options.offsets, std::move(plain), std::move(learned));
 }
 
 }  // namespace fathom

@@ -37,6 +37,7 @@ bool AddRun(const UncoupledModel<double>& model,
             const BinnedSegment& whole,
             std::size_t begin,
             std::size_t end,
+            Refitted refitted,
             FreeRuns* runs) {
   const Segment segment = PartOf(*whole.segment, begin, end);
   std::vector<bool> is_wild;
@@ -50,8 +51,12 @@ bool AddRun(const UncoupledModel<double>& model,
   if (!run) return false;
   Eigen::MatrixXd rows(run->columns.rows(), kNumParameters + 1);
   rows << run->parameters(), run->residual();
-  const Eigen::MatrixXd by_state = run->state();
-  rows -= by_state * by_state.colPivHouseholderQr().solve(rows);
+  Eigen::MatrixXd own = run->state();
+  if (refitted == Refitted::kStateAndOffset) {
+    own.conservativeResize(Eigen::NoChange, own.cols() + 1);
+    own.rightCols(1) = run->parameters().col(kBuoyancy);
+  }
+  rows -= own * own.colPivHouseholderQr().solve(rows);
   runs->gram += rows.leftCols(kNumParameters).transpose() * rows.leftCols(kNumParameters);
   runs->sum_of_squares += rows.col(kNumParameters).squaredNorm();
   return true;
@@ -59,10 +64,12 @@ bool AddRun(const UncoupledModel<double>& model,
 
 }  // namespace
 
-std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model,
-                                   std::span<const BinnedSegment> bins) {
+std::optional<FreeRuns> FreeRunsOf(std::span<const UncoupledModel<double>> models,
+                                   std::span<const BinnedSegment> bins,
+                                   Refitted refitted) {
   FreeRuns runs;
-  for (const BinnedSegment& whole : bins) {
+  for (std::size_t s = 0; s < bins.size(); ++s) {
+    const BinnedSegment& whole = bins[s];
     const std::vector<double>& time = whole.segment->time;
     const double duration = time.back() - time.front();
     const double num_runs = std::max(1.0, std::ceil(duration / kLongestRun));
@@ -71,7 +78,7 @@ std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model,
       const auto past =
           std::lower_bound(time.begin(), time.end(), time.front() + duration * k / num_runs);
       const auto end = k < num_runs ? static_cast<std::size_t>(past - time.begin()) : time.size();
-      if (end > begin && !AddRun(model, whole, begin, end, &runs)) {
+      if (end > begin && !AddRun(models[s], whole, begin, end, refitted, &runs)) {
         return std::nullopt;
       }
       begin = end;

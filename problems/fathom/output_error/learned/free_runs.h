@@ -12,12 +12,16 @@
 
 namespace fathom {
 
+// What of each free run is fitted to it alone: where logs have offsets of their own, no run that a
+// fit has not seen has a known one.
+enum class Refitted { kState, kStateAndOffset };
+
 // What free runs of a model miss of the data, over the bins. Each lasts a minute at most and starts
 // from the state that fits best.
 struct FreeRuns {
   double sum_of_squares = 0.0;  // |e|^2 [unit of the output, squared]
 
-  // J' J: how the runs follow the parameters, the states refitted.
+  // J' J: how the runs follow the parameters, what is Refitted eliminated.
   ParameterCovariance gram = ParameterCovariance::Zero();
 
   // The sum of squares to be expected of data that a fit of covariance C has not seen:
@@ -31,8 +35,9 @@ struct FreeRuns {
   }
 };
 
-// Nothing if a run diverges.
-std::optional<FreeRuns> FreeRunsOf(const UncoupledModel<double>& model,
-                                   std::span<const BinnedSegment> bins);
+// `models`: of each segment, which differ by their buoyancy at most. Nothing if a run diverges.
+std::optional<FreeRuns> FreeRunsOf(std::span<const UncoupledModel<double>> models,
+                                   std::span<const BinnedSegment> bins,
+                                   Refitted refitted = Refitted::kState);
 
 }  // namespace fathom

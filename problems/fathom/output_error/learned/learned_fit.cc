@@ -7,7 +7,6 @@
 #include "fathom/output_error/learned/whitened_cost.h"
 #include "fathom/output_error/search_within_bounds.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -21,23 +20,24 @@ namespace {
 constexpr int kMostTurns = 3;
 constexpr double kLeastGain = 0.1;  // of the log-likelihood, for another turn
 
-WindowUnknowns UnknownsAt(const UncoupledModel<double>& model,
-                          std::span<const InitialState> initial_states) {
+WindowUnknowns UnknownsAt(const OutputErrorSummary& plain) {
   WindowUnknowns unknowns;
-  unknowns.parameters = {
-      std::log(model.inertia), model.quadratic_damping, model.linear_damping, model.buoyancy};
-  for (const InitialState& state : initial_states) {
+  unknowns.vehicle = BlockOf(plain.model);
+  for (const auto& offset : plain.offsets) unknowns.offsets.push_back(offset.value);
+  for (const InitialState& state : plain.initial_states) {
     unknowns.states.push_back({state.velocity, state.position});
   }
   return unknowns;
 }
 
 std::optional<std::vector<BinnedRun>> RunsAt(const WindowUnknowns& unknowns,
-                                             std::span<const BinnedSegment> bins) {
+                                             std::span<const BinnedSegment> bins,
+                                             const OffsetSharing& offsets) {
   std::vector<BinnedRun> runs;
   for (size_t s = 0; s < bins.size(); ++s) {
-    auto run =
-        RunOverBins(ModelOf(unknowns), {unknowns.states[s][0], unknowns.states[s][1]}, bins[s]);
+    const UncoupledModel<double> model =
+        ModelOf(unknowns.vehicle.data(), unknowns.offsets[offsets.At(s)]);
+    auto run = RunOverBins(model, StateOf(unknowns, s), bins[s]);
     if (!run) return std::nullopt;
     runs.push_back(*std::move(run));
   }
@@ -46,37 +46,37 @@ std::optional<std::vector<BinnedRun>> RunsAt(const WindowUnknowns& unknowns,
 
 BoundedSolve SearchUnder(std::span<const Whitener> whiteners,
                          std::span<const BinnedSegment> bins,
-                         int max_iterations,
+                         const OutputErrorOptions& options,
                          WindowUnknowns* unknowns) {
   ceres::Problem problem;
   for (size_t s = 0; s < bins.size(); ++s) {
     problem.AddResidualBlock(MakeWhitenedCost(bins[s], whiteners[s]).release(),
                              nullptr,
-                             unknowns->parameters.data(),
+                             unknowns->vehicle.data(),
+                             &unknowns->offsets[options.offsets.At(s)],
                              unknowns->states[s].data());
   }
   BoundedSolveOptions solver;
-  solver.max_iterations = max_iterations;
+  solver.max_iterations = options.max_iterations;
   solver.is_dense = bins.size() <= 8;
   return SolveWithBounds(
-      solver, {kQuadraticDamping, kLinearDamping}, {}, unknowns->parameters.data(), &problem);
+      solver, {kQuadraticDamping, kLinearDamping}, {}, unknowns->vehicle.data(), &problem);
 }
 
 }  // namespace
 
 LearnedFit FitLearned(std::span<const BinnedSegment> bins,
-                      const UncoupledModel<double>& model,
-                      std::span<const InitialState> initial_states,
-                      int max_iterations) {
+                      const OutputErrorSummary& plain,
+                      const OutputErrorOptions& options) {
   LearnedFit fit;
   fit.message = "The search under the learned noise does not converge.";
-  WindowUnknowns unknowns = UnknownsAt(model, initial_states);
-  auto runs = RunsAt(unknowns, bins);
+  WindowUnknowns unknowns = UnknownsAt(plain);
+  auto runs = RunsAt(unknowns, bins, options.offsets);
   std::optional<NoiseModel> known;
   std::vector<Whitener> whiteners;
   double previous = -std::numeric_limits<double>::infinity();
   for (int turn = 0; runs && turn < kMostTurns; ++turn) {
-    const NoiseFit learned = LearnNoise(bins, *runs, ModelOf(unknowns), known);
+    const NoiseFit learned = LearnNoise(bins, *runs, ModelOf(unknowns), options.offsets, known);
     if (!learned.IsUsable()) {
       fit.message = learned.message;
       return fit;
@@ -86,18 +86,17 @@ LearnedFit FitLearned(std::span<const BinnedSegment> bins,
     known = fit.noise = learned.model;
     whiteners.clear();
     for (const BinnedSegment& part : bins) whiteners.emplace_back(fit.noise, part.samples);
-    BoundedSolve solve = SearchUnder(whiteners, bins, max_iterations, &unknowns);
+    BoundedSolve solve = SearchUnder(whiteners, bins, options, &unknowns);
     if (!solve.converged) return fit;
     fit.held = std::move(solve.held);
-    runs = RunsAt(unknowns, bins);
+    runs = RunsAt(unknowns, bins, options.offsets);
   }
   if (!runs) return fit;
   fit.converged = true;
   fit.message = "Converged.";
   fit.model = ModelOf(unknowns);
-  for (const auto& [velocity, position] : unknowns.states) {
-    fit.initial_states.push_back({velocity, position});
-  }
+  fit.offsets = unknowns.offsets;
+  for (size_t s = 0; s < bins.size(); ++s) fit.initial_states.push_back(StateOf(unknowns, s));
   fit.runs = *std::move(runs);
   for (size_t s = 0; s < bins.size(); ++s) {
     whiteners[s].Apply(fit.runs[s].columns, fit.runs[s].columns);

@@ -26,20 +26,24 @@ double UsualSpeed(std::span<const BinnedSegment> bins) {
 NoiseFit LearnNoise(std::span<const BinnedSegment> bins,
                     std::span<const BinnedRun> runs,
                     const UncoupledModel<double>& model,
+                    const OffsetSharing& offsets,
                     const std::optional<NoiseModel>& start) {
   constexpr double kLeastRate = 1e-3;  // [1/s]
   constexpr double kPrecision = 0.005;
   const int state_size = StateSize(runs[0].output);
   Eigen::Index num_rows = 0;
   for (const BinnedRun& run : runs) num_rows += run.columns.rows();
+  const auto num_shared = static_cast<Eigen::Index>(kBuoyancy + offsets.Count());
   RowMajorMatrix design = RowMajorMatrix::Zero(
-      num_rows, kNumParameters + state_size * static_cast<Eigen::Index>(runs.size()));
+      num_rows, num_shared + state_size * static_cast<Eigen::Index>(runs.size()));
   std::vector<NoiseSample> samples;
   std::vector<double> residual;
-  Eigen::Index row = 0, column = kNumParameters;
+  Eigen::Index row = 0, column = num_shared;
   for (size_t s = 0; s < runs.size(); ++s) {
     const Eigen::Index n = runs[s].columns.rows();
-    design.block(row, 0, n, kNumParameters) = runs[s].parameters();
+    const auto offset = static_cast<Eigen::Index>(kBuoyancy + offsets.At(s));
+    design.block(row, 0, n, kBuoyancy) = runs[s].parameters().leftCols(kBuoyancy);
+    design.block(row, offset, n, 1) = runs[s].parameters().col(kBuoyancy);
     design.block(row, column, n, state_size) = runs[s].state();
     for (NoiseSample sample : bins[s].samples) {
       sample.segment = static_cast<int>(s);

@@ -6,6 +6,7 @@
 #include "fathom/noise/fit_noise.h"
 #include "fathom/output_error/learned/binned_run.h"
 #include "fathom/output_error/learned/binned_segment.h"
+#include "fathom/output_error/offset_sharing.h"
 
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@ namespace fathom {
 NoiseFit LearnNoise(std::span<const BinnedSegment> bins,
                     std::span<const BinnedRun> runs,
                     const UncoupledModel<double>& model,
+                    const OffsetSharing& offsets,
                     const std::optional<NoiseModel>& start);
 
 // Fills the damping factors of all bins, for a vehicle that is about `model`.

@@ -17,8 +17,8 @@ namespace fathom {
 // The residuals of one segment's free run over its bins, whitened by a learned noise: W times
 // (simulated - measured), docs/output_error.md (10). Both arguments must outlive the result.
 //
-// Parameter blocks as those of MakeWindowCost(): [log inertia, quadratic_damping, linear_damping,
-// buoyancy], the segment's initial state. Evaluation fails (returns false) where the simulation
+// Parameter blocks as those of MakeWindowCost(): the VehicleBlock, the buoyancy, the segment's
+// initial state. Evaluation fails (returns false) where the simulation
 // diverges.
 std::unique_ptr<ceres::CostFunction> MakeWhitenedCost(const BinnedSegment& bins,
                                                       const Whitener& whitener);

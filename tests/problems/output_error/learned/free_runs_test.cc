@@ -26,7 +26,7 @@ TEST(FreeRunsOf, StartEachRunFromTheStateThatFitsBest) {
   Segment segment = Synthesize(run, 1);
   // The samples of the second run.
   for (size_t i = 500; i < segment.time.size(); ++i) segment.position[i] += 7.0;
-  const auto runs = FreeRunsOf(run.truth, BinsOfAll(segment, FittedOutput::kPosition));
+  const auto runs = FreeRunsOf(std::vector{run.truth}, BinsOfAll(segment, FittedOutput::kPosition));
   ASSERT_TRUE(runs.has_value());
   EXPECT_LT(runs->sum_of_squares, 1e-9);
 }
@@ -38,7 +38,7 @@ TEST(FreeRunsOf, MissTheSensorsNoiseLessTheStatesShare) {
   run.duration = 240.0;
   run.noise = 0.01;
   const Segment segment = Synthesize(run, 2);
-  const auto runs = FreeRunsOf(run.truth, BinsOfAll(segment, FittedOutput::kVelocity));
+  const auto runs = FreeRunsOf(std::vector{run.truth}, BinsOfAll(segment, FittedOutput::kVelocity));
   ASSERT_TRUE(runs.has_value());
   const double n = static_cast<double>(segment.time.size());
   EXPECT_NEAR(runs->sum_of_squares / 1e-4, n - 4.0, 3.0 * std::sqrt(2.0 * n));

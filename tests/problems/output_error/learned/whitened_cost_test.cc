@@ -48,7 +48,8 @@ Eigen::VectorXd ResidualsAt(const ceres::CostFunction& cost,
                             const std::array<double, 4>& parameters,
                             const std::array<double, 2>& state) {
   Eigen::VectorXd residuals(cost.num_residuals());
-  const std::array<const double*, 2> blocks = {parameters.data(), state.data()};
+  const std::array<const double*, 3> blocks = {
+      parameters.data(), &parameters[kBuoyancy], state.data()};
   EXPECT_TRUE(cost.Evaluate(blocks.data(), residuals.data(), nullptr));
   return residuals;
 }
@@ -61,10 +62,11 @@ void ExpectJacobiansToBeDifferences(FittedOutput output) {
   const auto cost = MakeWhitenedCost(bins, whitener);
   const int n = cost->num_residuals();
   const int state_size = StateSize(output);
-  RowMajorMatrix by_parameters(n, 4), by_state(n, state_size);
+  RowMajorMatrix by_vehicle(n, kBuoyancy), by_buoyancy(n, 1), by_state(n, state_size);
   Eigen::VectorXd residuals(n);
-  const std::array<const double*, 2> blocks = {kParameters.data(), kState.data()};
-  std::array<double*, 2> jacobians = {by_parameters.data(), by_state.data()};
+  const std::array<const double*, 3> blocks = {
+      kParameters.data(), &kParameters[kBuoyancy], kState.data()};
+  std::array<double*, 3> jacobians = {by_vehicle.data(), by_buoyancy.data(), by_state.data()};
   ASSERT_TRUE(cost->Evaluate(blocks.data(), residuals.data(), jacobians.data()));
   const auto expect_column = [&](const Eigen::VectorXd& column, auto shifted, double step) {
     const Eigen::VectorXd difference = (shifted(step) - shifted(-step)) / (2.0 * step);
@@ -73,7 +75,7 @@ void ExpectJacobiansToBeDifferences(FittedOutput output) {
   };
   for (int j = 0; j < 4; ++j) {
     expect_column(
-        by_parameters.col(j),
+        j < kBuoyancy ? by_vehicle.col(j) : by_buoyancy.col(0),
         [&](double by) {
           auto parameters = kParameters;
           parameters[j] += by;
