@@ -7,8 +7,10 @@
 #include "fathom/base/interval95.h"
 #include "fathom/least_squares/regression.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,25 +50,45 @@ void AddCaveats(LeastSquaresSummary* summary) {
 // F = U S V' diag(length): columns of unit length, so that no unit decides what is determined.
 struct Decomposition {
   Eigen::Vector4d length;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd;
+  Eigen::Vector4d S;
+  Eigen::Matrix4d V;
+  Eigen::Vector4d projected;  // U' acceleration
 };
 
-Decomposition Decompose(const Eigen::MatrixX4d& F) {
-  Eigen::Vector4d length = F.colwise().norm();
-  for (int k = 0; k < 4; ++k) {
-    if (length[k] == 0.0) length[k] = 1.0;
+// R of (scaled F, acceleration) = Q R, a stretch of rows at a time: U is as long as the log, and is
+// needed only as U' times the acceleration.
+Decomposition Decompose(const Regression& regression) {
+  constexpr Eigen::Index kStretch = 1024;
+  const Eigen::MatrixX4d& F = regression.F;
+  Decomposition decomposition;
+  decomposition.length = F.colwise().norm();
+  for (double& length : decomposition.length) {
+    if (length == 0.0) length = 1.0;
   }
-  const Eigen::MatrixXd scaled = F * length.cwiseInverse().asDiagonal();
-  return {length,
-          Eigen::JacobiSVD<Eigen::MatrixXd>(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV)};
+  const Eigen::Vector4d unscale = decomposition.length.cwiseInverse();
+  Eigen::Matrix<double, 5, 5> R = Eigen::Matrix<double, 5, 5>::Zero();
+  for (Eigen::Index begin = 0; begin < F.rows(); begin += kStretch) {
+    const Eigen::Index count = std::min(kStretch, F.rows() - begin);
+    Eigen::MatrixXd rows(5 + count, 5);
+    rows.topRows<5>() = R;
+    rows.bottomRows(count) << F.middleRows(begin, count) * unscale.asDiagonal(),
+        regression.acceleration.segment(begin, count);
+    const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(rows);
+    R = rows.topRows<5>().triangularView<Eigen::Upper>();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(R.topLeftCorner<4, 4>(),
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  decomposition.S = svd.singularValues();
+  decomposition.V = svd.matrixV();
+  decomposition.projected = svd.matrixU().transpose() * R.topRightCorner<4, 1>();
+  return decomposition;
 }
 
 // Names of the parameters that take part in a direction whose singular value is below the share
 // `smallest` of the largest. Parameter k of (1) belongs to column k, and alpha to all of (2):
 // without it there is no inertia.
 std::vector<std::string> NotDetermined(const Decomposition& decomposition, double smallest) {
-  const Eigen::Vector4d S = decomposition.svd.singularValues();
-  const Eigen::Matrix4d V = decomposition.svd.matrixV();
+  const auto& [length, S, V, projected] = decomposition;
   std::vector<std::string> names;
   for (int k = 0; k < 4; ++k) {
     for (int direction = 0; direction < 4; ++direction) {
@@ -92,13 +114,11 @@ struct Lumped {
 Lumped SolveLumped(const Decomposition& decomposition,
                    const Regression& regression,
                    int max_noise_order) {
-  const auto& [length, svd] = decomposition;
-  const Eigen::Vector4d S = svd.singularValues();
-  const Eigen::Matrix4d V = svd.matrixV();
+  const auto& [length, S, V, projected] = decomposition;
   const Eigen::Matrix4d scaled_inverse = length.cwiseInverse().asDiagonal() * V *
                                          S.cwiseInverse().asDiagonal();  // (F'F)^-1 = its square
   Lumped lumped;
-  lumped.value = scaled_inverse * (svd.matrixU().transpose() * regression.acceleration);  // (3)
+  lumped.value = scaled_inverse * projected;  // (3)
   const Eigen::VectorXd residual = regression.acceleration - regression.F * lumped.value;
   lumped.covariance = CovarianceOf(regression,
                                    residual,
@@ -158,9 +178,8 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
         "Only {} samples have an acceleration, expected at least {}.", F.rows(), kFewestSamples);
     return summary;
   }
-  const Decomposition decomposition = Decompose(F);
-  const auto& S = decomposition.svd.singularValues();
-  summary.condition_number = S[0] / S[3];
+  const Decomposition decomposition = Decompose(regression);
+  summary.condition_number = decomposition.S[0] / decomposition.S[3];
   summary.not_determined = NotDetermined(decomposition, options.smallest_singular_value);
   if (!summary.not_determined.empty()) {
     summary.message = fmt::format(

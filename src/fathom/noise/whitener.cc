@@ -89,6 +89,9 @@ Whitener::Whitener(const NoiseModel& model, std::span<const NoiseSample> samples
   if (model.disturbance.IsPresent()) num_disturbance_states_ = has_displacement ? 3 : 2;
   has_velocity_c_ = has_velocity && model.velocity.coloured.IsPresent();
   has_displacement_c_ = has_displacement && model.displacement.coloured.IsPresent();
+  // Under stamps that jitter every sample has a step of its own: growing would copy them again and
+  // again. What is not used is never touched.
+  steps_.reserve(samples.size());
   WithStates([&](auto states) {
     log_determinant_ =
         WhiteningGains<decltype(states)>::FillSteps(model, samples, &step_of_, &steps_);

@@ -12,6 +12,7 @@
 #include "fathom/diagnosis/fit/robust_start.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -23,8 +24,9 @@ namespace {
 // About five for each unknown of a model with three causes.
 constexpr size_t kLeastSamples = 60;
 
-// Of what is trained on [s]: memory and time of the screen grow with it; docs/diagnosis.md (2).
-constexpr double kMostTraining = 3600.0;
+// Of what is trained on: memory and time of the screen grow with both; docs/diagnosis.md (2).
+constexpr double kMostTraining = 3600.0;      // [s]
+constexpr double kMostOfSamples = 120'000.0;  // an hour at 33 Hz
 
 std::vector<MeasuredSegment> Part(const std::vector<MeasuredSegment>& segments, bool held_out) {
   std::vector<MeasuredSegment> part;
@@ -80,7 +82,9 @@ Preparation Prepare(const MeasuredSegments& segments,
   Preparation preparation;
   std::vector<MeasuredSegment> train = Part(segments.all, false);
   preparation.duration = DurationOf(train);
-  train = Excerpt(std::move(train), kMostTraining);
+  const double most_by_samples =
+      preparation.duration * kMostOfSamples / static_cast<double>(NumSamples(train));
+  train = Excerpt(std::move(train), std::min(kMostTraining, most_by_samples));
   preparation.used = DurationOf(train);
   const auto by_momentum = StartByMomentum(train);
   if (!by_momentum) {

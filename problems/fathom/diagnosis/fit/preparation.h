@@ -45,9 +45,9 @@ struct Preparation {
 // Why there is no diagnosis where there is no baseline and nothing is named.
 std::string NoBaseline(Dof dof);
 
-// Takes an Excerpt() of an hour of what is not held out and outliers out of that, fits the baseline
-// to the rest along `dof`, and thins it. `identified`: the user's model; absent:
-// output error's with plain weights.
+// Takes an Excerpt() of what is not held out, an hour and 120 000 samples at most, and outliers out
+// of that, fits the baseline to the rest along `dof`, and thins it. `identified`: the user's model;
+// absent: output error's with plain weights.
 Preparation Prepare(const MeasuredSegments& segments,
                     Dof dof,
                     const std::optional<IdentifiedModel>& identified = std::nullopt);
