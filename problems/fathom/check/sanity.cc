@@ -196,6 +196,26 @@ void CheckStamps(const Samples& samples, Findings* findings) {
   }
 }
 
+// The shaft of a motor on a bench may well turn faster than any vehicle.
+void CheckSpeed(double fastest, Dof dof, Findings* findings) {
+  if (!(fastest > kHighestSpeed)) return;
+  if (IsAngular(dof)) {
+    Note(
+        "speed_range",
+        fmt::format("The speed reaches {:.3g} rad/s. A vehicle does not turn at over {:g}: if this "
+                    "is one, is the speed in deg/s?",
+                    fastest,
+                    kHighestSpeed),
+        findings);
+  } else {
+    Warn("speed_range",
+         fmt::format("The speed reaches {:.3g} m/s, expected at most {:g}. Is it in m/s?",
+                     fastest,
+                     kHighestSpeed),
+         findings);
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> CheckSanity(std::span<const Segment> segments,
@@ -204,16 +224,7 @@ std::vector<Finding> CheckSanity(std::span<const Segment> segments,
   Findings findings;
   const Samples samples = SamplesOf(segments);
   if (samples.step.size() < 2) return findings;
-  const double fastest = samples.velocity.abs().maxCoeff();
-  if (fastest > kHighestSpeed) {
-    Warn("speed_range",
-         fmt::format("The speed reaches {:.3g} {}, expected at most {:g}. Is it in {}?",
-                     fastest,
-                     VelocityUnit(dof),
-                     kHighestSpeed,
-                     VelocityUnit(dof)),
-         &findings);
-  }
+  CheckSpeed(samples.velocity.abs().maxCoeff(), dof, &findings);
   const bool force_varies = Varies(segments);
   const bool velocity_varies = samples.velocity.maxCoeff() > samples.velocity.minCoeff();
   if (!force_varies) {

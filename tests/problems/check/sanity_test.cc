@@ -80,6 +80,17 @@ TEST(Sanity, FindsSpeedsThatCannotBe) {
                              Field(&Finding::sentence, HasSubstr("m/s")))));
 }
 
+TEST(Sanity, NotesTurnsThatNoVehicleMakesButAMotorDoes) {
+  Log log = SineLog(0.0);
+  log.command->columns = {"tau_yaw"};
+  log.velocity->columns = {"r"};
+  for (double& v : log.velocity->values[0]) v *= 1000.0;
+  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kYaw)),
+              Contains(AllOf(Field(&Finding::code, "speed_range"),
+                             Field(&Finding::severity, Severity::kNote),
+                             Field(&Finding::sentence, HasSubstr("deg/s")))));
+}
+
 TEST(Sanity, FindsACommandAndAVelocityThatNeverChange) {
   Log log = SineLog(0.0);
   for (double& tau : log.command->values[0]) tau = 3.0;
