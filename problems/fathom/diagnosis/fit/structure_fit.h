@@ -17,7 +17,7 @@ namespace fathom {
 
 // A model where its generalised squared error is least. All members belong to this one fit.
 struct StructureFit {
-  bool converged = false;  // false: it stopped before it arrived, and is ranked nowhere
+  bool converged = false;  // false: it stopped before it arrived
   ExtendedModel model;
   std::vector<InitialState> initial;
 
@@ -37,6 +37,10 @@ struct StructureFit {
 
   // False where the model cannot be simulated: then there is no Jacobian either.
   bool IsSimulated() const { return jacobian.size() > 0; }
+
+  // False where it must not be compared with others, since it says nothing of how good its model
+  // is.
+  bool IsUsable() const { return IsSimulated() && converged; }
 };
 
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds

@@ -48,7 +48,7 @@ Choice ConfirmedOnAllData(const TrainingData& data, const WeighedSearch& search)
       is_settled = false;
     }
   }
-  if (!fit_of(best).IsSimulated() || !fit_of(best).converged) best = 0;
+  if (!fit_of(best).IsUsable()) best = 0;
   Choice choice = {best, {{0, baseline}}};
   choice.fits[best] = fit_of(best);
   return choice;
@@ -57,7 +57,7 @@ Choice ConfirmedOnAllData(const TrainingData& data, const WeighedSearch& search)
 Choice WithChosen(const TrainingData& data, const WeighedSearch& search, int index, Choice choice) {
   if (!choice.fits.contains(index)) {
     StructureFit fit = FitToAll(data, search, index);
-    if (fit.IsSimulated() && fit.converged) {
+    if (fit.IsUsable()) {
       choice.fits[index] = std::move(fit);
     } else {
       index = 0;

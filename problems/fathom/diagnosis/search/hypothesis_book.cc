@@ -56,7 +56,8 @@ bool IsPhysical(const Hypothesis& hypothesis) {
 
 HypothesisBook::HypothesisBook(StructureFit baseline, Calibration calibration)
     : calibration_(std::move(calibration)) {
-  Add({{}, std::move(baseline), 0.0, 0.0});
+  known_[{}] = 0;
+  tried_.push_back({{}, std::move(baseline), 0.0, 0.0});  // usable or not: it is what there is
 }
 
 int HypothesisBook::IndexOf(const std::vector<int>& suspects) const {
@@ -90,6 +91,7 @@ bool HypothesisBook::HasFailed(const std::vector<int>& suspects) const {
 }
 
 void HypothesisBook::Add(Hypothesis hypothesis) {
+  if (!hypothesis.fit.IsUsable()) return;
   const int index = IndexOf(hypothesis.suspects);
   if (index < 0) {
     known_[hypothesis.suspects] = size();

@@ -56,7 +56,8 @@ class HypothesisBook {
   // True if these suspects were refitted and no model that means something came of it.
   bool HasFailed(const std::vector<int>& suspects) const;
 
-  // Writes a hypothesis down. Of two of the same suspects the one that gains more is kept.
+  // Writes a hypothesis down, unless its fit is not usable: one that stopped is ranked nowhere. Of
+  // two of the same suspects the one that gains more is kept.
   void Add(Hypothesis hypothesis);
 
   // Writes down that these suspects were refitted, whatever comes of it.

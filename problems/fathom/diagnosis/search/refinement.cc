@@ -20,7 +20,7 @@ int NumParameters(const Hypothesis& hypothesis) {
 }
 
 bool MeansSomething(const SearchTask& task, const StructureFit& fit) {
-  if (!fit.IsSimulated() || !fit.converged || fit.is_on_bound[kInertia]) return false;
+  if (!fit.IsUsable() || fit.is_on_bound[kInertia]) return false;
   const double std = std::sqrt(fit.covariance(kInertia, kInertia));
   if (!(std < task.options.open_inertia * fit.model.baseline.inertia)) return false;
   const auto& effects = fit.model.effects;

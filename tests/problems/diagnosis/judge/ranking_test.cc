@@ -58,6 +58,8 @@ class RankCandidatesTest : public testing::Test {
       num_parameters += static_cast<Eigen::Index>(size);
     }
     hypothesis.fit.covariance = Eigen::MatrixXd::Identity(num_parameters, num_parameters);
+    hypothesis.fit.converged = true;
+    hypothesis.fit.jacobian = RowMajorMatrix::Zero(1, num_parameters);
     Found().book.Add(std::move(hypothesis));
   }
 

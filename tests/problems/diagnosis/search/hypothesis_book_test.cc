@@ -52,6 +52,8 @@ Hypothesis Gaining(std::vector<int> suspects, double gain) {
   hypothesis.delta_bic = gain - 6.0 * static_cast<double>(suspects.size());
   hypothesis.suspects = std::move(suspects);
   hypothesis.gain = gain;
+  hypothesis.fit.converged = true;
+  hypothesis.fit.jacobian = RowMajorMatrix::Zero(1, 1);  // as of a model that can be simulated
   return hypothesis;
 }
 
@@ -95,6 +97,22 @@ TEST(HypothesisBook, RanksByWhatIsGainedBeyondNoise) {
   EXPECT_EQ(book.Worth(1), 10.0);
   EXPECT_EQ(book.Worth(3), 5.0);
   EXPECT_EQ(book.RankedOfSize(1), std::vector({2, 1}));
+}
+
+// A search that ran out of iterations has a likelihood, which says nothing of its model.
+TEST(HypothesisBook, RanksNoFitThatStoppedBeforeItArrived) {
+  HypothesisBook book = Book();
+  book.Add(Gaining({1}, 20.0));
+  Hypothesis stopped = Gaining({2}, 500.0), better_of_the_same = Gaining({1}, 500.0);
+  stopped.fit.converged = better_of_the_same.fit.converged = false;
+  book.Add(stopped);
+  book.Add(better_of_the_same);
+  EXPECT_EQ(book.RankedOfSize(1), std::vector({1}));
+  EXPECT_EQ(book[1].gain, 20.0);
+  Hypothesis never_simulated = Gaining({3}, 500.0);
+  never_simulated.fit.jacobian.resize(0, 0);
+  book.Add(never_simulated);
+  EXPECT_EQ(book.size(), 2);
 }
 
 TEST(HypothesisBook, SaysOfWhatNothingCame) {
