@@ -9,6 +9,8 @@
 #include "fathom/base/quoted.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <regex>
 #include <system_error>
 
@@ -20,11 +22,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string DivePatternOf(const YamlMap& file) {
-  std::string pattern = file.String("dive_pattern", "");
+// Whether a count in braces has over three digits: the standard library's reader of patterns has
+// no limit of its own, and overflows.
+bool HasLargeCount(const std::string& pattern) {
+  constexpr std::ptrdiff_t kMostDigits = 3;
+  for (std::size_t open = pattern.find('{'); open != std::string::npos;
+       open = pattern.find('{', open + 1)) {
+    std::ptrdiff_t num_digits = 0;
+    for (std::size_t i = open + 1; i < pattern.size() && pattern[i] != '}'; ++i) {
+      num_digits = std::isdigit(static_cast<unsigned char>(pattern[i])) != 0 ? num_digits + 1 : 0;
+      if (num_digits > kMostDigits) return true;
+    }
+  }
+  return false;
+}
+
+bool IsRegularExpression(const std::string& pattern) {
   try {
     std::regex check(pattern);
   } catch (const std::regex_error&) {
+    return false;
+  }
+  return true;
+}
+
+std::string DivePatternOf(const YamlMap& file) {
+  std::string pattern = file.String("dive_pattern", "");
+  if (HasLargeCount(pattern)) {
+    file.Fail("dive_pattern", fmt::format("is {}, expected counts below 1000.", Quoted(pattern)));
+  }
+  if (!IsRegularExpression(pattern)) {
     file.Fail(
         "dive_pattern",
         fmt::format("is {}, expected a regular expression as [0-9]{{4}}-[0-9]{{2}}-[0-9]{{2}}.",

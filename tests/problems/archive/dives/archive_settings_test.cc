@@ -37,6 +37,16 @@ TEST(ParseArchiveSettings, NamesFileLineAndKey) {
   }
 }
 
+// Found by its fuzz target: the standard library overflows on such a count.
+TEST(ParseArchiveSettings, RefusesAPatternWithAHugeCount) {
+  try {
+    ParseArchiveSettings("archive.yaml", "dive_pattern: m[0-9]{9999999999999999999}\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("expected counts below 1000"));
+  }
+}
+
 TEST(DiveOfPath, IsTheFolderOfTheLog) {
   EXPECT_EQ(DiveOfPath("a/b/run", {}), "a/b");
   EXPECT_EQ(DiveOfPath("a/run.csv", {}), "a");
