@@ -27,6 +27,9 @@ struct Thruster {
   double forward_coefficient = 0.0;                      // C_t for Omega > 0 [N s^2], above 0
   double reverse_coefficient = 0.0;                      // C_t for Omega < 0 [N s^2], at least 0
 
+  // Of the vehicle, by name, instead of the coefficients; may be empty.
+  std::string thrust_table = {};
+
   double Thrust(double speed) const {
     return (speed < 0.0 ? reverse_coefficient : forward_coefficient) * speed * std::abs(speed);
   }

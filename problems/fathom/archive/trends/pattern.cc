@@ -85,13 +85,22 @@ void AddFouling(std::span<const DiveSeries> series, std::vector<Pattern>* patter
   }
 }
 
+// What a thruster adds beside another of its kind: its coefficient, or the largest thrust of its
+// table.
+double StrengthOf(const Thruster& thruster, const Vehicle& vehicle) {
+  for (const ThrustTable& table : vehicle.thrust_tables) {
+    if (table.name == thruster.thrust_table) return table.thrust.back().back();
+  }
+  return thruster.forward_coefficient;
+}
+
 void AddThrusters(std::span<const DiveSeries> series,
                   const Vehicle& vehicle,
                   std::vector<Pattern>* patterns) {
   const auto allocation = AllocationMatrix(vehicle.thrusters);
   Eigen::VectorXd coefficients(allocation.cols());
   for (Eigen::Index k = 0; k < coefficients.size(); ++k) {
-    coefficients(k) = vehicle.thrusters[k].forward_coefficient;
+    coefficients(k) = StrengthOf(vehicle.thrusters[k], vehicle);
   }
   const Eigen::MatrixXd capability = allocation.cwiseAbs() * coefficients.asDiagonal();
   for (Eigen::Index k = 0; k < coefficients.size(); ++k) {

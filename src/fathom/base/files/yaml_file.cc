@@ -209,6 +209,11 @@ bool YamlMap::HoldsMaps(std::string_view key) const {
          node->items.front().kind == Kind::kMap;
 }
 
+bool YamlMap::HoldsMap(std::string_view key) const {
+  const YamlNode* const node = Find(key);
+  return node != nullptr && node->kind == Kind::kMap;
+}
+
 YamlMap YamlMap::Map(std::string_view key) const {
   const YamlNode& node = Require(key, "a map");
   if (node.kind != Kind::kMap) FailKind(*document_, node, "a map");

@@ -63,6 +63,9 @@ class YamlMap {
   // True if the key is there and its value a list that begins with a map. Makes it known.
   bool HoldsMaps(std::string_view key) const;
 
+  // True if the key is there and its value a map. Makes it known.
+  bool HoldsMap(std::string_view key) const;
+
   // A map below this one, and a list of maps.
   YamlMap Map(std::string_view key) const;
   std::optional<YamlMap> OptionalMap(std::string_view key) const;

@@ -6,9 +6,12 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -34,7 +37,40 @@ Eigen::Vector3d Vector(const YamlMap& map, std::string_view key) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Thruster ReadThruster(const YamlMap& map) {
+void RequireIncreasing(const YamlMap& map,
+                       std::string_view key,
+                       const std::vector<double>& numbers) {
+  if (std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) != numbers.end()) {
+    map.Fail(key, "does not increase from one to the next.");
+  }
+}
+
+ThrustTable ReadThrustTable(const YamlMap& map) {
+  ThrustTable table;
+  table.name = map.String("name");
+  map.Ignore("source");
+  table.command_unit = map.String("command");
+  if (table.command_unit != "us" && table.command_unit != "1") {
+    map.Fail("command",
+             fmt::format("is {}, expected us (pulse width) or 1 (share of full command).",
+                         Quoted(table.command_unit)));
+  }
+  table.voltages = map.Numbers("voltages");
+  if (table.voltages.empty() || !(table.voltages.front() > 0.0)) {
+    map.Fail("voltages", "is empty or not above 0, expected volts.");
+  }
+  RequireIncreasing(map, "voltages", table.voltages);
+  const int num_columns = 1 + static_cast<int>(table.voltages.size());
+  for (const std::vector<double>& row : map.NumberLists("thrust", num_columns)) {
+    table.commands.push_back(row.front());
+    table.thrust.emplace_back(row.begin() + 1, row.end());
+  }
+  if (table.commands.size() < 2) map.Fail("thrust", "has less than two rows.");
+  RequireIncreasing(map, "thrust", table.commands);
+  return table;
+}
+
+Thruster ReadThruster(const YamlMap& map, const std::vector<ThrustTable>& tables) {
   Thruster thruster;
   thruster.name = map.String("name");
   thruster.position = Vector(map, "position");
@@ -43,6 +79,19 @@ Thruster ReadThruster(const YamlMap& map) {
   if (!(std::abs(length - 1.0) <= 1e-3)) {
     map.Fail("direction",
              fmt::format("has length {:.6g}, expected a unit vector (within 0.001).", length));
+  }
+  thruster.thrust_table = map.String("thrust_table", "");
+  if (!thruster.thrust_table.empty()) {
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const auto& t) {
+      return t.name == thruster.thrust_table;
+    });
+    if (found == tables.end()) {
+      map.Fail("thrust_table",
+               fmt::format("is {}, expected the name of one of the file's thrust_tables.",
+                           Quoted(thruster.thrust_table)));
+    }
+    if (map.Has("coefficient")) map.Fail("coefficient", "stands beside a thrust_table.");
+    return thruster;
   }
   const YamlMap coefficient = map.Map("coefficient");
   thruster.forward_coefficient = NumberAbove0(coefficient, "forward");
@@ -59,41 +108,15 @@ UncoupledModel<double> ReadModel(const YamlMap& map) {
   return model;
 }
 
-}  // namespace
-
-Vehicle ReadVehicleFile(const std::filesystem::path& path) {
-  return ParseVehicleFile(path.string(), ReadFile(path));
-}
-
-Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
-  const YamlMap file = ParseYaml(name, text);
-  Vehicle vehicle;
-  vehicle.name = file.String("name");
-  vehicle.mass = NumberAbove0(file, "mass");
-  vehicle.size = Vector(file, "size");
-  if (!(vehicle.size.minCoeff() > 0.0)) {
-    file.Fail("size", "holds a number that is not above 0, expected length, width, height.");
-  }
-  for (const YamlMap& map : file.OptionalMaps("thrusters")) {
-    vehicle.thrusters.push_back(ReadThruster(map));
-  }
-  if (const auto models = file.OptionalMap("models")) {
-    for (const Dof dof : kAllDofs) {
-      if (const auto map = models->OptionalMap(Name(dof))) {
-        vehicle.models[Index(dof)] = ReadModel(*map);
-      }
-    }
-  }
-  file.Finish();
-  return vehicle;
-}
-
-Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle) {
+// The generalised forces of all thrusters. `thrust`: of thruster i at a row under its command.
+Stream ForcesOf(const Stream& command,
+                const Vehicle& vehicle,
+                const std::function<double(std::size_t i, std::size_t row, double value)>& thrust) {
   const std::size_t num_thrusters = vehicle.thrusters.size();
-  std::vector<const std::vector<double>*> speeds;
+  std::vector<const std::vector<double>*> commands;
   for (std::size_t i = 1; i <= num_thrusters; ++i) {
-    speeds.push_back(command.Find(fmt::format("thruster_{}", i)));
-    if (speeds.back() == nullptr) {
+    commands.push_back(command.Find(fmt::format("thruster_{}", i)));
+    if (commands.back() == nullptr) {
       throw InputError(
           fmt::format("command: column 'thruster_{}' is missing, expected one for each of the {} "
                       "thrusters of vehicle '{}'.",
@@ -116,12 +139,12 @@ Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle) {
   forces.time = command.time;
   for (const Dof dof : kAllDofs) forces.columns.emplace_back(ForceColumn(dof));
   forces.values.assign(6, std::vector<double>(command.time.size()));
-  Eigen::VectorXd thrust(num_thrusters);
+  Eigen::VectorXd thrusts(num_thrusters);
   for (std::size_t row = 0; row < command.time.size(); ++row) {
     for (std::size_t i = 0; i < num_thrusters; ++i) {
-      thrust[i] = vehicle.thrusters[i].Thrust((*speeds[i])[row]);
+      thrusts[i] = thrust(i, row, (*commands[i])[row]);
     }
-    const Eigen::Matrix<double, 6, 1> tau = allocation * thrust;
+    const Eigen::Matrix<double, 6, 1> tau = allocation * thrusts;
     if (!tau.allFinite()) {
       throw InputError(fmt::format(
           "command: the thruster speeds at t = {} give a force that is not finite, expected "
@@ -130,6 +153,82 @@ Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle) {
     }
     for (const Dof dof : kAllDofs) forces.values[Index(dof)][row] = tau[Index(dof)];
   }
+  return forces;
+}
+
+}  // namespace
+
+Vehicle ReadVehicleFile(const std::filesystem::path& path) {
+  return ParseVehicleFile(path.string(), ReadFile(path));
+}
+
+Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
+  const YamlMap file = ParseYaml(name, text);
+  Vehicle vehicle;
+  vehicle.name = file.String("name");
+  vehicle.mass = NumberAbove0(file, "mass");
+  vehicle.size = Vector(file, "size");
+  if (!(vehicle.size.minCoeff() > 0.0)) {
+    file.Fail("size", "holds a number that is not above 0, expected length, width, height.");
+  }
+  for (const YamlMap& map : file.OptionalMaps("thrust_tables")) {
+    vehicle.thrust_tables.push_back(ReadThrustTable(map));
+  }
+  for (const YamlMap& map : file.OptionalMaps("thrusters")) {
+    vehicle.thrusters.push_back(ReadThruster(map, vehicle.thrust_tables));
+  }
+  if (const auto models = file.OptionalMap("models")) {
+    for (const Dof dof : kAllDofs) {
+      if (const auto map = models->OptionalMap(Name(dof))) {
+        vehicle.models[Index(dof)] = ReadModel(*map);
+      }
+    }
+  }
+  file.Finish();
+  return vehicle;
+}
+
+Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle) {
+  for (const Thruster& thruster : vehicle.thrusters) {
+    if (thruster.thrust_table.empty()) continue;
+    throw InputError(fmt::format(
+        "command: thruster '{}' of vehicle '{}' has a table of thrust over its command, expected "
+        "a coefficient to turn speeds in Hz into forces. fathom_import turns commands into forces "
+        "by such tables.",
+        thruster.name,
+        vehicle.name));
+  }
+  return ForcesOf(command, vehicle, [&](std::size_t i, std::size_t, double speed) {
+    return vehicle.thrusters[i].Thrust(speed);
+  });
+}
+
+Stream ForcesFromTables(const Stream& command,
+                        const std::string& unit,
+                        const std::vector<double>& voltage,
+                        const Vehicle& vehicle,
+                        std::size_t* num_beyond) {
+  std::vector<const ThrustTable*> tables;
+  for (const Thruster& thruster : vehicle.thrusters) {
+    const auto table = std::find_if(vehicle.thrust_tables.begin(),
+                                    vehicle.thrust_tables.end(),
+                                    [&](const auto& t) { return t.name == thruster.thrust_table; });
+    if (table == vehicle.thrust_tables.end() || table->command_unit != unit) {
+      throw InputError(fmt::format(
+          "command: thruster '{}' of vehicle '{}' has no table over a command in '{}', expected a "
+          "thrust_table to turn it into a force.",
+          thruster.name,
+          vehicle.name,
+          unit));
+    }
+    tables.push_back(&*table);
+  }
+  std::vector<bool> is_beyond(command.time.size(), false);
+  Stream forces = ForcesOf(command, vehicle, [&](std::size_t i, std::size_t row, double value) {
+    if (!tables[i]->Covers(value, voltage[row])) is_beyond[row] = true;
+    return tables[i]->Thrust(value, voltage[row]);
+  });
+  *num_beyond = std::count(is_beyond.begin(), is_beyond.end(), true);
   return forces;
 }
 

@@ -5,10 +5,12 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
+#include "fathom/vehicle/thrust_table.h"
 #include "fathom/vehicle/thruster.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +26,7 @@ struct Vehicle {
   double mass = 0.0;                               // dry [kg], above 0
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // length, width, height [m], above 0
   std::vector<Thruster> thrusters;                 // may be empty: commands are then forces
+  std::vector<ThrustTable> thrust_tables;          // that thrusters name
 
   // Its motion where that is known, by Index(Dof); what fathom_synthesize makes logs from.
   std::array<std::optional<UncoupledModel<double>>, 6> models;
@@ -41,7 +44,16 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text);
 //   tau = B T,   T_i = C_t Omega_i |Omega_i|                  docs/models.md (3), (4)
 //
 // thruster_1 is the first in the vehicle file. Throws InputError if the command has not one column
-// for each thruster, or a force is not finite.
+// for each thruster, a thruster has a table in place of a coefficient, or a force is not finite.
 Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle);
+
+// The same of a command in the unit of the thrusters' tables, "us" or "1", under a supply of so
+// many volts at each stamp. `num_beyond`: how many rows leave a table. Throws InputError if a
+// thruster has no table, or one of another unit.
+Stream ForcesFromTables(const Stream& command,
+                        const std::string& unit,
+                        const std::vector<double>& voltage,
+                        const Vehicle& vehicle,
+                        std::size_t* num_beyond);
 
 }  // namespace fathom

@@ -81,10 +81,10 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
   EXPECT_EQ(Error("name: a\nsize: [1, 1, 1]\n"),
             "v.yaml:1: key 'mass' is missing, expected a finite number.");
-  EXPECT_EQ(
-      Error(std::string(kHead) + "weight: 3\n"),
-      "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, thrusters, "
-      "models. Correct or remove it.");
+  EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
+            "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
+            "thrust_tables, thrusters, "
+            "models. Correct or remove it.");
 }
 
 TEST(VehicleFile, RefusesAThrusterThatCannotBe) {
