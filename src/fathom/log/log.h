@@ -25,6 +25,13 @@ struct Stream {
   const std::vector<double>* Find(std::string_view column) const;
 };
 
+// The recording that fathom_import made a log from.
+struct LogOrigin {
+  std::string file;     // its name, without folders
+  std::string content;  // ContentOf() it
+  std::string map;      // a file in the log's folder: what says which channel is which stream
+};
+
 // What a log folder (or a single CSV) holds; docs/file_formats.md.
 struct Log {
   std::filesystem::path path;
@@ -38,6 +45,7 @@ struct Log {
   std::optional<double> mass;          // of the vehicle, dry [kg]; see OpenLog()
   std::string command_unit;            // empty: N and N m
   std::string video;                   // of a camera log, a file in its folder; may be empty
+  std::optional<LogOrigin> origin;     // of a log that was imported
 
   std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
   std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame

@@ -49,6 +49,9 @@ std::set<std::string> NamesOf(const Log& log) {
 std::set<std::string> FilesOfLog(const fs::path& folder) {
   std::set<std::string> names = NamesOf(LogYamlOf(folder));
   names.erase("frame_times.csv");  // a recording's, as the video
+  if (const Log log = LogYamlOf(folder); log.origin && !log.origin->map.empty()) {
+    names.insert(log.origin->map);
+  }
   return names;
 }
 

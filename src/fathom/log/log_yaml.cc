@@ -76,6 +76,17 @@ std::string VideoOf(const YamlMap& file) {
   return video;
 }
 
+std::optional<LogOrigin> OriginOf(const YamlMap& file) {
+  const auto origin = file.OptionalMap("imported");
+  if (!origin) return std::nullopt;
+  LogOrigin result = {
+      origin->String("file"), origin->String("content", ""), origin->String("map", "")};
+  if (LeavesItsFolder(result.map)) {
+    origin->Fail("map", fmt::format("is {}, expected a file in this folder.", Quoted(result.map)));
+  }
+  return result;
+}
+
 }  // namespace
 
 Log ParseLogYaml(const std::string& name, const std::string& text) {
@@ -91,6 +102,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.mass = MassOf(file);
   log.command_unit = file.String("command_unit", "");
   log.video = VideoOf(file);
+  log.origin = OriginOf(file);
   file.Finish();
   return log;
 }

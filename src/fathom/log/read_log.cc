@@ -6,6 +6,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_text.h"
+#include "fathom/log/single_csv.h"
 
 #include <system_error>
 
@@ -88,12 +89,27 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   return log;
 }
 
+// A file that is neither a folder nor a single CSV may be what another program wrote.
+[[noreturn]] void RefuseForeignFile(const std::filesystem::path& path, const std::string& text) {
+  const std::string import = fmt::format(
+      "fathom_import makes a log of what other programs write: fathom_import --from={} --suggest > "
+      "map.yaml",
+      path.string());
+  try {
+    ParseSingleCsv(path.string(), text, Dof::kSurge);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} {}", error.what(), import));
+  }
+  throw InputError(fmt::format("{}: is no log. {}", path.string(), import));
+}
+
 }  // namespace
 
 Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return ReadFolder(path, options);
   const std::string text = ReadFile(path);
+  if (!IsSingleCsvLog(text)) RefuseForeignFile(path, text);
   if (!options.dof) {
     throw InputError(
         path.string() +

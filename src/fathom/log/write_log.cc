@@ -59,6 +59,13 @@ std::string FormatLogYaml(const Log& log) {
   emit_text("command_unit", log.command_unit);
   emit_text("video", log.video);
   emit_text("notes", log.notes);
+  if (log.origin) {
+    yaml << YAML::Key << "imported" << YAML::Value << YAML::BeginMap;
+    emit_text("file", log.origin->file);
+    emit_text("content", log.origin->content);
+    emit_text("map", log.origin->map);
+    yaml << YAML::EndMap;
+  }
   yaml << YAML::EndMap;
   return std::string(yaml.c_str()) + "\n";
 }

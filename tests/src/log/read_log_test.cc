@@ -279,7 +279,7 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
   EXPECT_EQ(
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
-      "dive, start, held_out, mass, command_unit, video. Correct or remove it.");
+      "dive, start, held_out, mass, command_unit, video, imported. Correct or remove it.");
   EXPECT_EQ(error("name: a\ndof: yaw\nvideo: ../a.mp4\n"),
             "log.yaml:3: key 'video' is '../a.mp4', expected the path of a video from this folder "
             "on.");
@@ -421,7 +421,10 @@ TEST(ReadLog, NamesTheMissingColumnOfASingleCsv) {
     ADD_FAILURE() << "no error";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(),
-              file.string() + ":1: column 'v' is missing, found t, tau, u; expected t, tau, v.");
+              file.string() +
+                  ":1: column 'v' is missing, found t, tau, u; expected t, tau, v. fathom_import "
+                  "makes a log of what other programs write: fathom_import --from=" +
+                  file.string() + " --suggest > map.yaml");
   }
 }
 

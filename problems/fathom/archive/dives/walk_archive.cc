@@ -6,6 +6,7 @@
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_files.h"
+#include "fathom/log/single_csv.h"
 
 #include <algorithm>
 #include <array>
@@ -42,18 +43,7 @@ bool IsCsvLog(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 4096> begin = {};
   in.read(begin.data(), begin.size());
-  std::string line(begin.data(), static_cast<std::size_t>(in.gcount()));
-  line = line.substr(0, line.find_first_of("\r\n"));
-  std::set<std::string> columns;
-  std::string column;
-  for (const char c : line + ",") {
-    if (c == ',') {
-      columns.insert(std::exchange(column, ""));
-    } else if (c != ' ' && c != '"') {
-      column += c;
-    }
-  }
-  return columns.contains("t") && columns.contains("tau") && columns.contains("v");
+  return IsSingleCsvLog({begin.data(), static_cast<std::size_t>(in.gcount())});
 }
 
 std::string KindOf(const fs::directory_entry& entry) {
