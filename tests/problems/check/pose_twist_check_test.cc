@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/pose_twist_check.h"
+
+#include "fathom/base/random_stream.h"
+#include "fathom/log/read_log.h"
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "real_data.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Two minutes at 10 Hz of a vehicle that surges along x and turns, measured by poses and by
+// velocities; `change` spoils u and r.
+Log TwoMotions(const std::function<void(double t, double* u, double* r)>& change,
+               double delay = 0.0) {
+  RandomStream random(4, "two motions");
+  Log log;
+  log.pose = Stream{{}, {"x", "y", "z", "qx", "qy", "qz", "qw"}, {}};
+  log.pose->values.resize(7);
+  log.velocity = Stream{{}, {"u", "r"}, {{}, {}}};
+  for (int i = 0; i < 1200; ++i) {
+    const double t = 0.1 * i;
+    // The heading turns, the path is along it.
+    const double yaw = 0.4 * std::sin(0.3 * t);
+    log.pose->time.push_back(t);
+    const double along = 0.6 * std::sin(0.5 * t) / 0.5;
+    const std::vector<double> row = {
+        along, 0.0, 0.0, 0.0, 0.0, std::sin(yaw / 2), std::cos(yaw / 2)};
+    for (int k = 0; k < 7; ++k) {
+      const double noise = k < 3 ? 0.005 * random.Normal() : 0.0;
+      log.pose->values[k].push_back(row[k] + noise);
+    }
+    const double s = t - delay;
+    double u = 0.6 * std::cos(0.5 * s) * std::cos(0.4 * std::sin(0.3 * s)) + 0.02 * random.Normal();
+    double r = 0.4 * 0.3 * std::cos(0.3 * s) + 0.01 * random.Normal();
+    change(t, &u, &r);
+    log.velocity->time.push_back(t);
+    log.velocity->values[0].push_back(u);
+    log.velocity->values[1].push_back(r);
+  }
+  return log;
+}
+
+TEST(PoseAgainstTwist, SaysNothingOfOneMotionMeasuredTwice) {
+  EXPECT_THAT(CheckPoseAgainstTwist(TwoMotions([](double, double*, double*) {})), IsEmpty());
+}
+
+TEST(PoseAgainstTwist, FindsAWrongSignOfOneAxis) {
+  const auto findings =
+      CheckPoseAgainstTwist(TwoMotions([](double, double*, double* r) { *r = -*r; }));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "pose_twist_sign");
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  EXPECT_THAT(findings[0].sentence, HasSubstr("r and the yaw velocity"));
+}
+
+TEST(PoseAgainstTwist, FindsAWrongUnit) {
+  const auto findings =
+      CheckPoseAgainstTwist(TwoMotions([](double, double* u, double*) { *u *= 100; }));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "pose_twist_scale");
+  EXPECT_THAT(findings[0].sentence, HasSubstr("by a factor of 1"));
+}
+
+TEST(PoseAgainstTwist, FindsADelay) {
+  const auto findings = CheckPoseAgainstTwist(TwoMotions([](double, double*, double*) {}, 1.2));
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].code, "pose_twist_delay");
+  EXPECT_EQ(findings[0].severity, Severity::kNote);
+  EXPECT_THAT(findings[0].sentence, HasSubstr("velocity.csv is 1.2"));
+}
+
+TEST(PoseAgainstTwist, FindsMotionsThatAreNotOne) {
+  const auto findings = CheckPoseAgainstTwist(
+      TwoMotions([](double t, double* u, double*) { *u = 0.5 * std::sin(1.7 * t); }));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "pose_twist_apart");
+}
+
+TEST(PoseAgainstTwist, SaysNothingOfAnAxisThatHardlyMoves) {
+  RandomStream random(5, "rest");
+  Log log = TwoMotions([&](double, double* u, double*) { *u = 0.001 * random.Normal(); });
+  EXPECT_THAT(CheckPoseAgainstTwist(log), IsEmpty());
+}
+
+// What SPOILERS.md of these logs tells of them.
+class PoseAgainstTwistOfRealLogs : public OnRealData {
+ protected:
+  std::vector<std::string> Codes(const std::string& log) {
+    std::vector<std::string> codes;
+    for (const Finding& finding : CheckPoseAgainstTwist(ReadLog(folder_ / log))) {
+      codes.push_back(finding.code +
+                      finding.sentence.substr(std::string("velocity.csv:").size(), 2));
+    }
+    return codes;
+  }
+};
+
+TEST_F(PoseAgainstTwistOfRealLogs, FindsTheWrongSignsAndTheDelayOfAnAuv) {
+  EXPECT_THAT(Codes("auv_6dof/random_2"),
+              ElementsAre("pose_twist_delay u",
+                          "pose_twist_delay v",
+                          "pose_twist_delay w",
+                          "pose_twist_sign p",
+                          "pose_twist_sign q"));
+}
+
+TEST_F(PoseAgainstTwistOfRealLogs, FindsVelocitiesOverGroundThatAreCalledThoseOfTheBody) {
+  EXPECT_THAT(Codes("ship_zigzags/zigzag_20_05"), ElementsAre("pose_twist_apart v"));
+}
+
+}  // namespace
+}  // namespace fathom
