@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/convert/gather_streams.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
+#include "fathom/import/convert/stream_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// The columns of one stream that one channel holds.
+struct ChannelPart {
+  Selection selection;  // the columns' fields, then those of the conditions
+  std::vector<ColumnSource> columns;
+  std::vector<double> conditions;    // the values that the latter must have
+  std::optional<ColumnSource> time;  // the field of the stamps, behind all of them
+  std::optional<double> rate;
+  double delay = 0.0;
+  ChannelSamples samples;
+  std::uint64_t num_seen = 0;
+
+  void Take(double time, std::span<const double> values) {
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      if (values[columns.size() + i] != conditions[i]) return;
+    }
+    if (this->time) time = this->time->InSi(values.back());
+    // Rows without a stamp come at the rate, each after the one before.
+    if (rate) time = static_cast<double>(num_seen) / *rate;
+    ++num_seen;
+    samples.time.push_back(time + delay);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      samples.values[i].push_back(columns[i].InSi(values[i]));
+    }
+  }
+};
+
+void AddColumn(const ColumnSource& source,
+               const StreamMap& stream,
+               std::vector<ChannelPart>* parts) {
+  auto part = std::find_if(parts->begin(), parts->end(), [&](const ChannelPart& p) {
+    return p.selection.channel == source.selection.channel;
+  });
+  if (part == parts->end()) {
+    ChannelPart added;
+    added.selection.channel = source.selection.channel;
+    added.samples.channel = source.selection.channel;
+    added.rate = stream.rate;
+    added.delay = stream.delay;
+    part = parts->insert(parts->end(), std::move(added));
+  }
+  part->columns.push_back(source);
+  part->selection.fields.push_back(source.selection.fields.front());
+  part->samples.values.emplace_back();
+}
+
+// Of a stream whose stamps are a field, that field of each of its channels.
+void AddTime(const std::filesystem::path& file,
+             const Contents& contents,
+             const StreamMap& stream,
+             std::vector<ChannelPart>* parts,
+             std::vector<std::string>* remarks) {
+  if (!stream.time) return;
+  for (ChannelPart& part : *parts) {
+    ColumnMap time = *stream.time;
+    time.channel = part.selection.channel;
+    part.time = SourceOf(file, contents, stream, "time", time, /*is_plain=*/false, remarks);
+    part.selection.fields.push_back(part.time->selection.fields.front());
+  }
+}
+
+void AddConditions(const StreamMap& stream, std::vector<ChannelPart>* parts) {
+  for (ChannelPart& part : *parts) {
+    for (const Condition& condition : stream.where) {
+      part.selection.fields.push_back(condition.field);
+      part.conditions.push_back(condition.value);
+    }
+  }
+}
+
+// Angles from -pi to pi go on beyond, so that a line between two of them is the short way.
+void Unwrap(std::vector<double>* angles) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  for (std::size_t i = 1; i < angles->size(); ++i) {
+    const double step = (*angles)[i] - (*angles)[i - 1];
+    (*angles)[i] -= kTurn * std::round(step / kTurn);
+  }
+}
+
+void TellLeftOut(const char* stream,
+                 const std::string& channel,
+                 const LeftOutRows& left_out,
+                 std::vector<std::string>* remarks) {
+  const std::string place = fmt::format("{} of {}: ", stream, channel);
+  if (left_out.incomplete > 0) {
+    remarks->push_back(fmt::format("{}{} left out, in which some cells are empty.",
+                                   place,
+                                   Plural(left_out.incomplete, "row")));
+  }
+  if (left_out.was_sorted) {
+    remarks->push_back(place + "stamps go back in the file; the rows were put in order.");
+  }
+  if (left_out.repeated > 0) {
+    remarks->push_back(
+        fmt::format("{}{} left out, whose stamp another row has. The last one of a stamp stays.",
+                    place,
+                    Plural(left_out.repeated, "row")));
+  }
+}
+
+// Puts the channels of a stream together, its columns in the order of the map.
+GatheredStream Assemble(const std::filesystem::path& file,
+                        const char* name,
+                        const StreamMap& stream,
+                        std::vector<ChannelPart>* parts,
+                        std::vector<std::string>* remarks) {
+  std::vector<ChannelSamples> channels;
+  std::vector<ColumnSource> columns;
+  for (ChannelPart& part : *parts) {
+    TellLeftOut(name, part.selection.channel, Clean(&part.samples), remarks);
+    for (std::size_t i = 0; i < part.columns.size(); ++i) {
+      if (part.columns[i].unit.dimension == Dimension::kAngle) Unwrap(&part.samples.values[i]);
+      columns.push_back(part.columns[i]);
+    }
+    channels.push_back(std::move(part.samples));
+  }
+  std::size_t num_alone = 0;
+  ChannelSamples joined = Joined(channels, &num_alone);
+  if (channels.size() > 1) {
+    remarks->push_back(fmt::format(
+        "{}: {} are brought to the stamps of the slowest of them.", name, joined.channel));
+  }
+  if (num_alone > 0) {
+    remarks->push_back(fmt::format(
+        "{}: {} left out, where another channel has a gap.", name, Plural(num_alone, "row")));
+  }
+  if (joined.time.size() < 2) {
+    throw InputError(fmt::format("{}: {} of {} has {}, expected two at least.",
+                                 file.string(),
+                                 name,
+                                 joined.channel,
+                                 Plural(joined.time.size(), "sample")));
+  }
+  GatheredStream gathered;
+  gathered.samples.channel = joined.channel;
+  gathered.samples.time = std::move(joined.time);
+  for (const auto& entry : stream.columns) {
+    const std::string& column = entry.first;
+    const auto at = std::find_if(columns.begin(), columns.end(), [&](const ColumnSource& source) {
+      return source.column == column;
+    });
+    gathered.columns.push_back(column);
+    gathered.dimensions.push_back(at->unit.dimension);
+    gathered.samples.values.push_back(std::move(joined.values[at - columns.begin()]));
+  }
+  return gathered;
+}
+
+// What is asked of the recording for one stream.
+struct StreamRequest {
+  const char* name;
+  StreamMap map;
+  std::vector<ChannelPart> parts = {};
+};
+
+void RequireStamps(const std::filesystem::path& file,
+                   const Contents& contents,
+                   const StreamRequest& request) {
+  for (const ChannelPart& part : request.parts) {
+    const auto channel =
+        std::find_if(contents.channels.begin(), contents.channels.end(), [&](const Channel& c) {
+          return c.name == part.selection.channel;
+        });
+    if (channel->first || part.rate || part.time) continue;
+    throw InputError(
+        fmt::format("{}: {} has no stamps, expected the map to give its 'rate' in Hz, "
+                    "or for a table the column of the 'time'.",
+                    file.string(),
+                    channel->name));
+  }
+}
+
+}  // namespace
+
+GatheredStreams GatherStreams(const std::filesystem::path& file,
+                              const Recording& recording,
+                              const ImportMap& map) {
+  GatheredStreams gathered;
+  std::vector<StreamRequest> requests;
+  if (map.command) requests.push_back({"command", *map.command});
+  if (map.voltage) {
+    StreamMap voltage = *map.command;
+    voltage.columns = {{"voltage", *map.voltage}};
+    voltage.where.clear();
+    requests.push_back({"voltage", std::move(voltage)});
+  }
+  if (map.velocity) requests.push_back({"velocity", *map.velocity});
+  if (map.pose) requests.push_back({"pose", *map.pose});
+
+  std::vector<Selection> selections;
+  for (StreamRequest& request : requests) {
+    const bool is_plain = std::string_view(request.name) == "command" && !map.command_unit.empty();
+    for (const auto& [column, column_map] : request.map.columns) {
+      AddColumn(SourceOf(file,
+                         recording.contents(),
+                         request.map,
+                         column,
+                         column_map,
+                         is_plain,
+                         &gathered.remarks),
+                request.map,
+                &request.parts);
+    }
+    AddConditions(request.map, &request.parts);
+    AddTime(file, recording.contents(), request.map, &request.parts, &gathered.remarks);
+    RequireStamps(file, recording.contents(), request);
+    for (const ChannelPart& part : request.parts) selections.push_back(part.selection);
+  }
+  std::vector<ChannelPart*> part_of;
+  for (StreamRequest& request : requests) {
+    for (ChannelPart& part : request.parts) part_of.push_back(&part);
+  }
+  recording.Read(selections, [&](std::size_t i, double time, std::span<const double> values) {
+    part_of[i]->Take(time, values);
+  });
+
+  for (StreamRequest& request : requests) {
+    GatheredStream stream =
+        Assemble(file, request.name, request.map, &request.parts, &gathered.remarks);
+    const std::string_view name = request.name;
+    if (name == "command") gathered.command = std::move(stream);
+    if (name == "voltage") gathered.voltage = std::move(stream.samples);
+    if (name == "velocity") gathered.velocity = std::move(stream);
+    if (name == "pose") gathered.pose = std::move(stream);
+  }
+  return gathered;
+}
+
+}  // namespace fathom

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/convert/samples.h"
+#include "fathom/import/map/import_map.h"
+#include "fathom/import/recording/recording.h"
+#include "fathom/import/units/unit.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// A stream as a recording holds it: its columns in SI, in the recording's axes.
+struct GatheredStream {
+  std::vector<std::string> columns;
+  std::vector<Dimension> dimensions;  // of the columns
+  ChannelSamples samples;             // at the stamps of the slowest channel
+};
+
+// What a map takes from a recording.
+struct GatheredStreams {
+  std::optional<GatheredStream> command;
+  std::optional<ChannelSamples> voltage;  // one column [V]
+  std::optional<GatheredStream> velocity;
+  std::optional<GatheredStream> pose;
+  std::vector<std::string> remarks;
+};
+
+// Reads all columns of a map in one pass. Throws InputError for what the recording has not, and for
+// a stream that comes out with less than two samples.
+GatheredStreams GatherStreams(const std::filesystem::path& file,
+                              const Recording& recording,
+                              const ImportMap& map);
+
+}  // namespace fathom

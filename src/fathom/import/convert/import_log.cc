@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/convert/import_log.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
+#include "fathom/import/convert/gather_streams.h"
+#include "fathom/import/convert/our_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestVoltageGap = 60.0;  // [s] that a measured voltage stands for
+
+// One unit for all thrusters: that of a command.
+Dimension ThrusterDimension(const std::filesystem::path& file, const GatheredStream& command) {
+  const Dimension first = command.dimensions.front();
+  const bool is_one = std::all_of(command.dimensions.begin(),
+                                  command.dimensions.end(),
+                                  [&](Dimension dimension) { return dimension == first; });
+  if (is_one) return first;
+  throw InputError(file.string() +
+                   ": command: thrusters have units of several kinds, expected one for all.");
+}
+
+// The supply voltage at each stamp of the command.
+std::vector<double> VoltageAt(const std::filesystem::path& file,
+                              const std::vector<double>& time,
+                              const GatheredStreams& gathered,
+                              const ImportMap& map,
+                              const Vehicle& vehicle,
+                              std::vector<std::string>* remarks) {
+  if (gathered.voltage) {
+    const ChannelSamples& measured = *gathered.voltage;
+    std::vector<double> voltage = InterpolatedAt(measured, time, kLongestVoltageGap).front();
+    // Before the first and behind the last measurement the nearest one holds, as in a gap.
+    for (std::size_t row = 0; row < time.size(); ++row) {
+      if (std::isfinite(voltage[row])) continue;
+      const auto after = std::lower_bound(measured.time.begin(), measured.time.end(), time[row]);
+      const auto index = after == measured.time.begin() ? 0 : after - measured.time.begin() - 1;
+      voltage[row] = measured.values.front()[index];
+    }
+    return voltage;
+  }
+  if (map.fixed_voltage) return std::vector<double>(time.size(), *map.fixed_voltage);
+  const bool has_one = std::all_of(
+      vehicle.thrust_tables.begin(), vehicle.thrust_tables.end(), [](const ThrustTable& table) {
+        return table.voltages.size() == 1;
+      });
+  if (!has_one) {
+    throw InputError(
+        file.string() +
+        ": command: the vehicle's thrust tables are for several voltages, expected the "
+        "map to give the 'voltage' of the supply: a number, or the field that holds it.");
+  }
+  const double voltage = vehicle.thrust_tables.front().voltages.front();
+  remarks->push_back(
+      fmt::format("the supply is taken as {} V, for which the thrust table holds.", voltage));
+  return std::vector<double>(time.size(), voltage);
+}
+
+// Thruster commands become forces; speeds in Hz stay, and Fathom turns them by the vehicle file.
+Stream ThrusterCommand(const std::filesystem::path& file,
+                       const GatheredStreams& gathered,
+                       const ImportMap& map,
+                       const std::optional<Vehicle>& vehicle,
+                       std::vector<std::string>* remarks) {
+  const GatheredStream& command = *gathered.command;
+  Stream stream = {command.samples.time, command.columns, command.samples.values};
+  const Dimension dimension = ThrusterDimension(file, command);
+  if (!vehicle) {
+    throw InputError(file.string() +
+                     ": command: is one of thrusters, expected the map to name the 'vehicle' file "
+                     "that says where they are and how they push.");
+  }
+  if (dimension == Dimension::kRotation) return stream;
+  if (dimension == Dimension::kForce) {
+    Vehicle unit_thrusters = *vehicle;
+    const auto allocation = AllocationMatrix(unit_thrusters.thrusters);
+    if (allocation.cols() != std::ssize(stream.columns)) {
+      throw InputError(
+          fmt::format("{}: command: holds {}, expected one for each of the {} of "
+                      "vehicle '{}'.",
+                      file.string(),
+                      Plural(stream.columns.size(), "thruster"),
+                      allocation.cols(),
+                      vehicle->name));
+    }
+    Stream forces;
+    forces.time = stream.time;
+    for (const Dof dof : kAllDofs) {
+      forces.columns.emplace_back(ForceColumn(dof));
+      auto& column = forces.values.emplace_back(stream.time.size(), 0.0);
+      for (std::size_t i = 0; i < stream.columns.size(); ++i) {
+        const double share = allocation(Index(dof), static_cast<Eigen::Index>(i));
+        for (std::size_t row = 0; row < column.size(); ++row) {
+          column[row] += share * stream.values[i][row];
+        }
+      }
+    }
+    return forces;
+  }
+  std::size_t num_beyond = 0;
+  Stream forces = ForcesFromTables(stream,
+                                   dimension == Dimension::kPulse ? "us" : "1",
+                                   VoltageAt(file, stream.time, gathered, map, *vehicle, remarks),
+                                   *vehicle,
+                                   &num_beyond);
+  if (num_beyond > 0) {
+    remarks->push_back(
+        fmt::format("command: {} of {} lie beyond a thrust table, in command or "
+                    "voltage; its end is taken.",
+                    Plural(num_beyond, "row"),
+                    stream.time.size()));
+  }
+  return forces;
+}
+
+Stream CommandOf(const std::filesystem::path& file,
+                 const GatheredStreams& gathered,
+                 const ImportMap& map,
+                 const std::optional<Vehicle>& vehicle,
+                 std::vector<std::string>* remarks) {
+  const GatheredStream& command = *gathered.command;
+  if (command.columns.front().starts_with("thruster_")) {
+    return ThrusterCommand(file, gathered, map, vehicle, remarks);
+  }
+  Stream stream = {command.samples.time, command.columns, command.samples.values};
+  TurnCommand(map.command->frame.value_or(Frame::kFrd), &stream);
+  return stream;
+}
+
+// The DOFs whose force changes.
+std::vector<Dof> MovedBy(const Stream& command) {
+  std::vector<Dof> dofs;
+  for (const Dof dof : kAllDofs) {
+    const auto* column = command.Find(ForceColumn(dof));
+    if (column == nullptr) continue;
+    const auto [least, most] = std::minmax_element(column->begin(), column->end());
+    if (*least < *most) dofs.push_back(dof);
+  }
+  return dofs;
+}
+
+}  // namespace
+
+ImportedLog ImportLog(const std::filesystem::path& file,
+                      const Recording& recording,
+                      const ImportMap& map,
+                      const std::optional<Vehicle>& vehicle) {
+  GatheredStreams gathered = GatherStreams(file, recording, map);
+  ImportedLog imported;
+  imported.remarks = recording.contents().remarks;
+  imported.remarks.insert(imported.remarks.end(), gathered.remarks.begin(), gathered.remarks.end());
+  Log& log = imported.log;
+  log.name = map.name.empty() ? file.stem().string() : map.name;
+  log.dive = map.dive;
+  log.notes = map.notes;
+  log.mass = map.mass;
+  log.held_out = map.held_out;
+  log.command_unit = map.command_unit;
+  if (gathered.command) log.command = CommandOf(file, gathered, map, vehicle, &imported.remarks);
+  if (gathered.pose) {
+    log.pose =
+        PosesOf(file, *gathered.pose, map.pose->frame.value_or(Frame::kNed), &imported.remarks);
+  }
+  if (gathered.velocity) {
+    log.velocity = BodyVelocitiesOf(file,
+                                    *gathered.velocity,
+                                    map.velocity->frame.value_or(Frame::kFrd),
+                                    log.pose,
+                                    &imported.remarks);
+  }
+  log.dofs = map.dofs;
+  if (log.dofs.empty() && log.command) {
+    // Speeds of thrusters move what the vehicle file says they push.
+    log.dofs = MovedBy(vehicle && log.command->columns.front().starts_with("thruster_")
+                           ? ForcesFromThrusters(*log.command, *vehicle)
+                           : *log.command);
+  }
+  if (log.dofs.empty()) {
+    throw InputError(file.string() +
+                     ": no command changes, so that nothing says which DOF moves, expected the map "
+                     "to name it with 'dof'.");
+  }
+  if (recording.contents().utc_of_zero) {
+    double first = INFINITY;
+    for (const auto& stream : {log.command, log.velocity, log.pose}) {
+      if (stream) first = std::min(first, stream->time.front());
+    }
+    log.start = *recording.contents().utc_of_zero + first;
+  }
+  return imported;
+}
+
+}  // namespace fathom

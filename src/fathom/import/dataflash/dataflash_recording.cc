@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/dataflash/dataflash_recording.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
+#include "fathom/base/quoted.h"
+#include "fathom/import/dataflash/gps_time.h"
+#include "fathom/import/dataflash/message_units.h"
+#include "fathom/import/dataflash/message_walk.h"
+#include "fathom/import/recording/channel_stamps.h"
+#include "fathom/import/recording/find_channel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// The stamp of a message [s]; NaN if it has none.
+double StampOf(const MessageFormat& format, std::string_view message) {
+  if (const MessageField* us = format.FindNumber("TimeUS")) return ValueOf(*us, message);
+  if (const MessageField* ms = format.FindNumber("TimeMS")) return ValueOf(*ms, message);
+  return NAN;
+}
+
+// The field that says which of several sensors a message is of; null if there is none.
+const MessageField* InstanceField(const MessageFormat& format) {
+  for (const MessageField& field : format.numbers) {
+    if (field.unit == "instance") return &field;
+  }
+  return nullptr;
+}
+
+int InstanceOf(const MessageFormat& format, std::string_view message) {
+  const MessageField* field = InstanceField(format);
+  if (field == nullptr) return 0;
+  const double number = ValueOf(*field, message);
+  // Instances are few; a damaged one is of none of them.
+  return number >= 0.0 && number < 256.0 ? static_cast<int>(number) : -1;
+}
+
+class DataflashRecording final : public Recording {
+ public:
+  explicit DataflashRecording(const std::filesystem::path& path) : path_(path) {
+    ByteFile file(path);
+    int num_redefined = 0;
+    formats_ = ReadFormats(&file, &num_redefined);
+    AddUnits(&file, &formats_);
+    List(&file);
+    if (num_redefined > 0) {
+      contents_.remarks.push_back(fmt::format(
+          "{} messages FMT define a type anew that was defined otherwise; the first definition "
+          "holds.",
+          num_redefined));
+    }
+  }
+
+  const Contents& contents() const override { return contents_; }
+
+  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+
+ private:
+  void List(ByteFile* file);
+
+  std::filesystem::path path_;
+  MessageFormats formats_;
+  Contents contents_;
+};
+
+void DataflashRecording::List(ByteFile* file) {
+  std::map<std::pair<int, int>, ChannelStamps> stamps;  // by type and instance
+  std::map<int, int> num_instances;
+  GpsTime gps_time;
+  std::uint64_t num_messages = 0;
+  const MessageWalk walk =
+      ForEachMessage(file, formats_, [&](const MessageFormat& format, std::string_view message) {
+        const auto [place, is_new] = stamps.try_emplace({format.type, InstanceOf(format, message)});
+        if (is_new) ++num_instances[format.type];
+        place->second.Add(StampOf(format, message));
+        gps_time.Take(format, message);
+        ++num_messages;
+      });
+  if (num_messages == 0) {
+    throw InputError(path_.string() + ": holds no whole message, expected a DataFlash log.");
+  }
+  contents_.format = "dataflash";
+  contents_.utc_of_zero = gps_time.utc_of_zero();
+  contents_.size_bytes = file->size();
+  contents_.read_bytes = file->size() - walk.skipped_bytes - walk.cut_bytes;
+  for (const auto& [key, channel_stamps] : stamps) {
+    const auto& [type, instance] = key;
+    const MessageFormat& format = formats_[type];
+    Channel channel;
+    channel.type = format.name;
+    channel.name =
+        num_instances[type] == 1 ? format.name : fmt::format("{}[{}]", format.name, instance);
+    for (const MessageField& field : format.numbers) {
+      channel.fields.push_back({field.name, field.unit});
+    }
+    channel_stamps.WriteTo(&channel);
+    contents_.channels.push_back(std::move(channel));
+  }
+  std::stable_sort(contents_.channels.begin(),
+                   contents_.channels.end(),
+                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  if (walk.skipped_bytes > 0) {
+    contents_.remarks.push_back(
+        fmt::format("{} of {} bytes belong to no message, the first at byte {}: damage, or a type "
+                    "that no FMT defines.",
+                    walk.skipped_bytes,
+                    file->size(),
+                    walk.first_skipped));
+  }
+  if (walk.cut_bytes > 0) {
+    contents_.remarks.push_back(
+        fmt::format("the file ends within a message {}: the {} from byte {} on are not read.",
+                    walk.cut_message,
+                    Plural(walk.cut_bytes, "byte"),
+                    file->size() - walk.cut_bytes));
+  }
+}
+
+void DataflashRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+  struct Wanted {
+    std::size_t selection;
+    std::optional<int> instance;
+    std::vector<const MessageField*> fields;
+    std::vector<double> values;
+  };
+  std::array<std::vector<Wanted>, 256> wanted;  // by type
+  for (std::size_t i = 0; i < selections.size(); ++i) {
+    const Channel& channel = FindChannel(contents_, path_, selections[i]);
+    const auto format = std::find_if(formats_.begin(), formats_.end(), [&](const auto& f) {
+      return f.type >= 0 && f.name == channel.type;
+    });
+    Wanted entry = {i, std::nullopt, {}, std::vector<double>(selections[i].fields.size())};
+    if (channel.name != channel.type) {
+      entry.instance = std::stoi(channel.name.substr(channel.type.size() + 1));
+    }
+    for (const std::string& field : selections[i].fields) {
+      entry.fields.push_back(format->FindNumber(field));
+    }
+    wanted[format->type].push_back(std::move(entry));
+  }
+  ByteFile file(path_);
+  ForEachMessage(&file, formats_, [&](const MessageFormat& format, std::string_view message) {
+    for (Wanted& entry : wanted[format.type]) {
+      if (entry.instance && *entry.instance != InstanceOf(format, message)) continue;
+      for (std::size_t k = 0; k < entry.fields.size(); ++k) {
+        entry.values[k] = ValueOf(*entry.fields[k], message);
+      }
+      sink(entry.selection, StampOf(format, message), entry.values);
+    }
+  });
+}
+
+}  // namespace
+
+bool LooksLikeDataflash(std::string_view first_bytes) {
+  return first_bytes.starts_with("\xa3\x95");
+}
+
+std::unique_ptr<Recording> OpenDataflash(const std::filesystem::path& path) {
+  return std::make_unique<DataflashRecording>(path);
+}
+
+}  // namespace fathom

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/dataflash/message_format.h"
+
+#include "fathom/import/recording/little_endian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kHeader = 3;  // 0xA3 0x95 type
+constexpr std::size_t kFmtLength = 89;
+constexpr std::size_t kArray = 32;  // numbers of an 'a'
+
+// Bytes of a field; 0 for a letter that nobody knows.
+std::size_t SizeOf(char letter) {
+  switch (letter) {
+    case 'b':
+    case 'B':
+    case 'M':
+      return 1;
+    case 'h':
+    case 'H':
+    case 'c':
+    case 'C':
+    case 'g':
+      return 2;
+    case 'i':
+    case 'I':
+    case 'e':
+    case 'E':
+    case 'f':
+    case 'L':
+    case 'n':
+      return 4;
+    case 'd':
+    case 'q':
+    case 'Q':
+      return 8;
+    case 'N':
+      return 16;
+    case 'Z':
+    case 'a':
+      return 64;
+    default:
+      return 0;
+  }
+}
+
+bool IsText(char letter) { return letter == 'n' || letter == 'N' || letter == 'Z'; }
+
+std::string_view UpToNul(std::string_view text) { return text.substr(0, text.find('\0')); }
+
+// IEEE 754 binary16.
+double Half(std::uint16_t bits) {
+  const int exponent = (bits >> 10) & 0x1f;
+  const double fraction = (bits & 0x3ff) / 1024.0;
+  double value = 0.0;
+  if (exponent == 0) {
+    value = std::ldexp(fraction, -14);
+  } else if (exponent < 31) {
+    value = std::ldexp(1.0 + fraction, exponent - 15);
+  } else {
+    value = fraction == 0.0 ? INFINITY : NAN;
+  }
+  return (bits & 0x8000) != 0 ? -value : value;
+}
+
+std::vector<std::string> SplitAtCommas(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    names.emplace_back(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return names;
+}
+
+void AddField(const std::string& name, char letter, std::size_t offset, MessageFormat* format) {
+  if (letter == 'a') {
+    for (std::size_t i = 0; i < kArray; ++i) {
+      const std::size_t at = offset + i * SizeOf('h');
+      if (at + SizeOf('h') > format->length) return;
+      format->numbers.push_back({fmt::format("{}[{}]", name, i), 'h', at, "", 1.0});
+    }
+  } else if (offset + SizeOf(letter) <= format->length) {
+    auto& fields = IsText(letter) ? format->texts : format->numbers;
+    fields.push_back({name, letter, offset, "", 1.0});
+  }
+}
+
+MessageFormat Define(int type,
+                     std::size_t length,
+                     std::string_view name,
+                     std::string_view letters,
+                     std::string_view columns) {
+  MessageFormat format;
+  if (length < kHeader || name.empty()) return format;
+  format.type = type;
+  format.length = length;
+  format.name = name;
+  format.columns = SplitAtCommas(columns);
+  std::size_t offset = kHeader;
+  for (std::size_t i = 0; i < std::min(letters.size(), format.columns.size()); ++i) {
+    if (SizeOf(letters[i]) == 0) break;  // where the next field begins, nobody knows
+    AddField(format.columns[i], letters[i], offset, &format);
+    offset += SizeOf(letters[i]);
+  }
+  return format;
+}
+
+const MessageField* Find(const std::vector<MessageField>& fields, std::string_view name) {
+  const auto found = std::find_if(
+      fields.begin(), fields.end(), [&](const MessageField& field) { return field.name == name; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const MessageField* MessageFormat::FindNumber(std::string_view field) const {
+  return Find(numbers, field);
+}
+
+const MessageField* MessageFormat::FindText(std::string_view field) const {
+  return Find(texts, field);
+}
+
+MessageFormat FormatOfFmt() {
+  return Define(kFmtType, kFmtLength, "FMT", "BBnNZ", "Type,Length,Name,Format,Columns");
+}
+
+MessageFormat ParseFmt(std::string_view message) {
+  return Define(LittleEndian<std::uint8_t>(message, 3),
+                LittleEndian<std::uint8_t>(message, 4),
+                UpToNul(message.substr(5, 4)),
+                UpToNul(message.substr(9, 16)),
+                UpToNul(message.substr(25, 64)));
+}
+
+double ValueOf(const MessageField& number, std::string_view message) {
+  const auto scaled = [&](auto value) { return static_cast<double>(value) * number.multiplier; };
+  const std::size_t at = number.offset;
+  switch (number.letter) {
+    case 'b':
+      return scaled(LittleEndian<std::int8_t>(message, at));
+    case 'B':
+    case 'M':
+      return scaled(LittleEndian<std::uint8_t>(message, at));
+    case 'h':
+      return scaled(LittleEndian<std::int16_t>(message, at));
+    case 'H':
+      return scaled(LittleEndian<std::uint16_t>(message, at));
+    case 'c':
+      return LittleEndian<std::int16_t>(message, at) / 100.0;
+    case 'C':
+      return LittleEndian<std::uint16_t>(message, at) / 100.0;
+    case 'i':
+      return scaled(LittleEndian<std::int32_t>(message, at));
+    case 'I':
+      return scaled(LittleEndian<std::uint32_t>(message, at));
+    case 'e':
+      return LittleEndian<std::int32_t>(message, at) / 100.0;
+    case 'E':
+      return LittleEndian<std::uint32_t>(message, at) / 100.0;
+    case 'L':
+      return LittleEndian<std::int32_t>(message, at) / 1e7;
+    case 'q':
+      return scaled(LittleEndian<std::int64_t>(message, at));
+    case 'Q':
+      return scaled(LittleEndian<std::uint64_t>(message, at));
+    case 'f':
+      return LittleEndian<float>(message, at);
+    case 'd':
+      return LittleEndian<double>(message, at);
+    case 'g':
+      return Half(LittleEndian<std::uint16_t>(message, at));
+    default:
+      return NAN;
+  }
+}
+
+std::string_view TextOf(const MessageField& text, std::string_view message) {
+  return UpToNul(message.substr(text.offset, SizeOf(text.letter)));
+}
+
+bool TakesMultiplier(char letter) {
+  return std::string_view("bBMhHiIqQ").find(letter) != std::string_view::npos;
+}
+
+}  // namespace fathom

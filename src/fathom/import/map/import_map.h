@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/base/time_interval.h"
+#include "fathom/import/table/table_layout.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fathom {
+
+// The axes that numbers are along.
+enum class Frame {
+  kFrd,  // body: x forward, y right, z down
+  kFlu,  // body: x forward, y left, z up
+  kNed,  // world: x north, y east, z down; body kFrd
+  kEnu,  // world: x east, y north, z up; body kFlu
+  kNwu,  // world: x north, or anywhere, y left of it, z up; body kFlu
+};
+
+// Where a column of a log comes from.
+struct ColumnMap {
+  std::string channel;  // empty: the stream's
+  std::string field;    // its name, or its number from 1 on
+  std::string unit;     // empty: the stream's, or what the recording states, or SI
+  double scale = 1.0;   // of the number as it stands, with its sign
+  double offset = 0.0;  // added after the scale, in the same unit
+};
+
+// Samples of a channel count where a field has this value.
+struct Condition {
+  std::string field;
+  double value = 0.0;
+};
+
+// Where a stream of a log comes from.
+struct StreamMap {
+  std::string channel;  // empty: the only one
+  std::optional<Frame> frame;
+  std::string unit;            // of all columns that name none; may be empty
+  std::optional<double> rate;  // of channels without stamps [Hz]
+  std::optional<ColumnMap>
+      time;            // the field that holds the stamps, where it is not the channel's own
+  double delay = 0.0;  // added to the stamps [s]
+  std::vector<Condition> where;
+  std::vector<std::pair<std::string, ColumnMap>> columns;  // by the column's name in the log
+
+  // Null if there is none.
+  const ColumnMap* Find(std::string_view column) const;
+};
+
+// What turns a recording into a log; docs/import.md.
+struct ImportMap {
+  std::string name;       // of the log; empty: that of the recording
+  std::vector<Dof> dofs;  // empty: those that the command moves
+  std::string vehicle;    // a vehicle file, from the map's folder on
+  std::optional<double> mass;
+  std::string dive;
+  std::string notes;
+  std::vector<TimeInterval> held_out;  // in the time of the log
+  std::string command_unit;  // where the command is neither N and N m nor can be turned into them
+  TableOptions table;
+  std::optional<StreamMap> command;     // tau_*, thruster_1 ...
+  std::optional<ColumnMap> voltage;     // of the supply, beside `command`
+  std::optional<double> fixed_voltage;  // the same where it is not measured [V]
+  std::optional<StreamMap> velocity;    // u v w p q r
+  std::optional<StreamMap> pose;        // x y z, and qx qy qz qw or roll pitch yaw
+};
+
+// Throws InputError, naming file, line and key, for whatever breaks the format.
+ImportMap ReadImportMap(const std::filesystem::path& path);
+
+// The same from memory; `name` stands for the file in messages.
+ImportMap ParseImportMap(const std::string& name, const std::string& text);
+
+}  // namespace fathom

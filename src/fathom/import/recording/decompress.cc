@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/recording/decompress.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include <bzlib.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 20;  // [bytes] by which the output grows
+
+// Lets `step` write into the output until it has nothing more to give. Memory grows with what comes
+// out, not with what a damaged header promises.
+template <typename Step>
+std::string Grow(std::size_t size, const Step& step) {
+  std::string out;
+  while (out.size() < size) {
+    const std::size_t before = out.size();
+    out.resize(std::min(size, before + kStep));
+    bool goes_on = false;
+    const std::size_t written = step(out.data() + before, out.size() - before, &goes_on);
+    out.resize(before + written);
+    if (!goes_on) break;
+  }
+  return out;
+}
+
+std::string FromBzip2(std::string_view data, std::size_t size) {
+  bz_stream stream = {};
+  if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
+  const std::unique_ptr<bz_stream, int (*)(bz_stream*)> guard(&stream, BZ2_bzDecompressEnd);
+  stream.next_in = const_cast<char*>(data.data());  // bzlib reads only
+  stream.avail_in = static_cast<unsigned>(
+      std::min<std::size_t>(data.size(), std::numeric_limits<unsigned>::max()));
+  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+    stream.next_out = out;
+    stream.avail_out = static_cast<unsigned>(room);
+    const int result = BZ2_bzDecompress(&stream);
+    *goes_on = result == BZ_OK && stream.avail_out == 0;
+    return room - stream.avail_out;
+  });
+}
+
+std::string FromLz4(std::string_view data, std::size_t size) {
+  LZ4F_dctx* context = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> guard(
+      context, LZ4F_freeDecompressionContext);
+  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+    std::size_t written = 0;
+    while (written < room) {
+      std::size_t taken = data.size();
+      std::size_t given = room - written;
+      const std::size_t result =
+          LZ4F_decompress(context, out + written, &given, data.data(), &taken, nullptr);
+      if (LZ4F_isError(result) != 0) return written;
+      written += given;
+      data.remove_prefix(taken);
+      if (result == 0 || (taken == 0 && given == 0)) return written;
+    }
+    *goes_on = true;
+    return written;
+  });
+}
+
+std::string FromZstd(std::string_view data, std::size_t size) {
+  const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
+                                                                             ZSTD_freeDStream);
+  if (stream == nullptr) throw std::bad_alloc();
+  ZSTD_inBuffer in = {data.data(), data.size(), 0};
+  return Grow(size, [&](char* to, std::size_t room, bool* goes_on) {
+    ZSTD_outBuffer out = {to, room, 0};
+    while (out.pos < out.size) {
+      const std::size_t taken = in.pos;
+      const std::size_t given = out.pos;
+      const std::size_t result = ZSTD_decompressStream(stream.get(), &out, &in);
+      if (ZSTD_isError(result) != 0 || result == 0) return out.pos;
+      if (in.pos == taken && out.pos == given) return out.pos;
+    }
+    *goes_on = true;
+    return out.pos;
+  });
+}
+
+}  // namespace
+
+std::string Decompressed(Compression compression, std::string_view data, std::size_t size) {
+  switch (compression) {
+    case Compression::kBzip2:
+      return FromBzip2(data, size);
+    case Compression::kLz4:
+      return FromLz4(data, size);
+    case Compression::kZstd:
+      return FromZstd(data, size);
+    case Compression::kNone:
+      break;
+  }
+  return std::string(data.substr(0, size));
+}
+
+}  // namespace fathom

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+enum class Compression { kNone, kBzip2, kLz4, kZstd };
+
+// The first `size` bytes at most of what was compressed; fewer where the data is cut or damaged.
+// LZ4 and Zstandard as frames.
+std::string Decompressed(Compression compression, std::string_view data, std::size_t size);
+
+}  // namespace fathom

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/recording/find_channel.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kMostNames = 40;
+
+// "'a', 'b', ...".
+std::string Listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
+    text += (i == 0 ? "" : ", ") + Quoted(names[i]);
+  }
+  return names.size() > kMostNames ? text + ", ..." : text;
+}
+
+}  // namespace
+
+const Channel& FindChannel(const Contents& contents,
+                           const std::filesystem::path& path,
+                           const Selection& selection) {
+  const auto& channels = contents.channels;
+  const auto channel = std::find_if(channels.begin(), channels.end(), [&](const Channel& c) {
+    return c.name == selection.channel;
+  });
+  if (channel == channels.end()) {
+    std::vector<std::string> names;
+    for (const Channel& c : channels) names.push_back(c.name);
+    throw InputError(fmt::format("{}: holds no channel {}, expected one of {}.",
+                                 path.string(),
+                                 Quoted(selection.channel),
+                                 Listed(names)));
+  }
+  for (const std::string& name : selection.fields) {
+    const auto& fields = channel->fields;
+    if (std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; }))
+      continue;
+    std::vector<std::string> names;
+    for (const Field& field : fields) names.push_back(field.name);
+    throw InputError(fmt::format("{}: {}has no field {}, expected one of {}.",
+                                 path.string(),
+                                 channel->name.empty() ? "" : "channel " + channel->name + " ",
+                                 Quoted(name),
+                                 Listed(names)));
+  }
+  return *channel;
+}
+
+}  // namespace fathom

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/ros/message_decoder.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kCdrHeader = 4;
+constexpr std::int64_t kMostListed = 32;  // elements of a sequence
+constexpr std::size_t kMostFields = 500;
+
+// Reads a message from its first byte to its last.
+class Cursor {
+ public:
+  Cursor(std::string_view message, RosEncoding encoding)
+      : bytes_(message), is_cdr_(encoding == RosEncoding::kCdr) {
+    if (!is_cdr_) return;
+    // 00 00: big endian; 00 01: little endian; other second bytes are newer kinds of either.
+    if (bytes_.size() < kCdrHeader || bytes_[0] != 0) {
+      is_good_ = false;
+      return;
+    }
+    is_swapped_ = (bytes_[1] & 1) == 0;
+    // Of version 2 of CDR numbers of 8 bytes stand at multiples of 4.
+    if (static_cast<unsigned char>(bytes_[1]) >= 6) largest_step_ = 4;
+    at_ = kCdrHeader;
+  }
+
+  bool is_good() const { return is_good_; }
+  std::size_t at() const { return at_; }
+
+  template <typename T>
+  T Read() {
+    Align(sizeof(T));
+    if (!Has(sizeof(T))) return T{};
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
+    if (is_swapped_) std::reverse(raw.begin(), raw.end());
+    at_ += sizeof(T);
+    return std::bit_cast<T>(raw);
+  }
+
+  // `count` numbers of `size` bytes, each of `align` at most.
+  void Skip(std::uint64_t count, std::size_t size, std::size_t align) {
+    if (count == 0) return;
+    Align(align);
+    if (count > (bytes_.size() - std::min(at_, bytes_.size())) / size) {
+      is_good_ = false;
+      return;
+    }
+    at_ += static_cast<std::size_t>(count) * size;
+  }
+
+  void SkipText(std::size_t character) {
+    const auto length = Read<std::uint32_t>();
+    Skip(length, character, 1);
+  }
+
+ private:
+  void Align(std::size_t size) {
+    if (!is_cdr_) return;
+    const std::size_t step = std::min(size, largest_step_);
+    const std::size_t behind = (at_ - kCdrHeader) % step;
+    if (behind != 0) at_ += step - behind;
+  }
+
+  bool Has(std::size_t count) {
+    if (at_ > bytes_.size() || count > bytes_.size() - at_) is_good_ = false;
+    return is_good_;
+  }
+
+  std::string_view bytes_;
+  bool is_cdr_;
+  bool is_swapped_ = false;
+  bool is_good_ = true;
+  std::size_t largest_step_ = 8;
+  std::size_t at_ = 0;
+};
+
+double ReadNumber(RosKind kind, Cursor* cursor) {
+  switch (kind) {
+    case RosKind::kBool:
+    case RosKind::kUint8:
+      return cursor->Read<std::uint8_t>();
+    case RosKind::kInt8:
+      return cursor->Read<std::int8_t>();
+    case RosKind::kInt16:
+      return cursor->Read<std::int16_t>();
+    case RosKind::kUint16:
+      return cursor->Read<std::uint16_t>();
+    case RosKind::kInt32:
+      return cursor->Read<std::int32_t>();
+    case RosKind::kUint32:
+      return cursor->Read<std::uint32_t>();
+    case RosKind::kInt64:
+      return static_cast<double>(cursor->Read<std::int64_t>());
+    case RosKind::kUint64:
+      return static_cast<double>(cursor->Read<std::uint64_t>());
+    case RosKind::kFloat32:
+      return cursor->Read<float>();
+    case RosKind::kFloat64:
+      return cursor->Read<double>();
+    case RosKind::kTime: {
+      const auto seconds = cursor->Read<std::uint32_t>();
+      return seconds + 1e-9 * cursor->Read<std::uint32_t>();
+    }
+    case RosKind::kDuration: {
+      const auto seconds = cursor->Read<std::int32_t>();
+      return seconds + 1e-9 * cursor->Read<std::int32_t>();
+    }
+    case RosKind::kString:
+    case RosKind::kWideString:
+    case RosKind::kMessage:
+      break;
+  }
+  return 0.0;
+}
+
+bool IsTwoNumbers(RosKind kind) { return kind == RosKind::kTime || kind == RosKind::kDuration; }
+
+// How many elements the member has in this message.
+std::uint64_t CountOf(const RosMember& member, Cursor* cursor) {
+  if (member.length == kNoArray) return 1;
+  if (member.length == kSequence) return cursor->Read<std::uint32_t>();
+  return static_cast<std::uint64_t>(member.length);
+}
+
+void SkipMessage(const RosDefinition& definition, std::size_t type, Cursor* cursor);
+
+// The elements of a member that nobody asks for.
+void SkipElements(const RosDefinition& definition,
+                  const RosMember& member,
+                  std::uint64_t count,
+                  Cursor* cursor) {
+  if (const std::size_t size = SizeOf(member.kind); size > 0) {
+    cursor->Skip(count, size, IsTwoNumbers(member.kind) ? 4 : size);
+    return;
+  }
+  for (std::uint64_t i = 0; i < count && cursor->is_good(); ++i) {
+    const std::size_t before = cursor->at();
+    if (member.kind == RosKind::kMessage) {
+      SkipMessage(definition, member.message, cursor);
+    } else {
+      cursor->SkipText(member.kind == RosKind::kWideString ? 2 : 1);
+    }
+    // A message of nothing takes no bytes: any number of them is there at once.
+    if (cursor->at() == before) return;
+  }
+}
+
+void SkipMessage(const RosDefinition& definition, std::size_t type, Cursor* cursor) {
+  for (const RosMember& member : definition[type].members) {
+    SkipElements(definition, member, CountOf(member, cursor), cursor);
+    if (!cursor->is_good()) return;
+  }
+}
+
+std::string ElementName(const std::string& name, const RosMember& member, std::uint64_t i) {
+  return member.length == kNoArray ? name : fmt::format("{}[{}]", name, i);
+}
+
+void ListMessage(const RosDefinition& definition,
+                 std::size_t type,
+                 const std::string& prefix,
+                 Cursor* cursor,
+                 std::vector<Field>* fields) {
+  for (const RosMember& member : definition[type].members) {
+    const std::uint64_t count = CountOf(member, cursor);
+    const std::uint64_t num_listed =
+        member.kind == RosKind::kString || member.kind == RosKind::kWideString ||
+                fields->size() >= kMostFields
+            ? 0
+            : std::min<std::uint64_t>(count, member.length == kSequence ? kMostListed : 64);
+    for (std::uint64_t i = 0; i < num_listed && cursor->is_good(); ++i) {
+      const std::string name = ElementName(prefix + member.name, member, i);
+      if (member.kind == RosKind::kMessage) {
+        ListMessage(definition, member.message, name + ".", cursor, fields);
+      } else {
+        ReadNumber(member.kind, cursor);
+        if (!cursor->is_good()) break;
+        fields->push_back({name, IsTwoNumbers(member.kind) ? "s" : "", 0});
+      }
+    }
+    SkipElements(definition, member, count - num_listed, cursor);
+    if (!cursor->is_good()) return;
+  }
+}
+
+}  // namespace
+
+std::vector<Field> NumbersOf(const RosDefinition& definition,
+                             RosEncoding encoding,
+                             std::string_view message) {
+  std::vector<Field> fields;
+  Cursor cursor(message, encoding);
+  ListMessage(definition, 0, "", &cursor, &fields);
+  return fields;
+}
+
+// What is asked of a message at some place in the tree.
+struct RosDecoder::Plan {
+  // By the index of the member, then of its element.
+  std::map<std::size_t, std::map<std::uint64_t, std::vector<std::size_t>>> numbers;
+  std::map<std::size_t, std::map<std::uint64_t, Plan>> messages;
+
+  void Add(const RosDefinition& definition,
+           std::size_t type,
+           std::string_view path,
+           std::size_t value) {
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    std::string_view name = path.substr(0, dot);
+    std::uint64_t element = 0;
+    if (const std::size_t open = name.find('['); open != std::string_view::npos) {
+      std::from_chars(name.data() + open + 1, name.data() + name.size(), element);
+      name = name.substr(0, open);
+    }
+    const auto& members = definition[type].members;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (members[i].name != name) continue;
+      if (members[i].kind == RosKind::kMessage) {
+        if (dot < path.size()) {
+          messages[i][element].Add(definition, members[i].message, path.substr(dot + 1), value);
+        }
+      } else {
+        numbers[i][element].push_back(value);
+      }
+    }
+  }
+
+  void Decode(const RosDefinition& definition,
+              std::size_t type,
+              Cursor* cursor,
+              std::vector<double>* values) const {
+    const auto& members = definition[type].members;
+    for (std::size_t i = 0; i < members.size() && cursor->is_good(); ++i) {
+      const RosMember& member = members[i];
+      const std::uint64_t count = CountOf(member, cursor);
+      std::uint64_t done = 0;
+      if (const auto wanted = numbers.find(i); wanted != numbers.end()) {
+        for (const auto& [element, places] : wanted->second) {
+          if (element >= count) break;
+          SkipElements(definition, member, element - done, cursor);
+          const double number = ReadNumber(member.kind, cursor);
+          if (!cursor->is_good()) return;
+          for (const std::size_t place : places) (*values)[place] = number;
+          done = element + 1;
+        }
+      } else if (const auto inner = messages.find(i); inner != messages.end()) {
+        for (const auto& [element, plan] : inner->second) {
+          if (element >= count) break;
+          SkipElements(definition, member, element - done, cursor);
+          plan.Decode(definition, member.message, cursor, values);
+          done = element + 1;
+        }
+      }
+      SkipElements(definition, member, count - done, cursor);
+    }
+  }
+};
+
+RosDecoder::RosDecoder(const RosDefinition& definition,
+                       RosEncoding encoding,
+                       const std::vector<std::string>& paths)
+    : definition_(&definition),
+      encoding_(encoding),
+      num_values_(paths.size()),
+      plan_(std::make_unique<Plan>()) {
+  for (std::size_t i = 0; i < paths.size(); ++i) plan_->Add(definition, 0, paths[i], i);
+}
+
+RosDecoder::~RosDecoder() = default;
+RosDecoder::RosDecoder(RosDecoder&&) noexcept = default;
+RosDecoder& RosDecoder::operator=(RosDecoder&&) noexcept = default;
+
+bool RosDecoder::Decode(std::string_view message, std::vector<double>* values) const {
+  values->assign(num_values_, std::numeric_limits<double>::quiet_NaN());
+  Cursor cursor(message, encoding_);
+  plan_->Decode(*definition_, 0, &cursor, values);
+  return cursor.is_good();
+}
+
+}  // namespace fathom

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/ros/message_definition.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/number.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kMostTypes = 1000;
+constexpr int kDeepest = 32;
+constexpr std::int64_t kLongestFixedArray = 1 << 24;
+
+const std::map<std::string_view, RosKind>& Primitives() {
+  static const std::map<std::string_view, RosKind> kPrimitives = {{"bool", RosKind::kBool},
+                                                                  {"int8", RosKind::kInt8},
+                                                                  {"byte", RosKind::kUint8},
+                                                                  {"char", RosKind::kUint8},
+                                                                  {"uint8", RosKind::kUint8},
+                                                                  {"int16", RosKind::kInt16},
+                                                                  {"uint16", RosKind::kUint16},
+                                                                  {"int32", RosKind::kInt32},
+                                                                  {"uint32", RosKind::kUint32},
+                                                                  {"int64", RosKind::kInt64},
+                                                                  {"uint64", RosKind::kUint64},
+                                                                  {"float32", RosKind::kFloat32},
+                                                                  {"float64", RosKind::kFloat64},
+                                                                  {"string", RosKind::kString},
+                                                                  {"wstring", RosKind::kWideString},
+                                                                  {"time", RosKind::kTime},
+                                                                  {"duration", RosKind::kDuration}};
+  return kPrimitives;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// "geometry_msgs/msg/Pose" of ROS 2 is "geometry_msgs/Pose".
+std::string ShortName(std::string_view type) {
+  std::string name(type);
+  const std::size_t middle = name.find("/msg/");
+  if (middle != std::string::npos) name.erase(middle, 4);
+  return name;
+}
+
+std::string_view PackageOf(std::string_view type) { return type.substr(0, type.find('/')); }
+
+// The texts of the types by their names.
+std::map<std::string, std::string_view> TextsOf(std::string_view type, std::string_view text) {
+  std::map<std::string, std::string_view> texts;
+  std::string name = ShortName(type);
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = Trimmed(text.substr(at, end - at));
+    const std::size_t next = end + 1;
+    if (line.size() >= 3 && line.find_first_not_of('=') == std::string_view::npos) {
+      const std::size_t end_of_name =
+          std::min(text.find('\n', std::min(next, text.size())), text.size());
+      std::string_view header = Trimmed(
+          text.substr(std::min(next, text.size()), end_of_name - std::min(next, text.size())));
+      if (header.starts_with("MSG:")) {
+        texts.emplace(name, text.substr(begin, at - begin));
+        name = ShortName(Trimmed(header.substr(4)));
+        begin = std::min(end_of_name + 1, text.size());
+        at = begin;
+        continue;
+      }
+    }
+    at = next;
+  }
+  texts.emplace(name, text.substr(begin));
+  return texts;
+}
+
+class Parser {
+ public:
+  Parser(std::string_view type, std::string_view text)
+      : type_(ShortName(type)), texts_(TextsOf(type, text)) {}
+
+  RosDefinition Parse() {
+    AddType(type_, 0);
+    return std::move(definition_);
+  }
+
+ private:
+  [[noreturn]] void Fail(const std::string& problem) const {
+    throw InputError(fmt::format("message type {}: {}", Printable(type_), problem));
+  }
+
+  // The name in the definition of a type that a member of `package` names.
+  std::string Resolve(std::string_view name, std::string_view package) const {
+    const std::string short_name = ShortName(name);
+    if (texts_.contains(short_name)) return short_name;
+    const std::string in_package = std::string(package) + "/" + short_name;
+    if (texts_.contains(in_package)) return in_package;
+    if (short_name == "Header" && texts_.contains("std_msgs/Header")) return "std_msgs/Header";
+    Fail(fmt::format("its definition holds no type {}.", Quoted(name)));
+  }
+
+  std::size_t AddType(const std::string& name, int depth) {
+    if (const auto known = index_.find(name); known != index_.end()) return known->second;
+    if (depth > kDeepest || definition_.size() >= kMostTypes) {
+      Fail("its definition holds too many types, or one that holds itself.");
+    }
+    if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
+      Fail(fmt::format("type {} holds itself.", Quoted(name)));
+    }
+    open_.push_back(name);
+    const std::size_t index = definition_.size();
+    definition_.push_back({name, {}});
+    std::string_view text = texts_.at(name);
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      AddMember(text.substr(0, end), index, depth);
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    open_.pop_back();
+    index_[name] = index;
+    return index;
+  }
+
+  void AddMember(std::string_view line, std::size_t index, int depth) {
+    line = Trimmed(line.substr(0, line.find('#')));
+    const std::size_t end_of_type = line.find_first_of(" \t");
+    if (end_of_type == std::string_view::npos) return;
+    std::string_view type = line.substr(0, end_of_type);
+    std::string_view name = Trimmed(line.substr(end_of_type));
+    const std::size_t end_of_name = std::min(name.find_first_of(" \t="), name.size());
+    const std::string_view behind = Trimmed(name.substr(end_of_name));
+    if (behind.starts_with('=')) return;  // a constant; "name value" is a default of ROS 2
+    RosMember member;
+    member.name = name.substr(0, end_of_name);
+    if (type.ends_with(']')) {
+      const std::size_t open = type.find('[');
+      if (open == std::string_view::npos) Fail(fmt::format("{} is no type.", Quoted(type)));
+      member.length = LengthOf(type.substr(open + 1, type.size() - open - 2));
+      type = type.substr(0, open);
+    }
+    type = type.substr(0, type.find("<="));  // a string of bounded length
+    if (const auto primitive = Primitives().find(type); primitive != Primitives().end()) {
+      member.kind = primitive->second;
+    } else {
+      member.kind = RosKind::kMessage;
+      const std::string package(PackageOf(definition_[index].name));
+      member.message = AddType(Resolve(type, package), depth + 1);
+      const std::string& message = definition_[member.message].name;
+      // In ROS 2 these are messages of two numbers.
+      if (message == "builtin_interfaces/Time") member.kind = RosKind::kTime;
+      if (message == "builtin_interfaces/Duration") member.kind = RosKind::kDuration;
+    }
+    definition_[index].members.push_back(std::move(member));
+  }
+
+  // "", "<=10" and "10".
+  std::int64_t LengthOf(std::string_view text) const {
+    if (text.empty() || text.starts_with("<=")) return kSequence;
+    const auto length = ParseFiniteNumber(text);
+    if (!length || *length < 0 || *length > kLongestFixedArray) {
+      Fail(fmt::format("{} is no length of an array.", Quoted(text)));
+    }
+    return static_cast<std::int64_t>(*length);
+  }
+
+  std::string type_;
+  std::map<std::string, std::string_view> texts_;
+  RosDefinition definition_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<std::string> open_;
+};
+
+}  // namespace
+
+std::size_t SizeOf(RosKind kind) {
+  switch (kind) {
+    case RosKind::kBool:
+    case RosKind::kInt8:
+    case RosKind::kUint8:
+      return 1;
+    case RosKind::kInt16:
+    case RosKind::kUint16:
+      return 2;
+    case RosKind::kInt32:
+    case RosKind::kUint32:
+    case RosKind::kFloat32:
+      return 4;
+    case RosKind::kInt64:
+    case RosKind::kUint64:
+    case RosKind::kFloat64:
+    case RosKind::kTime:
+    case RosKind::kDuration:
+      return 8;
+    case RosKind::kString:
+    case RosKind::kWideString:
+    case RosKind::kMessage:
+      return 0;
+  }
+  return 0;
+}
+
+RosDefinition ParseRosDefinition(std::string_view type, std::string_view text) {
+  return Parser(type, text).Parse();
+}
+
+}  // namespace fathom

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/ros/message_decoder.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+// A stream of messages of one type in a file of ROS.
+struct RosChannel {
+  std::string topic;
+  std::string type;        // "geometry_msgs/Pose"; in ROS 2 "geometry_msgs/msg/Pose"
+  std::string definition;  // its text; empty: the file does not hold it
+  RosEncoding encoding = RosEncoding::kRos1;
+};
+
+// What a walk over a file found out about it.
+struct RosWalk {
+  std::uint64_t read_bytes = 0;  // up to here it is sound
+  std::uint64_t size_bytes = 0;
+  std::vector<std::string> remarks;
+};
+
+// Takes a message of the channel with this index, with the time at which it was written down [s].
+// The bytes last for the call.
+using TakeRosMessage =
+    std::function<void(std::size_t channel, double time, std::string_view message)>;
+
+// A file format that holds messages of ROS.
+class RosContainer {
+ public:
+  virtual ~RosContainer() = default;
+
+  virtual std::string format() const = 0;
+
+  // Hands on every message in the order of the file. `channels` grows by each channel before its
+  // first message.
+  virtual RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const = 0;
+};
+
+}  // namespace fathom

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/ros/rosbag2_database.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/import/ros/known_types.h"
+
+#include <map>
+#include <utility>
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// A file whose -wal was not copied with it is complete as it stands.
+SQLite::Database OpenReadOnly(const std::filesystem::path& path) {
+  const std::string uri = "file:" + path.string() + "?immutable=1";
+  const bool is_plain = path.string().find_first_of("?#%") == std::string::npos;
+  return SQLite::Database(is_plain ? uri : path.string(),
+                          SQLite::OPEN_READONLY | (is_plain ? SQLite::OPEN_URI : 0));
+}
+
+std::map<std::string, std::string> DefinitionsOf(SQLite::Database* database) {
+  std::map<std::string, std::string> definitions;
+  if (!database->tableExists("message_definitions")) return definitions;
+  SQLite::Statement query(
+      *database,
+      "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
+  while (query.executeStep()) {
+    if (query.getColumn(1).getString() != "ros2msg") continue;
+    definitions[query.getColumn(0).getString()] = query.getColumn(2).getString();
+  }
+  return definitions;
+}
+
+class Rosbag2Database final : public RosContainer {
+ public:
+  explicit Rosbag2Database(const std::filesystem::path& path) : path_(path) {
+    try {
+      SQLite::Database database = OpenReadOnly(path);
+      if (database.tableExists("topics") && database.tableExists("messages")) return;
+    } catch (const SQLite::Exception& error) {
+      throw InputError(
+          fmt::format("{}: {}, expected a database of rosbag2. If the recorder wrote a "
+                      "-wal file beside it, copy that too.",
+                      path.string(),
+                      error.what()));
+    }
+    throw InputError(path.string() +
+                     ": has no tables topics and messages, expected a database of "
+                     "rosbag2.");
+  }
+
+  std::string format() const override { return "rosbag2"; }
+
+  RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const override;
+
+ private:
+  std::filesystem::path path_;
+};
+
+RosWalk Rosbag2Database::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const {
+  RosWalk walk;
+  walk.size_bytes = std::filesystem::file_size(path_);
+  try {
+    SQLite::Database database = OpenReadOnly(path_);
+    const auto definitions = DefinitionsOf(&database);
+    std::map<std::int64_t, std::size_t> channel_of;
+    SQLite::Statement topics(database, "SELECT id, name, type FROM topics ORDER BY id");
+    while (topics.executeStep()) {
+      RosChannel channel;
+      channel.topic = topics.getColumn(1).getString();
+      channel.type = topics.getColumn(2).getString();
+      const auto known = definitions.find(channel.type);
+      channel.definition =
+          known == definitions.end() ? KnownDefinition(channel.type) : known->second;
+      channel.encoding = RosEncoding::kCdr;
+      channel_of[topics.getColumn(0).getInt64()] = channels->size();
+      channels->push_back(std::move(channel));
+    }
+    SQLite::Statement messages(database,
+                               "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
+    while (messages.executeStep()) {
+      const auto channel = channel_of.find(messages.getColumn(0).getInt64());
+      if (channel == channel_of.end()) continue;
+      const std::int64_t stamp = messages.getColumn(1).getInt64();
+      const double time =
+          static_cast<double>(stamp / 1000000000) + 1e-9 * static_cast<double>(stamp % 1000000000);
+      const SQLite::Column data = messages.getColumn(2);
+      const auto size = static_cast<std::size_t>(data.getBytes());
+      walk.read_bytes += size;
+      take(channel->second, time, {static_cast<const char*>(data.getBlob()), size});
+    }
+    walk.read_bytes = walk.size_bytes;
+  } catch (const SQLite::Exception& error) {
+    walk.remarks.push_back(
+        fmt::format("the database is damaged ({}): {} bytes of messages could be read.",
+                    error.what(),
+                    walk.read_bytes));
+  }
+  return walk;
+}
+
+}  // namespace
+
+bool LooksLikeSqlite(std::string_view first_bytes) {
+  return first_bytes.starts_with(std::string_view("SQLite format 3\0", 16));
+}
+
+std::unique_ptr<RosContainer> OpenRosbag2Database(const std::filesystem::path& path) {
+  return std::make_unique<Rosbag2Database>(path);
+}
+
+}  // namespace fathom

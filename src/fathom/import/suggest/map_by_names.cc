@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/suggest/map_by_names.h"
+
+#include "fathom/base/number.h"
+#include "fathom/base/quoted.h"
+#include "fathom/import/convert/stream_source.h"
+#include "fathom/import/units/unit.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// What people call a column, letters and digits only, in lower case; the surest first.
+struct Names {
+  const char* column;
+  std::vector<std::string_view> names;
+};
+
+const std::vector<Names>& CommandNames() {
+  static const std::vector<Names> kNames = {
+      {"tau_surge",
+       {"tausurge",
+        "taux",
+        "tau",
+        "thrust",
+        "force",
+        "fx",
+        "forcex",
+        "surgeforce",
+        "thrustx",
+        "wrenchforcex",
+        "xforce",
+        "schub",
+        "kraft",
+        "cmd",
+        "command"}},
+      {"tau_sway", {"tausway", "tauy", "fy", "forcey", "swayforce", "wrenchforcey", "yforce"}},
+      {"tau_heave", {"tauheave", "tauz", "fz", "forcez", "heaveforce", "wrenchforcez", "zforce"}},
+      {"tau_yaw",
+       {"tauyaw", "torque", "taun", "mz", "torquez", "yawtorque", "yawmoment", "wrenchtorquez"}}};
+  return kNames;
+}
+
+const std::vector<Names>& VelocityNames() {
+  static const std::vector<Names> kNames = {
+      {"u",
+       {"u",
+        "vx",
+        "surge",
+        "velocity",
+        "speed",
+        "surgevelocity",
+        "velx",
+        "velocityx",
+        "surgespeed",
+        "twistlinearx",
+        "linearx",
+        "vel",
+        "v"}},
+      {"v", {"vy", "sway", "swayvelocity", "vely", "velocityy", "twistlineary", "lineary", "v"}},
+      {"w", {"w", "vz", "heave", "heavevelocity", "velz", "velocityz", "twistlinearz", "linearz"}},
+      {"p", {"p", "wx", "rollrate", "gyrx", "gyrox", "angularx", "twistangularx"}},
+      {"q", {"q", "wy", "pitchrate", "gyry", "gyroy", "angulary", "twistangulary"}},
+      {"r", {"r", "wz", "yawrate", "gyrz", "gyroz", "angularz", "twistangularz"}}};
+  return kNames;
+}
+
+const std::vector<Names>& PoseNames() {
+  static const std::vector<Names> kNames = {
+      {"x", {"x", "posx", "positionx", "px", "north", "pn", "poseposex", "poseposepositionx"}},
+      {"y", {"y", "posy", "positiony", "py", "east", "pe", "poseposey", "poseposepositiony"}},
+      {"z", {"z", "posz", "positionz", "pz", "depth", "down", "pd", "poseposepositionz"}},
+      {"qx", {"qx", "orientationx", "poseposeorientationx"}},
+      {"qy", {"qy", "orientationy", "poseposeorientationy"}},
+      {"qz", {"qz", "orientationz", "poseposeorientationz"}},
+      {"qw", {"qw", "orientationw", "poseposeorientationw"}},
+      {"roll", {"roll", "phi"}},
+      {"pitch", {"pitch", "theta"}},
+      {"yaw", {"yaw", "heading", "psi", "hdg"}}};
+  return kNames;
+}
+
+std::string LettersOf(std::string_view text) {
+  std::string letters;
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return letters;
+}
+
+// A field that was found for a column.
+struct Found {
+  std::string column;
+  Field field;
+};
+
+// At most one column for each field. A field in a unit of another dimension is not it.
+std::vector<Found> FindByNames(const std::vector<Names>& table,
+                               const Channel& channel,
+                               std::vector<std::string>* taken) {
+  std::vector<Found> all;
+  for (const Names& entry : table) {
+    const auto dimension = DimensionOf(entry.column);
+    std::optional<Field> best;
+    for (const std::string_view name : entry.names) {
+      for (const Field& field : channel.fields) {
+        const bool is_free = std::find(taken->begin(), taken->end(), field.name) == taken->end();
+        const bool fits = field.unit.empty() || FindUnit(field.unit, *dimension).has_value();
+        if (!best && is_free && fits && LettersOf(field.name) == name) best = field;
+      }
+    }
+    if (!best) continue;
+    taken->push_back(best->name);
+    all.push_back({entry.column, *best});
+  }
+  return all;
+}
+
+bool Has(const std::vector<Found>& found, std::string_view column) {
+  return std::any_of(
+      found.begin(), found.end(), [&](const Found& f) { return f.column == column; });
+}
+
+// Quoted where YAML would read something else.
+std::string YamlText(const std::string& text) {
+  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '/';
+  });
+  const bool is_word = LettersOf(text) == "y" || LettersOf(text) == "n" || ParseFiniteNumber(text);
+  if (is_plain && !is_word) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string StreamText(const char* stream,
+                       const Channel& channel,
+                       bool names_channel,
+                       const char* frame,
+                       const std::vector<Found>& found) {
+  std::string text = fmt::format("{}:\n", stream);
+  if (names_channel) text += fmt::format("  channel: {}\n", YamlText(channel.name));
+  if (!channel.first) text += "  rate: 10  # Hz: there are no stamps. What is it?\n";
+  text += frame;
+  for (const Found& f : found) {
+    if (f.field.unit.empty()) {
+      const std::string_view unit = SiUnit(*DimensionOf(f.column));
+      text += fmt::format("  {}: {{field: {}, unit: {}}}  # states no unit: is it this?\n",
+                          f.column,
+                          YamlText(f.field.name),
+                          unit);
+    } else {
+      text += fmt::format("  {}: {}  # [{}]\n", f.column, YamlText(f.field.name), f.field.unit);
+    }
+  }
+  return text;
+}
+
+// The fields of one channel for one stream, if they make one.
+struct StreamGuess {
+  const Channel* channel = nullptr;
+  std::vector<Found> found;
+};
+
+}  // namespace
+
+SuggestedMap MapByNames(const Contents& contents) {
+  SuggestedMap map;
+  map.text =
+      "# By the names of the fields. Look at each line: units, signs and axes are yours to know.\n";
+  const bool names_channel = contents.channels.size() > 1;
+  std::vector<std::string> unused;
+  StreamGuess command;
+  StreamGuess velocity;
+  StreamGuess pose;
+  const auto keep_better =
+      [](const Channel& channel, std::vector<Found> found, StreamGuess* guess) {
+        if (found.size() > guess->found.size()) *guess = {&channel, std::move(found)};
+      };
+  for (const Channel& channel : contents.channels) {
+    std::vector<std::string> taken;
+    keep_better(channel, FindByNames(CommandNames(), channel, &taken), &command);
+    std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
+    const bool is_pose =
+        Has(of_pose, "x") && Has(of_pose, "y") && (Has(of_pose, "qw") || Has(of_pose, "yaw"));
+    if (Has(of_pose, "qw")) {
+      std::erase_if(of_pose, [](const Found& f) {
+        return f.column == "roll" || f.column == "pitch" || f.column == "yaw";
+      });
+    }
+    if (is_pose) keep_better(channel, std::move(of_pose), &pose);
+    keep_better(channel, FindByNames(VelocityNames(), channel, &taken), &velocity);
+    for (const Field& field : channel.fields) {
+      if (std::find(taken.begin(), taken.end(), field.name) == taken.end()) {
+        unused.push_back(names_channel ? channel.name + " " + field.name : field.name);
+      }
+    }
+  }
+  if (command.channel != nullptr) {
+    map.text += StreamText("command",
+                           *command.channel,
+                           names_channel,
+                           "  frame: FRD  # or FLU: y to the left, z up\n",
+                           command.found);
+  } else {
+    map.text += "# command: {tau_surge: ...}  # which field is the thrust?\n";
+  }
+  if (velocity.channel != nullptr) {
+    map.text += StreamText("velocity",
+                           *velocity.channel,
+                           names_channel,
+                           "  frame: FRD  # or FLU; NED, ENU, NWU: along the world's axes\n",
+                           velocity.found);
+  }
+  if (pose.channel != nullptr) {
+    map.text += StreamText(
+        "pose", *pose.channel, names_channel, "  frame: NED  # or ENU, NWU: z up\n", pose.found);
+  }
+  if (velocity.channel == nullptr && pose.channel == nullptr) {
+    map.text += "# velocity: {u: ...}  # which field is the motion?\n";
+  }
+  constexpr std::size_t kMostUnused = 30;
+  if (!unused.empty()) map.text += "# not used:";
+  for (std::size_t i = 0; i < std::min(unused.size(), kMostUnused); ++i) {
+    map.text += (i == 0 ? " " : ", ") + Printable(unused[i]);
+  }
+  if (unused.size() > kMostUnused) map.text += ", ...";
+  if (!unused.empty()) map.text += "\n";
+  return map;
+}
+
+}  // namespace fathom

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/suggest/suggest_map.h"
+
+#include "fathom/import/suggest/ardupilot_map.h"
+#include "fathom/import/suggest/map_by_names.h"
+#include "fathom/import/suggest/ros_map.h"
+
+#include <string>
+
+namespace fathom {
+
+SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>& vehicle) {
+  if (recording.contents().format == "dataflash") return ArdupilotMap(recording, vehicle);
+  const std::string& format = recording.contents().format;
+  if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
+    return RosMap(recording.contents());
+  }
+  return MapByNames(recording.contents());
+}
+
+}  // namespace fathom

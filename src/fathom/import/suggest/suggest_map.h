@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/recording/recording.h"
+#include "fathom/import/suggest/suggested_map.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <optional>
+
+namespace fathom {
+
+// A map of what a recording seems to hold. `vehicle`: of the thrusters that its commands drive,
+// where it is known.
+SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>& vehicle);
+
+}  // namespace fathom

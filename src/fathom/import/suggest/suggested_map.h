@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+namespace fathom {
+
+// A map for a recording, as its channels and fields are called.
+struct SuggestedMap {
+  std::string text;  // of a map file, with comments for the one who edits it
+
+  // Whether a program may use it unseen: the format itself says what its channels are. The names in
+  // a table do not.
+  bool is_ready = false;
+
+  // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.
+  bool needs_vehicle = false;
+};
+
+}  // namespace fathom

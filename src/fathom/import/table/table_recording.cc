@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/table/table_recording.h"
+
+#include "fathom/base/plural.h"
+#include "fathom/base/quoted.h"
+#include "fathom/import/recording/channel_stamps.h"
+#include "fathom/import/recording/find_channel.h"
+#include "fathom/import/table/table_stamps.h"
+#include "fathom/import/table/text_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kRowsLookedAt = 20;
+
+using TakeRow = std::function<void(std::int64_t line, const std::vector<std::string_view>& cells)>;
+
+// What is not handed on, counted.
+struct PassedOver {
+  std::uint64_t rows = 0;  // with another number of cells
+  std::int64_t first_row = 0;
+  std::uint64_t cut_bytes = 0;  // of a last row that has no end
+};
+
+class TableRecording final : public Recording {
+ public:
+  TableRecording(const std::filesystem::path& path, const TableOptions& options);
+
+  const Contents& contents() const override { return contents_; }
+
+  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+
+ private:
+  PassedOver ForEachRow(const TakeRow& take) const;
+  void List();
+
+  std::filesystem::path path_;
+  TableLayout layout_;
+  StampRule stamps_;
+  Contents contents_;
+};
+
+// How often a column held a number, and another text.
+struct ColumnTally {
+  std::uint64_t numbers = 0;
+  std::uint64_t texts = 0;
+  std::int64_t first_text_line = 0;
+  std::string first_text;
+};
+
+TableRecording::TableRecording(const std::filesystem::path& path, const TableOptions& options)
+    : path_(path) {
+  ByteFile file(path);
+  layout_ = FindTableLayout(&file, options);
+  std::vector<std::vector<std::string>> rows;
+  CellSplitter splitter(layout_.style.separator);
+  TextLines lines(&file, layout_.first_row, layout_.first_row_line);
+  while (rows.size() < kRowsLookedAt && lines.Next()) {
+    const auto& cells = splitter.Split(lines.text());
+    if (cells.size() == layout_.columns.size() && lines.has_end()) {
+      rows.emplace_back(cells.begin(), cells.end());
+    }
+  }
+  stamps_ = FindStamps(path.string(), layout_, options, rows);
+  List();
+}
+
+PassedOver TableRecording::ForEachRow(const TakeRow& take) const {
+  PassedOver passed_over;
+  ByteFile file(path_);
+  CellSplitter splitter(layout_.style.separator);
+  TextLines lines(&file, layout_.first_row, layout_.first_row_line);
+  while (lines.Next()) {
+    const auto& cells = splitter.Split(lines.text());
+    if (cells.size() == layout_.columns.size()) {
+      take(lines.number(), cells);
+    } else if (!lines.has_end()) {
+      passed_over.cut_bytes = file.size() - lines.offset();
+    } else if (cells.size() > 1 || !IsEmptyCell(cells.front())) {
+      if (passed_over.rows++ == 0) passed_over.first_row = lines.number();
+    }
+  }
+  return passed_over;
+}
+
+void TableRecording::List() {
+  ChannelStamps channel_stamps;
+  StampReader stamp_reader(stamps_, layout_.style.decimal);
+  std::vector<ColumnTally> tallies(layout_.columns.size());
+  std::uint64_t without_stamp = 0;
+  const PassedOver passed_over =
+      ForEachRow([&](std::int64_t line, const std::vector<std::string_view>& cells) {
+        const auto time = stamp_reader.Read(cells);
+        if (!time && stamps_.column >= 0) {
+          ++without_stamp;
+          return;
+        }
+        channel_stamps.Add(time.value_or(NAN));
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          if (IsEmptyCell(cells[i])) continue;
+          if (ParseCell(cells[i], layout_.style.decimal)) {
+            ++tallies[i].numbers;
+          } else if (tallies[i].texts++ == 0) {
+            tallies[i].first_text_line = line;
+            tallies[i].first_text = cells[i];
+          }
+        }
+      });
+
+  contents_.format = "csv";
+  contents_.size_bytes = std::filesystem::file_size(path_);
+  contents_.read_bytes = contents_.size_bytes - passed_over.cut_bytes;
+  if (stamps_.is_utc) contents_.utc_of_zero = 0.0;
+  Channel channel;
+  channel.name = path_.stem().string();
+  channel.type = "table";
+  channel_stamps.WriteTo(&channel);
+  if (!stamps_.remark.empty()) contents_.remarks.push_back(stamps_.remark);
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    const Field& field = layout_.columns[i];
+    const ColumnTally& tally = tallies[i];
+    if (tally.numbers <= tally.texts && tally.texts > 0) continue;  // of words
+    channel.fields.push_back(field);
+    if (tally.texts == 0) continue;
+    contents_.remarks.push_back(
+        fmt::format("line {}: column {} is {}: {} of the column hold no "
+                    "number.",
+                    tally.first_text_line,
+                    Quoted(field.name),
+                    Quoted(tally.first_text),
+                    Plural(tally.texts, "cell")));
+  }
+  contents_.channels.push_back(std::move(channel));
+  if (passed_over.rows > 0) {
+    contents_.remarks.push_back(
+        fmt::format("{} passed over, the first on line {}: expected {} "
+                    "cells.",
+                    Plural(passed_over.rows, "row"),
+                    passed_over.first_row,
+                    layout_.columns.size()));
+  }
+  if (without_stamp > 0) {
+    contents_.remarks.push_back(
+        fmt::format("{} without a stamp passed over.", Plural(without_stamp, "row")));
+  }
+  if (passed_over.cut_bytes > 0) {
+    contents_.remarks.push_back(
+        fmt::format("the file ends within a row: the {} from byte {} on are not read.",
+                    Plural(passed_over.cut_bytes, "byte"),
+                    contents_.read_bytes));
+  }
+}
+
+void TableRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+  std::vector<std::vector<int>> columns;
+  for (const Selection& selection : selections) {
+    FindChannel(contents_, path_, selection);
+    auto& indices = columns.emplace_back();
+    for (const std::string& field : selection.fields) {
+      indices.push_back(FindColumn(layout_.columns, field));
+    }
+  }
+  StampReader stamp_reader(stamps_, layout_.style.decimal);
+  std::vector<double> values;
+  ForEachRow([&](std::int64_t, const std::vector<std::string_view>& cells) {
+    const auto time = stamp_reader.Read(cells);
+    if (!time && stamps_.column >= 0) return;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      values.clear();
+      for (const int column : columns[i]) {
+        values.push_back(ParseCell(cells[column], layout_.style.decimal).value_or(NAN));
+      }
+      sink(i, time.value_or(NAN), values);
+    }
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<Recording> OpenTable(const std::filesystem::path& path,
+                                     const TableOptions& options) {
+  return std::make_unique<TableRecording>(path, options);
+}
+
+}  // namespace fathom

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files that vehicles' own software wrote, held against what other decoders found in them.
+
+#include "fathom/import/open_recording.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "real_data.h"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using RealRecordings = OnRealData;
+using Json = nlohmann::json;
+
+// A file that Python wrote, which writes NaN where JSON has null.
+Json ReadJson(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (std::size_t at = text.find("NaN"); at != std::string::npos; at = text.find("NaN", at)) {
+    text.replace(at, 3, "null");
+  }
+  return Json::parse(text);
+}
+
+// Counts and stamps of the messages of one type, all instances together.
+struct TypeSpan {
+  std::uint64_t count = 0;
+  double first = 1e300;
+  double last = -1e300;
+};
+
+std::map<std::string, TypeSpan> SpansOf(const Contents& contents) {
+  std::map<std::string, TypeSpan> spans;
+  for (const Channel& channel : contents.channels) {
+    TypeSpan& span = spans[channel.type];
+    span.count += channel.count;
+    if (!channel.first) continue;
+    span.first = std::min(span.first, *channel.first);
+    span.last = std::max(span.last, *channel.last);
+  }
+  return spans;
+}
+
+TEST_F(RealRecordings, DataflashLogsHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats" / "bin";
+  const Json references = ReadJson(folder / "reference.json");
+  for (const auto& [name, reference] : references.items()) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    const Contents& contents = recording->contents();
+    const auto spans = SpansOf(contents);
+    EXPECT_EQ(spans.size(), reference["counts"].size());
+    for (const auto& [type, count] : reference["counts"].items()) {
+      ASSERT_TRUE(spans.contains(type)) << type;
+      EXPECT_EQ(spans.at(type).count, count.get<std::uint64_t>()) << type;
+    }
+    for (const auto& [type, span] : reference["first_last_s"].items()) {
+      EXPECT_NEAR(spans.at(type).first, std::stod(span[0].get<std::string>()), 1e-7) << type;
+      EXPECT_NEAR(spans.at(type).last, std::stod(span[1].get<std::string>()), 1e-7) << type;
+    }
+    EXPECT_EQ(contents.size_bytes - contents.read_bytes,
+              reference["tail"]["bytes"].get<std::uint64_t>());
+  }
+}
+
+TEST_F(RealRecordings, DataflashValuesAreInTheUnitsThatTheLogStates) {
+  const auto recording = OpenRecording(folder_ / "formats" / "bin" / "ardusub_3.7_sitl.BIN");
+  // reference.json: raw ATT.Roll -17986 centidegrees, CTUN.CRt -4 cm/s, XKF1-like NKF1.PD 0.293144.
+  const Selection selections[] = {
+      {"ATT", {"Roll", "Yaw"}}, {"CTUN", {"CRt"}}, {"NKF1", {"PD", "Yaw"}}, {"RCOU", {"C6"}}};
+  std::map<std::size_t, std::vector<double>> first;
+  recording->Read(selections, [&](std::size_t i, double, std::span<const double> values) {
+    first.try_emplace(i, values.begin(), values.end());
+  });
+  EXPECT_DOUBLE_EQ(first[0][0], -179.86);
+  EXPECT_DOUBLE_EQ(first[0][1], 359.71);
+  EXPECT_DOUBLE_EQ(first[1][0], -0.04);
+  EXPECT_FLOAT_EQ(static_cast<float>(first[2][0]), 0.293144F);
+  EXPECT_DOUBLE_EQ(first[2][1], 359.70);
+  EXPECT_EQ(first[3][0], 1500.0);
+}
+
+TEST_F(RealRecordings, ACompleteDataflashLogIsComplete) {
+  const auto recording = OpenRecording(folder_ / "formats" / "ardusub_small.BIN");
+  EXPECT_TRUE(recording->contents().IsComplete());
+  const auto spans = SpansOf(recording->contents());
+  EXPECT_EQ(spans.size(), 39U);
+  EXPECT_EQ(spans.at("IMU").count, 594U);
+  EXPECT_EQ(spans.at("PARM").count, 876U);
+  EXPECT_NEAR(spans.at("RCOU").last, 289.338, 5e-4);
+}
+
+// Topics of a reference by name, with type, count, first and last stamp.
+void ExpectTopics(const Contents& contents, const Json& topics) {
+  EXPECT_EQ(contents.channels.size(), topics.size());
+  for (const Json& topic : topics) {
+    const std::string name = topic["topic"];
+    SCOPED_TRACE(name);
+    const auto channel = std::find_if(contents.channels.begin(),
+                                      contents.channels.end(),
+                                      [&](const Channel& c) { return c.name == name; });
+    ASSERT_NE(channel, contents.channels.end());
+    EXPECT_EQ(channel->type, topic["type"].get<std::string>());
+    EXPECT_EQ(channel->count, topic["count"].get<std::uint64_t>());
+    EXPECT_FALSE(channel->fields.empty());
+    // Stamps of 1e9 s are doubles with steps of 2.4e-7 s.
+    const auto stamp = [&](const char* seconds, const char* log_time, const char* nanoseconds) {
+      if (topic.contains(seconds)) return std::stod(topic[seconds].get<std::string>());
+      const char* key = topic.contains(log_time) ? log_time : nanoseconds;
+      return static_cast<double>(topic[key].get<std::int64_t>()) * 1e-9;
+    };
+    EXPECT_NEAR(*channel->first, stamp("first", "first_log_time_ns", "first_ns"), 3e-7);
+    EXPECT_NEAR(*channel->last, stamp("last", "last_log_time_ns", "last_ns"), 3e-7);
+  }
+}
+
+TEST_F(RealRecordings, BagsHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats" / "bags";
+  const Json references = ReadJson(folder / "reference.json");
+  EXPECT_EQ(references.size(), 22U);
+  for (const auto& [name, reference] : references.items()) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    EXPECT_TRUE(recording->contents().IsComplete());
+    ExpectTopics(recording->contents(), reference["topics"]);
+  }
+}
+
+TEST_F(RealRecordings, FilesOfRosHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats";
+  const Json references = ReadJson(folder / "reference.json");
+  for (const char* name : {"evo_ros1_example.bag",
+                           "evo_ros1_tf.bag",
+                           "usv_sim_sines.bag",
+                           "evo_nav2_turtlebot.mcap",
+                           "rosbag2_cdr_test_0.mcap",
+                           "rosbag2_cdr_test_0.db3",
+                           "evo_rosbag2_tf/tf_example.db3"}) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    EXPECT_TRUE(recording->contents().IsComplete());
+    ExpectTopics(recording->contents(), references[name]["topics"]);
+  }
+}
+
+// First and last values of each pose topic, as another decoder found them.
+TEST_F(RealRecordings, PosesOfABagAreThoseOfItsReference) {
+  const std::filesystem::path folder = folder_ / "formats";
+  const Json references = ReadJson(folder / "reference.json");
+  const auto recording = OpenRecording(folder / "evo_ros1_example.bag");
+  for (const Json& topic : references["evo_ros1_example.bag"]["topics"]) {
+    const Selection selection = {topic["topic"],
+                                 {"header.stamp",
+                                  "pose.position.x",
+                                  "pose.position.y",
+                                  "pose.position.z",
+                                  "pose.orientation.w"}};
+    std::vector<std::vector<double>> rows;
+    recording->Read({&selection, 1}, [&](std::size_t, double, std::span<const double> values) {
+      rows.emplace_back(values.begin(), values.end());
+    });
+    for (const auto& [key, row] :
+         {std::pair("first_message", rows.front()), std::pair("last_message", rows.back())}) {
+      const Json& message = topic[key];
+      EXPECT_NEAR(row[0], std::stod(message["header_stamp"].get<std::string>()), 3e-7);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(row[1 + i], message["position"][i].get<double>(), 1e-9);
+      EXPECT_NEAR(row[4], message["orientation_xyzw"][3].get<double>(), 1e-9);
+    }
+  }
+}
+
+TEST_F(RealRecordings, BagsOfSoniaHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "sonia";
+  const Json references = ReadJson(folder / "reference.json");
+  int num_bags = 0;
+  for (const auto& [name, reference] : references.items()) {
+    if (!name.ends_with(".bag")) continue;
+    SCOPED_TRACE(name);
+    ++num_bags;
+    const auto recording = OpenRecording(folder / name);
+    const Contents& contents = recording->contents();
+    EXPECT_EQ(contents.channels.size(), reference["topics"].size());
+    for (const Channel& channel : contents.channels) {
+      EXPECT_EQ(channel.type, reference["topics"][channel.name]["type"].get<std::string>());
+      EXPECT_EQ(channel.count, reference["topics"][channel.name]["count"].get<std::uint64_t>());
+    }
+  }
+  EXPECT_EQ(num_bags, 3);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Bags of ROS 1 and MCAP files, written here from the formats' descriptions.
+
+#include "fathom/base/random_stream.h"
+#include "fathom/import/open_recording.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataflash_writer.h"
+#include "scratch_file.h"
+#include <bzlib.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+namespace fathom {
+namespace {
+
+using dataflash::Bytes;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string Bzip2(const std::string& text) {
+  std::string out(text.size() + text.size() / 100 + 600, '\0');
+  auto size = static_cast<unsigned>(out.size());
+  EXPECT_EQ(BZ2_bzBuffToBuffCompress(out.data(),
+                                     &size,
+                                     const_cast<char*>(text.data()),
+                                     static_cast<unsigned>(text.size()),
+                                     9,
+                                     0,
+                                     0),
+            BZ_OK);
+  out.resize(size);
+  return out;
+}
+
+std::string Lz4(const std::string& text) {
+  std::string out(LZ4F_compressFrameBound(text.size(), nullptr), '\0');
+  out.resize(LZ4F_compressFrame(out.data(), out.size(), text.data(), text.size(), nullptr));
+  return out;
+}
+
+std::string Zstd(const std::string& text) {
+  std::string out(ZSTD_compressBound(text.size()), '\0');
+  out.resize(ZSTD_compress(out.data(), out.size(), text.data(), text.size(), 3));
+  return out;
+}
+
+std::string Compressed(const std::string& compression, const std::string& text) {
+  if (compression == "bz2") return Bzip2(text);
+  if (compression == "lz4") return Lz4(text);
+  if (compression == "zstd") return Zstd(text);
+  return text;
+}
+
+std::string WithLength(const std::string& text) {
+  return Bytes(static_cast<std::uint32_t>(text.size())) + text;
+}
+
+// --- ROS 1
+
+std::string BagRecord(const std::vector<std::pair<std::string, std::string>>& fields,
+                      const std::string& data) {
+  std::string header;
+  for (const auto& [name, value] : fields) header += WithLength(name + "=" + value);
+  return WithLength(header) + WithLength(data);
+}
+
+std::string BagConnection(std::uint32_t number,
+                          const std::string& topic,
+                          const std::string& type,
+                          const std::string& definition) {
+  return BagRecord({{"conn", Bytes(number)}, {"op", "\x07"}, {"topic", topic}},
+                   WithLength("type=" + type) + WithLength("md5sum=*") +
+                       WithLength("message_definition=" + definition));
+}
+
+std::string BagMessage(std::uint32_t number, std::uint32_t seconds, const std::string& data) {
+  return BagRecord({{"conn", Bytes(number)},
+                    {"op", "\x02"},
+                    {"time", Bytes(seconds) + Bytes<std::uint32_t>(500000000)}},
+                   data);
+}
+
+std::string BagChunk(const std::string& compression, const std::string& records) {
+  return BagRecord({{"compression", compression},
+                    {"op", "\x05"},
+                    {"size", Bytes(static_cast<std::uint32_t>(records.size()))}},
+                   Compressed(compression, records));
+}
+
+std::string BagHead(bool is_indexed) {
+  return "#ROSBAG V2.0\n" +
+         BagRecord({{"index_pos", Bytes<std::uint64_t>(is_indexed ? 1000 : 0)}, {"op", "\x03"}},
+                   std::string(100, ' '));
+}
+
+// One topic of one number, `count` seconds long.
+std::string BagRecords(int first, int count) {
+  std::string records = BagConnection(0, "/depth", "std_msgs/Float64", "float64 data\n");
+  for (int i = first; i < first + count; ++i)
+    records += BagMessage(0, 1500000000 + i, Bytes(0.5 * i));
+  return records;
+}
+
+class BagsOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BagsOf, ThisCompressionAreRead) {
+  const auto recording = OpenRecording(
+      ScratchFile("a.bag",
+                  BagHead(true) + BagChunk(GetParam(), BagRecords(0, 40)) +
+                      BagChunk(GetParam(), BagRecords(40, 10)) +
+                      BagConnection(0, "/depth", "std_msgs/Float64", "float64 data\n")));
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(contents.format, "ros1_bag");
+  EXPECT_TRUE(contents.IsComplete());
+  EXPECT_THAT(contents.remarks, IsEmpty());
+  const Channel depth = ChannelNamed(contents, "/depth");
+  EXPECT_EQ(depth.type, "std_msgs/Float64");
+  EXPECT_EQ(depth.count, 50U);
+  EXPECT_EQ(*depth.first, 1500000000.5);
+  EXPECT_EQ(*depth.last, 1500000049.5);
+  EXPECT_EQ(ReadAll(*recording, {"/depth", {"data"}}).rows[49][0], 24.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Compressions, BagsOf, ::testing::Values("none", "bz2", "lz4"));
+
+TEST(Bag, WithoutAnIndexIsReadAndTold) {
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag", BagHead(false) + BagChunk("none", BagRecords(0, 5))));
+  EXPECT_EQ(recording->contents().channels[0].count, 5U);
+  EXPECT_THAT(recording->contents().remarks, ElementsAre(HasSubstr("has no index")));
+}
+
+TEST(Bag, HasOneChannelForSeveralConnectionsOfATopic) {
+  const std::string records = BagConnection(0, "/x", "std_msgs/Float64", "float64 data\n") +
+                              BagConnection(1, "/x", "std_msgs/Float64", "float64 data\n") +
+                              BagConnection(2, "/y", "std_msgs/Int8", "int8 data\n") +
+                              BagConnection(3, "/y", "std_msgs/Float64", "float64 data\n") +
+                              BagMessage(0, 1, Bytes(1.0)) + BagMessage(1, 2, Bytes(2.0)) +
+                              BagMessage(2, 3, "\x05") + BagMessage(3, 4, Bytes(4.0)) +
+                              BagMessage(9, 5, Bytes(5.0));
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag", BagHead(true) + BagChunk("none", records)));
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(ChannelNamed(contents, "/x").count, 2U);
+  EXPECT_EQ(ChannelNamed(contents, "/y (std_msgs/Int8)").count, 1U);
+  EXPECT_EQ(ChannelNamed(contents, "/y (std_msgs/Float64)").count, 1U);
+  EXPECT_THAT(ReadAll(*recording, {"/x", {"data"}}).rows,
+              ElementsAre(ElementsAre(1), ElementsAre(2)));
+  EXPECT_THAT(contents.remarks, ElementsAre(HasSubstr("1 messages belong to no connection")));
+}
+
+TEST(Bag, TellsATypeThatItCannotTakeApart) {
+  const std::string records = BagConnection(0, "/x", "a/B", "Unknown u\n") + BagMessage(0, 1, "xx");
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag", BagHead(true) + BagChunk("none", records)));
+  EXPECT_EQ(recording->contents().channels[0].count, 1U);
+  EXPECT_THAT(recording->contents().remarks,
+              ElementsAre(HasSubstr("/x cannot be read: message type a/B")));
+}
+
+TEST(Bag, TellsWhereHeadersHaveAnotherClock) {
+  const char definition[] =
+      "Header header\nfloat64 x\n===\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring "
+      "frame_id\n";
+  const std::string message = Bytes<std::uint32_t>(0) + Bytes<std::uint32_t>(900) +
+                              Bytes<std::uint32_t>(0) + WithLength("") + Bytes(1.0);
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag",
+                                BagHead(true) + BagChunk("none",
+                                                         BagConnection(0, "/x", "a/B", definition) +
+                                                             BagMessage(0, 1500000000, message))));
+  EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("another clock, 900.000 s")));
+}
+
+// Every message before a cut is there; of a compressed chunk as far as it goes.
+TEST_P(BagsOf, ThisCompressionAreReadUpToACut) {
+  const std::string all = BagHead(true) + BagChunk(GetParam(), BagRecords(0, 100)) +
+                          BagChunk(GetParam(), BagRecords(100, 100));
+  const std::size_t first_chunk =
+      BagHead(true).size() + BagChunk(GetParam(), BagRecords(0, 100)).size();
+  RandomStream random(6, "cuts");
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto length =
+        BagHead(true).size() +
+        static_cast<std::size_t>(random.Uniform() *
+                                 static_cast<double>(all.size() - BagHead(true).size()));
+    const auto recording = OpenRecording(ScratchFile("cut.bag", all.substr(0, length)));
+    const Contents& contents = recording->contents();
+    const std::uint64_t count = contents.channels.empty() ? 0 : contents.channels[0].count;
+    EXPECT_LE(contents.read_bytes, length);
+    if (length < first_chunk) {
+      EXPECT_LE(count, 100U);
+    } else {
+      EXPECT_GE(count, 100U);
+      EXPECT_LE(count, 200U);
+    }
+    if (length != first_chunk) {
+      EXPECT_FALSE(contents.IsComplete());
+    }
+  }
+}
+
+TEST_P(BagsOf, ThisCompressionSurviveFlippedBits) {
+  const std::string all = BagHead(true) + BagChunk(GetParam(), BagRecords(0, 100));
+  RandomStream random(7, "flips");
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string flipped = all;
+    for (int k = 0; k < 3; ++k) {
+      const auto at =
+          static_cast<std::size_t>(random.Uniform() * static_cast<double>(flipped.size()));
+      flipped[at] = static_cast<char>(flipped[at] ^ (1 << static_cast<int>(8 * random.Uniform())));
+    }
+    ErrorFrom([&] {
+      const auto recording = OpenRecording(ScratchFile("flipped.bag", flipped));
+      for (const Channel& channel : recording->contents().channels) {
+        EXPECT_LE(channel.count, 101U);
+        for (const Field& field : channel.fields) ReadAll(*recording, {channel.name, {field.name}});
+      }
+    });
+  }
+}
+
+// --- MCAP
+
+std::string McapRecord(char op, const std::string& content) {
+  return std::string(1, op) + Bytes(static_cast<std::uint64_t>(content.size())) + content;
+}
+
+const std::string kMcapMagic = "\x89MCAP0\r\n";
+
+std::string McapHead() {
+  return kMcapMagic + McapRecord(1, WithLength("ros2") + WithLength("test"));
+}
+
+std::string McapSchemaAndChannel() {
+  return McapRecord(3,
+                    Bytes<std::uint16_t>(1) + WithLength("std_msgs/msg/Float64") +
+                        WithLength("ros2msg") + WithLength("float64 data\n")) +
+         McapRecord(4,
+                    Bytes<std::uint16_t>(5) + Bytes<std::uint16_t>(1) + WithLength("/depth") +
+                        WithLength("cdr") + WithLength(""));
+}
+
+std::string McapMessages(int first, int count) {
+  std::string records;
+  for (int i = first; i < first + count; ++i) {
+    const std::uint64_t time = 1500000000500000000U + 1000000000U * static_cast<std::uint64_t>(i);
+    records += McapRecord(5,
+                          Bytes<std::uint16_t>(5) + Bytes<std::uint32_t>(i) + Bytes(time) +
+                              Bytes(time) + std::string("\0\1\0\0", 4) + Bytes(0.5 * i));
+  }
+  return records;
+}
+
+std::string McapChunk(const std::string& compression, const std::string& records) {
+  const std::string stored = Compressed(compression, records);
+  return McapRecord(6,
+                    Bytes<std::uint64_t>(0) + Bytes<std::uint64_t>(1) +
+                        Bytes(static_cast<std::uint64_t>(records.size())) +
+                        Bytes<std::uint32_t>(0) + WithLength(compression) +
+                        Bytes(static_cast<std::uint64_t>(stored.size())) + stored);
+}
+
+std::string McapEnd() {
+  return McapRecord(15, Bytes<std::uint32_t>(0)) + McapRecord(2, std::string(20, '\0')) +
+         kMcapMagic;
+}
+
+class McapOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(McapOf, ThisCompressionIsRead) {
+  const auto recording = OpenRecording(
+      ScratchFile("a.mcap",
+                  McapHead() + McapChunk(GetParam(), McapSchemaAndChannel() + McapMessages(0, 40)) +
+                      McapChunk(GetParam(), McapMessages(40, 10)) + McapEnd()));
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(contents.format, "mcap");
+  EXPECT_TRUE(contents.IsComplete());
+  EXPECT_THAT(contents.remarks, IsEmpty());
+  const Channel depth = ChannelNamed(contents, "/depth");
+  EXPECT_EQ(depth.count, 50U);
+  EXPECT_EQ(*depth.last, 1500000049.5);
+  EXPECT_EQ(ReadAll(*recording, {"/depth", {"data"}}).rows[49][0], 24.5);
+}
+
+TEST_P(McapOf, ThisCompressionIsReadUpToACut) {
+  const std::string head =
+      McapHead() + McapChunk(GetParam(), McapSchemaAndChannel() + McapMessages(0, 50));
+  const std::string all = head + McapChunk(GetParam(), McapMessages(50, 50)) + McapEnd();
+  RandomStream random(8, "cuts");
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto length =
+        static_cast<std::size_t>(8 + random.Uniform() * static_cast<double>(all.size() - 8));
+    const auto recording = OpenRecording(ScratchFile("cut.mcap", all.substr(0, length)));
+    const Contents& contents = recording->contents();
+    const std::uint64_t count = contents.channels.empty() ? 0 : contents.channels[0].count;
+    if (length >= head.size()) {
+      EXPECT_GE(count, 50U);
+    }
+    EXPECT_LE(count, 100U);
+    EXPECT_THAT(contents.remarks, testing::Not(IsEmpty()));
+  }
+}
+
+TEST_P(McapOf, ThisCompressionSurvivesFlippedBits) {
+  const std::string all =
+      McapHead() + McapChunk(GetParam(), McapSchemaAndChannel() + McapMessages(0, 100)) + McapEnd();
+  RandomStream random(9, "flips");
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string flipped = all;
+    for (int k = 0; k < 3; ++k) {
+      const auto at =
+          static_cast<std::size_t>(8 + random.Uniform() * static_cast<double>(flipped.size() - 8));
+      flipped[at] = static_cast<char>(flipped[at] ^ (1 << static_cast<int>(8 * random.Uniform())));
+    }
+    ErrorFrom([&] {
+      const auto recording = OpenRecording(ScratchFile("flipped.mcap", flipped));
+      for (const Channel& channel : recording->contents().channels) {
+        for (const Field& field : channel.fields) ReadAll(*recording, {channel.name, {field.name}});
+      }
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Compressions, McapOf, ::testing::Values("", "lz4", "zstd"));
+
+TEST(Mcap, WithoutChunksAndSummaryIsRead) {
+  const auto recording = OpenRecording(
+      ScratchFile("a.mcap", McapHead() + McapSchemaAndChannel() + McapMessages(0, 7)));
+  EXPECT_EQ(recording->contents().channels[0].count, 7U);
+  EXPECT_TRUE(recording->contents().IsComplete());
+  EXPECT_THAT(recording->contents().remarks, ElementsAre(HasSubstr("was not closed")));
+}
+
+}  // namespace
+}  // namespace fathom

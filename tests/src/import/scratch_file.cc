@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scratch_file.h"
+
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+
+#include <span>
+
+#include <gtest/gtest.h>
+
+namespace fathom {
+
+std::filesystem::path ScratchFile(const std::string& name, const std::string& bytes) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path path =
+      std::filesystem::path(FATHOM_SCRATCH_DIR) /
+      (std::string("import_") + test->test_suite_name() + "_" + test->name()) / name;
+  WriteFile(path, bytes);
+  return path;
+}
+
+std::string ErrorFrom(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+ReadSamples ReadAll(const Recording& recording, const Selection& selection) {
+  ReadSamples samples;
+  recording.Read({&selection, 1}, [&](std::size_t, double time, std::span<const double> values) {
+    samples.time.push_back(time);
+    samples.rows.emplace_back(values.begin(), values.end());
+  });
+  return samples;
+}
+
+Channel ChannelNamed(const Contents& contents, const std::string& name) {
+  for (const Channel& channel : contents.channels) {
+    if (channel.name == name) return channel;
+  }
+  ADD_FAILURE() << "no channel " << name;
+  return {};
+}
+
+}  // namespace fathom

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Commands of thrusters become forces: by a table over pulse width and voltage, by shares, or as
+// forces of the thrusters themselves.
+
+#include "fathom/import/convert/import_log.h"
+#include "fathom/import/map/import_map.h"
+#include "fathom/import/open_recording.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <string>
+#include <vector>
+
+#include "scratch_file.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+std::string VehicleWith(const std::string& command, const std::string& table) {
+  return fmt::format(
+      "name: two\nmass: 20\nsize: [1, 1, 1]\n"
+      "thrust_tables:\n  - {{name: T, source: us, command: {}, {}}}\n"
+      "thrusters:\n"
+      "  - {{name: port, position: [0, -0.5, 0], direction: [1, 0, 0], thrust_table: T}}\n"
+      "  - {{name: starboard, position: [0, 0.5, 0], direction: [1, 0, 0], thrust_table: T}}\n",
+      command,
+      table);
+}
+
+// With a dead band, weaker backwards, stronger at 16 V.
+const char kTable[] =
+    "voltages: [12, 16], thrust: [[1100, -30, -40], [1480, 0, 0], [1520, 0, 0], [1900, 38, 57]]";
+
+ImportedLog Import(const std::string& table, const std::string& map, const std::string& vehicle) {
+  const auto file = ScratchFile("dive.csv", table);
+  return ImportLog(file,
+                   *OpenRecording(file),
+                   ParseImportMap("map.yaml", map),
+                   ParseVehicleFile("v.yaml", vehicle));
+}
+
+// Rows of a column of the command.
+std::vector<double> Column(const ImportedLog& imported, const char* name) {
+  return *imported.log.command->Find(name);
+}
+
+TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
+  const ImportedLog imported =
+      Import("t [s],a,b,battery\n0,1500,1710,14\n1,1900,1100,14\n2,0,1900,16\n",
+             "command: {unit: us, thruster_1: a, thruster_2: b, "
+             "voltage: {field: battery, unit: V}}\n",
+             VehicleWith("us", kTable));
+  // 1710 us is half way from 1520 to 1900: 19 N at 12 V, 28.5 N at 16 V, 23.75 N between.
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(23.75, 47.5 - 35, 57));
+  // Starboard to the right of the middle turns to port: -y F.
+  EXPECT_THAT(Column(imported, "tau_yaw"),
+              testing::ElementsAre(-0.5 * 23.75, 0.5 * 47.5 + 0.5 * 35, -0.5 * 57));
+}
+
+TEST(ThrusterCommand, TellsCommandsBeyondTheTable) {
+  const ImportedLog imported =
+      Import("t [s],a,b\n0,1500,1500\n1,2000,1500\n2,1500,1500\n",
+             "command: {unit: us, thruster_1: a, thruster_2: b, voltage: 16}\n",
+             VehicleWith("us", kTable));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 57, 0));
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("1 row of 3 lie beyond a thrust table")));
+}
+
+TEST(ThrusterCommand, MayBeAShareOfFullCommand) {
+  const ImportedLog imported =
+      Import("t [s],a [%],b [%]\n0,0,0\n1,50,-100\n",
+             "command: {thruster_1: a, thruster_2: b}\n",
+             VehicleWith("1", "voltages: [16], thrust: [[-1, -40], [0, 0], [1, 50]]"));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 25 - 40));
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("the supply is taken as 16 V")));
+}
+
+TEST(ThrusterCommand, MayBeTheForceOfEachThruster) {
+  const ImportedLog imported = Import("t [s],a [kgf],b [N]\n0,0,0\n1,1,3\n",
+                                      "command: {thruster_1: a, thruster_2: b}\n",
+                                      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 9.80665 + 3));
+}
+
+TEST(ThrusterCommand, SaysWhatIsMissing) {
+  const std::string table = "t [s],a,b\n0,1500,1500\n1,1600,1500\n";
+  const auto error = [&](const char* map) {
+    return ErrorFrom([&] { Import(table, map, VehicleWith("us", kTable)); });
+  };
+  EXPECT_THAT(error("command: {thruster_1: a, thruster_2: b}\n"), HasSubstr("states no unit"));
+  EXPECT_THAT(error("command: {unit: us, thruster_1: a, thruster_2: b}\n"),
+              HasSubstr("the map to give the 'voltage'"));
+  EXPECT_THAT(error("command: {unit: us, voltage: 16, thruster_1: a}\n"),
+              HasSubstr("'thruster_2' is missing"));
+  EXPECT_THAT(error("command: {unit: '%', voltage: 16, thruster_1: a, thruster_2: b}\n"),
+              HasSubstr("has no table over a command in '1'"));
+  EXPECT_THAT(error("command: {unit: knots, thruster_1: a, thruster_2: b}\n"),
+              HasSubstr("is in 'knots', expected a pulse width, a share, a speed or a force"));
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/log/read_log.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expect_refusal.h"
+#include "real_data.h"
+#include "run_tool.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Path = std::filesystem::path;
+
+const std::string kPool = std::string(FATHOM_DATA_DIR) + "/recordings/pool.csv";
+const std::string kPoolMap = std::string(FATHOM_DATA_DIR) + "/recordings/pool_map.yaml";
+const std::string kBlueRov = std::string(FATHOM_DATA_DIR) + "/vehicles/bluerov2_heavy.yaml";
+
+ToolRun Import(const std::vector<std::string>& arguments) {
+  return RunToolBinary("fathom_import", arguments);
+}
+
+std::string TextOf(const Path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(ImportTool, MakesALogOfASpreadsheet) {
+  const Path folder = EmptyTestFolder();
+  const ToolRun run =
+      Import({"--from=" + kPool, "--map=" + kPoolMap, "--out=" + (folder / "pool").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("csv, 119 kB, 1 channel"), HasSubstr("surge: can be identified")));
+  const Log log = ReadLog(folder / "pool");
+  EXPECT_EQ(log.name, "pool");
+  EXPECT_EQ(*log.mass, 274.0);
+  EXPECT_EQ(log.origin->file, "pool.csv");
+  // The first rows of the file: 0,06822 kN at 0 ms, -0,59 cm/s at 5,276 ms.
+  EXPECT_DOUBLE_EQ(log.command->values[0][0], 68.22);
+  EXPECT_DOUBLE_EQ(log.velocity->time[0], 0.005276);
+  EXPECT_DOUBLE_EQ(log.velocity->values[0][0], -0.0059);
+  EXPECT_EQ(TextOf(folder / "pool" / "map.yaml"), TextOf(kPoolMap));
+  const ToolRun fit = RunToolBinary("fathom_identify", {"--log=" + (folder / "pool").string()});
+  EXPECT_EQ(fit.exit_code, 0) << fit.err;
+  EXPECT_THAT(fit.out, HasSubstr("surge by output error from velocity.csv: converged"));
+}
+
+TEST(ImportTool, ListsWhatAFileHolds) {
+  const Path folder = EmptyTestFolder();
+  const ToolRun run =
+      Import({"--from=" + kPool, "--list", "--json=" + (folder / "list.json").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("Time [ms], Thrust [kN], Speed [cm/s]"));
+  const auto json = nlohmann::json::parse(TextOf(folder / "list.json"));
+  EXPECT_EQ(json["format"], "csv");
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["channels"][0]["name"], "pool");
+  EXPECT_EQ(json["channels"][0]["count"], 4800);
+  EXPECT_EQ(json["channels"][0]["first"], 0.0);
+  EXPECT_EQ(json["channels"][0]["fields"][2]["unit"], "cm/s");
+}
+
+// The suggested map, saved as it is, imports the file.
+TEST(ImportTool, SuggestsAMapThatImports) {
+  const Path folder = EmptyTestFolder();
+  const ToolRun suggested = Import({"--from=" + kPool, "--suggest"});
+  ASSERT_EQ(suggested.exit_code, 0) << suggested.err;
+  EXPECT_THAT(suggested.out, AllOf(HasSubstr("tau_surge: Thrust"), HasSubstr("u: Speed")));
+  const Path map = WriteTestFile(folder / "map.yaml", suggested.out);
+  const ToolRun run =
+      Import({"--from=" + kPool, "--map=" + map.string(), "--out=" + (folder / "pool").string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST(ImportTool, SaysHowToGetAMap) {
+  const Path folder = EmptyTestFolder();
+  const std::string error = ExpectRefusal(
+      "fathom_import", {"--from=" + kPool, "--out=" + (folder / "l").string()}, folder);
+  EXPECT_THAT(error,
+              AllOf(StartsWith("fathom_import: --map: is missing"),
+                    HasSubstr("fathom_import --from=" + kPool + " --suggest > map.yaml")));
+}
+
+TEST(ImportTool, RefusesWhatItCannotRead) {
+  const Path folder = EmptyTestFolder();
+  const Path image = WriteTestFile(folder / "image.png", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
+  const auto refusal = [&](const std::string& from) {
+    return ExpectRefusal("fathom_import", {"--from=" + from, "--list"}, folder);
+  };
+  EXPECT_THAT(refusal((folder / "none.csv").string()), HasSubstr("there is no such file"));
+  EXPECT_THAT(refusal(folder.string()), HasSubstr("is no regular file"));
+  EXPECT_THAT(refusal(image.string()), HasSubstr("of no known format, expected a table of text"));
+  EXPECT_THAT(refusal(WriteTestFile(folder / "empty.csv", "").string()), HasSubstr("is empty"));
+}
+
+TEST(ImportTool, ReplacesALogOnlyIfAsked) {
+  const Path folder = EmptyTestFolder();
+  const std::vector<std::string> arguments = {
+      "--from=" + kPool, "--map=" + kPoolMap, "--out=" + (folder / "pool").string()};
+  ASSERT_EQ(Import(arguments).exit_code, 0);
+  EXPECT_THAT(Import(arguments).err, HasSubstr("expected --overwrite"));
+  std::vector<std::string> overwriting = arguments;
+  overwriting.emplace_back("--overwrite");
+  EXPECT_EQ(Import(overwriting).exit_code, 0);
+}
+
+class ImportToolOnRealLogs : public OnRealData {};
+
+// A vehicle with the first six of eight thrusters: the log drives so many.
+Path SixThrusters(const Path& folder) {
+  std::string text = TextOf(kBlueRov);
+  text.resize(text.find("  - {name: rear_starboard_vertical"));
+  return WriteTestFile(folder / "six.yaml", text);
+}
+
+TEST_F(ImportToolOnRealLogs, TakesAnArduSubLogWithAVehicleAlone) {
+  const Path folder = EmptyTestFolder();
+  const std::string from =
+      "--from=" + (folder_ / "formats" / "bin" / "ardusub_4.5_sitl_visp.BIN").string();
+  const std::string out = "--out=" + (folder / "log").string();
+  EXPECT_THAT(Import({from, out}).err, HasSubstr("Or give --vehicle"));
+  // A log of six outputs does not go with eight thrusters.
+  EXPECT_THAT(Import({from, out, "--vehicle=" + kBlueRov}).err, HasSubstr("--suggest"));
+  const ToolRun run = Import({from, out, "--vehicle=" + SixThrusters(folder).string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("incomplete: 1200096 of 1200128 bytes are sound"));
+  const Log log = ReadLog(folder / "log");
+  EXPECT_EQ(log.command->time.size(), 266U);
+  EXPECT_EQ(log.vehicle, "six.yaml");
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A log folder from the file that a vehicle's own software wrote.
+
+#include "fathom/archive/jobs/survey.h"
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/files/temporary.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
+#include "fathom/check/pose_twist_check.h"
+#include "fathom/import/convert/import_log.h"
+#include "fathom/import/map/import_map.h"
+#include "fathom/import/open_recording.h"
+#include "fathom/import/recording/contents_json.h"
+#include "fathom/import/suggest/suggest_map.h"
+#include "fathom/log/log_content.h"
+#include "fathom/log/write_log.h"
+#include "fathom/report/table.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/output_folder.h"
+#include "fathom/tool/print_findings.h"
+#include "fathom/tool/tool.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(from, "", "The recording: a .BIN of ArduPilot, a CSV of any shape.");
+DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
+DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
+DEFINE_string(out, "", "Write the log into this folder.");
+DEFINE_bool(overwrite, false, "Replace the log in --out.");
+DEFINE_bool(list, false, "Only say what the recording holds.");
+DEFINE_bool(suggest, false, "Only print a map for the recording, to be edited.");
+DEFINE_string(json, "", "With --list, write that to this JSON file too.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_import",
+    "Makes a log folder from the file that a vehicle's own software wrote.",
+    "--from=FILE --out=LOG [--map=MAP.yaml --vehicle=VEHICLE.yaml --overwrite] | --from=FILE "
+    "--list "
+    "[--json=FILE] | --from=FILE --suggest",
+    "fathom_import --from=data/recordings/pool.csv --list\n"
+    "  fathom_import --from=data/recordings/pool.csv --suggest > map.yaml\n"
+    "  fathom_import --from=data/recordings/pool.csv --map=data/recordings/pool_map.yaml "
+    "--out=pool",
+    "The map says which channel is which stream, in which units and axes: docs/import.md. A log of "
+    "ArduSub needs none, only --vehicle. Map and vehicle file are copied into the log. What is "
+    "left "
+    "out or assumed is told, a line each. A file that is cut or damaged is read as far as it is "
+    "sound."};
+
+// "dive.BIN: dataflash, 288 kB, 39 channels"
+std::string Heading(const std::filesystem::path& file, const Contents& contents) {
+  const double kilobytes = static_cast<double>(contents.size_bytes) / 1e3;
+  std::string text = fmt::format("{}: {}, {:.0f} kB, {}",
+                                 file.string(),
+                                 contents.format,
+                                 kilobytes,
+                                 Plural(contents.channels.size(), "channel"));
+  if (contents.IsComplete()) return text;
+  const double share =
+      static_cast<double>(contents.read_bytes) / static_cast<double>(contents.size_bytes);
+  return text + fmt::format("; incomplete: {} of {} bytes are sound ({:.1f} %)",
+                            contents.read_bytes,
+                            contents.size_bytes,
+                            100.0 * share);
+}
+
+// "Roll [deg], Pitch [deg], ..."
+std::string FieldsText(const Channel& channel) {
+  constexpr std::size_t kMostCharacters = 60;
+  std::string text;
+  for (const Field& field : channel.fields) {
+    const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
+    const std::string entry = (text.empty() ? "" : ", ") + field.name + unit;
+    if (text.size() + entry.size() > kMostCharacters) return text + ", ...";
+    text += entry;
+  }
+  return text;
+}
+
+void PrintContents(const std::filesystem::path& file, const Contents& contents) {
+  fmt::print("{}\n\n", Heading(file, contents));
+  Table table;
+  table.columns = {{"channel"},
+                   {"type"},
+                   {"count", true},
+                   {"first [s]", true},
+                   {"last [s]", true},
+                   {"rate [Hz]", true},
+                   {"fields"}};
+  for (const Channel& channel : contents.channels) {
+    // A rate of two or three messages says nothing.
+    const bool has_span = channel.count > 3 && channel.first && *channel.last > *channel.first;
+    const double span = has_span ? *channel.last - *channel.first : 0.0;
+    table.rows.push_back(
+        {{channel.name,
+          channel.type,
+          std::to_string(channel.count),
+          channel.first ? fmt::format("{:.3f}", *channel.first) : "-",
+          channel.last ? fmt::format("{:.3f}", *channel.last) : "-",
+          has_span ? fmt::format("{:.1f}", static_cast<double>(channel.count - 1) / span) : "-",
+          FieldsText(channel)}});
+  }
+  fmt::print("{}", FormatTable(table));
+  for (const std::string& remark : contents.remarks) fmt::print("note: {}\n", remark);
+}
+
+// How --map says a table is to be read.
+TableOptions TableOptionsFromFlags() {
+  return FLAGS_map.empty() ? TableOptions() : ReadImportMap(FLAGS_map).table;
+}
+
+int List(const std::filesystem::path& file) {
+  RequireOutputs({{"json", FLAGS_json}}, {FLAGS_from});
+  const auto recording = OpenRecording(file, TableOptionsFromFlags());
+  PrintContents(file, recording->contents());
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatContents(recording->contents()));
+  return 0;
+}
+
+int Suggest(const std::filesystem::path& file) {
+  std::optional<Vehicle> vehicle;
+  if (!FLAGS_vehicle.empty()) vehicle = ReadVehicleFile(FLAGS_vehicle);
+  const auto recording = OpenRecording(file, TableOptionsFromFlags());
+  fmt::print("{}", SuggestMap(*recording, vehicle).text);
+  return 0;
+}
+
+// The text of the map to go by: that of --map, or one that the format makes sure of.
+std::string MapText(const std::filesystem::path& file, const std::optional<Vehicle>& vehicle) {
+  if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
+  const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle);
+  if (suggested.is_ready) return suggested.text;
+  throw InputError(fmt::format(
+      "--map: is missing, expected a map file that says what the channels of {0} are. This prints "
+      "one to edit: fathom_import --from={0} --suggest{1} > map.yaml{2}",
+      file.string(),
+      FLAGS_vehicle.empty() ? "" : " --vehicle=" + FLAGS_vehicle,
+      suggested.needs_vehicle ? "\nOr give --vehicle, whose thrusters the outputs drive, as "
+                                "data/vehicles/bluerov2_heavy.yaml."
+                              : ""));
+}
+
+void PrintStream(const char* file, const std::optional<Stream>& stream) {
+  if (!stream) return;
+  fmt::print("{:<13}{} rows, t = {:.3f} to {:.3f} s\n",
+             file,
+             stream->time.size(),
+             stream->time.front(),
+             stream->time.back());
+}
+
+// What the log looks like before any fit: which DOFs it can identify, and what is wrong with it.
+void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
+  if (!log.command || (!log.velocity && !log.pose)) {
+    fmt::print("note: {}.\n",
+               log.command ? "the map names no motion, so that the log identifies nothing"
+                           : "the map names no command, so that the log identifies nothing");
+    return;
+  }
+  const std::vector<Finding> findings = CheckPoseAgainstTwist(log);
+  for (const SurveyedDof& surveyed : SurveyLog(folder, std::nullopt).dofs) {
+    fmt::print("{}: {}\n",
+               Name(surveyed.dof),
+               surveyed.why_not.empty() ? "can be identified" : surveyed.why_not);
+  }
+  PrintNotes(findings);
+  std::fflush(stdout);
+  PrintWarnings(findings);
+}
+
+int Run() {
+  const std::filesystem::path file = RequireFlag("from", FLAGS_from, "the recording to read");
+  if (FLAGS_list) return List(file);
+  if (FLAGS_suggest) return Suggest(file);
+  if (!FLAGS_json.empty()) throw InputError("--json: goes with --list, expected both.");
+  const std::filesystem::path folder = OutputFolder(
+      RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
+  RequireWritableFolder(folder);
+
+  std::filesystem::path vehicle_file = FLAGS_vehicle;
+  std::optional<Vehicle> vehicle;
+  if (!FLAGS_vehicle.empty()) vehicle = ReadVehicleFile(vehicle_file);
+  const std::string map_text = MapText(file, vehicle);
+  const ImportMap map =
+      ParseImportMap(FLAGS_map.empty() ? "the suggested map" : FLAGS_map, map_text);
+  if (!vehicle && !map.vehicle.empty()) {
+    vehicle_file = std::filesystem::path(FLAGS_map).parent_path() / map.vehicle;
+    vehicle = ReadVehicleFile(vehicle_file);
+  }
+  const auto recording = OpenRecording(file, map.table);
+  ImportedLog imported = ImportLog(file, *recording, map, vehicle);
+  Log& log = imported.log;
+  log.origin = {file.filename().string(), ContentOf(file), "map.yaml"};
+  if (vehicle) log.vehicle = vehicle_file.filename().string();
+
+  const Temporary made(folder);
+  WriteLog(made.path(), log);
+  WriteFile(made.path() / "map.yaml", map_text);
+  if (vehicle) WriteFile(made.path() / log.vehicle, ReadFile(vehicle_file));
+  made.TakePlace();
+
+  fmt::print("{}\n", Heading(file, recording->contents()));
+  PrintStream("command.csv", log.command);
+  PrintStream("velocity.csv", log.velocity);
+  PrintStream("pose.csv", log.pose);
+  for (const std::string& remark : imported.remarks) fmt::print("note: {}\n", remark);
+  PrintFirstLook(folder, log);
+  return 0;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }
