@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/import/ros/known_types.h"
 
 #include <algorithm>
 #include <map>
@@ -48,20 +49,12 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// "geometry_msgs/msg/Pose" of ROS 2 is "geometry_msgs/Pose".
-std::string ShortName(std::string_view type) {
-  std::string name(type);
-  const std::size_t middle = name.find("/msg/");
-  if (middle != std::string::npos) name.erase(middle, 4);
-  return name;
-}
-
 std::string_view PackageOf(std::string_view type) { return type.substr(0, type.find('/')); }
 
 // The texts of the types by their names.
 std::map<std::string, std::string_view> TextsOf(std::string_view type, std::string_view text) {
   std::map<std::string, std::string_view> texts;
-  std::string name = ShortName(type);
+  std::string name = WithoutMsg(type);
   std::size_t begin = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -74,7 +67,7 @@ std::map<std::string, std::string_view> TextsOf(std::string_view type, std::stri
           text.substr(std::min(next, text.size()), end_of_name - std::min(next, text.size())));
       if (header.starts_with("MSG:")) {
         texts.emplace(name, text.substr(begin, at - begin));
-        name = ShortName(Trimmed(header.substr(4)));
+        name = WithoutMsg(Trimmed(header.substr(4)));
         begin = std::min(end_of_name + 1, text.size());
         at = begin;
         continue;
@@ -89,7 +82,7 @@ std::map<std::string, std::string_view> TextsOf(std::string_view type, std::stri
 class Parser {
  public:
   Parser(std::string_view type, std::string_view text)
-      : type_(ShortName(type)), texts_(TextsOf(type, text)) {}
+      : type_(WithoutMsg(type)), texts_(TextsOf(type, text)) {}
 
   RosDefinition Parse() {
     AddType(type_, 0);
@@ -103,7 +96,7 @@ class Parser {
 
   // The name in the definition of a type that a member of `package` names.
   std::string Resolve(std::string_view name, std::string_view package) const {
-    const std::string short_name = ShortName(name);
+    const std::string short_name = WithoutMsg(name);
     if (texts_.contains(short_name)) return short_name;
     const std::string in_package = std::string(package) + "/" + short_name;
     if (texts_.contains(in_package)) return in_package;
