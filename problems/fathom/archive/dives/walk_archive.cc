@@ -160,7 +160,7 @@ FoundArchive WalkArchive(const fs::path& archive, const ArchiveSettings& setting
     WalkFolder(link, &walk);
   }
   std::sort(walk.found.logs.begin(), walk.found.logs.end(), [](const auto& a, const auto& b) {
-    return a.path < b.path;
+    return fs::path(a.path) < fs::path(b.path);  // "a/b" before "a-b/c"
   });
   return std::move(walk.found);
 }

@@ -13,9 +13,10 @@
 namespace fathom {
 
 // What looks like a log: a folder with a log.yaml, or a CSV file whose first line names t, tau, v.
+// Texts, since there are many and a std::filesystem::path takes five times as much memory.
 struct FoundLog {
-  std::filesystem::path place;  // to open it by
-  std::filesystem::path path;   // the same from the archive on; "." is the archive itself
+  std::string place;  // to open it by
+  std::string path;   // the same from the archive on; "." is the archive itself
 };
 
 // A place that could not be looked into.

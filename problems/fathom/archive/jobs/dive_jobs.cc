@@ -59,7 +59,7 @@ RunRecord Identify(Dof dof,
                       .output = "model"};
   for (const DiveLog& log : logs) {
     call.contents.push_back(log.content);
-    call.places.push_back("--log=" + log.place.string());
+    call.places.push_back("--log=" + log.place);
   }
   RunRecord run = RunProgram(call, settings, book);
   if (const std::string problem = ProblemOfModel(run); !problem.empty()) {
@@ -215,14 +215,13 @@ double PredictionNmae(const std::string& model,
                       const RunBook& book) {
   const std::string digest = DigestOf(model);
   const fs::path file = FileOfModel(model, digest, settings);
-  const RunRecord run =
-      RunProgram({.program = "fathom_simulate",
-                  .contents = {digest, log.content},
-                  .flags = {},
-                  .places = {"--model=" + file.string(), "--log=" + log.place.string()},
-                  .output = "json"},
-                 settings,
-                 book);
+  const RunRecord run = RunProgram({.program = "fathom_simulate",
+                                    .contents = {digest, log.content},
+                                    .flags = {},
+                                    .places = {"--model=" + file.string(), "--log=" + log.place},
+                                    .output = "json"},
+                                   settings,
+                                   book);
   return IsUsable(run) ? NumberIn(run.output, "/nmae") : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -6,7 +6,6 @@
 #include "fathom/archive/jobs/run_program.h"
 #include "fathom/base/dof.h"
 
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,8 +15,8 @@ namespace fathom {
 
 // A log as a joint fit takes it.
 struct DiveLog {
-  std::string path;             // from the archive on, as text
-  std::filesystem::path place;  // to open it by
+  std::string path;   // from the archive on, as text
+  std::string place;  // to open it by, as in FoundLog
   std::string content;
   double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };

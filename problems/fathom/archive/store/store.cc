@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kFormat = 1;                // PRAGMA user_version
 constexpr int kApplication = 0x46544d31;  // PRAGMA application_id: "FTM1"
+constexpr int kCacheKb = 256;             // PRAGMA cache_size; SQLite's own is 2000
 
 constexpr const char* kOwnTables = R"(
   CREATE TABLE IF NOT EXISTS runs(key TEXT PRIMARY KEY, program TEXT, arguments TEXT, version TEXT,
@@ -122,6 +123,7 @@ Store::Store(const std::filesystem::path& file) {
     database_ = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 60000);
     RequireOurs(file, database_.get());
+    database_->exec(fmt::format("PRAGMA cache_size = -{}", kCacheKb));
     SQLite::Transaction transaction(*database_);
     database_->exec(fmt::format("PRAGMA application_id = {}", kApplication));
     database_->exec(fmt::format("PRAGMA user_version = {}", kFormat));

@@ -37,7 +37,7 @@ void Write(const fs::path& file, const std::string& text = "") {
 
 std::vector<std::string> PathsOf(const FoundArchive& found) {
   std::vector<std::string> paths;
-  for (const FoundLog& log : found.logs) paths.push_back(log.path.string());
+  for (const FoundLog& log : found.logs) paths.push_back(log.path);
   return paths;
 }
 
