@@ -15,7 +15,6 @@
 #include "fathom/import/open_recording.h"
 #include "fathom/import/recording/contents_json.h"
 #include "fathom/import/suggest/suggest_map.h"
-#include "fathom/log/log_content.h"
 #include "fathom/log/write_log.h"
 #include "fathom/report/table.h"
 #include "fathom/tool/output_flags.h"
@@ -36,7 +35,10 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(from, "", "The recording: a .BIN of ArduPilot, a CSV of any shape.");
+DEFINE_string(from,
+              "",
+              "The recording: a CSV of any shape, a .BIN of ArduPilot, a bag of ROS, a log of "
+              "Rock, or a folder of such files.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
@@ -157,6 +159,11 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
                               : ""));
 }
 
+// The last part of a path; that of a folder too, with or without a slash at its end.
+std::string NameOf(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path / "").parent_path().filename().string();
+}
+
 void PrintStream(const char* file, const std::optional<Stream>& stream) {
   if (!stream) return;
   fmt::print("{:<13}{} rows, t = {:.3f} to {:.3f} s\n",
@@ -207,7 +214,7 @@ int Run() {
   const auto recording = OpenRecording(file, map.table);
   ImportedLog imported = ImportLog(file, *recording, map, vehicle);
   Log& log = imported.log;
-  log.origin = {file.filename().string(), ContentOf(file), "map.yaml"};
+  log.origin = {NameOf(file), ContentOfRecording(file), "map.yaml"};
   if (vehicle) log.vehicle = vehicle_file.filename().string();
 
   const Temporary made(folder);

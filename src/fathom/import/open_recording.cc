@@ -5,17 +5,26 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/dataflash/dataflash_recording.h"
+#include "fathom/import/message/message_recording.h"
 #include "fathom/import/recording/byte_file.h"
+#include "fathom/import/recording/joined_recording.h"
+#include "fathom/import/rock/pocolog_file.h"
+#include "fathom/import/rock/typelib_definition.h"
 #include "fathom/import/ros/mcap_file.h"
 #include "fathom/import/ros/ros1_bag.h"
-#include "fathom/import/ros/ros_recording.h"
+#include "fathom/import/ros/ros_definition.h"
 #include "fathom/import/ros/rosbag2_database.h"
 #include "fathom/import/table/table_recording.h"
+#include "fathom/log/log_content.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,22 +41,88 @@ bool LooksLikeText(std::string_view bytes) {
   });
 }
 
+std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
+                                    const TableOptions& table,
+                                    bool takes_text) {
+  ByteFile file(path);
+  const std::string first(file.View(0, kFirstBytes));
+  if (LooksLikeDataflash(first)) return OpenDataflash(path);
+  if (LooksLikeMcap(first)) return OpenMessageRecording(path, OpenMcap(path), ParseRosDefinition);
+  if (LooksLikeSqlite(first)) {
+    return OpenMessageRecording(path, OpenRosbag2Database(path), ParseRosDefinition);
+  }
+  if (LooksLikeRos1Bag(first)) {
+    return OpenMessageRecording(path, OpenRos1Bag(path), ParseRosDefinition);
+  }
+  if (LooksLikePocolog(first)) {
+    return OpenMessageRecording(path, OpenPocolog(path), ParseTypelibDefinition);
+  }
+  if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
+  throw InputError(
+      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash "
+                  "log (.BIN), a bag of ROS or a log of Rock.",
+                  path.string(),
+                  first.empty() ? "empty" : "of no known format"));
+}
+
+bool IsCalledTable(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".dat";
+}
+
+// By name. Throws InputError for a folder that cannot be read.
+std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; at != end; at.increment(error)) {
+    if (error) break;
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) files.push_back(at->path());
+  }
+  if (error) {
+    throw InputError(fmt::format("{}: cannot be read: {}.", folder.string(), error.message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::unique_ptr<Recording> OpenFolder(const std::filesystem::path& folder,
+                                      const TableOptions& table) {
+  if (std::filesystem::exists(folder / "log.yaml")) {
+    throw InputError(folder.string() +
+                     ": is a log already, it has a log.yaml; expected a recording.");
+  }
+  std::vector<RecordingPart> parts;
+  std::vector<std::string> remarks;
+  for (const std::filesystem::path& file : FilesIn(folder)) {
+    try {
+      parts.push_back({file.filename().string(), OpenFile(file, table, IsCalledTable(file))});
+    } catch (const InputError& error) {
+      remarks.push_back(fmt::format("not read: {}", error.what()));
+    }
+  }
+  return JoinRecordings(folder, std::move(parts), std::move(remarks));
+}
+
 }  // namespace
 
 std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
                                          const TableOptions& table) {
-  ByteFile file(path);
-  const std::string first(file.View(0, kFirstBytes));
-  if (LooksLikeDataflash(first)) return OpenDataflash(path);
-  if (LooksLikeMcap(first)) return OpenRosRecording(path, OpenMcap(path));
-  if (LooksLikeSqlite(first)) return OpenRosRecording(path, OpenRosbag2Database(path));
-  if (LooksLikeRos1Bag(first)) return OpenRosRecording(path, OpenRos1Bag(path));
-  if (LooksLikeText(first)) return OpenTable(path, table);
-  throw InputError(
-      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN) or "
-                  "a bag of ROS.",
-                  path.string(),
-                  first.empty() ? "empty" : "of no known format"));
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return OpenFolder(path, table);
+  return OpenFile(path, table, true);
+}
+
+std::string ContentOfRecording(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return ContentOf(path);
+  std::vector<std::string> texts;
+  for (const std::filesystem::path& file : FilesIn(path)) {
+    texts.push_back(file.filename().string());
+    texts.push_back(ContentOf(file));
+  }
+  return DigestOf(texts);
 }
 
 }  // namespace fathom

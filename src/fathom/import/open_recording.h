@@ -8,13 +8,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace fathom {
 
 // Opens a recording of any format that Fathom reads, by what its first bytes are, not by its name;
-// docs/import.md. `table`: how to read it if it is a table of text. Throws InputError, naming the
-// file and the formats there are, for anything else.
+// docs/import.md. A folder is its files together (JoinRecordings()): those of the known formats,
+// and of text those that are called .csv, .txt, .tsv or .dat; a remark names the others. `table`:
+// how to read tables of text. Throws InputError, naming the file and the formats there are, for
+// anything else.
 std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
                                          const TableOptions& table = {});
+
+// Tells one recording's files from another's: ContentOf() a file; of a folder that of its files and
+// their names. Throws as ContentOf() does.
+std::string ContentOfRecording(const std::filesystem::path& path);
 
 }  // namespace fathom

@@ -3,17 +3,25 @@
 
 // Files that vehicles' own software wrote, held against what other decoders found in them.
 
+#include "fathom/import/convert/import_log.h"
+#include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "real_data.h"
+#include "scratch_file.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -198,6 +206,100 @@ TEST_F(RealRecordings, BagsOfSoniaHoldWhatTheirReferenceSays) {
     }
   }
   EXPECT_EQ(num_bags, 3);
+}
+
+TEST_F(RealRecordings, LogsOfRockHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats" / "pocolog";
+  const Json references = ReadJson(folder / "reference.json");
+  EXPECT_EQ(references.size(), 8U);
+  for (const auto& [name, reference] : references.items()) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    const Contents& contents = recording->contents();
+    EXPECT_TRUE(contents.IsComplete());
+    EXPECT_EQ(contents.channels.size(), reference["streams"].size());
+    for (const Json& stream : reference["streams"]) {
+      const Channel channel = ChannelNamed(contents, stream["name"]);
+      EXPECT_EQ(channel.type, stream["type"].get<std::string>());
+      EXPECT_EQ(channel.count, stream["count"].get<std::uint64_t>());
+      if (stream["first"].is_null()) continue;
+      EXPECT_NEAR(*channel.first, stream["first"].get<double>(), 3e-7);
+      EXPECT_NEAR(*channel.last, stream["last"].get<double>(), 3e-7);
+      EXPECT_FALSE(channel.fields.empty());
+    }
+  }
+}
+
+// The numbers of a table of the real data, without its header.
+std::vector<std::vector<double>> RowsOf(const std::filesystem::path& file) {
+  std::vector<std::vector<double>> rows;
+  std::ifstream lines(file);
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// The method's own author's logs, of the folder as one recording, give the log that was made from
+// them by others: from z up to z down, and without the first row, which is NaN.
+TEST_F(RealRecordings, LogsOfRockGiveTheAuthorsLog) {
+  constexpr const char* kMap = R"(
+dof: surge
+command:
+  channel: "/forces&torques.forces"
+  frame: FLU
+  time: time
+  tau_surge: {field: "elements[0].effort", unit: N}
+  tau_sway: {field: "elements[1].effort", unit: N}
+  tau_heave: {field: "elements[2].effort", unit: N}
+  tau_roll: {field: "elements[3].effort", unit: Nm}
+  tau_pitch: {field: "elements[4].effort", unit: Nm}
+  tau_yaw: {field: "elements[5].effort", unit: Nm}
+velocity:
+  channel: /adap_samples.velocity
+  frame: FLU
+  time: time
+  u: "velocity.data[0]"
+  v: "velocity.data[1]"
+  w: "velocity.data[2]"
+  p: "angular_velocity.data[0]"
+  q: "angular_velocity.data[1]"
+  r: "angular_velocity.data[2]"
+pose:
+  channel: /adap_samples.dynamic
+  frame: NWU
+  time: rbs.time
+  x: "rbs.position.data[0]"
+  y: "rbs.position.data[1]"
+  z: "rbs.position.data[2]"
+  qx: "rbs.orientation.im[0]"
+  qy: "rbs.orientation.im[1]"
+  qz: "rbs.orientation.im[2]"
+  qw: "rbs.orientation.re"
+)";
+  const std::filesystem::path folder = folder_ / "formats" / "pocolog";
+  const auto recording = OpenRecording(folder);
+  const Log log = ImportLog(folder, *recording, ParseImportMap("map.yaml", kMap), std::nullopt).log;
+  const auto expect_equal = [&](const Stream& stream, const char* file, int num_columns) {
+    SCOPED_TRACE(file);
+    const auto rows = RowsOf(folder_ / "lbv_surge" / file);
+    ASSERT_EQ(stream.time.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_NEAR(stream.time[i], rows[i][0], 6e-7);
+      for (int k = 0; k < num_columns; ++k) {
+        const double expected = rows[i][1 + k];
+        EXPECT_NEAR(stream.values[k][i], expected, 1e-9 * std::max(1.0, std::abs(expected)));
+      }
+    }
+  };
+  ASSERT_TRUE(log.command && log.velocity && log.pose);
+  expect_equal(*log.command, "command.csv", 6);
+  expect_equal(*log.velocity, "author_velocity.csv", 6);
+  expect_equal(*log.pose, "pose.csv", 7);
 }
 
 }  // namespace

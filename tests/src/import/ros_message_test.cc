@@ -3,8 +3,9 @@
 
 // Messages of ROS are taken apart by the definition that their file carries.
 
-#include "fathom/import/ros/message_decoder.h"
-#include "fathom/import/ros/message_definition.h"
+#include "fathom/import/message/message_decoder.h"
+#include "fathom/import/message/message_definition.h"
+#include "fathom/import/ros/ros_definition.h"
 
 #include <cmath>
 #include <cstdint>
@@ -52,7 +53,7 @@ bool is_seen
 Point[2] corners
 )";
 
-RosDefinition Odometry() { return ParseRosDefinition("test_msgs/Odometry", kOdometry); }
+MessageDefinition Odometry() { return ParseRosDefinition("test_msgs/Odometry", kOdometry); }
 
 std::string Ros1Text(const std::string& text) {
   return Bytes(static_cast<std::uint32_t>(text.size())) + text;
@@ -69,18 +70,18 @@ std::string Ros1Message() {
          Point(3.0, 4.0F, 5) + Point(6.0, 7.0F, 8);
 }
 
-std::vector<double> Decode(const RosDefinition& definition,
-                           RosEncoding encoding,
+std::vector<double> Decode(const MessageDefinition& definition,
+                           MessageEncoding encoding,
                            const std::vector<std::string>& paths,
                            const std::string& message) {
   std::vector<double> values;
-  EXPECT_TRUE(RosDecoder(definition, encoding, paths).Decode(message, &values));
+  EXPECT_TRUE(MessageDecoder(definition, encoding, paths).Decode(message, &values));
   return values;
 }
 
-TEST(RosMessage, OfRos1IsTakenApart) {
+TEST(MessageType, OfRos1IsTakenApart) {
   EXPECT_THAT(Decode(Odometry(),
-                     RosEncoding::kRos1,
+                     MessageEncoding::kRos1,
                      {"markers[0].corners[1].z",
                       "header.stamp",
                       "pose.position.y",
@@ -94,8 +95,8 @@ TEST(RosMessage, OfRos1IsTakenApart) {
 }
 
 // The same in CDR: numbers at multiples of their size behind the four bytes of the head.
-TEST(RosMessage, OfRos2IsTakenApart) {
-  const RosDefinition definition = ParseRosDefinition(
+TEST(MessageType, OfRos2IsTakenApart) {
+  const MessageDefinition definition = ParseRosDefinition(
       "test_msgs/msg/Small",
       "uint8 first\nfloat64 second\nuint16 third\nstring<=10 name\nfloat32[<=4] list\n"
       "float64 with_default 3.5\nint32 CONSTANT=4\nbuiltin_interfaces/Time stamp\n"
@@ -115,21 +116,22 @@ TEST(RosMessage, OfRos2IsTakenApart) {
   pad(&message, 8);
   message += Bytes(9.75) + Bytes<std::int32_t>(100) + Bytes<std::uint32_t>(500000000);
   EXPECT_THAT(Decode(definition,
-                     RosEncoding::kCdr,
+                     MessageEncoding::kCdr,
                      {"first", "second", "third", "list[1]", "with_default", "stamp"},
                      message),
               ElementsAre(200, -0.125, 65000, 2.5, 9.75, 100.5));
 }
 
-TEST(RosMessage, MayHaveItsBytesInTheOtherOrder) {
-  const RosDefinition definition = ParseRosDefinition("a/B", "uint16 x\nfloat32 y\n");
+TEST(MessageType, MayHaveItsBytesInTheOtherOrder) {
+  const MessageDefinition definition = ParseRosDefinition("a/B", "uint16 x\nfloat32 y\n");
   const std::string message("\0\0\0\0\x01\x02\0\0\x3f\xc0\0\0", 12);
-  EXPECT_THAT(Decode(definition, RosEncoding::kCdr, {"x", "y"}, message), ElementsAre(258, 1.5));
+  EXPECT_THAT(Decode(definition, MessageEncoding::kCdr, {"x", "y"}, message),
+              ElementsAre(258, 1.5));
 }
 
-TEST(RosMessage, ListsItsNumbers) {
+TEST(MessageType, ListsItsNumbers) {
   std::vector<std::string> names;
-  for (const Field& field : NumbersOf(Odometry(), RosEncoding::kRos1, Ros1Message())) {
+  for (const Field& field : NumbersOf(Odometry(), MessageEncoding::kRos1, Ros1Message())) {
     names.push_back(field.name);
   }
   EXPECT_THAT(names,
@@ -152,10 +154,10 @@ TEST(RosMessage, ListsItsNumbers) {
                           "markers[0].corners[1].z"));
 }
 
-TEST(RosMessage, ThatEndsTooEarlyIsToldAtAnyPlace) {
+TEST(MessageType, ThatEndsTooEarlyIsToldAtAnyPlace) {
   const std::string whole = Ros1Message();
-  const RosDefinition definition = Odometry();
-  const RosDecoder decoder(definition, RosEncoding::kRos1, {"markers[0].corners[1].z"});
+  const MessageDefinition definition = Odometry();
+  const MessageDecoder decoder(definition, MessageEncoding::kRos1, {"markers[0].corners[1].z"});
   std::vector<double> values;
   for (std::size_t length = 0; length < whole.size(); ++length) {
     EXPECT_FALSE(decoder.Decode(whole.substr(0, length), &values)) << length;
@@ -163,15 +165,15 @@ TEST(RosMessage, ThatEndsTooEarlyIsToldAtAnyPlace) {
   EXPECT_TRUE(decoder.Decode(whole, &values));
 }
 
-TEST(RosMessage, WithAFalseLengthTakesNoMemoryAndNoTime) {
-  const RosDefinition definition = ParseRosDefinition(
+TEST(MessageType, WithAFalseLengthTakesNoMemoryAndNoTime) {
+  const MessageDefinition definition = ParseRosDefinition(
       "a/B", "Empty[] nothing\nstring[] names\nfloat64[] x\n===\nMSG: a/Empty\n");
   std::vector<double> values;
-  const RosDecoder decoder(definition, RosEncoding::kRos1, {"x[4000000000]"});
+  const MessageDecoder decoder(definition, MessageEncoding::kRos1, {"x[4000000000]"});
   EXPECT_FALSE(decoder.Decode(std::string(12, '\xff'), &values));
 }
 
-TEST(RosDefinition, SaysWhatIsWrong) {
+TEST(MessageDefinition, SaysWhatIsWrong) {
   const auto error = [](const char* text) {
     return ErrorFrom([&] { ParseRosDefinition("a/B", text); });
   };

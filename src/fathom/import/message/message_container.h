@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/ros/message_decoder.h"
+#include "fathom/import/message/message_decoder.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,16 +14,16 @@
 
 namespace fathom {
 
-// A stream of messages of one type in a file of ROS.
-struct RosChannel {
+// A stream of messages of one type in a file of ROS or Rock.
+struct MessageChannel {
   std::string topic;
   std::string type;        // "geometry_msgs/Pose"; in ROS 2 "geometry_msgs/msg/Pose"
   std::string definition;  // its text; empty: the file does not hold it
-  RosEncoding encoding = RosEncoding::kRos1;
+  MessageEncoding encoding = MessageEncoding::kRos1;
 };
 
 // What a walk over a file found out about it.
-struct RosWalk {
+struct ContainerWalk {
   std::uint64_t read_bytes = 0;  // up to here it is sound
   std::uint64_t size_bytes = 0;
   std::vector<std::string> remarks;
@@ -31,19 +31,19 @@ struct RosWalk {
 
 // Takes a message of the channel with this index, with the time at which it was written down [s].
 // The bytes last for the call.
-using TakeRosMessage =
-    std::function<void(std::size_t channel, double time, std::string_view message)>;
+using MessageSink = std::function<void(std::size_t channel, double time, std::string_view message)>;
 
-// A file format that holds messages of ROS.
-class RosContainer {
+// A file format that holds messages of ROS or Rock.
+class MessageContainer {
  public:
-  virtual ~RosContainer() = default;
+  virtual ~MessageContainer() = default;
 
   virtual std::string format() const = 0;
 
   // Hands on every message in the order of the file. `channels` grows by each channel before its
   // first message.
-  virtual RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const = 0;
+  virtual ContainerWalk Walk(std::vector<MessageChannel>* channels,
+                             const MessageSink& take) const = 0;
 };
 
 }  // namespace fathom

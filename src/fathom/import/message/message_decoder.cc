@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/import/ros/message_decoder.h"
+#include "fathom/import/message/message_decoder.h"
 
 #include <algorithm>
 #include <array>
@@ -20,12 +20,15 @@ namespace {
 constexpr std::size_t kCdrHeader = 4;
 constexpr std::int64_t kMostListed = 32;  // elements of a sequence
 constexpr std::size_t kMostFields = 500;
+constexpr std::size_t kMostEmpty = 10000;
 
 // Reads a message from its first byte to its last.
 class Cursor {
  public:
-  Cursor(std::string_view message, RosEncoding encoding)
-      : bytes_(message), is_cdr_(encoding == RosEncoding::kCdr) {
+  Cursor(std::string_view message, MessageEncoding encoding)
+      : bytes_(message),
+        is_cdr_(encoding == MessageEncoding::kCdr),
+        has_long_lengths_(encoding == MessageEncoding::kTypelib) {
     if (!is_cdr_) return;
     // 00 00: big endian; 00 01: little endian; other second bytes are newer kinds of either.
     if (bytes_.size() < kCdrHeader || bytes_[0] != 0) {
@@ -39,6 +42,13 @@ class Cursor {
   }
 
   bool is_good() const { return is_good_; }
+
+  // A message or one within it begins. Those that take no bytes are few, or the definition is made
+  // to have us count for ever.
+  void Enter() {
+    if (++num_entered_ > bytes_.size() + kMostEmpty) is_good_ = false;
+  }
+
   std::size_t at() const { return at_; }
 
   template <typename T>
@@ -52,23 +62,32 @@ class Cursor {
     return std::bit_cast<T>(raw);
   }
 
+  // Of a text or a sequence.
+  std::uint64_t ReadLength() {
+    return has_long_lengths_ ? Read<std::uint64_t>() : Read<std::uint32_t>();
+  }
+
+  // Those there are of `count` bytes.
+  void SkipPadding(std::uint64_t count) {
+    at_ += static_cast<std::size_t>(std::min<std::uint64_t>(count, BytesLeft()));
+  }
+
   // `count` numbers of `size` bytes, each of `align` at most.
   void Skip(std::uint64_t count, std::size_t size, std::size_t align) {
     if (count == 0) return;
     Align(align);
-    if (count > (bytes_.size() - std::min(at_, bytes_.size())) / size) {
+    if (count > BytesLeft() / size) {
       is_good_ = false;
       return;
     }
     at_ += static_cast<std::size_t>(count) * size;
   }
 
-  void SkipText(std::size_t character) {
-    const auto length = Read<std::uint32_t>();
-    Skip(length, character, 1);
-  }
+  void SkipText(std::size_t character) { Skip(ReadLength(), character, 1); }
 
  private:
+  std::size_t BytesLeft() const { return bytes_.size() - std::min(at_, bytes_.size()); }
+
   void Align(std::size_t size) {
     if (!is_cdr_) return;
     const std::size_t step = std::min(size, largest_step_);
@@ -83,114 +102,133 @@ class Cursor {
 
   std::string_view bytes_;
   bool is_cdr_;
+  bool has_long_lengths_;
   bool is_swapped_ = false;
   bool is_good_ = true;
   std::size_t largest_step_ = 8;
   std::size_t at_ = 0;
+  std::size_t num_entered_ = 0;
 };
 
-double ReadNumber(RosKind kind, Cursor* cursor) {
+double ReadNumber(MemberKind kind, Cursor* cursor) {
   switch (kind) {
-    case RosKind::kBool:
-    case RosKind::kUint8:
+    case MemberKind::kBool:
+    case MemberKind::kUint8:
       return cursor->Read<std::uint8_t>();
-    case RosKind::kInt8:
+    case MemberKind::kInt8:
       return cursor->Read<std::int8_t>();
-    case RosKind::kInt16:
+    case MemberKind::kInt16:
       return cursor->Read<std::int16_t>();
-    case RosKind::kUint16:
+    case MemberKind::kUint16:
       return cursor->Read<std::uint16_t>();
-    case RosKind::kInt32:
+    case MemberKind::kInt32:
       return cursor->Read<std::int32_t>();
-    case RosKind::kUint32:
+    case MemberKind::kUint32:
       return cursor->Read<std::uint32_t>();
-    case RosKind::kInt64:
+    case MemberKind::kInt64:
       return static_cast<double>(cursor->Read<std::int64_t>());
-    case RosKind::kUint64:
+    case MemberKind::kUint64:
       return static_cast<double>(cursor->Read<std::uint64_t>());
-    case RosKind::kFloat32:
+    case MemberKind::kFloat32:
       return cursor->Read<float>();
-    case RosKind::kFloat64:
+    case MemberKind::kFloat64:
       return cursor->Read<double>();
-    case RosKind::kTime: {
+    case MemberKind::kTime: {
       const auto seconds = cursor->Read<std::uint32_t>();
       return seconds + 1e-9 * cursor->Read<std::uint32_t>();
     }
-    case RosKind::kDuration: {
+    case MemberKind::kDuration: {
       const auto seconds = cursor->Read<std::int32_t>();
       return seconds + 1e-9 * cursor->Read<std::int32_t>();
     }
-    case RosKind::kString:
-    case RosKind::kWideString:
-    case RosKind::kMessage:
+    case MemberKind::kMicroseconds:
+      return static_cast<double>(cursor->Read<std::int64_t>()) / 1e6;
+    case MemberKind::kString:
+    case MemberKind::kWideString:
+    case MemberKind::kPadding:
+    case MemberKind::kMessage:
       break;
   }
   return 0.0;
 }
 
-bool IsTwoNumbers(RosKind kind) { return kind == RosKind::kTime || kind == RosKind::kDuration; }
+bool IsTwoNumbers(MemberKind kind) {
+  return kind == MemberKind::kTime || kind == MemberKind::kDuration;
+}
+
+bool IsTime(MemberKind kind) { return IsTwoNumbers(kind) || kind == MemberKind::kMicroseconds; }
+
+bool HoldsNumbers(MemberKind kind) {
+  return kind != MemberKind::kString && kind != MemberKind::kWideString &&
+         kind != MemberKind::kPadding;
+}
 
 // How many elements the member has in this message.
-std::uint64_t CountOf(const RosMember& member, Cursor* cursor) {
+std::uint64_t CountOf(const MessageMember& member, Cursor* cursor) {
   if (member.length == kNoArray) return 1;
-  if (member.length == kSequence) return cursor->Read<std::uint32_t>();
+  if (member.length == kSequence) return cursor->ReadLength();
   return static_cast<std::uint64_t>(member.length);
 }
 
-void SkipMessage(const RosDefinition& definition, std::size_t type, Cursor* cursor);
+void SkipMessage(const MessageDefinition& definition, std::size_t type, Cursor* cursor);
 
 // The elements of a member that nobody asks for.
-void SkipElements(const RosDefinition& definition,
-                  const RosMember& member,
+void SkipElements(const MessageDefinition& definition,
+                  const MessageMember& member,
                   std::uint64_t count,
                   Cursor* cursor) {
+  if (member.kind == MemberKind::kPadding) {
+    cursor->SkipPadding(count);
+    return;
+  }
   if (const std::size_t size = SizeOf(member.kind); size > 0) {
     cursor->Skip(count, size, IsTwoNumbers(member.kind) ? 4 : size);
     return;
   }
   for (std::uint64_t i = 0; i < count && cursor->is_good(); ++i) {
     const std::size_t before = cursor->at();
-    if (member.kind == RosKind::kMessage) {
+    if (member.kind == MemberKind::kMessage) {
       SkipMessage(definition, member.message, cursor);
     } else {
-      cursor->SkipText(member.kind == RosKind::kWideString ? 2 : 1);
+      cursor->SkipText(member.kind == MemberKind::kWideString ? 2 : 1);
     }
     // A message of nothing takes no bytes: any number of them is there at once.
     if (cursor->at() == before) return;
   }
 }
 
-void SkipMessage(const RosDefinition& definition, std::size_t type, Cursor* cursor) {
-  for (const RosMember& member : definition[type].members) {
+void SkipMessage(const MessageDefinition& definition, std::size_t type, Cursor* cursor) {
+  cursor->Enter();
+  for (const MessageMember& member : definition[type].members) {
     SkipElements(definition, member, CountOf(member, cursor), cursor);
     if (!cursor->is_good()) return;
   }
 }
 
-std::string ElementName(const std::string& name, const RosMember& member, std::uint64_t i) {
+std::string ElementName(const std::string& name, const MessageMember& member, std::uint64_t i) {
   return member.length == kNoArray ? name : fmt::format("{}[{}]", name, i);
 }
 
-void ListMessage(const RosDefinition& definition,
+void ListMessage(const MessageDefinition& definition,
                  std::size_t type,
                  const std::string& prefix,
                  Cursor* cursor,
                  std::vector<Field>* fields) {
-  for (const RosMember& member : definition[type].members) {
+  cursor->Enter();
+  for (const MessageMember& member : definition[type].members) {
     const std::uint64_t count = CountOf(member, cursor);
     const std::uint64_t num_listed =
-        member.kind == RosKind::kString || member.kind == RosKind::kWideString ||
-                fields->size() >= kMostFields
+        !HoldsNumbers(member.kind) || fields->size() >= kMostFields
             ? 0
             : std::min<std::uint64_t>(count, member.length == kSequence ? kMostListed : 64);
     for (std::uint64_t i = 0; i < num_listed && cursor->is_good(); ++i) {
       const std::string name = ElementName(prefix + member.name, member, i);
-      if (member.kind == RosKind::kMessage) {
+      if (member.kind == MemberKind::kMessage) {
         ListMessage(definition, member.message, name + ".", cursor, fields);
       } else {
         ReadNumber(member.kind, cursor);
         if (!cursor->is_good()) break;
-        fields->push_back({name, IsTwoNumbers(member.kind) ? "s" : "", 0});
+        fields->push_back({name, IsTime(member.kind) ? "s" : "", 0});
       }
     }
     SkipElements(definition, member, count - num_listed, cursor);
@@ -200,8 +238,8 @@ void ListMessage(const RosDefinition& definition,
 
 }  // namespace
 
-std::vector<Field> NumbersOf(const RosDefinition& definition,
-                             RosEncoding encoding,
+std::vector<Field> NumbersOf(const MessageDefinition& definition,
+                             MessageEncoding encoding,
                              std::string_view message) {
   std::vector<Field> fields;
   Cursor cursor(message, encoding);
@@ -210,12 +248,12 @@ std::vector<Field> NumbersOf(const RosDefinition& definition,
 }
 
 // What is asked of a message at some place in the tree.
-struct RosDecoder::Plan {
+struct MessageDecoder::Plan {
   // By the index of the member, then of its element.
   std::map<std::size_t, std::map<std::uint64_t, std::vector<std::size_t>>> numbers;
   std::map<std::size_t, std::map<std::uint64_t, Plan>> messages;
 
-  void Add(const RosDefinition& definition,
+  void Add(const MessageDefinition& definition,
            std::size_t type,
            std::string_view path,
            std::size_t value) {
@@ -229,7 +267,7 @@ struct RosDecoder::Plan {
     const auto& members = definition[type].members;
     for (std::size_t i = 0; i < members.size(); ++i) {
       if (members[i].name != name) continue;
-      if (members[i].kind == RosKind::kMessage) {
+      if (members[i].kind == MemberKind::kMessage) {
         if (dot < path.size()) {
           messages[i][element].Add(definition, members[i].message, path.substr(dot + 1), value);
         }
@@ -239,13 +277,13 @@ struct RosDecoder::Plan {
     }
   }
 
-  void Decode(const RosDefinition& definition,
+  void Decode(const MessageDefinition& definition,
               std::size_t type,
               Cursor* cursor,
               std::vector<double>* values) const {
     const auto& members = definition[type].members;
     for (std::size_t i = 0; i < members.size() && cursor->is_good(); ++i) {
-      const RosMember& member = members[i];
+      const MessageMember& member = members[i];
       const std::uint64_t count = CountOf(member, cursor);
       std::uint64_t done = 0;
       if (const auto wanted = numbers.find(i); wanted != numbers.end()) {
@@ -270,9 +308,9 @@ struct RosDecoder::Plan {
   }
 };
 
-RosDecoder::RosDecoder(const RosDefinition& definition,
-                       RosEncoding encoding,
-                       const std::vector<std::string>& paths)
+MessageDecoder::MessageDecoder(const MessageDefinition& definition,
+                               MessageEncoding encoding,
+                               const std::vector<std::string>& paths)
     : definition_(&definition),
       encoding_(encoding),
       num_values_(paths.size()),
@@ -280,11 +318,11 @@ RosDecoder::RosDecoder(const RosDefinition& definition,
   for (std::size_t i = 0; i < paths.size(); ++i) plan_->Add(definition, 0, paths[i], i);
 }
 
-RosDecoder::~RosDecoder() = default;
-RosDecoder::RosDecoder(RosDecoder&&) noexcept = default;
-RosDecoder& RosDecoder::operator=(RosDecoder&&) noexcept = default;
+MessageDecoder::~MessageDecoder() = default;
+MessageDecoder::MessageDecoder(MessageDecoder&&) noexcept = default;
+MessageDecoder& MessageDecoder::operator=(MessageDecoder&&) noexcept = default;
 
-bool RosDecoder::Decode(std::string_view message, std::vector<double>* values) const {
+bool MessageDecoder::Decode(std::string_view message, std::vector<double>* values) const {
   values->assign(num_values_, std::numeric_limits<double>::quiet_NaN());
   Cursor cursor(message, encoding_);
   plan_->Decode(*definition_, 0, &cursor, values);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/import/ros/ros_recording.h"
+#include "fathom/import/message/message_recording.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
@@ -24,9 +24,11 @@
 namespace fathom {
 namespace {
 
-class RosRecording final : public Recording {
+class MessageRecording final : public Recording {
  public:
-  RosRecording(const std::filesystem::path& path, std::unique_ptr<RosContainer> container);
+  MessageRecording(const std::filesystem::path& path,
+                   std::unique_ptr<MessageContainer> container,
+                   DefinitionParser parse);
 
   const Contents& contents() const override { return contents_; }
 
@@ -35,23 +37,23 @@ class RosRecording final : public Recording {
  private:
   // The channel of a recording that a stream of the file belongs to: connections of one topic and
   // type are one channel.
-  std::string NameOf(const RosChannel& channel) const {
+  std::string NameOf(const MessageChannel& channel) const {
     return topics_of_several_types_.contains(channel.topic)
                ? fmt::format("{} ({})", channel.topic, channel.type)
                : channel.topic;
   }
 
-  // A remark where the header of a channel's first message tells another time.
+  // A remark where a channel's first message itself tells another time.
   void TellOtherClock(const Channel& channel,
-                      const RosDefinition& definition,
-                      RosEncoding encoding,
+                      const MessageDefinition& definition,
+                      MessageEncoding encoding,
                       const std::string& message,
                       double log_time);
 
   std::filesystem::path path_;
-  std::unique_ptr<RosContainer> container_;
+  std::unique_ptr<MessageContainer> container_;
   std::set<std::string> topics_of_several_types_;
-  std::map<std::string, RosDefinition> definitions_;  // by channel
+  std::map<std::string, MessageDefinition> definitions_;  // by channel
   Contents contents_;
 };
 
@@ -62,12 +64,13 @@ struct StreamFacts {
   double first = NAN;  // its stamp
 };
 
-RosRecording::RosRecording(const std::filesystem::path& path,
-                           std::unique_ptr<RosContainer> container)
+MessageRecording::MessageRecording(const std::filesystem::path& path,
+                                   std::unique_ptr<MessageContainer> container,
+                                   DefinitionParser parse)
     : path_(path), container_(std::move(container)) {
-  std::vector<RosChannel> streams;
+  std::vector<MessageChannel> streams;
   std::vector<StreamFacts> facts;
-  const RosWalk walk =
+  const ContainerWalk walk =
       container_->Walk(&streams, [&](std::size_t stream, double time, std::string_view message) {
         facts.resize(streams.size());
         facts[stream].stamps.Add(time);
@@ -82,13 +85,13 @@ RosRecording::RosRecording(const std::filesystem::path& path,
   contents_.remarks = walk.remarks;
 
   std::map<std::string, std::string> type_of;
-  for (const RosChannel& stream : streams) {
+  for (const MessageChannel& stream : streams) {
     const auto [known, is_new] = type_of.emplace(stream.topic, stream.type);
     if (!is_new && known->second != stream.type) topics_of_several_types_.insert(stream.topic);
   }
   std::map<std::string, std::pair<Channel, ChannelStamps>> channels;
   for (std::size_t i = 0; i < streams.size(); ++i) {
-    const RosChannel& stream = streams[i];
+    const MessageChannel& stream = streams[i];
     const std::string name = NameOf(stream);
     auto& [channel, stamps] = channels[name];
     channel.name = name;
@@ -101,7 +104,7 @@ RosRecording::RosRecording(const std::filesystem::path& path,
       continue;
     }
     try {
-      const RosDefinition definition = ParseRosDefinition(stream.type, stream.definition);
+      const MessageDefinition definition = parse(stream.type, stream.definition);
       channel.fields = NumbersOf(definition, stream.encoding, *facts[i].first_message);
       TellOtherClock(channel, definition, stream.encoding, *facts[i].first_message, facts[i].first);
       definitions_[name] = definition;
@@ -121,49 +124,49 @@ RosRecording::RosRecording(const std::filesystem::path& path,
   }
 }
 
-void RosRecording::TellOtherClock(const Channel& channel,
-                                  const RosDefinition& definition,
-                                  RosEncoding encoding,
-                                  const std::string& message,
-                                  double log_time) {
+void MessageRecording::TellOtherClock(const Channel& channel,
+                                      const MessageDefinition& definition,
+                                      MessageEncoding encoding,
+                                      const std::string& message,
+                                      double log_time) {
   constexpr double kSameClock = 10.0;  // [s]
   const auto& fields = channel.fields;
-  if (std::none_of(fields.begin(), fields.end(), [](const Field& field) {
-        return field.name == "header.stamp";
-      })) {
-    return;
-  }
+  const auto own = std::find_if(fields.begin(), fields.end(), [](const Field& field) {
+    return field.unit == "s" && (field.name == "header.stamp" || field.name == "time");
+  });
+  if (own == fields.end()) return;
   std::vector<double> stamp;
-  RosDecoder(definition, encoding, {"header.stamp"}).Decode(message, &stamp);
+  MessageDecoder(definition, encoding, {own->name}).Decode(message, &stamp);
   if (!(std::abs(stamp.front() - log_time) > kSameClock)) return;
   contents_.remarks.push_back(
-      fmt::format("{}: its headers have another clock, {:.3f} s where the message was written down "
-                  "at {:.3f} s. The latter is the stamp; 'time: header.stamp' in a map takes the "
-                  "former.",
+      fmt::format("{}: its {} is of another clock, {:.3f} s where the message was written down at "
+                  "{:.3f} s. The latter is the stamp; 'time: {}' in a map takes the former.",
                   Printable(channel.name),
+                  own->name,
                   stamp.front(),
-                  log_time));
+                  log_time,
+                  own->name));
 }
 
-void RosRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+void MessageRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
   struct Wanted {
     std::size_t selection;
-    RosDecoder decoder;
+    MessageDecoder decoder;
   };
   for (const Selection& selection : selections) FindChannel(contents_, path_, selection);
-  std::vector<RosChannel> streams;
+  std::vector<MessageChannel> streams;
   std::vector<std::vector<Wanted>> wanted;  // by stream
   std::vector<double> values;
   container_->Walk(&streams, [&](std::size_t stream, double time, std::string_view message) {
     while (wanted.size() < streams.size()) {
-      const RosChannel& added = streams[wanted.size()];
+      const MessageChannel& added = streams[wanted.size()];
       std::vector<Wanted>& of_stream = wanted.emplace_back();
       const auto definition = definitions_.find(NameOf(added));
       if (definition == definitions_.end()) continue;
       for (std::size_t i = 0; i < selections.size(); ++i) {
         if (selections[i].channel != NameOf(added)) continue;
         of_stream.push_back(
-            {i, RosDecoder(definition->second, added.encoding, selections[i].fields)});
+            {i, MessageDecoder(definition->second, added.encoding, selections[i].fields)});
       }
     }
     for (const Wanted& entry : wanted[stream]) {
@@ -176,9 +179,10 @@ void RosRecording::Read(std::span<const Selection> selections, const SampleSink&
 
 }  // namespace
 
-std::unique_ptr<Recording> OpenRosRecording(const std::filesystem::path& path,
-                                            std::unique_ptr<RosContainer> container) {
-  return std::make_unique<RosRecording>(path, std::move(container));
+std::unique_ptr<Recording> OpenMessageRecording(const std::filesystem::path& path,
+                                                std::unique_ptr<MessageContainer> container,
+                                                DefinitionParser parse) {
+  return std::make_unique<MessageRecording>(path, std::move(container), parse);
 }
 
 }  // namespace fathom

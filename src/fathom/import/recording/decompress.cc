@@ -10,6 +10,7 @@
 
 #include <bzlib.h>
 #include <lz4frame.h>
+#include <zlib.h>
 #include <zstd.h>
 
 namespace fathom {
@@ -73,6 +74,23 @@ std::string FromLz4(std::string_view data, std::size_t size) {
   });
 }
 
+std::string FromZlib(std::string_view data, std::size_t size) {
+  z_stream stream = {};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
+  // zlib reads only.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
+  stream.avail_in =
+      static_cast<uInt>(std::min<std::size_t>(data.size(), std::numeric_limits<uInt>::max()));
+  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+    stream.next_out = reinterpret_cast<Bytef*>(out);
+    stream.avail_out = static_cast<uInt>(room);
+    const int result = inflate(&stream, Z_NO_FLUSH);
+    *goes_on = result == Z_OK && stream.avail_out == 0;
+    return room - stream.avail_out;
+  });
+}
+
 std::string FromZstd(std::string_view data, std::size_t size) {
   const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
                                                                              ZSTD_freeDStream);
@@ -100,6 +118,8 @@ std::string Decompressed(Compression compression, std::string_view data, std::si
       return FromBzip2(data, size);
     case Compression::kLz4:
       return FromLz4(data, size);
+    case Compression::kZlib:
+      return FromZlib(data, size);
     case Compression::kZstd:
       return FromZstd(data, size);
     case Compression::kNone:

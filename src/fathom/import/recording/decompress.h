@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-enum class Compression { kNone, kBzip2, kLz4, kZstd };
+enum class Compression { kNone, kBzip2, kLz4, kZlib, kZstd };
 
 // The first `size` bytes at most of what was compressed; fewer where the data is cut or damaged.
 // LZ4 and Zstandard as frames.

@@ -61,8 +61,8 @@ struct Schema {
 
 // What one walk knows.
 struct Walker {
-  std::vector<RosChannel>* channels;
-  const TakeRosMessage* take;
+  std::vector<MessageChannel>* channels;
+  const MessageSink* take;
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, std::size_t> channel_of;  // by the channel's number
   std::uint64_t num_unknown = 0;                    // messages of no channel
@@ -80,13 +80,13 @@ struct Walker {
   bool TakeChannel(Content content) {
     const auto number = content.Number<std::uint16_t>();
     const auto schema_number = content.Number<std::uint16_t>();
-    RosChannel channel;
+    MessageChannel channel;
     channel.topic = content.Text();
     const std::string_view encoding = content.Text();
     if (!content.is_good() || channel_of.contains(number)) return content.is_good();
     const Schema schema = schemas[schema_number];
     channel.type = schema.name;
-    channel.encoding = encoding == "ros1" ? RosEncoding::kRos1 : RosEncoding::kCdr;
+    channel.encoding = encoding == "ros1" ? MessageEncoding::kRos1 : MessageEncoding::kCdr;
     if (schema.encoding == "ros1msg" || schema.encoding == "ros2msg") {
       channel.definition = schema.text;
     } else if (encoding == "cdr") {
@@ -164,23 +164,23 @@ bool WalkRecords(std::string_view bytes, Walker* walker) {
   return true;
 }
 
-class McapFile final : public RosContainer {
+class McapFile final : public MessageContainer {
  public:
   explicit McapFile(const std::filesystem::path& path) : path_(path) {}
 
   std::string format() const override { return "mcap"; }
 
-  RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const override;
+  ContainerWalk Walk(std::vector<MessageChannel>* channels, const MessageSink& take) const override;
 
  private:
   std::filesystem::path path_;
 };
 
-RosWalk McapFile::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const {
+ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const MessageSink& take) const {
   constexpr std::size_t kLongestChunkHead = 128;
   ByteFile file(path_);
   Walker walker = {channels, &take, {}, {}, 0};
-  RosWalk walk;
+  ContainerWalk walk;
   walk.size_bytes = file.size();
   std::uint64_t at = kMagic.size();
   bool is_closed = false;
@@ -238,7 +238,7 @@ RosWalk McapFile::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& 
 
 bool LooksLikeMcap(std::string_view first_bytes) { return first_bytes.starts_with(kMagic); }
 
-std::unique_ptr<RosContainer> OpenMcap(const std::filesystem::path& path) {
+std::unique_ptr<MessageContainer> OpenMcap(const std::filesystem::path& path) {
   return std::make_unique<McapFile>(path);
 }
 

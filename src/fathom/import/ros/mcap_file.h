@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/ros/ros_container.h"
+#include "fathom/import/message/message_container.h"
 
 #include <filesystem>
 #include <memory>
@@ -17,6 +17,6 @@ bool LooksLikeMcap(std::string_view first_bytes);
 // An MCAP file with messages of ROS 1 or ROS 2; chunks that are plain, lz4 or zstd, or none. It is
 // read from its first byte to its last, so that its summary may be missing. The format:
 // mcap.dev/spec.
-std::unique_ptr<RosContainer> OpenMcap(const std::filesystem::path& path);
+std::unique_ptr<MessageContainer> OpenMcap(const std::filesystem::path& path);
 
 }  // namespace fathom

@@ -73,7 +73,7 @@ struct Record {
   std::uint64_t data_size = 0;    // as stated: more than `data` holds if that is cut
 };
 
-class Bag final : public RosContainer {
+class Bag final : public MessageContainer {
  public:
   explicit Bag(const std::filesystem::path& path) : path_(path) {
     ByteFile file(path);
@@ -85,7 +85,7 @@ class Bag final : public RosContainer {
 
   std::string format() const override { return "ros1_bag"; }
 
-  RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const override;
+  ContainerWalk Walk(std::vector<MessageChannel>* channels, const MessageSink& take) const override;
 
  private:
   std::filesystem::path path_;
@@ -93,8 +93,8 @@ class Bag final : public RosContainer {
 
 // What one walk knows.
 struct Walker {
-  std::vector<RosChannel>* channels;
-  const TakeRosMessage* take;
+  std::vector<MessageChannel>* channels;
+  const MessageSink* take;
   std::map<std::uint32_t, std::size_t> channel_of;  // by the number of the connection
   std::uint64_t num_unknown = 0;                    // messages of no connection
 
@@ -108,7 +108,7 @@ struct Walker {
     channels->push_back({std::string(record.header.Text("topic")),
                          std::string(fields->Text("type")),
                          std::string(fields->Text("message_definition")),
-                         RosEncoding::kRos1});
+                         MessageEncoding::kRos1});
     return true;
   }
 
@@ -180,10 +180,10 @@ std::optional<Record> RecordIn(ByteFile* file, std::uint64_t at) {
   return RecordAt(file->View(at, static_cast<std::size_t>(head->data_offset + head->data_size)));
 }
 
-RosWalk Bag::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const {
+ContainerWalk Bag::Walk(std::vector<MessageChannel>* channels, const MessageSink& take) const {
   ByteFile file(path_);
   Walker walker = {channels, &take, {}, 0};
-  RosWalk walk;
+  ContainerWalk walk;
   walk.size_bytes = file.size();
   std::uint64_t at = kMagic.size();
   bool is_indexed = true;
@@ -235,7 +235,7 @@ RosWalk Bag::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take)
 
 bool LooksLikeRos1Bag(std::string_view first_bytes) { return first_bytes.starts_with("#ROSBAG V"); }
 
-std::unique_ptr<RosContainer> OpenRos1Bag(const std::filesystem::path& path) {
+std::unique_ptr<MessageContainer> OpenRos1Bag(const std::filesystem::path& path) {
   return std::make_unique<Bag>(path);
 }
 

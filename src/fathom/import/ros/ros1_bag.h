@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/ros/ros_container.h"
+#include "fathom/import/message/message_container.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,6 +16,6 @@ bool LooksLikeRos1Bag(std::string_view first_bytes);
 
 // A bag of ROS 1, version 2.0, with chunks that are plain, bz2 or lz4. It is read from its first
 // byte to its last, so that its index may be missing. Throws InputError for another version.
-std::unique_ptr<RosContainer> OpenRos1Bag(const std::filesystem::path& path);
+std::unique_ptr<MessageContainer> OpenRos1Bag(const std::filesystem::path& path);
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/import/ros/message_definition.h"
+#include "fathom/import/ros/ros_definition.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
@@ -22,24 +22,25 @@ constexpr std::size_t kMostTypes = 1000;
 constexpr int kDeepest = 32;
 constexpr std::int64_t kLongestFixedArray = 1 << 24;
 
-const std::map<std::string_view, RosKind>& Primitives() {
-  static const std::map<std::string_view, RosKind> kPrimitives = {{"bool", RosKind::kBool},
-                                                                  {"int8", RosKind::kInt8},
-                                                                  {"byte", RosKind::kUint8},
-                                                                  {"char", RosKind::kUint8},
-                                                                  {"uint8", RosKind::kUint8},
-                                                                  {"int16", RosKind::kInt16},
-                                                                  {"uint16", RosKind::kUint16},
-                                                                  {"int32", RosKind::kInt32},
-                                                                  {"uint32", RosKind::kUint32},
-                                                                  {"int64", RosKind::kInt64},
-                                                                  {"uint64", RosKind::kUint64},
-                                                                  {"float32", RosKind::kFloat32},
-                                                                  {"float64", RosKind::kFloat64},
-                                                                  {"string", RosKind::kString},
-                                                                  {"wstring", RosKind::kWideString},
-                                                                  {"time", RosKind::kTime},
-                                                                  {"duration", RosKind::kDuration}};
+const std::map<std::string_view, MemberKind>& Primitives() {
+  static const std::map<std::string_view, MemberKind> kPrimitives = {
+      {"bool", MemberKind::kBool},
+      {"int8", MemberKind::kInt8},
+      {"byte", MemberKind::kUint8},
+      {"char", MemberKind::kUint8},
+      {"uint8", MemberKind::kUint8},
+      {"int16", MemberKind::kInt16},
+      {"uint16", MemberKind::kUint16},
+      {"int32", MemberKind::kInt32},
+      {"uint32", MemberKind::kUint32},
+      {"int64", MemberKind::kInt64},
+      {"uint64", MemberKind::kUint64},
+      {"float32", MemberKind::kFloat32},
+      {"float64", MemberKind::kFloat64},
+      {"string", MemberKind::kString},
+      {"wstring", MemberKind::kWideString},
+      {"time", MemberKind::kTime},
+      {"duration", MemberKind::kDuration}};
   return kPrimitives;
 }
 
@@ -84,7 +85,7 @@ class Parser {
   Parser(std::string_view type, std::string_view text)
       : type_(WithoutMsg(type)), texts_(TextsOf(type, text)) {}
 
-  RosDefinition Parse() {
+  MessageDefinition Parse() {
     AddType(type_, 0);
     return std::move(definition_);
   }
@@ -135,7 +136,7 @@ class Parser {
     const std::size_t end_of_name = std::min(name.find_first_of(" \t="), name.size());
     const std::string_view behind = Trimmed(name.substr(end_of_name));
     if (behind.starts_with('=')) return;  // a constant; "name value" is a default of ROS 2
-    RosMember member;
+    MessageMember member;
     member.name = name.substr(0, end_of_name);
     if (type.ends_with(']')) {
       const std::size_t open = type.find('[');
@@ -147,13 +148,13 @@ class Parser {
     if (const auto primitive = Primitives().find(type); primitive != Primitives().end()) {
       member.kind = primitive->second;
     } else {
-      member.kind = RosKind::kMessage;
+      member.kind = MemberKind::kMessage;
       const std::string package(PackageOf(definition_[index].name));
       member.message = AddType(Resolve(type, package), depth + 1);
       const std::string& message = definition_[member.message].name;
       // In ROS 2 these are messages of two numbers.
-      if (message == "builtin_interfaces/Time") member.kind = RosKind::kTime;
-      if (message == "builtin_interfaces/Duration") member.kind = RosKind::kDuration;
+      if (message == "builtin_interfaces/Time") member.kind = MemberKind::kTime;
+      if (message == "builtin_interfaces/Duration") member.kind = MemberKind::kDuration;
     }
     definition_[index].members.push_back(std::move(member));
   }
@@ -170,41 +171,14 @@ class Parser {
 
   std::string type_;
   std::map<std::string, std::string_view> texts_;
-  RosDefinition definition_;
+  MessageDefinition definition_;
   std::map<std::string, std::size_t> index_;
   std::vector<std::string> open_;
 };
 
 }  // namespace
 
-std::size_t SizeOf(RosKind kind) {
-  switch (kind) {
-    case RosKind::kBool:
-    case RosKind::kInt8:
-    case RosKind::kUint8:
-      return 1;
-    case RosKind::kInt16:
-    case RosKind::kUint16:
-      return 2;
-    case RosKind::kInt32:
-    case RosKind::kUint32:
-    case RosKind::kFloat32:
-      return 4;
-    case RosKind::kInt64:
-    case RosKind::kUint64:
-    case RosKind::kFloat64:
-    case RosKind::kTime:
-    case RosKind::kDuration:
-      return 8;
-    case RosKind::kString:
-    case RosKind::kWideString:
-    case RosKind::kMessage:
-      return 0;
-  }
-  return 0;
-}
-
-RosDefinition ParseRosDefinition(std::string_view type, std::string_view text) {
+MessageDefinition ParseRosDefinition(std::string_view type, std::string_view text) {
   return Parser(type, text).Parse();
 }
 

@@ -37,7 +37,7 @@ std::map<std::string, std::string> DefinitionsOf(SQLite::Database* database) {
   return definitions;
 }
 
-class Rosbag2Database final : public RosContainer {
+class Rosbag2Database final : public MessageContainer {
  public:
   explicit Rosbag2Database(const std::filesystem::path& path) : path_(path) {
     try {
@@ -57,14 +57,15 @@ class Rosbag2Database final : public RosContainer {
 
   std::string format() const override { return "rosbag2"; }
 
-  RosWalk Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const override;
+  ContainerWalk Walk(std::vector<MessageChannel>* channels, const MessageSink& take) const override;
 
  private:
   std::filesystem::path path_;
 };
 
-RosWalk Rosbag2Database::Walk(std::vector<RosChannel>* channels, const TakeRosMessage& take) const {
-  RosWalk walk;
+ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
+                                    const MessageSink& take) const {
+  ContainerWalk walk;
   walk.size_bytes = std::filesystem::file_size(path_);
   try {
     SQLite::Database database = OpenReadOnly(path_);
@@ -72,13 +73,13 @@ RosWalk Rosbag2Database::Walk(std::vector<RosChannel>* channels, const TakeRosMe
     std::map<std::int64_t, std::size_t> channel_of;
     SQLite::Statement topics(database, "SELECT id, name, type FROM topics ORDER BY id");
     while (topics.executeStep()) {
-      RosChannel channel;
+      MessageChannel channel;
       channel.topic = topics.getColumn(1).getString();
       channel.type = topics.getColumn(2).getString();
       const auto known = definitions.find(channel.type);
       channel.definition =
           known == definitions.end() ? KnownDefinition(channel.type) : known->second;
-      channel.encoding = RosEncoding::kCdr;
+      channel.encoding = MessageEncoding::kCdr;
       channel_of[topics.getColumn(0).getInt64()] = channels->size();
       channels->push_back(std::move(channel));
     }
@@ -111,7 +112,7 @@ bool LooksLikeSqlite(std::string_view first_bytes) {
   return first_bytes.starts_with(std::string_view("SQLite format 3\0", 16));
 }
 
-std::unique_ptr<RosContainer> OpenRosbag2Database(const std::filesystem::path& path) {
+std::unique_ptr<MessageContainer> OpenRosbag2Database(const std::filesystem::path& path) {
   return std::make_unique<Rosbag2Database>(path);
 }
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/ros/ros_container.h"
+#include "fathom/import/message/message_container.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,6 +16,6 @@ bool LooksLikeSqlite(std::string_view first_bytes);
 
 // A database of rosbag2 (.db3). Types whose definition it does not hold are those of
 // KnownDefinition(). Throws InputError, naming the file, for another database.
-std::unique_ptr<RosContainer> OpenRosbag2Database(const std::filesystem::path& path);
+std::unique_ptr<MessageContainer> OpenRosbag2Database(const std::filesystem::path& path);
 
 }  // namespace fathom

@@ -5,6 +5,7 @@
 
 #include "fathom/import/suggest/ardupilot_map.h"
 #include "fathom/import/suggest/map_by_names.h"
+#include "fathom/import/suggest/rock_map.h"
 #include "fathom/import/suggest/ros_map.h"
 
 #include <string>
@@ -17,6 +18,7 @@ SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>
   if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
     return RosMap(recording.contents());
   }
+  if (format == "pocolog") return RockMap(recording.contents());
   return MapByNames(recording.contents());
 }
 

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/message/message_definition.h"
+
+#include <string_view>
+
+namespace fathom {
+
+// From the definition that bags and MCAP files carry: the text of the type's .msg file, then those
+// of all types in it, each behind a line of "=" and "MSG: package/Type". Constants and comments are
+// left out. Throws InputError, naming the type, for a text that is none, for a type that is not
+// there or holds itself, and beyond 1000 types.
+MessageDefinition ParseRosDefinition(std::string_view type, std::string_view text);
+
+}  // namespace fathom
