@@ -45,7 +45,7 @@ DEFINE_string(out, "", "Write the log into this folder.");
 DEFINE_bool(overwrite, false, "Replace the log in --out.");
 DEFINE_bool(list, false, "Only say what the recording holds.");
 DEFINE_bool(suggest, false, "Only print a map for the recording, to be edited.");
-DEFINE_string(json, "", "With --list, write that to this JSON file too.");
+DEFINE_string(json, "", "With --list or --suggest, write that to this JSON file too.");
 
 namespace fathom {
 namespace {
@@ -54,8 +54,7 @@ const ToolInfo kInfo = {
     "fathom_import",
     "Makes a log folder from the file that a vehicle's own software wrote.",
     "--from=FILE --out=LOG [--map=MAP.yaml --vehicle=VEHICLE.yaml --overwrite] | --from=FILE "
-    "--list "
-    "[--json=FILE] | --from=FILE --suggest",
+    "--list | --suggest [--json=FILE]",
     "fathom_import --from=data/recordings/pool.csv --list\n"
     "  fathom_import --from=data/recordings/pool.csv --suggest > map.yaml\n"
     "  fathom_import --from=data/recordings/pool.csv --map=data/recordings/pool_map.yaml "
@@ -137,10 +136,13 @@ int List(const std::filesystem::path& file) {
 }
 
 int Suggest(const std::filesystem::path& file) {
+  RequireOutputs({{"json", FLAGS_json}}, {FLAGS_from});
   std::optional<Vehicle> vehicle;
   if (!FLAGS_vehicle.empty()) vehicle = ReadVehicleFile(FLAGS_vehicle);
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
-  fmt::print("{}", SuggestMap(*recording, vehicle).text);
+  const SuggestedMap map = SuggestMap(*recording, vehicle);
+  fmt::print("{}", map.text);
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
   return 0;
 }
 
@@ -196,7 +198,8 @@ int Run() {
   const std::filesystem::path file = RequireFlag("from", FLAGS_from, "the recording to read");
   if (FLAGS_list) return List(file);
   if (FLAGS_suggest) return Suggest(file);
-  if (!FLAGS_json.empty()) throw InputError("--json: goes with --list, expected both.");
+  if (!FLAGS_json.empty())
+    throw InputError("--json: goes with --list or --suggest, expected one of them.");
   const std::filesystem::path folder = OutputFolder(
       RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
   RequireWritableFolder(folder);

@@ -87,7 +87,7 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;
   of_logs.jobs.pages = options.pages;
-  of_logs.jobs.tracked = options.results.string() + ".tracked";
+  of_logs.jobs.made = options.results.string() + ".logs";
   of_logs.programs.tools = options.tools;
   of_logs.programs.work = options.results.string() + ".work";
   of_logs.programs.version = options.version;

@@ -115,7 +115,9 @@ DoneLog DoneLogOf(const HashedLog& hashed,
   done.dive = DiveOfPath(hashed.log.path, settings);
   done.state = outcome.state;
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
-  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, hashed.log.place, settings);
+  // An import copies the vehicle file into the log.
+  const fs::path place = hashed.log.is_recording ? outcome.place : fs::path(hashed.log.place);
+  VehicleOfLog vehicle_of_log = VehicleOf(vehicle, place, settings);
   done.vehicle = std::move(vehicle_of_log.name);
   done.vehicle_file = std::move(vehicle_of_log.file);
   if (outcome.survey) {

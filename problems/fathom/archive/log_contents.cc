@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/import/open_recording.h"
 #include "fathom/log/log_content.h"
 #include "fathom/log/log_files.h"
 
@@ -16,13 +17,30 @@
 namespace fathom {
 namespace {
 
-std::string StampsOf(const std::filesystem::path& log) {
+// What decides what comes out of a log: its files, and of a recording map and vehicle file too.
+std::vector<std::filesystem::path> FilesOf(const FoundLog& log) {
+  if (!log.is_recording) return InputFilesOf(log.place);
+  std::vector<std::filesystem::path> files = FilesOfRecording(log.place);
+  for (const std::string& file : {log.map, log.vehicle}) {
+    if (!file.empty()) files.emplace_back(file);
+  }
+  return files;
+}
+
+std::string ContentOfFound(const FoundLog& log) {
+  if (!log.is_recording) return ContentOf(log.place);
+  return DigestOf({ContentOfRecording(log.place),
+                   log.map.empty() ? "" : ContentOf(log.map),
+                   log.vehicle.empty() ? "" : ContentOf(log.vehicle)});
+}
+
+std::string StampsOf(const FoundLog& log) {
   std::string stamps;
-  for (const std::filesystem::path& file : InputFilesOf(log)) {
+  for (const std::filesystem::path& file : FilesOf(log)) {
     struct stat status = {};
     if (stat(file.c_str(), &status) != 0) return "";
     stamps += fmt::format("{} {} {}.{:09}\n",
-                          PathText(file == log ? "" : file.lexically_relative(log)),
+                          PathText(file == log.place ? "" : file.lexically_relative(log.place)),
                           status.st_size,
                           status.st_mtim.tv_sec,
                           status.st_mtim.tv_nsec);
@@ -43,12 +61,12 @@ std::vector<HashedLog> HashLogs(const std::vector<FoundLog>& logs, bool rehash, 
     one.log = log;
     one.path = PathText(log.path);
     try {
-      const std::string stamps = StampsOf(log.place);
+      const std::string stamps = StampsOf(log);
       const auto found = known.find(one.path);
       if (found != known.end() && !stamps.empty() && found->second.stamps == stamps) {
         one.content = found->second.content;
       } else {
-        one.content = ContentOf(log.place);
+        one.content = ContentOfFound(log);
         fresh[one.path] = {stamps, one.content};
       }
       one.duplicate_of = first_of.try_emplace(one.content, one.path).first->second;

@@ -61,7 +61,7 @@ if [[ "${{1:-}}" == merge ]]; then
   for ((i = 0; i < parts; ++i)); do merge+=("--merge=$results.part$i"); done
   "$batch" --archive="$archive" --results="$results" "${{merge[@]}}" "${{flags[@]}}"{last_flags}
   rm -f "$results".part*.copy.*  # of tasks that were killed while they copied
-  if [[ -d "$results.tracked" ]]; then rmdir --ignore-fail-on-non-empty "$results.tracked"; fi
+  if [[ -d "$results.logs" ]]; then rmdir --ignore-fail-on-non-empty "$results.logs"; fi
   exit
 fi
 i=$SLURM_ARRAY_TASK_ID
@@ -70,9 +70,9 @@ disk=${{TMPDIR:-/tmp}}
 if [[ ! -d "$disk" || ! -w "$disk" ]]; then disk=/tmp; fi
 local="$disk/fathom_${{SLURM_ARRAY_JOB_ID}}_$i"
 mkdir -p "$local"
-# The merge needs the logs that were made of images.
-mkdir -p "$results.tracked"
-ln -sfn "$results.tracked" "$local/part.sqlite.tracked"
+# The merge needs the logs that were made of images and recordings.
+mkdir -p "$results.logs"
+ln -sfn "$results.logs" "$local/part.sqlite.logs"
 "$batch" --archive="$archive" --results="$local/part.sqlite" --merge="$results" --shard="$i/$parts" "${{flags[@]}}"
 # Where Slurm only believes that a node is dead, two of the same task may end at the same time.
 copy=$results.part$i.copy.$SLURM_JOB_ID.${{SLURM_RESTART_COUNT:-0}}

@@ -114,6 +114,24 @@ std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
   return OpenFile(path, table, true);
 }
 
+bool IsRecording(const std::filesystem::path& file) {
+  try {
+    ByteFile bytes(file);
+    const std::string first(bytes.View(0, kFirstBytes));
+    // Of other databases there are many.
+    if (LooksLikeSqlite(first)) return OpenRosbag2Database(file) != nullptr;
+    return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
+           LooksLikePocolog(first);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::vector<std::filesystem::path> FilesOfRecording(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? FilesIn(path) : std::vector{path};
+}
+
 std::string ContentOfRecording(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(path, ignored)) return ContentOf(path);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -19,6 +20,14 @@ namespace fathom {
 // anything else.
 std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
                                          const TableOptions& table = {});
+
+// Whether a file begins as one of these formats, tables of text left aside. False if it cannot be
+// read.
+bool IsRecording(const std::filesystem::path& file);
+
+// The files of a recording: itself, or those of the folder. Throws InputError for a folder that
+// cannot be read.
+std::vector<std::filesystem::path> FilesOfRecording(const std::filesystem::path& path);
 
 // Tells one recording's files from another's: ContentOf() a file; of a folder that of its files and
 // their names. Throws as ContentOf() does.

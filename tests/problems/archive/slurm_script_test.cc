@@ -174,9 +174,9 @@ TEST_F(SlurmScriptTest, ATaskWhoseTmpdirIsMissingOnItsNodeTakesTmp) {
 TEST_F(SlurmScriptTest, TrackedLogsGoToTheSharedDisk) {
   const fs::path batch = options_.tools / "fathom_batch";
   Write(batch,
-        FileText(batch) + "if [[ -d ${2#*=}.tracked ]]; then mkdir \"${2#*=}.tracked/4711\"; fi\n");
+        FileText(batch) + "if [[ -d ${2#*=}.logs ]]; then mkdir \"${2#*=}.logs/4711\"; fi\n");
   ASSERT_EQ(Run("1").exit_code, 0);
-  EXPECT_THAT(Entries(options_.results.string() + ".tracked"), ElementsAre("4711"));
+  EXPECT_THAT(Entries(options_.results.string() + ".logs"), ElementsAre("4711"));
 }
 
 TEST_F(SlurmScriptTest, ReservesProcessorsAndMemoryForAllPrograms) {

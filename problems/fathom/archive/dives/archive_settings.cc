@@ -83,6 +83,20 @@ std::optional<Dof> DofOf(const YamlMap& file) {
   return dof;
 }
 
+ArchiveImport ImportIn(const YamlMap& entry, const fs::path& archive, const fs::path& vehicle) {
+  ArchiveImport import;
+  import.files = entry.String("files");
+  const std::string map = entry.String("map", ""), own_vehicle = entry.String("vehicle", "");
+  if (!map.empty()) import.map = archive / map;
+  import.vehicle = own_vehicle.empty() ? vehicle : archive / own_vehicle;
+  entry.Finish();
+  return import;
+}
+
+bool IsMatch(const std::string& pattern, const std::string& path) {
+  return fnmatch(pattern.c_str(), path.c_str(), 0) == 0;
+}
+
 }  // namespace
 
 ArchiveSettings ParseArchiveSettings(const fs::path& name, const std::string& text) {
@@ -96,6 +110,9 @@ ArchiveSettings ParseArchiveSettings(const fs::path& name, const std::string& te
   settings.vehicle_name = file.String("vehicle", "");
   if (!settings.vehicle_name.empty()) settings.vehicle = name.parent_path() / settings.vehicle_name;
   settings.dof = DofOf(file);
+  for (const YamlMap& entry : file.OptionalMaps("imports")) {
+    settings.imports.push_back(ImportIn(entry, name.parent_path(), settings.vehicle));
+  }
   if (file.Has("leave_out")) settings.leave_out = file.Strings("leave_out");
   file.Finish();
   return settings;
@@ -123,11 +140,18 @@ std::string DiveOfPath(const fs::path& path, const ArchiveSettings& settings) {
   return text;
 }
 
-bool IsLeftOut(const std::string& path, const ArchiveSettings& settings) {
-  return std::any_of(
-      settings.leave_out.begin(), settings.leave_out.end(), [&](const auto& pattern) {
-        return fnmatch(pattern.c_str(), path.c_str(), 0) == 0;
+const ArchiveImport* ImportOf(const std::string& path, const ArchiveSettings& settings) {
+  const auto found = std::find_if(
+      settings.imports.begin(), settings.imports.end(), [&](const ArchiveImport& import) {
+        return IsMatch(import.files, path);
       });
+  return found == settings.imports.end() ? nullptr : &*found;
+}
+
+bool IsLeftOut(const std::string& path, const ArchiveSettings& settings) {
+  return std::any_of(settings.leave_out.begin(),
+                     settings.leave_out.end(),
+                     [&](const auto& pattern) { return IsMatch(pattern, path); });
 }
 
 }  // namespace fathom

@@ -12,6 +12,13 @@
 
 namespace fathom {
 
+// How recordings become logs.
+struct ArchiveImport {
+  std::string files = {};              // a pattern of paths as a shell has it
+  std::filesystem::path map = {};      // a map file; empty: the one that the format makes sure of
+  std::filesystem::path vehicle = {};  // a vehicle file; empty: the map's, or none
+};
+
 // What archive.yaml says about an archive; docs/archive.md. All of it may be missing.
 struct ArchiveSettings {
   std::optional<int> dive_level = {};  // which folder of a log's path names its dive, from 1 on
@@ -20,6 +27,7 @@ struct ArchiveSettings {
   std::string vehicle_name = {};       // as `vehicle:` stands there
   std::optional<Dof> dof = {};         // of logs that are a single CSV
   std::vector<std::string> leave_out = {};  // patterns of paths as a shell has them
+  std::vector<ArchiveImport> imports = {};  // the first that fits a path holds
 };
 
 // Reads `archive`/archive.yaml; the defaults if there is none. Throws InputError, naming file, line
@@ -33,6 +41,9 @@ ArchiveSettings ParseArchiveSettings(const std::filesystem::path& name, const st
 // level, or without either the folder that the log lies in. A log that lies in the archive itself
 // is a dive of its own.
 std::string DiveOfPath(const std::filesystem::path& path, const ArchiveSettings& settings);
+
+// The import whose pattern a path from the archive on matches; null if there is none.
+const ArchiveImport* ImportOf(const std::string& path, const ArchiveSettings& settings);
 
 // Whether a path from the archive on matches one of `leave_out`.
 bool IsLeftOut(const std::string& path, const ArchiveSettings& settings);

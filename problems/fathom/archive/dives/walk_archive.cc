@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/import/open_recording.h"
 #include "fathom/log/log_files.h"
 #include "fathom/log/single_csv.h"
 
@@ -13,6 +14,7 @@
 #include <cctype>
 #include <deque>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -82,6 +84,23 @@ struct Walk {
   }
 };
 
+// Nothing if the entry is no recording.
+std::optional<FoundLog> RecordingAt(const fs::directory_entry& entry,
+                                    const fs::path& path,
+                                    const ArchiveSettings& settings) {
+  std::error_code ignored;
+  const ArchiveImport* import = ImportOf(path.string(), settings);
+  const bool is_named =
+      import != nullptr && (entry.is_regular_file(ignored) || entry.is_directory(ignored));
+  if (!is_named && !(entry.is_regular_file(ignored) && IsRecording(entry.path()))) {
+    return std::nullopt;
+  }
+  FoundLog found = {.place = entry.path(), .path = path, .is_recording = true};
+  found.vehicle = is_named ? import->vehicle : settings.vehicle;
+  if (is_named) found.map = import->map;
+  return found;
+}
+
 std::vector<fs::directory_entry> EntriesOf(const fs::path& folder, std::error_code* error) {
   std::vector<fs::directory_entry> entries;
   for (fs::directory_iterator it(folder, *error), end; !*error && it != end; it.increment(*error)) {
@@ -110,7 +129,7 @@ void WalkFolder(const fs::path& folder, Walk* walk) {
   bool has_images = false;
   if (is_log) {
     const fs::path path = walk->PathOf(folder);
-    walk->found.logs.push_back({folder, path.empty() ? "." : path});
+    walk->found.logs.push_back({.place = folder, .path = path.empty() ? "." : path});
     for (const fs::path& file : InputFilesOf(folder)) of_log.insert(file.filename().string());
     has_images = IsFile(folder / "frames.csv");
   }
@@ -121,6 +140,12 @@ void WalkFolder(const fs::path& folder, Walk* walk) {
       continue;
     }
     std::error_code ignored;
+    if (path == "archive.yaml" || of_log.contains(entry.path().filename().string())) continue;
+    const bool may_be_other = !is_log || entry.is_directory(ignored);
+    if (auto recording = may_be_other ? RecordingAt(entry, path, walk->settings) : std::nullopt) {
+      walk->found.logs.push_back(*std::move(recording));
+      continue;
+    }
     if (entry.is_directory(ignored)) {
       if (has_images) continue;
       if (entry.is_symlink(ignored)) {
@@ -130,9 +155,8 @@ void WalkFolder(const fs::path& folder, Walk* walk) {
       }
       continue;
     }
-    if (path == "archive.yaml" || of_log.contains(entry.path().filename().string())) continue;
     if (!is_log && entry.is_regular_file(ignored) && IsCsvLog(entry.path())) {
-      walk->found.logs.push_back({entry.path(), path});
+      walk->found.logs.push_back({.place = entry.path(), .path = path});
     } else {
       ++walk->found.other_files[KindOf(entry)];
     }

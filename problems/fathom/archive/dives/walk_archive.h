@@ -13,10 +13,15 @@
 namespace fathom {
 
 // What looks like a log: a folder with a log.yaml, or a CSV file whose first line names t, tau, v.
+// Or a recording that a log is to be made of: a file that begins as one (IsRecording()), or a file
+// or folder that archive.yaml names under `imports`.
 // Texts, since there are many and a std::filesystem::path takes five times as much memory.
 struct FoundLog {
   std::string place;  // to open it by
   std::string path;   // the same from the archive on; "." is the archive itself
+  bool is_recording = false;
+  std::string map = {};      // of a recording, to open it by; empty: the format makes sure of one
+  std::string vehicle = {};  // likewise; empty: the map's, or none
 };
 
 // A place that could not be looked into.

@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -113,35 +114,97 @@ std::optional<Survey> RunSurvey(const LogJobOptions& options,
   return std::nullopt;
 }
 
-// Makes a log of the images; false if that failed, which the outcome then says.
-bool Track(const LogJobOptions& options,
-           const ProgramSettings& settings,
-           const RunBook& book,
-           LogOutcome* outcome) {
-  const fs::path tracked = options.tracked / outcome->content;
+// Lets a program make the log, whose place the outcome then is; false if that failed, which the
+// outcome then says.
+bool MakeLog(ProgramCall call,
+             const LogJobOptions& options,
+             const ProgramSettings& settings,
+             const RunBook& book,
+             LogOutcome* outcome) {
+  const fs::path made = options.made / outcome->content;
   std::error_code error;
   const RunBook only_if_there = {.find =
                                      [&](const std::string& key) {
-                                       return fs::is_directory(tracked, error) ? book.find(key)
-                                                                               : std::nullopt;
+                                       return fs::is_directory(made, error) ? book.find(key)
+                                                                            : std::nullopt;
                                      },
                                  .keep = book.keep};
-  const RunRecord run = RunProgram(
-      {.program = "fathom_track",
-       .contents = {outcome->content},
-       .flags = {},
-       .places = {"--log=" + outcome->place.string(), "--out=" + tracked.string(), "--overwrite"},
-       .output = "summary"},
-      settings,
-      only_if_there);
+  call.places.push_back("--out=" + made.string());
+  call.places.push_back("--overwrite");
+  const RunRecord run = RunProgram(call, settings, only_if_there);
   Add(run, outcome);
   if (!IsUsable(run)) {
     Fail(run, outcome);
     return false;
   }
-  outcome->place = tracked;
-  outcome->place_content = DigestOf({outcome->content, "tracked"});
+  outcome->place = made;
+  outcome->place_content = DigestOf({outcome->content, call.program});
   return true;
+}
+
+// Makes a log of the images.
+bool Track(const LogJobOptions& options,
+           const ProgramSettings& settings,
+           const RunBook& book,
+           LogOutcome* outcome) {
+  return MakeLog({.program = "fathom_track",
+                  .contents = {outcome->content},
+                  .places = {"--log=" + outcome->place.string()},
+                  .output = "summary"},
+                 options,
+                 settings,
+                 book,
+                 outcome);
+}
+
+// What says that a recording can be imported without a map; false if it cannot, or if that could
+// not be found out, which the outcome then says.
+bool NeedsNoMap(const FoundLog& log,
+                const std::vector<std::string>& places,
+                const ProgramSettings& settings,
+                const RunBook& book,
+                LogOutcome* outcome) {
+  const RunRecord run = RunProgram({.program = "fathom_import",
+                                    .contents = {outcome->content},
+                                    .flags = {"--suggest"},
+                                    .places = places,
+                                    .output = "json"},
+                                   settings,
+                                   book);
+  Add(run, outcome);
+  if (!IsUsable(run)) {
+    Fail(run, outcome);
+    return false;
+  }
+  const auto suggestion = nlohmann::json::parse(run.output, nullptr, false);
+  if (suggestion.is_object() && suggestion.value("ready", false)) return true;
+  outcome->state = LogState::kNoMap;
+  outcome->message =
+      suggestion.is_object() && suggestion.value("needs_vehicle", false)
+          ? "needs a vehicle file whose thrusters its outputs drive: `vehicle` in archive.yaml."
+          : fmt::format(
+                "needs a map, which `imports` in archive.yaml names: fathom_import --suggest "
+                "prints one to begin with (--from={}).",
+                PathText(log.path));
+  return false;
+}
+
+// Makes a log of a recording.
+bool Import(const FoundLog& log,
+            const LogJobOptions& options,
+            const ProgramSettings& settings,
+            const RunBook& book,
+            LogOutcome* outcome) {
+  std::vector<std::string> places = {"--from=" + log.place};
+  if (!log.vehicle.empty()) places.push_back("--vehicle=" + log.vehicle);
+  if (log.map.empty() && !NeedsNoMap(log, places, settings, book, outcome)) return false;
+  if (!log.map.empty()) places.push_back("--map=" + log.map);
+  return MakeLog(
+      {.program = "fathom_import", .contents = {outcome->content}, .places = std::move(places)},
+      options,
+      settings,
+      book,
+      outcome);
 }
 
 DofRuns RunOnDof(Dof dof,
@@ -240,6 +303,7 @@ LogOutcome RunLogJobs(const FoundLog& log,
   outcome.path = PathText(log.path);
   outcome.content = content;
   outcome.place_content = content;
+  if (log.is_recording && !Import(log, options, settings, book, &outcome)) return outcome;
   outcome.survey = RunSurvey(options, settings, book, &outcome);
   if (outcome.survey && outcome.survey->needs_tracking) {
     if (!Track(options, settings, book, &outcome)) return outcome;

@@ -18,11 +18,11 @@ namespace fathom {
 
 // What is done with each log.
 struct LogJobOptions {
-  std::string families;           // of fathom_compare, comma-separated; empty: all that it has
-  bool diagnose = true;           // run fathom_diagnose too
-  std::optional<Dof> dof;         // of single CSV logs
-  std::filesystem::path pages;    // a folder for the pages of the diagnoses; empty: none
-  std::filesystem::path tracked;  // a folder for the logs that fathom_track makes of images
+  std::string families;         // of fathom_compare, comma-separated; empty: all that it has
+  bool diagnose = true;         // run fathom_diagnose too
+  std::optional<Dof> dof;       // of single CSV logs
+  std::filesystem::path pages;  // a folder for the pages of the diagnoses; empty: none
+  std::filesystem::path made;   // a folder for the logs that are made of images and recordings
 };
 
 // The runs on one DOF of a log.
@@ -33,7 +33,7 @@ struct DofRuns {
 };
 
 struct LogOutcome {
-  std::filesystem::path place;  // of the log, or of what fathom_track made of it
+  std::filesystem::path place;  // of the log, or of what was made of it
   std::string path;             // from the archive on, as text
   std::string content;          // of the log
   std::string place_content;    // of what lies at `place`

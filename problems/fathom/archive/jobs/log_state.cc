@@ -13,6 +13,8 @@ std::string_view Name(LogState state) {
       return "partial";
     case LogState::kNothingToIdentify:
       return "nothing_to_identify";
+    case LogState::kNoMap:
+      return "no_map";
     case LogState::kNoModel:
       return "no_model";
     case LogState::kRefused:
@@ -40,7 +42,7 @@ std::optional<LogState> LogStateFromName(std::string_view name) {
 
 bool IsFailure(LogState state) {
   return state != LogState::kOk && state != LogState::kNothingToIdentify &&
-         state != LogState::kDuplicate;
+         state != LogState::kNoMap && state != LogState::kDuplicate;
 }
 
 }  // namespace fathom

@@ -12,10 +12,11 @@ namespace {
 
 using Entry = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Entry, 10> kStates = {{
+constexpr std::array<Entry, 11> kStates = {{
     {"ok", "Every DOF that was excited has a model."},
     {"partial", "Some of the DOFs that were excited have a model."},
     {"nothing_to_identify", "The log holds no stretch that could identify a DOF."},
+    {"no_map", "The recording needs a map that says what its channels are."},
     {"no_model", "No fit of the log is usable."},
     {"refused", "The checks of the data refused the log."},
     {"crashed", "A program ended abnormally on the log."},

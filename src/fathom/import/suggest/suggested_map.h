@@ -19,4 +19,7 @@ struct SuggestedMap {
   bool needs_vehicle = false;
 };
 
+// As JSON, schema "fathom-suggestion-1".
+std::string FormatSuggestion(const SuggestedMap& map);
+
 }  // namespace fathom

@@ -19,13 +19,23 @@ TEST(ParseArchiveSettings, ReadsEveryKey) {
   const ArchiveSettings settings =
       ParseArchiveSettings("x/archive.yaml",
                            "dive_level: 2\nvehicle: rov.yaml\ndof: heave\n"
-                           "leave_out: [calibration, '*/old/*']\n");
+                           "leave_out: [calibration, '*/old/*']\n"
+                           "imports: [{files: '*.BIN'}, {files: bags/*, map: maps/bag.yaml, "
+                           "vehicle: boat.yaml}]\n");
   EXPECT_EQ(settings.dive_level, 2);
   EXPECT_EQ(settings.dive_pattern, "");
   EXPECT_EQ(settings.vehicle_name, "rov.yaml");
   EXPECT_EQ(settings.vehicle, "x/rov.yaml");
   EXPECT_EQ(settings.dof, Dof::kHeave);
   EXPECT_THAT(settings.leave_out, ElementsAre("calibration", "*/old/*"));
+  ASSERT_EQ(settings.imports.size(), 2U);
+  EXPECT_EQ(settings.imports[0].map, "");
+  EXPECT_EQ(settings.imports[0].vehicle, "x/rov.yaml");
+  EXPECT_EQ(settings.imports[1].map, "x/maps/bag.yaml");
+  EXPECT_EQ(settings.imports[1].vehicle, "x/boat.yaml");
+  EXPECT_EQ(ImportOf("2024/dive.BIN", settings), &settings.imports[0]);
+  EXPECT_EQ(ImportOf("bags/a/b.bag", settings), &settings.imports[1]);
+  EXPECT_EQ(ImportOf("dive.bin", settings), nullptr);
 }
 
 TEST(ParseArchiveSettings, NamesFileLineAndKey) {

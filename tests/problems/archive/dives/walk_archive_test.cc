@@ -117,5 +117,33 @@ TEST(WalkArchive, RefusesWhatIsNoFolder) {
   EXPECT_THROW(WalkArchive(archive / "nothing", {}), InputError);
 }
 
+TEST(WalkArchive, FindsRecordingsByTheirFirstBytes) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "a.bag", "#ROSBAG V2.0\n");
+  Write(archive / "b.0.log", std::string("POCOSIM\0\2\0\0\0\0\0\0\0", 16));
+  Write(archive / "c.csv", "time,force\n0,1\n");
+  Write(archive / "run" / "log.yaml");
+  Write(archive / "run" / "source.bag", "#ROSBAG V2.0\n");
+  const FoundArchive found = WalkArchive(archive, {});
+  EXPECT_THAT(PathsOf(found), ElementsAre("a.bag", "b.0.log", "run"));
+  EXPECT_TRUE(found.logs[0].is_recording);
+  EXPECT_FALSE(found.logs[2].is_recording);
+  EXPECT_EQ(found.other_files.at(".csv"), 1);
+  EXPECT_EQ(found.other_files.at(".bag"), 1);
+}
+
+TEST(WalkArchive, TakesFilesAndFoldersThatArchiveYamlImports) {
+  const fs::path archive = EmptyArchive();
+  Write(archive / "dive_1" / "dvl.csv", "time,u\n0,1\n");
+  Write(archive / "dive_1" / "thrust.csv", "time,force\n0,1\n");
+  Write(archive / "dive_2.csv", "time,u\n0,1\n");
+  ArchiveSettings settings;
+  settings.imports = {{.files = "dive_1", .map = "one.yaml"}, {.files = "*.csv"}};
+  const FoundArchive found = WalkArchive(archive, settings);
+  EXPECT_THAT(PathsOf(found), ElementsAre("dive_1", "dive_2.csv"));
+  EXPECT_EQ(found.logs[0].map, "one.yaml");
+  EXPECT_TRUE(found.other_files.empty());
+}
+
 }  // namespace
 }  // namespace fathom

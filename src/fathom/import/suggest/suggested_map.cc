@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/suggest/suggested_map.h"
+
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+
+std::string FormatSuggestion(const SuggestedMap& map) {
+  using Json = nlohmann::ordered_json;
+  return Json{{"schema", "fathom-suggestion-1"},
+              {"ready", map.is_ready},
+              {"needs_vehicle", map.needs_vehicle},
+              {"map", map.text}}
+             .dump(2, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace fathom
