@@ -11,6 +11,7 @@
 #include "fathom/import/ros/ros_recording.h"
 #include "fathom/import/ros/rosbag2_database.h"
 #include "fathom/import/table/table_recording.h"
+#include "fathom/import/ulog/ulog_recording.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,13 +40,14 @@ std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
   ByteFile file(path);
   const std::string first(file.View(0, kFirstBytes));
   if (LooksLikeDataflash(first)) return OpenDataflash(path);
+  if (LooksLikeUlog(first)) return OpenUlog(path);
   if (LooksLikeMcap(first)) return OpenRosRecording(path, OpenMcap(path));
   if (LooksLikeSqlite(first)) return OpenRosRecording(path, OpenRosbag2Database(path));
   if (LooksLikeRos1Bag(first)) return OpenRosRecording(path, OpenRos1Bag(path));
   if (LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(
-      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN) or "
-                  "a bag of ROS.",
+      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
+                  "PX4 log (.ulg) or a bag of ROS.",
                   path.string(),
                   first.empty() ? "empty" : "of no known format"));
 }

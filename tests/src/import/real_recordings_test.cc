@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "real_data.h"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,50 @@ TEST_F(RealRecordings, ACompleteDataflashLogIsComplete) {
   EXPECT_EQ(spans.at("IMU").count, 594U);
   EXPECT_EQ(spans.at("PARM").count, 876U);
   EXPECT_NEAR(spans.at("RCOU").last, 289.338, 5e-4);
+}
+
+// Counts and stamps by "topic_instance", and what is not data by the letter of its messages.
+TEST_F(RealRecordings, UlogFilesHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats" / "ulog";
+  const Json references = ReadJson(folder / "reference.json");
+  EXPECT_EQ(references.size(), 2U);
+  for (const auto& [name, reference] : references.items()) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    const Contents& contents = recording->contents();
+    EXPECT_EQ(contents.size_bytes - contents.read_bytes,
+              reference["bytes_left"].get<std::uint64_t>());
+    EXPECT_EQ(contents.channels.size(), reference["messages"].size());
+    std::uint64_t num_data = 0;
+    for (const Channel& channel : contents.channels) {
+      SCOPED_TRACE(channel.name);
+      const std::string instance =
+          channel.name == channel.type
+              ? "0"
+              : channel.name.substr(channel.type.size() + 1,
+                                    channel.name.find(']') - channel.type.size() - 1);
+      ASSERT_TRUE(reference["messages"].contains(channel.type + "_" + instance));
+      const Json& message = reference["messages"][channel.type + "_" + instance];
+      EXPECT_EQ(channel.count, message["count"].get<std::uint64_t>());
+      EXPECT_NEAR(*channel.first, 1e-6 * message["first"].get<double>(), 1e-9);
+      EXPECT_NEAR(*channel.last, 1e-6 * message["last"].get<double>(), 1e-9);
+      EXPECT_FALSE(channel.fields.empty());
+      num_data += channel.count;
+    }
+    const Json& kinds = reference["kinds"];
+    const auto count = [&](const char* kind) { return kinds.value(kind, std::uint64_t{0}); };
+    EXPECT_EQ(num_data, count("D"));
+    std::string remarks;
+    for (const std::string& remark : contents.remarks) remarks += remark + "\n";
+    const auto expect_remark = [&](const std::string& text) {
+      EXPECT_NE(remarks.find(text), std::string::npos) << text << " in " << remarks;
+    };
+    expect_remark(fmt::format("{} parameters, {} messages of information, {} text",
+                              count("P"),
+                              count("I") + count("M"),
+                              count("L")));
+    if (count("O") > 0) expect_remark(fmt::format("{} dropout", count("O")));
+  }
 }
 
 // Topics of a reference by name, with type, count, first and last stamp.
