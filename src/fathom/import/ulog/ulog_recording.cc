@@ -166,6 +166,10 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     UlogChannel*& channel = channels[id];
     if (channel == nullptr) {
       const auto known = channels_.find(topic->second);
+      if (known == channels_.end() && channels_.size() >= kMostChannels) {
+        ++counts.unsubscribed;
+        return;
+      }
       channel = known != channels_.end() ? &known->second : Add(topic->second, formats);
     }
     const std::string_view data = payload.substr(2);
@@ -218,9 +222,9 @@ void UlogRecording::TellWalk(const UlogWalk& walk) {
 
 void UlogRecording::TellCounts(const UlogCounts& counts) {
   if (counts.unsubscribed > 0) {
-    contents_.remarks.push_back(
-        fmt::format("not read, since no subscription says of which topic they are: {}.",
-                    Plural(counts.unsubscribed, "message")));
+    contents_.remarks.push_back(fmt::format(
+        "not read, since no subscription, or one too many, says of which topic they are: {}.",
+        Plural(counts.unsubscribed, "message")));
   }
   if (counts.unknown > 0) {
     contents_.remarks.push_back(
