@@ -11,6 +11,7 @@
 #include "fathom/import/ros/ros_recording.h"
 #include "fathom/import/ros/rosbag2_database.h"
 #include "fathom/import/table/table_recording.h"
+#include "fathom/import/tlog/tlog_recording.h"
 #include "fathom/import/ulog/ulog_recording.h"
 
 #include <algorithm>
@@ -44,10 +45,11 @@ std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
   if (LooksLikeMcap(first)) return OpenRosRecording(path, OpenMcap(path));
   if (LooksLikeSqlite(first)) return OpenRosRecording(path, OpenRosbag2Database(path));
   if (LooksLikeRos1Bag(first)) return OpenRosRecording(path, OpenRos1Bag(path));
+  if (LooksLikeTlog(first)) return OpenTlog(path);
   if (LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(
       fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
-                  "PX4 log (.ulg) or a bag of ROS.",
+                  "PX4 log (.ulg), a telemetry log (.tlog) or a bag of ROS.",
                   path.string(),
                   first.empty() ? "empty" : "of no known format"));
 }

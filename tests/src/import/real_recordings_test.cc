@@ -6,6 +6,7 @@
 #include "fathom/import/open_recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -143,6 +144,74 @@ TEST_F(RealRecordings, UlogFilesHoldWhatTheirReferenceSays) {
                               count("I") + count("M"),
                               count("L")));
     if (count("O") > 0) expect_remark(fmt::format("{} dropout", count("O")));
+  }
+}
+
+// Every packet's checksum holds, counts by number are those of the reference, and so are first and
+// last values.
+TEST_F(RealRecordings, ATelemetryLogHoldsWhatItsReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats";
+  const Json reference = ReadJson(folder / "reference.json")["ardusub_small.tlog"];
+  const auto recording = OpenRecording(folder / "ardusub_small.tlog");
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(contents.format, "tlog");
+  EXPECT_TRUE(contents.IsComplete());
+  std::map<std::string, std::string> number_of;
+  const auto known = {std::pair("0", "HEARTBEAT"),
+                      std::pair("1", "SYS_STATUS"),
+                      std::pair("27", "RAW_IMU"),
+                      std::pair("29", "SCALED_PRESSURE"),
+                      std::pair("30", "ATTITUDE"),
+                      std::pair("32", "LOCAL_POSITION_NED"),
+                      std::pair("33", "GLOBAL_POSITION_INT"),
+                      std::pair("36", "SERVO_OUTPUT_RAW"),
+                      std::pair("65", "RC_CHANNELS"),
+                      std::pair("69", "MANUAL_CONTROL"),
+                      std::pair("74", "VFR_HUD"),
+                      std::pair("116", "SCALED_IMU2"),
+                      std::pair("137", "SCALED_PRESSURE2"),
+                      std::pair("147", "BATTERY_STATUS")};
+  for (const auto& [number, type] : known) number_of[number] = type;
+  const auto spans = SpansOf(contents);
+  ASSERT_EQ(contents.remarks.size(), 1U);
+  for (const auto& [number, count] : reference["counts_by_message_id"].items()) {
+    SCOPED_TRACE(number);
+    if (number_of.contains(number)) {
+      ASSERT_TRUE(spans.contains(number_of[number]));
+      EXPECT_EQ(spans.at(number_of[number]).count, count.get<std::uint64_t>());
+    } else {
+      EXPECT_NE(contents.remarks[0].find(
+                    fmt::format("message {}: {}", number, count.get<std::uint64_t>())),
+                std::string::npos)
+          << contents.remarks[0];
+    }
+  }
+  EXPECT_EQ(spans.size(), number_of.size());
+  for (const char* end : {"first", "last"}) {
+    for (const auto& [type, values] : reference[end].items()) {
+      if (!spans.contains(type)) continue;
+      SCOPED_TRACE(type);
+      Selection selection;
+      for (const auto& [field, value] : values.items()) {
+        if (field != "stamp_us") selection.fields.push_back(field);
+      }
+      // Of several senders one has it.
+      bool is_there = false;
+      for (const Channel& channel : contents.channels) {
+        if (channel.type != type) continue;
+        selection.channel = channel.name;
+        recording->Read(
+            {&selection, 1}, [&](std::size_t, double time, std::span<const double> row) {
+              if (std::abs(time - 1e-6 * values["stamp_us"].get<double>()) > 3e-7) return;
+              bool is_same = true;
+              for (std::size_t i = 0; i < row.size(); ++i) {
+                is_same = is_same && row[i] == values[selection.fields[i]].get<double>();
+              }
+              is_there = is_there || is_same;
+            });
+      }
+      EXPECT_TRUE(is_there);
+    }
   }
 }
 

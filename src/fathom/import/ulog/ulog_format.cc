@@ -5,13 +5,9 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
-#include "fathom/import/recording/little_endian.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -26,27 +22,6 @@ constexpr std::size_t kLongestName = 256;   // of a field, with those that it is
 constexpr int kDeepest = 16;                // nesting; PX4 has 2
 constexpr std::string_view kPadding = "_padding";
 
-constexpr std::array<std::pair<std::string_view, UlogType>, 12> kTypes = {
-    {{"int8_t", UlogType::kInt8},
-     {"uint8_t", UlogType::kUint8},
-     {"int16_t", UlogType::kInt16},
-     {"uint16_t", UlogType::kUint16},
-     {"int32_t", UlogType::kInt32},
-     {"uint32_t", UlogType::kUint32},
-     {"int64_t", UlogType::kInt64},
-     {"uint64_t", UlogType::kUint64},
-     {"float", UlogType::kFloat},
-     {"double", UlogType::kDouble},
-     {"bool", UlogType::kBool},
-     {"char", UlogType::kChar}}};
-
-std::optional<UlogType> TypeNamed(std::string_view name) {
-  for (const auto& [known, type] : kTypes) {
-    if (known == name) return type;
-  }
-  return std::nullopt;
-}
-
 bool IsName(std::string_view text) {
   return !text.empty() && text.size() <= kLongestName &&
          std::all_of(text.begin(), text.end(), [](char c) {
@@ -55,67 +30,10 @@ bool IsName(std::string_view text) {
          });
 }
 
-template <typename T>
-double NumberAt(std::string_view data, std::size_t offset) {
-  return static_cast<double>(LittleEndian<T>(data, offset));
-}
-
 }  // namespace
 
-std::size_t SizeOf(UlogType type) {
-  switch (type) {
-    case UlogType::kInt8:
-    case UlogType::kUint8:
-    case UlogType::kBool:
-    case UlogType::kChar:
-      return 1;
-    case UlogType::kInt16:
-    case UlogType::kUint16:
-      return 2;
-    case UlogType::kInt32:
-    case UlogType::kUint32:
-    case UlogType::kFloat:
-      return 4;
-    case UlogType::kInt64:
-    case UlogType::kUint64:
-    case UlogType::kDouble:
-      return 8;
-  }
-  return 1;
-}
-
-double ValueOf(const UlogNumber& number, std::string_view data) {
-  const std::size_t at = number.offset;
-  if (data.size() < at || data.size() - at < SizeOf(number.type)) return NAN;
-  switch (number.type) {
-    case UlogType::kInt8:
-    case UlogType::kChar:
-      return NumberAt<std::int8_t>(data, at);
-    case UlogType::kUint8:
-    case UlogType::kBool:
-      return NumberAt<std::uint8_t>(data, at);
-    case UlogType::kInt16:
-      return NumberAt<std::int16_t>(data, at);
-    case UlogType::kUint16:
-      return NumberAt<std::uint16_t>(data, at);
-    case UlogType::kInt32:
-      return NumberAt<std::int32_t>(data, at);
-    case UlogType::kUint32:
-      return NumberAt<std::uint32_t>(data, at);
-    case UlogType::kInt64:
-      return NumberAt<std::int64_t>(data, at);
-    case UlogType::kUint64:
-      return NumberAt<std::uint64_t>(data, at);
-    case UlogType::kFloat:
-      return NumberAt<float>(data, at);
-    case UlogType::kDouble:
-      return NumberAt<double>(data, at);
-  }
-  return NAN;
-}
-
-const UlogNumber* UlogLayout::Find(std::string_view name) const {
-  for (const UlogNumber& number : numbers) {
+const PackedNumber* UlogLayout::Find(std::string_view name) const {
+  for (const PackedNumber& number : numbers) {
     if (number.name == name) return &number;
   }
   return nullptr;
@@ -182,7 +100,7 @@ UlogLayout UlogFormats::LayoutOf(const std::string& name, std::size_t* budget) c
   // Padding at the end is not logged, be it the message's own or that of a type nested in it.
   const auto& fields = formats_.at(name);
   for (auto field = fields.rbegin(); field != fields.rend(); ++field) {
-    const auto type = TypeNamed(field->type);
+    const auto type = PackedTypeNamed(field->type);
     if (!field->name.starts_with(kPadding) || !type) break;
     layout.size -= field->count * SizeOf(*type);
   }
@@ -203,9 +121,9 @@ void UlogFormats::AddFields(const std::string& format,
         fmt::format("{} is nested over {} deep, expected no circle.", Quoted(format), kDeepest));
   }
   for (const UlogField& field : found->second) {
-    const std::optional<UlogType> type = TypeNamed(field.type);
+    const std::optional<PackedType> type = PackedTypeNamed(field.type);
     const bool is_passed_over =
-        type && (*type == UlogType::kChar || field.name.starts_with(kPadding));
+        type && (*type == PackedType::kChar || field.name.starts_with(kPadding));
     // Those that are passed over are one piece.
     const std::size_t count = is_passed_over ? 1 : field.count;
     for (std::size_t i = 0; i < count; ++i) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/import/recording/packed_number.h"
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -11,43 +13,14 @@
 
 namespace fathom {
 
-// The basic types of ULog; docs.px4.io, "ULog File Format", Data types.
-enum class UlogType {
-  kInt8,
-  kUint8,
-  kInt16,
-  kUint16,
-  kInt32,
-  kUint32,
-  kInt64,
-  kUint64,
-  kFloat,
-  kDouble,
-  kBool,
-  kChar,
-};
-
-// Bytes of one.
-std::size_t SizeOf(UlogType type);
-
-// A number of a message, nested types and arrays taken apart: "timestamp", "q[3]", "esc[0].rpm".
-struct UlogNumber {
-  std::string name;
-  UlogType type = UlogType::kUint8;
-  std::size_t offset = 0;  // from the first byte of the message's data
-};
-
 // Where the numbers of one kind of message stand. Texts (char) and padding are none.
 struct UlogLayout {
-  std::vector<UlogNumber> numbers;
+  std::vector<PackedNumber> numbers;
   std::size_t size = 0;  // of the data [bytes], without padding at its end, which is not logged
 
   // Null if there is none.
-  const UlogNumber* Find(std::string_view name) const;
+  const PackedNumber* Find(std::string_view name) const;
 };
-
-// The number as it stands; NaN where the data ends before it.
-double ValueOf(const UlogNumber& number, std::string_view data);
 
 // The formats of a file, by their names, from its messages 'F'.
 class UlogFormats {

@@ -186,8 +186,8 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     Channel channel;
     channel.name = NameOf(topic);
     channel.type = topic.name;
-    for (const UlogNumber& number : known.layout.numbers) {
-      const bool is_stamp = number.name == "timestamp" && number.type != UlogType::kUint8;
+    for (const PackedNumber& number : known.layout.numbers) {
+      const bool is_stamp = number.name == "timestamp" && number.type != PackedType::kUint8;
       channel.fields.push_back({number.name, is_stamp ? "us" : ""});
     }
     known.stamps.WriteTo(&channel);
@@ -250,7 +250,7 @@ void UlogRecording::TellCounts(const UlogCounts& counts) {
 void UlogRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
   struct UlogWanted {
     std::size_t selection;
-    std::vector<const UlogNumber*> fields;
+    std::vector<const PackedNumber*> fields;
     std::vector<double> values;
   };
   // A topic that is subscribed twice has one clock.

@@ -15,25 +15,25 @@ constexpr double kFix = 3.0;          // in three dimensions
 }  // namespace
 
 double UlogClock::StampOf(const UlogLayout& layout, std::string_view data) {
-  const UlogNumber* field = layout.Find("timestamp");
+  const PackedNumber* field = layout.Find("timestamp");
   if (field == nullptr) return NAN;
   const double number = ValueOf(*field, data);
-  if (field->type == UlogType::kUint64) return number * kMicro;
+  if (field->type == PackedType::kUint64) return number * kMicro;
   if (number < last_) added_ += std::ldexp(1.0, static_cast<int>(8 * SizeOf(field->type)));
   if (!std::isnan(number)) last_ = number;
-  return (added_ + number) * (field->type == UlogType::kUint8 ? 1e-3 : kMicro);
+  return (added_ + number) * (field->type == PackedType::kUint8 ? 1e-3 : kMicro);
 }
 
 void UlogGpsTime::Take(std::string_view topic, const UlogLayout& layout, std::string_view data) {
   if (utc_of_zero_ || (topic != "vehicle_gps_position" && topic != "sensor_gps")) return;
-  const UlogNumber* fix = layout.Find("fix_type");
-  const UlogNumber* utc = layout.Find("time_utc_usec");
-  const UlogNumber* time = layout.Find("timestamp");
+  const PackedNumber* fix = layout.Find("fix_type");
+  const PackedNumber* utc = layout.Find("time_utc_usec");
+  const PackedNumber* time = layout.Find("timestamp");
   if (fix == nullptr || utc == nullptr || time == nullptr) return;
   const double seconds = ValueOf(*utc, data) * kMicro;
   if (!(ValueOf(*fix, data) >= kFix) || !(seconds > kYear2016)) return;
   // The stamp is of the position; the time of the UTC is given relative to it.
-  const UlogNumber* relative = layout.Find("timestamp_time_relative");
+  const PackedNumber* relative = layout.Find("timestamp_time_relative");
   const double delay = relative == nullptr ? 0.0 : ValueOf(*relative, data) * kMicro;
   const double utc_of_zero = seconds - ValueOf(*time, data) * kMicro - delay;
   if (std::isfinite(utc_of_zero)) utc_of_zero_ = utc_of_zero;

@@ -7,7 +7,6 @@
 #include "fathom/import/recording/little_endian.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include <fmt/format.h>
