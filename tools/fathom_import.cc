@@ -36,7 +36,10 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(from, "", "The recording: a .BIN of ArduPilot, a CSV of any shape.");
+DEFINE_string(from,
+              "",
+              "The recording: a .BIN of ArduPilot, a .ulg of PX4, a .tlog, a bag of ROS, a CSV of "
+              "any shape.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
@@ -59,10 +62,10 @@ const ToolInfo kInfo = {
     "  fathom_import --from=data/recordings/pool.csv --map=data/recordings/pool_map.yaml "
     "--out=pool",
     "The map says which channel is which stream, in which units and axes: docs/import.md. A log of "
-    "ArduSub needs none, only --vehicle. Map and vehicle file are copied into the log. What is "
-    "left "
-    "out or assumed is told, a line each. A file that is cut or damaged is read as far as it is "
-    "sound."};
+    "ArduSub or PX4 needs none, only --vehicle. Map and vehicle file are copied into the log. What "
+    "is left out or assumed is told, a line each. A file that is cut or damaged is read as far as "
+    "it "
+    "is sound."};
 
 // "dive.BIN: dataflash, 288 kB, 39 channels"
 std::string Heading(const std::filesystem::path& file, const Contents& contents) {

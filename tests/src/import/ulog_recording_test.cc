@@ -268,6 +268,20 @@ TEST(Ulog, SaysThatItReadsALaterVersion) {
   EXPECT_THAT(Open(bytes)->contents().remarks, ElementsAre(HasSubstr("ULog version 3")));
 }
 
+// Bytes of any kind between messages are none.
+TEST(Ulog, TakesNoNoiseForMessages) {
+  RandomStream random(3, "ulog noise");
+  std::string noise(300000, '\xff');
+  for (std::size_t i = 1; i < noise.size(); ++i)
+    noise[i] = static_cast<char>(random.Uniform() * 256.0);
+  noise[2] = '\xff';  // begins no message
+  const auto recording = Open(Header() + Attitude() + Attitudes(50) + noise + Attitudes(50));
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(ChannelNamed(contents, "vehicle_attitude").count, 100U);
+  EXPECT_EQ(contents.channels.size(), 1U);
+  EXPECT_EQ(contents.size_bytes - contents.read_bytes, noise.size());
+}
+
 // Of a file that is cut anywhere, every message before the cut is there.
 TEST(Ulog, DeliversAllBeforeACut) {
   const std::string header = Header() + Attitude();

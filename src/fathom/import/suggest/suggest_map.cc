@@ -7,6 +7,7 @@
 #include "fathom/import/suggest/map_by_names.h"
 #include "fathom/import/suggest/px4_map.h"
 #include "fathom/import/suggest/ros_map.h"
+#include "fathom/import/suggest/tlog_map.h"
 
 #include <string>
 
@@ -16,6 +17,7 @@ SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>
   const std::string& format = recording.contents().format;
   if (format == "dataflash") return ArdupilotMap(recording, vehicle);
   if (format == "ulog") return Px4Map(recording, vehicle);
+  if (format == "tlog") return TlogMap(recording, vehicle);
   if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
     return RosMap(recording.contents());
   }

@@ -35,6 +35,10 @@ UlogStart StartOf(std::string_view bytes) {
   return {LittleEndian<std::uint16_t>(bytes, 0), bytes[2]};
 }
 
+bool IsKnown(char type) {
+  return std::string_view("BFIMPQARDLCSO").find(type) != std::string_view::npos;
+}
+
 // Whether a message of a type can have so many bytes. Of types that are not known, any.
 bool IsSize(char type, std::size_t size) {
   switch (type) {
@@ -64,10 +68,26 @@ bool IsSize(char type, std::size_t size) {
   }
 }
 
-// "\x09float pi\n...": the length of a key, and the key.
+bool IsPrintable(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+// "\x08float piX...": the length of a key, and the key: a type and a name.
 bool IsKeyed(std::string_view payload) {
   const auto length = static_cast<unsigned char>(payload[0]);
-  return length >= 3 && length < payload.size() && IsLetter(payload[1]);
+  if (length < 3 || length >= payload.size()) return false;
+  const std::string_view key = payload.substr(1, length);
+  return IsLetter(key[0]) && IsPrintable(key) && key.find(' ') != std::string_view::npos;
+}
+
+// The level of a text, and how it begins: words, in any language.
+bool IsText(char level, std::string_view text) {
+  const std::string_view beginning = text.substr(0, 16);
+  return level >= '0' && level <= '7' &&
+         std::all_of(beginning.begin(), beginning.end(), [](char c) {
+           const auto byte = static_cast<unsigned char>(c);
+           return byte >= 32 || c == '\n' || c == '\t';
+         });
 }
 
 // Walks through one file. What it learns of the subscriptions helps to tell messages from other
@@ -137,8 +157,10 @@ bool UlogWalker::LooksLikeMessage(std::string_view bytes) const {
   const std::string_view payload = bytes.substr(kHeader, start.size);
   switch (start.type) {
     case 'F':
+      return IsLetter(payload[0]) && IsPrintable(payload) &&
+             payload.find(':') != std::string_view::npos;
     case 'A':
-      return IsLetter(payload[start.type == 'F' ? 0 : 3]);
+      return IsLetter(payload[3]) && IsPrintable(payload.substr(3));
     case 'I':
     case 'P':
       return IsKeyed(payload);
@@ -146,8 +168,9 @@ bool UlogWalker::LooksLikeMessage(std::string_view bytes) const {
     case 'Q':
       return IsKeyed(payload.substr(1));
     case 'L':
+      return IsText(payload[0], payload.substr(9));
     case 'C':
-      return payload[0] >= '0' && payload[0] <= '7';
+      return IsText(payload[0], payload.substr(11));
     case 'S':
       return payload == kSyncMagic;
     case 'D': {
@@ -227,7 +250,12 @@ void UlogWalker::WalkSection(std::uint64_t begin, std::uint64_t end) {
       const std::size_t length = kHeader + start.size;
       const bool is_whole = length <= bytes.size();
       const std::size_t left = is_whole ? bytes.size() - length : 0;
-      if (is_whole && (left < kHeader || MayBegin(bytes.substr(length)))) {
+      const std::string_view behind = bytes.substr(is_whole ? length : bytes.size());
+      // Of a type that is not known, any bytes might be; what follows has to look as a message.
+      const bool is_followed =
+          left < kHeader || (MayBegin(behind) &&
+                             (IsKnown(start.type) || behind[2] == 'D' || LooksLikeMessage(behind)));
+      if (is_whole && is_followed) {
         Take(start, bytes.substr(kHeader, start.size));
         at += length;
         continue;
