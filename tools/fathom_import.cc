@@ -64,8 +64,7 @@ const ToolInfo kInfo = {
     "The map says which channel is which stream, in which units and axes: docs/import.md. A log of "
     "ArduSub or PX4 needs none, only --vehicle. Map and vehicle file are copied into the log. What "
     "is left out or assumed is told, a line each. A file that is cut or damaged is read as far as "
-    "it "
-    "is sound."};
+    "it is sound."};
 
 // "dive.BIN: dataflash, 288 kB, 39 channels"
 std::string Heading(const std::filesystem::path& file, const Contents& contents) {

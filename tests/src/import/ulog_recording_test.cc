@@ -126,6 +126,8 @@ TEST(Ulog, CarriesStampsOfFewBitsOn) {
     EXPECT_NEAR(b.at(i), 0.2 * i, 1e-12);   // milliseconds
   }
   EXPECT_NEAR(*ChannelNamed(recording->contents(), "a").last, 0.15, 1e-12);
+  EXPECT_EQ(ChannelNamed(recording->contents(), "a").fields[0].unit, "us");
+  EXPECT_EQ(ChannelNamed(recording->contents(), "b").fields[0].unit, "ms");
 }
 
 TEST(Ulog, ReadsAppendedData) {

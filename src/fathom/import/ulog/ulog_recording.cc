@@ -187,8 +187,9 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     channel.name = NameOf(topic);
     channel.type = topic.name;
     for (const PackedNumber& number : known.layout.numbers) {
-      const bool is_stamp = number.name == "timestamp" && number.type != PackedType::kUint8;
-      channel.fields.push_back({number.name, is_stamp ? "us" : ""});
+      const bool is_stamp = number.name == "timestamp";
+      const char* unit = number.type == PackedType::kUint8 ? "ms" : "us";
+      channel.fields.push_back({number.name, is_stamp ? unit : ""});
     }
     known.stamps.WriteTo(&channel);
     contents_.channels.push_back(std::move(channel));
