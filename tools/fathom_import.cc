@@ -35,10 +35,11 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(from,
-              "",
-              "The recording: a CSV of any shape, a .BIN of ArduPilot, a bag of ROS, a log of "
-              "Rock, or a folder of such files.");
+DEFINE_string(
+    from,
+    "",
+    "The recording: a CSV of any shape, a .BIN of ArduPilot, a .ulg of PX4, a .tlog, a bag "
+    "of ROS, a log of Rock, or a folder of such files.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
@@ -60,10 +61,9 @@ const ToolInfo kInfo = {
     "  fathom_import --from=data/recordings/pool.csv --map=data/recordings/pool_map.yaml "
     "--out=pool",
     "The map says which channel is which stream, in which units and axes: docs/import.md. A log of "
-    "ArduSub needs none, only --vehicle. Map and vehicle file are copied into the log. What is "
-    "left "
-    "out or assumed is told, a line each. A file that is cut or damaged is read as far as it is "
-    "sound."};
+    "ArduSub or PX4 needs none, only --vehicle. Map and vehicle file are copied into the log. What "
+    "is left out or assumed is told, a line each. A file that is cut or damaged is read as far as "
+    "it is sound."};
 
 // "dive.BIN: dataflash, 288 kB, 39 channels"
 std::string Heading(const std::filesystem::path& file, const Contents& contents) {

@@ -144,5 +144,27 @@ TEST_F(ImportToolOnRealLogs, TakesAnArduSubLogWithAVehicleAlone) {
   EXPECT_EQ(log.vehicle, "six.yaml");
 }
 
+TEST_F(ImportToolOnRealLogs, TakesATelemetryLogWithAVehicleAlone) {
+  const Path folder = EmptyTestFolder();
+  const std::string from = "--from=" + (folder_ / "formats" / "ardusub_small.tlog").string();
+  const std::string out = "--out=" + (folder / "log").string();
+  EXPECT_THAT(Import({from, out}).err, HasSubstr("Or give --vehicle"));
+  const ToolRun run = Import({from, out, "--vehicle=" + kBlueRov});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Log log = ReadLog(folder / "log");
+  EXPECT_TRUE(log.command && log.velocity && log.pose);
+}
+
+TEST_F(ImportToolOnRealLogs, SuggestsAMapForAPx4Log) {
+  const std::string from =
+      "--from=" + (folder_ / "formats" / "ulog" / "sample_log_small.ulg").string();
+  const ToolRun run = Import({from, "--suggest"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("channel: \"actuator_outputs\""),
+                    HasSubstr("channel: \"vehicle_local_position\""),
+                    HasSubstr("channel: \"vehicle_attitude\", field: \"q[3]\"")));
+}
+
 }  // namespace
 }  // namespace fathom

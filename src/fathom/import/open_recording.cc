@@ -15,6 +15,8 @@
 #include "fathom/import/ros/ros_definition.h"
 #include "fathom/import/ros/rosbag2_database.h"
 #include "fathom/import/table/table_recording.h"
+#include "fathom/import/tlog/tlog_recording.h"
+#include "fathom/import/ulog/ulog_recording.h"
 #include "fathom/log/log_content.h"
 
 #include <algorithm>
@@ -47,6 +49,7 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   ByteFile file(path);
   const std::string first(file.View(0, kFirstBytes));
   if (LooksLikeDataflash(first)) return OpenDataflash(path);
+  if (LooksLikeUlog(first)) return OpenUlog(path);
   if (LooksLikeMcap(first)) return OpenMessageRecording(path, OpenMcap(path), ParseRosDefinition);
   if (LooksLikeSqlite(first)) {
     return OpenMessageRecording(path, OpenRosbag2Database(path), ParseRosDefinition);
@@ -57,10 +60,11 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   if (LooksLikePocolog(first)) {
     return OpenMessageRecording(path, OpenPocolog(path), ParseTypelibDefinition);
   }
+  if (LooksLikeTlog(first)) return OpenTlog(path);
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(
-      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash "
-                  "log (.BIN), a bag of ROS or a log of Rock.",
+      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
+                  "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS or a log of Rock.",
                   path.string(),
                   first.empty() ? "empty" : "of no known format"));
 }
@@ -121,7 +125,7 @@ bool IsRecording(const std::filesystem::path& file) {
     // Of other databases there are many.
     if (LooksLikeSqlite(first)) return OpenRosbag2Database(file) != nullptr;
     return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
-           LooksLikePocolog(first);
+           LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first);
   } catch (const InputError&) {
     return false;
   }

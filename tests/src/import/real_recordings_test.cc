@@ -22,6 +22,7 @@
 
 #include "real_data.h"
 #include "scratch_file.h"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -107,6 +108,118 @@ TEST_F(RealRecordings, ACompleteDataflashLogIsComplete) {
   EXPECT_EQ(spans.at("IMU").count, 594U);
   EXPECT_EQ(spans.at("PARM").count, 876U);
   EXPECT_NEAR(spans.at("RCOU").last, 289.338, 5e-4);
+}
+
+// Counts and stamps by "topic_instance", and what is not data by the letter of its messages.
+TEST_F(RealRecordings, UlogFilesHoldWhatTheirReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats" / "ulog";
+  const Json references = ReadJson(folder / "reference.json");
+  EXPECT_EQ(references.size(), 2U);
+  for (const auto& [name, reference] : references.items()) {
+    SCOPED_TRACE(name);
+    const auto recording = OpenRecording(folder / name);
+    const Contents& contents = recording->contents();
+    EXPECT_EQ(contents.size_bytes - contents.read_bytes,
+              reference["bytes_left"].get<std::uint64_t>());
+    EXPECT_EQ(contents.channels.size(), reference["messages"].size());
+    std::uint64_t num_data = 0;
+    for (const Channel& channel : contents.channels) {
+      SCOPED_TRACE(channel.name);
+      const std::string instance =
+          channel.name == channel.type
+              ? "0"
+              : channel.name.substr(channel.type.size() + 1,
+                                    channel.name.find(']') - channel.type.size() - 1);
+      ASSERT_TRUE(reference["messages"].contains(channel.type + "_" + instance));
+      const Json& message = reference["messages"][channel.type + "_" + instance];
+      EXPECT_EQ(channel.count, message["count"].get<std::uint64_t>());
+      EXPECT_NEAR(*channel.first, 1e-6 * message["first"].get<double>(), 1e-9);
+      EXPECT_NEAR(*channel.last, 1e-6 * message["last"].get<double>(), 1e-9);
+      EXPECT_FALSE(channel.fields.empty());
+      num_data += channel.count;
+    }
+    const Json& kinds = reference["kinds"];
+    const auto count = [&](const char* kind) { return kinds.value(kind, std::uint64_t{0}); };
+    EXPECT_EQ(num_data, count("D"));
+    std::string remarks;
+    for (const std::string& remark : contents.remarks) remarks += remark + "\n";
+    const auto expect_remark = [&](const std::string& text) {
+      EXPECT_NE(remarks.find(text), std::string::npos) << text << " in " << remarks;
+    };
+    expect_remark(fmt::format("{} parameters, {} messages of information, {} text",
+                              count("P"),
+                              count("I") + count("M"),
+                              count("L")));
+    if (count("O") > 0) expect_remark(fmt::format("{} dropout", count("O")));
+  }
+}
+
+// Every packet's checksum holds, counts by number are those of the reference, and so are first and
+// last values.
+TEST_F(RealRecordings, ATelemetryLogHoldsWhatItsReferenceSays) {
+  const std::filesystem::path folder = folder_ / "formats";
+  const Json reference = ReadJson(folder / "reference.json")["ardusub_small.tlog"];
+  const auto recording = OpenRecording(folder / "ardusub_small.tlog");
+  const Contents& contents = recording->contents();
+  EXPECT_EQ(contents.format, "tlog");
+  EXPECT_TRUE(contents.IsComplete());
+  std::map<std::string, std::string> number_of;
+  const auto known = {std::pair("0", "HEARTBEAT"),
+                      std::pair("1", "SYS_STATUS"),
+                      std::pair("27", "RAW_IMU"),
+                      std::pair("29", "SCALED_PRESSURE"),
+                      std::pair("30", "ATTITUDE"),
+                      std::pair("32", "LOCAL_POSITION_NED"),
+                      std::pair("33", "GLOBAL_POSITION_INT"),
+                      std::pair("36", "SERVO_OUTPUT_RAW"),
+                      std::pair("65", "RC_CHANNELS"),
+                      std::pair("69", "MANUAL_CONTROL"),
+                      std::pair("74", "VFR_HUD"),
+                      std::pair("116", "SCALED_IMU2"),
+                      std::pair("137", "SCALED_PRESSURE2"),
+                      std::pair("147", "BATTERY_STATUS")};
+  for (const auto& [number, type] : known) number_of[number] = type;
+  const auto spans = SpansOf(contents);
+  ASSERT_EQ(contents.remarks.size(), 1U);
+  for (const auto& [number, count] : reference["counts_by_message_id"].items()) {
+    SCOPED_TRACE(number);
+    if (number_of.contains(number)) {
+      ASSERT_TRUE(spans.contains(number_of[number]));
+      EXPECT_EQ(spans.at(number_of[number]).count, count.get<std::uint64_t>());
+    } else {
+      EXPECT_NE(contents.remarks[0].find(
+                    fmt::format("message {}: {}", number, count.get<std::uint64_t>())),
+                std::string::npos)
+          << contents.remarks[0];
+    }
+  }
+  EXPECT_EQ(spans.size(), number_of.size());
+  for (const char* end : {"first", "last"}) {
+    for (const auto& [type, values] : reference[end].items()) {
+      if (!spans.contains(type)) continue;
+      SCOPED_TRACE(type);
+      Selection selection;
+      for (const auto& [field, value] : values.items()) {
+        if (field != "stamp_us") selection.fields.push_back(field);
+      }
+      // Of several senders one has it.
+      bool is_there = false;
+      for (const Channel& channel : contents.channels) {
+        if (channel.type != type) continue;
+        selection.channel = channel.name;
+        recording->Read(
+            {&selection, 1}, [&](std::size_t, double time, std::span<const double> row) {
+              if (std::abs(time - 1e-6 * values["stamp_us"].get<double>()) > 3e-7) return;
+              bool is_same = true;
+              for (std::size_t i = 0; i < row.size(); ++i) {
+                is_same = is_same && row[i] == values[selection.fields[i]].get<double>();
+              }
+              is_there = is_there || is_same;
+            });
+      }
+      EXPECT_TRUE(is_there);
+    }
+  }
 }
 
 // Topics of a reference by name, with type, count, first and last stamp.

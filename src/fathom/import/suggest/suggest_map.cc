@@ -5,16 +5,20 @@
 
 #include "fathom/import/suggest/ardupilot_map.h"
 #include "fathom/import/suggest/map_by_names.h"
+#include "fathom/import/suggest/px4_map.h"
 #include "fathom/import/suggest/rock_map.h"
 #include "fathom/import/suggest/ros_map.h"
+#include "fathom/import/suggest/tlog_map.h"
 
 #include <string>
 
 namespace fathom {
 
 SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>& vehicle) {
-  if (recording.contents().format == "dataflash") return ArdupilotMap(recording, vehicle);
   const std::string& format = recording.contents().format;
+  if (format == "dataflash") return ArdupilotMap(recording, vehicle);
+  if (format == "ulog") return Px4Map(recording, vehicle);
+  if (format == "tlog") return TlogMap(recording, vehicle);
   if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
     return RosMap(recording.contents());
   }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/recording/recording.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+// What a map for an autopilot's log has to know of its channels.
+
+// The channel of a type, its first instance of two samples or more; empty if there is none.
+std::string FirstChannelOf(const Contents& contents, std::string_view type);
+
+bool HasField(const Contents& contents, const std::string& channel, std::string_view field);
+
+// How many of these fields, from the first on, ever reach a value. Those that the channel does not
+// have end the list.
+int NumThatReach(const Recording& recording,
+                 const std::string& channel,
+                 std::span<const std::string> fields,
+                 double value);
+
+// Whether a field is ever above 0: a battery that is measured.
+bool IsEverAbove0(const Recording& recording, const std::string& channel, const std::string& field);
+
+}  // namespace fathom

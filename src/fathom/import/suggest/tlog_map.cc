@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/suggest/tlog_map.h"
+
+#include "fathom/import/suggest/channel_facts.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kMostOutputs = 16;        // of SERVO_OUTPUT_RAW
+constexpr double kShortestPulse = 800;  // [us]: below, an output is off
+constexpr double kNoVoltage = 65535;    // [mV]: "not sent by autopilot", in all 16 bits
+
+// How many outputs, from the first on, ever send a pulse.
+int NumOutputs(const Recording& recording, const std::string& channel) {
+  std::vector<std::string> fields;
+  for (int i = 1; i <= kMostOutputs; ++i) fields.push_back(fmt::format("servo{}_raw", i));
+  return NumThatReach(recording, channel, fields, kShortestPulse);
+}
+
+std::string CommandText(const Recording& recording,
+                        const std::string& outputs,
+                        const std::optional<Vehicle>& vehicle) {
+  const Contents& contents = recording.contents();
+  std::string text = fmt::format("command:\n  channel: \"{}\"\n  unit: us\n", outputs);
+  const std::string battery = FirstChannelOf(contents, "SYS_STATUS");
+  const std::vector<std::string> voltage = {"voltage_battery"};
+  if (!battery.empty() && IsEverAbove0(recording, battery, voltage.front()) &&
+      NumThatReach(recording, battery, voltage, kNoVoltage) == 0) {
+    text += fmt::format("  voltage: {{channel: \"{}\", field: voltage_battery}}\n", battery);
+  } else {
+    text += "  voltage: 16  # the log measures none: what was it?\n";
+  }
+  const int num_thrusters =
+      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumOutputs(recording, outputs);
+  for (int i = 1; i <= num_thrusters; ++i) text += fmt::format("  thruster_{0}: servo{0}_raw\n", i);
+  return text;
+}
+
+std::string MotionText(const std::string& position, const std::string& attitude) {
+  return fmt::format(
+      "velocity:\n  channel: \"{0}\"\n  frame: NED\n  u: vx\n  v: vy\n  w: vz\n"
+      "  p: {{channel: \"{1}\", field: rollspeed}}\n"
+      "  q: {{channel: \"{1}\", field: pitchspeed}}\n"
+      "  r: {{channel: \"{1}\", field: yawspeed}}\n"
+      "pose:\n  channel: \"{0}\"\n  frame: NED\n  x: x\n  y: y\n  z: z\n"
+      "  roll: {{channel: \"{1}\", field: roll}}\n"
+      "  pitch: {{channel: \"{1}\", field: pitch}}\n"
+      "  yaw: {{channel: \"{1}\", field: yaw}}\n",
+      position,
+      attitude);
+}
+
+}  // namespace
+
+SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& vehicle) {
+  const Contents& contents = recording.contents();
+  SuggestedMap map;
+  map.text =
+      "# What a ground station heard. Its stamps are when packets came, a few times a second: the\n"
+      "# autopilot's own log (.BIN, .ulg) is better where there is one. The motion is the EKF's:\n"
+      "# without a DVL or a camera aiding it, position and horizontal speed are not measured at "
+      "all.\n";
+  if (!vehicle) map.text += "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n";
+  const std::string outputs = FirstChannelOf(contents, "SERVO_OUTPUT_RAW");
+  const std::string position = FirstChannelOf(contents, "LOCAL_POSITION_NED");
+  const std::string attitude = FirstChannelOf(contents, "ATTITUDE");
+  const bool has_motion = !position.empty() && !attitude.empty();
+  if (!outputs.empty()) {
+    map.text += CommandText(recording, outputs, vehicle);
+  } else {
+    map.text += "# no SERVO_OUTPUT_RAW: the log has no thruster outputs.\n";
+  }
+  if (has_motion) {
+    map.text += MotionText(position, attitude);
+  } else {
+    map.text += "# no LOCAL_POSITION_NED and ATTITUDE: the log has no motion.\n";
+  }
+  const bool has_both = !outputs.empty() && has_motion;
+  map.needs_vehicle = has_both && !vehicle;
+  map.is_ready = has_both && vehicle;
+  if (map.is_ready && NumOutputs(recording, outputs) < std::ssize(vehicle->thrusters)) {
+    map.is_ready = false;
+    map.text += fmt::format("# the log drives {} outputs, the vehicle has {} thrusters.\n",
+                            NumOutputs(recording, outputs),
+                            vehicle->thrusters.size());
+  }
+  return map;
+}
+
+}  // namespace fathom

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/tlog/tlog_recording.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
+#include "fathom/import/recording/channel_stamps.h"
+#include "fathom/import/recording/find_channel.h"
+#include "fathom/import/tlog/mavlink_message.h"
+#include "fathom/import/tlog/tlog_walk.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t kMostChannels = 1000;
+constexpr std::size_t kMostUnknown = 1000;  // numbers of messages that are not read
+constexpr std::size_t kMostTold = 40;       // of them in a remark
+
+// A message of one sender.
+struct TlogSource {
+  std::uint32_t id = 0;
+  int system = 0;
+  int component = 0;
+  auto operator<=>(const TlogSource&) const = default;
+};
+
+TlogSource SourceOf(const TlogPacket& packet) {
+  return {packet.id, packet.system, packet.component};
+}
+
+// The payload with the zeros that MAVLink 2 leaves out at its end. MAVLink 1 leaves none out;
+// fields that it does not have are empty.
+std::string_view WholePayload(const TlogPacket& packet,
+                              const MavlinkMessage& message,
+                              std::string* buffer) {
+  if (packet.version == 1 || packet.payload.size() >= message.size) return packet.payload;
+  buffer->assign(packet.payload);
+  buffer->resize(message.size, '\0');
+  return *buffer;
+}
+
+class TlogRecording final : public Recording {
+ public:
+  explicit TlogRecording(const std::filesystem::path& path);
+
+  const Contents& contents() const override { return contents_; }
+
+  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+
+ private:
+  void TellUnknown(const std::map<std::uint32_t, std::uint64_t>& counts, std::uint64_t num_others);
+  void TellWalk(const TlogWalk& walk);
+
+  std::filesystem::path path_;
+  std::map<TlogSource, std::string> names_;  // of the channels
+  Contents contents_;
+};
+
+TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
+  ByteFile file(path);
+  std::map<TlogSource, ChannelStamps> stamps;
+  std::map<std::uint32_t, std::uint64_t> unknown;
+  std::uint64_t num_others = 0;
+  const TlogWalk walk = ForEachTlogPacket(&file, [&](const TlogPacket& packet) {
+    if (FindMavlinkMessage(packet.id) == nullptr) {
+      const auto counted = unknown.find(packet.id);
+      if (counted != unknown.end()) {
+        ++counted->second;
+      } else if (unknown.size() < kMostUnknown) {
+        unknown.emplace(packet.id, 1);
+      } else {
+        ++num_others;
+      }
+      return;
+    }
+    const TlogSource source = SourceOf(packet);
+    if (stamps.size() >= kMostChannels && !stamps.contains(source)) {
+      ++num_others;
+      return;
+    }
+    stamps[source].Add(packet.time);
+  });
+  if (stamps.empty()) {
+    throw InputError(path_.string() +
+                     ": holds no whole MAVLink message of those that are known, expected a "
+                     "telemetry log (.tlog).");
+  }
+  contents_.format = "tlog";
+  contents_.utc_of_zero = 0.0;
+  contents_.size_bytes = file.size();
+  contents_.read_bytes = file.size() - walk.skipped_bytes - walk.cut_bytes;
+  std::map<std::uint32_t, int> num_senders;
+  for (const auto& [source, channel_stamps] : stamps) ++num_senders[source.id];
+  for (const auto& [source, channel_stamps] : stamps) {
+    const MavlinkMessage& message = *FindMavlinkMessage(source.id);
+    Channel channel;
+    channel.type = message.name;
+    channel.name = num_senders[source.id] == 1
+                       ? message.name
+                       : fmt::format("{} ({}/{})", message.name, source.system, source.component);
+    for (std::size_t i = 0; i < message.numbers.size(); ++i) {
+      channel.fields.push_back({message.numbers[i].name, message.units[i]});
+    }
+    channel_stamps.WriteTo(&channel);
+    names_.emplace(source, channel.name);
+    contents_.channels.push_back(std::move(channel));
+  }
+  std::stable_sort(contents_.channels.begin(),
+                   contents_.channels.end(),
+                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  TellWalk(walk);
+  TellUnknown(unknown, num_others);
+}
+
+void TlogRecording::TellWalk(const TlogWalk& walk) {
+  if (walk.skipped_bytes > 0) {
+    contents_.remarks.push_back(
+        fmt::format("{} of {} bytes belong to no sound packet, the first at byte {}: damage.",
+                    walk.skipped_bytes,
+                    contents_.size_bytes,
+                    walk.first_skipped));
+  }
+  if (walk.cut_bytes > 0) {
+    contents_.remarks.push_back(
+        fmt::format("the file ends within a packet: the {} from byte {} on are not read.",
+                    Plural(walk.cut_bytes, "byte"),
+                    contents_.size_bytes - walk.cut_bytes));
+  }
+}
+
+void TlogRecording::TellUnknown(const std::map<std::uint32_t, std::uint64_t>& counts,
+                                std::uint64_t num_others) {
+  if (counts.empty() && num_others == 0) return;
+  std::string text;
+  std::size_t num_told = 0;
+  for (const auto& [id, count] : counts) {
+    if (num_told < kMostTold) {
+      text += fmt::format("{}message {}: {}", text.empty() ? "" : ", ", id, count);
+      ++num_told;
+    } else {
+      num_others += count;
+    }
+  }
+  if (num_others > 0) text += fmt::format("{}others: {}", text.empty() ? "" : ", ", num_others);
+  contents_.remarks.push_back("not read, by the numbers of MAVLink: " + text + ".");
+}
+
+void TlogRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+  struct TlogWanted {
+    std::size_t selection;
+    std::vector<const PackedNumber*> fields;
+    std::vector<double> values;
+  };
+  std::map<TlogSource, std::vector<TlogWanted>> wanted;
+  for (std::size_t i = 0; i < selections.size(); ++i) {
+    const Channel& channel = FindChannel(contents_, path_, selections[i]);
+    for (const auto& [source, name] : names_) {
+      if (name != channel.name) continue;
+      TlogWanted entry = {i, {}, std::vector<double>(selections[i].fields.size())};
+      for (const std::string& field : selections[i].fields) {
+        entry.fields.push_back(FindMavlinkMessage(source.id)->Find(field));
+      }
+      wanted[source].push_back(std::move(entry));
+    }
+  }
+  ByteFile file(path_);
+  std::string buffer;
+  ForEachTlogPacket(&file, [&](const TlogPacket& packet) {
+    const auto found = wanted.find(SourceOf(packet));
+    if (found == wanted.end()) return;
+    const std::string_view payload = WholePayload(packet, *FindMavlinkMessage(packet.id), &buffer);
+    for (TlogWanted& entry : found->second) {
+      for (std::size_t k = 0; k < entry.fields.size(); ++k) {
+        entry.values[k] = ValueOf(*entry.fields[k], payload);
+      }
+      sink(entry.selection, packet.time, entry.values);
+    }
+  });
+}
+
+}  // namespace
+
+bool LooksLikeTlog(std::string_view first_bytes) { return BeginsTlogRecord(first_bytes); }
+
+std::unique_ptr<Recording> OpenTlog(const std::filesystem::path& path) {
+  return std::make_unique<TlogRecording>(path);
+}
+
+}  // namespace fathom
