@@ -5,6 +5,10 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/dataflash/dataflash_recording.h"
+#include "fathom/import/matlab/mat4_file.h"
+#include "fathom/import/matlab/mat5_file.h"
+#include "fathom/import/matlab/mat73_file.h"
+#include "fathom/import/matlab/matlab_recording.h"
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/ros/mcap_file.h"
 #include "fathom/import/ros/ros1_bag.h"
@@ -42,10 +46,13 @@ std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
   if (LooksLikeMcap(first)) return OpenRosRecording(path, OpenMcap(path));
   if (LooksLikeSqlite(first)) return OpenRosRecording(path, OpenRosbag2Database(path));
   if (LooksLikeRos1Bag(first)) return OpenRosRecording(path, OpenRos1Bag(path));
+  if (LooksLikeMat73(first)) return OpenMatlab(path, OpenMat73(path));
+  if (LooksLikeMat5(first)) return OpenMatlab(path, OpenMat5(path));
+  if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
   if (LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(
-      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN) or "
-                  "a bag of ROS.",
+      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), "
+                  "a bag of ROS or a .mat of MATLAB.",
                   path.string(),
                   first.empty() ? "empty" : "of no known format"));
 }

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/recording/byte_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace fathom {
+
+// What the `count` bytes from `offset` on were compressed from (zlib). Nothing where they are
+// damaged, or where more than `most` bytes come out.
+std::optional<std::string> Inflated(ByteFile* file,
+                                    std::uint64_t offset,
+                                    std::uint64_t count,
+                                    std::size_t most);
+
+}  // namespace fathom
