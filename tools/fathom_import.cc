@@ -36,7 +36,10 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(from, "", "The recording: a .BIN of ArduPilot, a CSV of any shape.");
+DEFINE_string(
+    from,
+    "",
+    "The recording: a .BIN of ArduPilot, a bag of ROS, a .mat of MATLAB, a CSV of any shape.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
