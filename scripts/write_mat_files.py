@@ -8,6 +8,7 @@
 """
 
 import os
+import zlib
 
 import h5py
 import numpy as np
@@ -117,6 +118,13 @@ def write_version_73(name):
         file.write(b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM")
 
 
+def write_bomb_73(name):
+    """A chunk of 24 bytes that inflates to a megabyte."""
+    with h5py.File(os.path.join(SEEDS, name), "w") as file:
+        dataset = file.create_dataset("eta", (3, 1), chunks=(3, 1), compression="gzip", dtype="f8")
+        dataset.id.write_direct_chunk((0, 0), zlib.compress(bytes(1 << 20), 9), 0)
+
+
 os.makedirs(SEEDS, exist_ok=True)
 write_pool()
 write_version_4("little_4.mat", "<")
@@ -125,3 +133,4 @@ write_version_5("plain_5.mat", False)
 write_version_5("compressed_5.mat", True)
 write_version_5_big("big_5.mat")
 write_version_73("hdf5_73.mat")
+write_bomb_73("bomb_73.mat")

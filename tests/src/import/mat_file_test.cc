@@ -222,6 +222,15 @@ TEST(MatFile, BelievesNoSizeThatTheFileDoesNotHold) {
   EXPECT_LT(PeakMemory(), 300.0);
 }
 
+// The HDF5 library would inflate it as far as it goes.
+TEST(MatFile, InflatesNoChunkBeyondItsSize) {
+  const auto recording = OpenRecording(MatPath("bomb_73.mat"));
+  EXPECT_THAT(ErrorFrom([&] {
+                ReadAll(*recording, {"eta", {"value"}});
+              }),
+              HasSubstr("eta is damaged, expected 1 x 3 numbers."));
+}
+
 // What a map makes of a file of the corpus.
 ImportedLog ImportMat(const std::string& name, const std::string& map) {
   const auto recording = OpenRecording(MatPath(name));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <memory>
 #include <new>
-#include <string_view>
 
 #include <zlib.h>
 
@@ -49,6 +48,22 @@ std::optional<std::string> Inflated(ByteFile* file,
   }
   if (result != Z_STREAM_END) return std::nullopt;
   return out;
+}
+
+bool InflatesWithin(std::string_view data, std::size_t most) {
+  z_stream stream = {};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));  // zlib reads only
+  stream.avail_in = static_cast<uInt>(data.size());
+  std::string out(kStep, '\0');
+  int result = Z_OK;
+  while (result == Z_OK && stream.total_out <= most) {
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(kStep);
+    result = inflate(&stream, Z_NO_FLUSH);
+  }
+  return result == Z_STREAM_END && stream.total_out <= most;
 }
 
 }  // namespace fathom

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace fathom {
 
@@ -18,5 +19,8 @@ std::optional<std::string> Inflated(ByteFile* file,
                                     std::uint64_t offset,
                                     std::uint64_t count,
                                     std::size_t most);
+
+// Whether `data` was compressed from at most `most` bytes, and is sound.
+bool InflatesWithin(std::string_view data, std::size_t most);
 
 }  // namespace fathom

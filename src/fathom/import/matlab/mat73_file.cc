@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
+#include "fathom/import/matlab/inflated.h"
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,59 @@ Hdf5Shape ShapeOf(hid_t dataset) {
     }
   }
   return shape;
+}
+
+// The filters of a dataset are those of MATLAB, and its numbers are compressed at most once.
+bool HasKnownFilters(hid_t plan, bool* is_deflated) {
+  *is_deflated = false;
+  const int num_filters = H5Pget_nfilters(plan);
+  for (int i = 0; i < num_filters; ++i) {
+    unsigned flags = 0;
+    std::size_t num_values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(
+        plan, static_cast<unsigned>(i), &flags, &num_values, nullptr, 0, nullptr, nullptr);
+    if (filter == H5Z_FILTER_DEFLATE && !*is_deflated) {
+      *is_deflated = true;
+    } else if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether the chunks of a dataset come to no more than they should: the HDF5 library inflates each
+// as far as it goes.
+bool HasSoundChunks(hid_t dataset, std::uint64_t file_size) {
+  const Hdf5Id plan(H5Dget_create_plist(dataset), H5Pclose);
+  if (!plan.IsOpen() || H5Pget_layout(plan.get()) != H5D_CHUNKED) return plan.IsOpen();
+  bool is_deflated = false;
+  if (!HasKnownFilters(plan.get(), &is_deflated)) return false;
+  if (!is_deflated) return true;
+  const Hdf5Id type(H5Dget_type(dataset), H5Tclose);
+  const Hdf5Id space(H5Dget_space(dataset), H5Sclose);
+  std::array<hsize_t, H5S_MAX_RANK> chunk = {};
+  const int rank = H5Pget_chunk(plan.get(), H5S_MAX_RANK, chunk.data());
+  std::size_t chunk_bytes = H5Tget_size(type.get());  // ShapeOf has looked at the product
+  for (int i = 0; i < rank; ++i) chunk_bytes *= static_cast<std::size_t>(chunk[i]);
+  hsize_t num_chunks = 0;
+  if (H5Dget_num_chunks(dataset, space.get(), &num_chunks) < 0) return false;
+  std::string stored;
+  for (hsize_t i = 0; i < num_chunks; ++i) {
+    std::array<hsize_t, H5S_MAX_RANK> corner = {};
+    unsigned left_out = 0;  // filters
+    haddr_t address = 0;
+    hsize_t size = 0;
+    if (H5Dget_chunk_info(dataset, space.get(), i, corner.data(), &left_out, &address, &size) < 0 ||
+        size > file_size || left_out != 0) {
+      return false;
+    }
+    stored.resize(static_cast<std::size_t>(size));
+    std::uint32_t mask = 0;
+    if (H5Dread_chunk(dataset, H5P_DEFAULT, corner.data(), &mask, stored.data()) < 0) return false;
+    constexpr std::size_t kChecksum = 4;  // [bytes], where it was added before
+    if (!InflatesWithin(stored, chunk_bytes + kChecksum)) return false;
+  }
+  return true;
 }
 
 class Mat73File final : public MatlabFile {
@@ -277,8 +331,10 @@ MatlabNumbers Mat73File::Numbers(const MatlabArray& array, MatlabVariable* varia
     variable->bytes.reset();
     auto bytes = std::make_shared<std::string>();
     const Hdf5Id dataset(H5Oopen_by_addr(file_.get(), array.variable), H5Oclose);
-    bytes->resize(static_cast<std::size_t>(array.num_bytes()));
-    if (!dataset.IsOpen() ||
+    if (dataset.IsOpen() && HasSoundChunks(dataset.get(), std::filesystem::file_size(path_))) {
+      bytes->resize(static_cast<std::size_t>(array.num_bytes()));
+    }
+    if (bytes->empty() ||
         H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes->data()) <
             0) {
       throw InputError(fmt::format("{}: {} is damaged, expected {} x {} numbers.",
