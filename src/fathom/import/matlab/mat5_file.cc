@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t kMat5Header = 128;  // [bytes]
 constexpr std::size_t kMat5Tag = 8;
 
-// The bytes of a variable, with its tag. Nothing where it is compressed and damaged, or larger than
-// kMostMatlabBytes.
+// The bytes of a variable, with its tag. Nothing where it is cut, compressed and damaged, or larger
+// than kMostMatlabBytes.
 std::optional<std::string> LoadVariable(ByteFile* file, MatlabByteOrder order, std::uint64_t at) {
   const std::string tag(file->View(at, kMat5Tag));
   if (tag.size() < kMat5Tag) return std::nullopt;
@@ -91,7 +91,12 @@ void Mat5File::List(ByteFile* file) {
       return stop(fmt::format("there is an element of type {}, expected a variable", type));
     }
     if (size > file->size() - at) return stop("the file ends within a variable");
-    ListVariable(file, at, size);
+    if (type == kMat5Matrix && size > kMostMatlabBytes) {
+      listing_.Remark(
+          fmt::format("the variable at byte {} takes more than 200 MB: passed over.", at));
+    } else {
+      ListVariable(file, at, size);
+    }
     at += size;
   }
 }
