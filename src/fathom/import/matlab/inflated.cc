@@ -50,7 +50,7 @@ std::optional<std::string> Inflated(ByteFile* file,
   return out;
 }
 
-bool InflatesWithin(std::string_view data, std::size_t most) {
+std::optional<std::size_t> InflatedSize(std::string_view data, std::size_t most) {
   z_stream stream = {};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
@@ -63,7 +63,8 @@ bool InflatesWithin(std::string_view data, std::size_t most) {
     stream.avail_out = static_cast<uInt>(kStep);
     result = inflate(&stream, Z_NO_FLUSH);
   }
-  return result == Z_STREAM_END && stream.total_out <= most;
+  if (result != Z_STREAM_END || stream.total_out > most) return std::nullopt;
+  return stream.total_out;
 }
 
 }  // namespace fathom

@@ -20,7 +20,8 @@ std::optional<std::string> Inflated(ByteFile* file,
                                     std::uint64_t count,
                                     std::size_t most);
 
-// Whether `data` was compressed from at most `most` bytes, and is sound.
-bool InflatesWithin(std::string_view data, std::size_t most);
+// Of how many bytes `data` was compressed; nothing where it is damaged, or where they are more than
+// `most`.
+std::optional<std::size_t> InflatedSize(std::string_view data, std::size_t most);
 
 }  // namespace fathom

@@ -140,14 +140,17 @@ bool HasKnownFilters(hid_t plan, bool* is_deflated) {
   return true;
 }
 
-// Whether the chunks of a dataset come to no more than they should: the HDF5 library inflates each
-// as far as it goes.
+// Whether the chunks of a dataset are as long as they should be: the HDF5 library inflates each as
+// far as it goes, and reads beyond the end of one that is too short.
 bool HasSoundChunks(hid_t dataset, std::uint64_t file_size) {
   const Hdf5Id plan(H5Dget_create_plist(dataset), H5Pclose);
-  if (!plan.IsOpen() || H5Pget_layout(plan.get()) != H5D_CHUNKED) return plan.IsOpen();
+  if (!plan.IsOpen()) return false;
+  if (H5Pget_layout(plan.get()) != H5D_CHUNKED) {
+    const Hdf5Shape shape = ShapeOf(dataset);
+    return shape.is_readable && H5Dget_storage_size(dataset) == shape.count * shape.number_size;
+  }
   bool is_deflated = false;
   if (!HasKnownFilters(plan.get(), &is_deflated)) return false;
-  if (!is_deflated) return true;
   const Hdf5Id type(H5Dget_type(dataset), H5Tclose);
   const Hdf5Id space(H5Dget_space(dataset), H5Sclose);
   std::array<hsize_t, H5S_MAX_RANK> chunk = {};
@@ -170,7 +173,9 @@ bool HasSoundChunks(hid_t dataset, std::uint64_t file_size) {
     std::uint32_t mask = 0;
     if (H5Dread_chunk(dataset, H5P_DEFAULT, corner.data(), &mask, stored.data()) < 0) return false;
     constexpr std::size_t kChecksum = 4;  // [bytes], where it was added before
-    if (!InflatesWithin(stored, chunk_bytes + kChecksum)) return false;
+    const std::size_t whole =
+        is_deflated ? InflatedSize(stored, chunk_bytes + kChecksum).value_or(0) : stored.size();
+    if (whole != chunk_bytes && whole != chunk_bytes + kChecksum) return false;
   }
   return true;
 }
@@ -307,6 +312,9 @@ void Mat73File::ListReferences(hid_t dataset, const Mat73Place& place, bool is_c
   const Hdf5Shape shape = ShapeOf(dataset);
   if (shape.count > kMostObjects || shape.number_size != sizeof(hobj_ref_t)) {
     return listing_.PassOver(place.name, "holds too many references");
+  }
+  if (shape.count > 0 && !HasSoundChunks(dataset, std::filesystem::file_size(path_))) {
+    return listing_.PassOver(place.name, "is damaged");
   }
   std::vector<hobj_ref_t> references(static_cast<std::size_t>(shape.count));
   if (shape.count > 0 &&
