@@ -9,18 +9,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "memory_file.h"
 
-// The bytes as a recording; what is listed must then be readable.
-inline int ReadRecording(
-    const std::uint8_t* data,
-    std::size_t size,
-    std::unique_ptr<fathom::Recording> (*open)(const std::filesystem::path& file)) {
+// The bytes as a recording; what is listed must then be readable. `open`: makes a recording of a
+// path.
+template <typename Open>
+int ReadRecording(const std::uint8_t* data, std::size_t size, const Open& open) {
   const MemoryFile file(data, size);
   try {
     const auto recording = open(file.path());

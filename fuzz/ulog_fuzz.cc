@@ -1,32 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as a PX4 log; what is listed must then be readable.
+// Any bytes as a PX4 log.
 
-#include "fathom/base/input_error.h"
-#include "fathom/import/recording/contents_json.h"
 #include "fathom/import/ulog/ulog_recording.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
+#include <filesystem>
 
-#include "memory_file.h"
+#include "read_recording.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const MemoryFile file(data, size);
-  try {
-    const auto recording = fathom::OpenUlog(file.path());
-    fathom::FormatContents(recording->contents());
-    std::vector<fathom::Selection> selections;
-    for (const fathom::Channel& channel : recording->contents().channels) {
-      fathom::Selection selection = {channel.name, {}};
-      for (const fathom::Field& field : channel.fields) selection.fields.push_back(field.name);
-      selections.push_back(selection);
-    }
-    recording->Read(selections, [](std::size_t, double, std::span<const double>) {});
-  } catch (const fathom::InputError&) {
-  }
-  return 0;
+  return ReadRecording(
+      data, size, [](const std::filesystem::path& file) { return fathom::OpenUlog(file); });
 }

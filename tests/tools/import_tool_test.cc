@@ -87,6 +87,30 @@ TEST(ImportTool, SuggestsAMapThatImports) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+// The same numbers as pool.csv, by the map that is suggested.
+TEST(ImportTool, MakesTheSameLogOfAMat) {
+  const Path folder = EmptyTestFolder();
+  const std::string mat = "--from=" + std::string(FATHOM_DATA_DIR) + "/recordings/pool.mat";
+  const ToolRun suggested = Import({mat, "--suggest"});
+  ASSERT_EQ(suggested.exit_code, 0) << suggested.err;
+  const Path map = WriteTestFile(folder / "map.yaml", suggested.out);
+  const ToolRun run =
+      Import({mat, "--map=" + map.string(), "--out=" + (folder / "of_mat").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(
+      Import({"--from=" + kPool, "--map=" + kPoolMap, "--out=" + (folder / "of_csv").string()})
+          .exit_code,
+      0);
+  const Log of_mat = ReadLog(folder / "of_mat");
+  const Log of_csv = ReadLog(folder / "of_csv");
+  ASSERT_EQ(of_mat.velocity->time.size(), of_csv.velocity->time.size());
+  for (std::size_t i = 0; i < of_mat.velocity->time.size(); ++i) {
+    EXPECT_DOUBLE_EQ(of_mat.velocity->time[i], of_csv.velocity->time[i]);
+    EXPECT_DOUBLE_EQ(of_mat.velocity->values[0][i], of_csv.velocity->values[0][i]);
+    EXPECT_DOUBLE_EQ(of_mat.command->values[0][i], of_csv.command->values[0][i]);
+  }
+}
+
 TEST(ImportTool, SaysHowToGetAMap) {
   const Path folder = EmptyTestFolder();
   const std::string error = ExpectRefusal(
@@ -103,7 +127,7 @@ TEST(ImportTool, RefusesWhatItCannotRead) {
     return ExpectRefusal("fathom_import", {"--from=" + from, "--list"}, folder);
   };
   EXPECT_THAT(refusal((folder / "none.csv").string()), HasSubstr("there is no such file"));
-  EXPECT_THAT(refusal(folder.string()), HasSubstr("is no regular file"));
+  EXPECT_THAT(refusal(folder.string()), HasSubstr("holds no recording that can be read"));
   EXPECT_THAT(refusal(image.string()), HasSubstr("of no known format, expected a table of text"));
   EXPECT_THAT(refusal(WriteTestFile(folder / "empty.csv", "").string()), HasSubstr("is empty"));
 }

@@ -5,6 +5,10 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/dataflash/dataflash_recording.h"
+#include "fathom/import/matlab/mat4_file.h"
+#include "fathom/import/matlab/mat5_file.h"
+#include "fathom/import/matlab/mat73_file.h"
+#include "fathom/import/matlab/matlab_recording.h"
 #include "fathom/import/message/message_recording.h"
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/joined_recording.h"
@@ -61,12 +65,16 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
     return OpenMessageRecording(path, OpenPocolog(path), ParseTypelibDefinition);
   }
   if (LooksLikeTlog(first)) return OpenTlog(path);
+  if (LooksLikeMat73(first)) return OpenMatlab(path, OpenMat73(path));
+  if (LooksLikeMat5(first)) return OpenMatlab(path, OpenMat5(path));
+  if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
-  throw InputError(
-      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
-                  "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS or a log of Rock.",
-                  path.string(),
-                  first.empty() ? "empty" : "of no known format"));
+  throw InputError(fmt::format(
+      "{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
+      "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS, a .mat of MATLAB or a log "
+      "of Rock.",
+      path.string(),
+      first.empty() ? "empty" : "of no known format"));
 }
 
 bool IsCalledTable(const std::filesystem::path& path) {
@@ -125,7 +133,8 @@ bool IsRecording(const std::filesystem::path& file) {
     // Of other databases there are many.
     if (LooksLikeSqlite(first)) return OpenRosbag2Database(file) != nullptr;
     return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
-           LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first);
+           LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first) ||
+           LooksLikeMat73(first) || LooksLikeMat5(first) || LooksLikeMat4(first);
   } catch (const InputError&) {
     return false;
   }

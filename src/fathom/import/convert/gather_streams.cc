@@ -23,14 +23,18 @@ namespace {
 struct ChannelPart {
   Selection selection;  // the columns' fields, then those of the conditions
   std::vector<ColumnSource> columns;
-  std::vector<double> conditions;    // the values that the latter must have
-  std::optional<ColumnSource> time;  // the field of the stamps, behind all of them
+  std::vector<double> conditions;          // the values that the latter must have
+  std::optional<ColumnSource> time;        // the field of the stamps, behind all of them
+  std::optional<ColumnSource> other_time;  // instead: stamps of another channel, one a sample
+  std::vector<double> other_stamps;        // [s]
   std::optional<double> rate;
   double delay = 0.0;
   ChannelSamples samples;
-  std::uint64_t num_seen = 0;
+  std::uint64_t num_seen = 0;     // that the conditions let through
+  std::uint64_t num_samples = 0;  // of the channel
 
   void Take(double time, std::span<const double> values) {
+    const std::uint64_t index = num_samples++;
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       if (values[columns.size() + i] != conditions[i]) return;
     }
@@ -38,7 +42,8 @@ struct ChannelPart {
     // Rows without a stamp come at the rate, each after the one before.
     if (rate) time = static_cast<double>(num_seen) / *rate;
     ++num_seen;
-    samples.time.push_back(time + delay);
+    // Which of the other channel's stamps is known when all is read.
+    samples.time.push_back(other_time ? static_cast<double>(index) : time + delay);
     for (std::size_t i = 0; i < columns.size(); ++i) {
       samples.values[i].push_back(columns[i].InSi(values[i]));
     }
@@ -64,7 +69,8 @@ void AddColumn(const ColumnSource& source,
   part->samples.values.emplace_back();
 }
 
-// Of a stream whose stamps are a field, that field of each of its channels.
+// Of a stream whose stamps are a field, that field of each of its channels, or of the channel that
+// the map names.
 void AddTime(const std::filesystem::path& file,
              const Contents& contents,
              const StreamMap& stream,
@@ -73,6 +79,10 @@ void AddTime(const std::filesystem::path& file,
   if (!stream.time) return;
   for (ChannelPart& part : *parts) {
     ColumnMap time = *stream.time;
+    if (!time.channel.empty() && time.channel != part.selection.channel) {
+      part.other_time = SourceOf(file, contents, stream, "time", time, /*is_plain=*/false, remarks);
+      continue;
+    }
     time.channel = part.selection.channel;
     part.time = SourceOf(file, contents, stream, "time", time, /*is_plain=*/false, remarks);
     part.selection.fields.push_back(part.time->selection.fields.front());
@@ -173,6 +183,22 @@ struct StreamRequest {
   std::vector<ChannelPart> parts = {};
 };
 
+// Gives the samples of a part the stamps that another channel holds.
+void TakeOtherStamps(const std::filesystem::path& file, ChannelPart* part) {
+  if (!part->other_time) return;
+  if (part->other_stamps.size() != part->num_samples) {
+    throw InputError(fmt::format("{}: {} holds {}, expected as many as {} has samples: {}.",
+                                 file.string(),
+                                 part->other_time->selection.channel,
+                                 Plural(part->other_stamps.size(), "stamp"),
+                                 part->selection.channel,
+                                 part->num_samples));
+  }
+  for (double& time : part->samples.time) {
+    time = part->other_stamps[static_cast<std::size_t>(time)] + part->delay;
+  }
+}
+
 void RequireStamps(const std::filesystem::path& file,
                    const Contents& contents,
                    const StreamRequest& request) {
@@ -181,10 +207,10 @@ void RequireStamps(const std::filesystem::path& file,
         std::find_if(contents.channels.begin(), contents.channels.end(), [&](const Channel& c) {
           return c.name == part.selection.channel;
         });
-    if (channel->first || part.rate || part.time) continue;
+    if (channel->first || part.rate || part.time || part.other_time) continue;
     throw InputError(
         fmt::format("{}: {} has no stamps, expected the map to give its 'rate' in Hz, "
-                    "or for a table the column of the 'time'.",
+                    "or the column or channel of the 'time'.",
                     file.string(),
                     channel->name));
   }
@@ -230,9 +256,18 @@ GatheredStreams GatherStreams(const std::filesystem::path& file,
   for (StreamRequest& request : requests) {
     for (ChannelPart& part : request.parts) part_of.push_back(&part);
   }
+  std::vector<ChannelPart*> part_of_stamps;
+  for (ChannelPart* part : part_of) {
+    if (!part->other_time) continue;
+    selections.push_back(part->other_time->selection);
+    part_of_stamps.push_back(part);
+  }
   recording.Read(selections, [&](std::size_t i, double time, std::span<const double> values) {
-    part_of[i]->Take(time, values);
+    if (i < part_of.size()) return part_of[i]->Take(time, values);
+    ChannelPart* part = part_of_stamps[i - part_of.size()];
+    part->other_stamps.push_back(part->other_time->InSi(values.front()));
   });
+  for (ChannelPart* part : part_of_stamps) TakeOtherStamps(file, part);
 
   for (StreamRequest& request : requests) {
     GatheredStream stream =

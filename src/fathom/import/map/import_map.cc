@@ -78,12 +78,7 @@ StreamMap StreamOf(const YamlMap& map) {
     }
   }
   stream.delay = map.Number("delay", 0.0);
-  if (map.Has("time")) {
-    stream.time = ColumnOf(map, "time");
-    if (!stream.time->channel.empty()) {
-      map.Fail("time", "names a channel, expected a field of each channel of the stream.");
-    }
-  }
+  if (map.Has("time")) stream.time = ColumnOf(map, "time");
   stream.where = ConditionsOf(map);
   return stream;
 }

@@ -45,8 +45,9 @@ struct StreamMap {
   std::optional<Frame> frame;
   std::string unit;            // of all columns that name none; may be empty
   std::optional<double> rate;  // of channels without stamps [Hz]
-  std::optional<ColumnMap>
-      time;            // the field that holds the stamps, where it is not the channel's own
+  // The field that holds the stamps, where they are not the channel's own; with a channel: one of
+  // that for each sample of the stream's.
+  std::optional<ColumnMap> time;
   double delay = 0.0;  // added to the stamps [s]
   std::vector<Condition> where;
   std::vector<std::pair<std::string, ColumnMap>> columns;  // by the column's name in the log

@@ -6,6 +6,7 @@
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/import/convert/stream_source.h"
+#include "fathom/import/suggest/named_channels.h"
 #include "fathom/import/units/unit.h"
 
 #include <algorithm>
@@ -47,6 +48,8 @@ const std::vector<Names>& CommandNames() {
         "command"}},
       {"tau_sway", {"tausway", "tauy", "fy", "forcey", "swayforce", "wrenchforcey", "yforce"}},
       {"tau_heave", {"tauheave", "tauz", "fz", "forcez", "heaveforce", "wrenchforcez", "zforce"}},
+      {"tau_roll", {"tauroll", "tauk"}},
+      {"tau_pitch", {"taupitch", "taum"}},
       {"tau_yaw",
        {"tauyaw", "torque", "taun", "mz", "torquez", "yawtorque", "yawmoment", "wrenchtorquez"}}};
   return kNames;
@@ -105,26 +108,29 @@ std::string LettersOf(std::string_view text) {
 struct Found {
   std::string column;
   Field field;
+  NamedPlace place;
 };
 
 // At most one column for each field. A field in a unit of another dimension is not it.
 std::vector<Found> FindByNames(const std::vector<Names>& table,
-                               const Channel& channel,
+                               const NamedChannel& named,
                                std::vector<std::string>* taken) {
+  const Channel& channel = named.channel;
   std::vector<Found> all;
   for (const Names& entry : table) {
     const auto dimension = DimensionOf(entry.column);
-    std::optional<Field> best;
+    std::optional<std::size_t> best;
     for (const std::string_view name : entry.names) {
-      for (const Field& field : channel.fields) {
+      for (std::size_t i = 0; i < channel.fields.size(); ++i) {
+        const Field& field = channel.fields[i];
         const bool is_free = std::find(taken->begin(), taken->end(), field.name) == taken->end();
         const bool fits = field.unit.empty() || FindUnit(field.unit, *dimension).has_value();
-        if (!best && is_free && fits && LettersOf(field.name) == name) best = field;
+        if (!best && is_free && fits && LettersOf(field.name) == name) best = i;
       }
     }
     if (!best) continue;
-    taken->push_back(best->name);
-    all.push_back({entry.column, *best});
+    taken->push_back(channel.fields[*best].name);
+    all.push_back({entry.column, channel.fields[*best], named.places[*best]});
   }
   return all;
 }
@@ -150,23 +156,31 @@ std::string YamlText(const std::string& text) {
 }
 
 std::string StreamText(const char* stream,
-                       const Channel& channel,
+                       const NamedChannel& named,
                        bool names_channel,
                        const char* frame,
                        const std::vector<Found>& found) {
   std::string text = fmt::format("{}:\n", stream);
-  if (names_channel) text += fmt::format("  channel: {}\n", YamlText(channel.name));
-  if (!channel.first) text += "  rate: 10  # Hz: there are no stamps. What is it?\n";
+  const std::string& channel = found.front().place.channel;
+  if (names_channel) text += fmt::format("  channel: {}\n", YamlText(channel));
+  if (!named.time_channel.empty()) {
+    text += fmt::format("  time: {{channel: {}, field: value, unit: s}}  # is it this?\n",
+                        YamlText(named.time_channel));
+  } else if (!named.channel.first) {
+    text += "  rate: 10  # Hz: there are no stamps. What is it?\n";
+  }
   text += frame;
   for (const Found& f : found) {
     if (f.field.unit.empty()) {
       const std::string_view unit = SiUnit(*DimensionOf(f.column));
-      text += fmt::format("  {}: {{field: {}, unit: {}}}  # states no unit: is it this?\n",
-                          f.column,
-                          YamlText(f.field.name),
-                          unit);
+      text += fmt::format(
+          "  {}: {{{}field: {}, unit: {}}}  # states no unit: is it this?\n",
+          f.column,
+          f.place.channel == channel ? "" : fmt::format("channel: {}, ", YamlText(f.place.channel)),
+          YamlText(f.place.field),
+          unit);
     } else {
-      text += fmt::format("  {}: {}  # [{}]\n", f.column, YamlText(f.field.name), f.field.unit);
+      text += fmt::format("  {}: {}  # [{}]\n", f.column, YamlText(f.place.field), f.field.unit);
     }
   }
   return text;
@@ -174,7 +188,7 @@ std::string StreamText(const char* stream,
 
 // The fields of one channel for one stream, if they make one.
 struct StreamGuess {
-  const Channel* channel = nullptr;
+  const NamedChannel* channel = nullptr;
   std::vector<Found> found;
 };
 
@@ -190,10 +204,11 @@ SuggestedMap MapByNames(const Contents& contents) {
   StreamGuess velocity;
   StreamGuess pose;
   const auto keep_better =
-      [](const Channel& channel, std::vector<Found> found, StreamGuess* guess) {
+      [](const NamedChannel& channel, std::vector<Found> found, StreamGuess* guess) {
         if (found.size() > guess->found.size()) *guess = {&channel, std::move(found)};
       };
-  for (const Channel& channel : contents.channels) {
+  const std::vector<NamedChannel> channels = NamedChannels(contents);
+  for (const NamedChannel& channel : channels) {
     std::vector<std::string> taken;
     keep_better(channel, FindByNames(CommandNames(), channel, &taken), &command);
     std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
@@ -206,9 +221,12 @@ SuggestedMap MapByNames(const Contents& contents) {
     }
     if (is_pose) keep_better(channel, std::move(of_pose), &pose);
     keep_better(channel, FindByNames(VelocityNames(), channel, &taken), &velocity);
-    for (const Field& field : channel.fields) {
-      if (std::find(taken.begin(), taken.end(), field.name) == taken.end()) {
-        unused.push_back(names_channel ? channel.name + " " + field.name : field.name);
+    for (std::size_t i = 0; i < channel.places.size(); ++i) {
+      const NamedPlace& place = channel.places[i];
+      const std::string& name = channel.channel.fields[i].name;
+      if (std::find(taken.begin(), taken.end(), name) == taken.end() &&
+          place.channel != channel.time_channel) {
+        unused.push_back(names_channel ? place.channel + " " + place.field : place.field);
       }
     }
   }

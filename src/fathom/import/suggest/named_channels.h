@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/import/recording/recording.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// Where a field of a NamedChannel is in its recording.
+struct NamedPlace {
+  std::string channel;
+  std::string field;
+};
+
+// Fields of one rate, by names that tell what they are.
+struct NamedChannel {
+  Channel channel;
+  std::vector<NamedPlace> places;  // of its fields
+  std::string time_channel;        // an array with a stamp for each sample; empty: there is none
+};
+
+// The channels of a recording. Of a .mat, all arrays without stamps that have as many samples are
+// one, and their fields have the names of the arrays: "u" of an array u; of an array eta, whose
+// columns have numbers, x, y, z, roll, pitch, yaw.
+std::vector<NamedChannel> NamedChannels(const Contents& contents);
+
+}  // namespace fathom
