@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "batch_results.h"
+#include "real_data.h"
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
@@ -85,6 +87,54 @@ TEST(BatchOnRecordings, TellsWhatIsWrongWithTheirMap) {
   fs::remove(archive / "pool_map.yaml");
   ASSERT_EQ(RunBatch(archive, results).exit_code, 0);
   EXPECT_THAT(StatesOf(results)["dive_1/pool.csv"], HasSubstr("pool_map.yaml"));
+}
+
+using BatchOnRealRecordings = OnRealData;
+
+// All recordings of others there are, some of them with a map: each ends in its right state.
+TEST_F(BatchOnRealRecordings, EndsEachInItsRightState) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "results.sqlite";
+  fs::create_directories(archive);
+  fs::create_directory_symlink(folder_ / "formats", archive / "formats");
+  fs::create_directory_symlink(folder_ / "sonia", archive / "sonia");
+  WriteTestFile(archive / "sonia.yaml", R"(
+dof: sway
+command: {channel: Thrust, rate: 180, frame: FRD, tau_sway: {field: 2, scale: 9.80665, unit: N}}
+velocity: {channel: LINEAR_SPEED, rate: 8, v: {field: 2, unit: m/s}}
+)");
+  WriteTestFile(archive / "rock.yaml", R"(
+dof: surge
+command:
+  channel: "/forces&torques.forces"
+  frame: FLU
+  time: time
+  tau_surge: {field: "elements[0].effort", unit: N}
+velocity: {channel: /adap_samples.velocity, frame: FLU, time: time, u: "velocity.data[0]"}
+)");
+  WriteTestFile(archive / "archive.yaml",
+                "imports:\n"
+                "  - {files: 'sonia/y_*.mat', map: sonia.yaml}\n"
+                "  - {files: formats/pocolog, map: rock.yaml}\n");
+  const ToolRun run = RunBatch(archive, results);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  int num_without_map = 0;
+  for (const auto& [log, state] : StatesOf(results)) {
+    SCOPED_TRACE(log);
+    if (log == "formats/pocolog") {
+      EXPECT_THAT(state, StartsWith("ok"));
+    } else if (log.starts_with("sonia/y_") && log.ends_with(".mat")) {
+      // Of 22 s each, one determines no model of its own.
+      EXPECT_THAT(state, AnyOf(StartsWith("ok"), StartsWith("no_model")));
+    } else if (log == "sonia/essai_1_x10_2017-11-18-22-16-18.bag") {
+      EXPECT_THAT(state, StartsWith("duplicate"));
+    } else {
+      EXPECT_THAT(state, StartsWith("no_map"));
+      ++num_without_map;
+    }
+  }
+  // 22 + 3 bags, 2 MCAP, 2 .db3, 4 .BIN, 2 .ulg, 1 .tlog, 4 .mat; 2 bags and 6 .mat of sonia.
+  EXPECT_EQ(num_without_map, 48);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,19 @@ double StampOf(const MessageFormat& format, std::string_view message) {
   if (const MessageField* us = format.FindNumber("TimeUS")) return ValueOf(*us, message);
   if (const MessageField* ms = format.FindNumber("TimeMS")) return ValueOf(*ms, message);
   return NAN;
+}
+
+// Keeps the setting that a message PARM states.
+void TakeParameter(const MessageFormat& format,
+                   std::string_view message,
+                   std::map<std::string, double>* parameters) {
+  if (format.name != "PARM") return;
+  const MessageField* name = format.FindText("Name");
+  const MessageField* value = format.FindNumber("Value");
+  if (name == nullptr || value == nullptr) return;
+  constexpr std::size_t kMostParameters = 10000;
+  if (parameters->size() >= kMostParameters) return;
+  (*parameters)[std::string(TextOf(*name, message))] = ValueOf(*value, message);
 }
 
 // The field that says which of several sensors a message is of; null if there is none.
@@ -88,6 +102,7 @@ void DataflashRecording::List(ByteFile* file) {
         if (is_new) ++num_instances[format.type];
         place->second.Add(StampOf(format, message));
         gps_time.Take(format, message);
+        TakeParameter(format, message, &contents_.parameters);
         ++num_messages;
       });
   if (num_messages == 0) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,8 +37,9 @@ struct Contents {
   std::vector<Channel> channels;  // by name
   std::uint64_t read_bytes = 0;   // up to here the file is sound
   std::uint64_t size_bytes = 0;
-  std::vector<std::string> remarks;   // what was passed over, counted, a sentence each
-  std::optional<double> utc_of_zero;  // UTC of stamp 0 where that is known [s since 1970]
+  std::vector<std::string> remarks;          // what was passed over, counted, a sentence each
+  std::optional<double> utc_of_zero;         // UTC of stamp 0 where that is known [s since 1970]
+  std::map<std::string, double> parameters;  // settings of the autopilot, as they were at the end
 
   bool IsComplete() const { return read_bytes == size_bytes; }
 };

@@ -23,6 +23,12 @@ int NumOutputs(const Recording& recording, const std::string& channel) {
   return NumThatReach(recording, channel, fields, kShortestPulse);
 }
 
+// Whether ArduSub turns the pulses of this motor around: MOT_n_DIRECTION is -1.
+bool IsReversed(const Contents& contents, int motor) {
+  const auto direction = contents.parameters.find(fmt::format("MOT_{}_DIRECTION", motor));
+  return direction != contents.parameters.end() && direction->second < 0.0;
+}
+
 // The lines of the command.
 std::string CommandText(const Recording& recording,
                         const std::string& outputs,
@@ -37,7 +43,14 @@ std::string CommandText(const Recording& recording,
   }
   const int num_thrusters =
       vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumOutputs(recording, outputs);
-  for (int i = 1; i <= num_thrusters; ++i) text += fmt::format("  thruster_{0}: C{0}\n", i);
+  for (int i = 1; i <= num_thrusters; ++i) {
+    text += IsReversed(contents, i)
+                ? fmt::format(
+                      "  thruster_{0}: {{field: C{0}, scale: -1, offset: 3000}}  "
+                      "# MOT_{0}_DIRECTION is -1\n",
+                      i)
+                : fmt::format("  thruster_{0}: C{0}\n", i);
+  }
   return text;
 }
 
