@@ -4,6 +4,7 @@
 #include "fathom/import/suggest/ros_map.h"
 
 #include "fathom/import/ros/known_types.h"
+#include "fathom/import/suggest/channel_facts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,6 +34,12 @@ constexpr TypePath kPoses[] = {{"nav_msgs/Odometry", "pose.pose."},
                                {"geometry_msgs/PoseStamped", "pose."},
                                {"geometry_msgs/PoseWithCovarianceStamped", "pose.pose."},
                                {"geometry_msgs/Pose", ""}};
+
+constexpr TypePath kPulses[] = {{"mavros_msgs/RCOut", ""}};
+constexpr TypePath kBatteries[] = {{"sensor_msgs/BatteryState", ""}};
+
+constexpr int kMostOutputs = 16;        // of mavros
+constexpr double kShortestPulse = 800;  // [us]: below, an output is off
 
 // What was found: the channel with the most messages of the surest type there is.
 struct Choice {
@@ -75,9 +82,36 @@ std::string Head(const char* stream, const Choice& choice, const char* frame) {
   return text + fmt::format("\n  frame: {}\n", frame);
 }
 
+// The lines of a command that mavros tells as pulses; empty if there are none.
+std::string PulsesText(const Recording& recording, const std::optional<Vehicle>& vehicle) {
+  const Choice outputs = Choose(recording.contents(), kPulses);
+  if (outputs.channel == nullptr) return "";
+  std::string text = fmt::format("command:\n  channel: \"{}\"  # {}\n  unit: us\n",
+                                 outputs.channel->name,
+                                 outputs.channel->type);
+  const Choice battery = Choose(recording.contents(), kBatteries);
+  if (battery.channel != nullptr && IsEverAbove0(recording, battery.channel->name, "voltage")) {
+    text += fmt::format("  voltage: {{channel: \"{}\", field: voltage, unit: V}}\n",
+                        battery.channel->name);
+  } else {
+    text += "  voltage: 16  # the log measures none: what was it?\n";
+  }
+  std::vector<std::string> fields;
+  for (int i = 0; i < kMostOutputs; ++i) fields.push_back(fmt::format("channels[{}]", i));
+  const int num_thrusters =
+      vehicle ? static_cast<int>(vehicle->thrusters.size())
+              : NumThatReach(recording, outputs.channel->name, fields, kShortestPulse);
+  for (int i = 0; i < num_thrusters; ++i) {
+    text += fmt::format("  thruster_{}: \"channels[{}]\"\n", i + 1, i);
+  }
+  return vehicle ? text
+                 : "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n" + text;
+}
+
 }  // namespace
 
-SuggestedMap RosMap(const Contents& contents) {
+SuggestedMap RosMap(const Recording& recording, const std::optional<Vehicle>& vehicle) {
+  const Contents& contents = recording.contents();
   SuggestedMap map;
   map.text = "# By the types of the topics and ROS's conventions (REP 103). Look at each line.\n";
   const Choice wrench = Choose(contents, kWrenches);
@@ -89,6 +123,9 @@ SuggestedMap RosMap(const Contents& contents) {
     map.text += Line("tau_surge", p, "force.x", "N") + Line("tau_sway", p, "force.y", "N") +
                 Line("tau_heave", p, "force.z", "N") + Line("tau_roll", p, "torque.x", "Nm") +
                 Line("tau_pitch", p, "torque.y", "Nm") + Line("tau_yaw", p, "torque.z", "Nm");
+  } else if (const std::string pulses = PulsesText(recording, vehicle); !pulses.empty()) {
+    map.text += pulses;
+    map.needs_vehicle = !vehicle;
   } else {
     map.text +=
         "# command: {channel: ..., tau_surge: ...}  # no wrench: which topic is the thrust?\n";

@@ -5,6 +5,9 @@
 
 #include "fathom/import/recording/recording.h"
 #include "fathom/import/suggest/suggested_map.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <optional>
 
 namespace fathom {
 
@@ -12,6 +15,6 @@ namespace fathom {
 // inertial rates for the velocity, odometry or a pose for the pose. ROS's conventions hold for the
 // axes: body x forward, y left, z up; world east, north, up (REP 103). Ready where there is one
 // odometry and one wrench, so that nothing had to be chosen.
-SuggestedMap RosMap(const Contents& contents);
+SuggestedMap RosMap(const Recording& recording, const std::optional<Vehicle>& vehicle);
 
 }  // namespace fathom

@@ -20,7 +20,7 @@ SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>
   if (format == "ulog") return Px4Map(recording, vehicle);
   if (format == "tlog") return TlogMap(recording, vehicle);
   if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
-    return RosMap(recording.contents());
+    return RosMap(recording, vehicle);
   }
   if (format == "pocolog") return RockMap(recording.contents());
   return MapByNames(recording.contents());
