@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/advice.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace fathom {
+namespace {
+
+struct Entry {
+  std::string_view code;
+  Advice advice;
+};
+
+// By code.
+constexpr Entry kAdvice[] = {
+    {"clipped_command",
+     {"Nothing, if the thrusters got the same limit. If they got more, damping comes out too "
+      "small.",
+      "Check that command.csv holds what was sent to the thrusters, after all limits."}},
+    {"closed_loop",
+     {"Noise of the speed gets into the command. Least squares and the adaptive law become biased; "
+      "output error does not.",
+      "Take output error. Drive open loop, or add steps to the controller's set point."}},
+    {"command_delay",
+     {"Inertia and damping take the delay for dynamics: both come out wrong.",
+      "Put the clocks together: `delay` in the map of fathom_import, or shift the stamps of one "
+      "file. "
+      "fathom_diagnose measures it as `time_offset`."}},
+    {"constant_command",
+     {"There is no model: nothing tells inertia from damping.",
+      "Drive steps of several sizes, or fit this log together with others."}},
+    {"constant_velocity",
+     {"There is no model.",
+      "Check that the column is the vehicle's motion, and that it was moving."}},
+    {"few_changes",
+     {"One or two parameters are known, the others are not.",
+      "Drive steps of several sizes, forwards and back."}},
+    {"force_sign",
+     {"Inertia comes out negative, or as nonsense.",
+      "Turn the sign of the command or of the motion around. Check that the column is a speed and "
+      "no "
+      "acceleration."}},
+    {"gap",
+     {"None of its own: the log is cut into pieces there.", "Find out why the sensor paused."}},
+    {"held_samples",
+     {"The motion comes late, by half the interval on average, and noise seems to be small.",
+      "Export the sensor at its own rate."}},
+    {"inertia",
+     {"All parameters are wrong by one factor, or by several.",
+      "Check the units of command and motion, and `mass` in log.yaml or the vehicle file."}},
+    {"jitter",
+     {"Little, if the stamps are right. If they are times of arrival, speeds from poses get noise.",
+      "Take the sensor's own stamps."}},
+    {"lost_values",
+     {"The zeros are taken for motion: inertia grows, and effects are named that do not exist.",
+      "Take the rows without a reading out of velocity.csv."}},
+    {"no_model",
+     {"This log alone gives none.",
+      "Fit several logs together, or drive what the sentence asks for."}},
+    {"passivity",
+     {"Damping comes out negative.",
+      "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "
+      "and "
+      "both clocks."}},
+    {"pose_jump",
+     {"The speed from the poses has a peak there, which no thrust explains.",
+      "Cut the log in two at the jump, or take the poses of an estimator that is not realigned. Of "
+      "markers: check their places."}},
+    {"pose_twist_apart",
+     {"One of the two is not the motion of this axis.",
+      "Check which column is which axis, in both files."}},
+    {"pose_twist_delay",
+     {"Models from the two sources differ in their dynamics.",
+      "Put the clocks of both sensors together."}},
+    {"pose_twist_scale",
+     {"Models from the two sources differ by this factor.",
+      "Check the units of both, and the size of the markers."}},
+    {"pose_twist_sign",
+     {"One of the two gives a model of the wrong sign.",
+      "Turn the axis around: FLU or FRD, ENU or NED."}},
+    {"repeated_block",
+     {"The same data count twice: intervals are too narrow, and a jump is in the motion.",
+      "Take one of the two out."}},
+    {"sampling_rate",
+     {"The fit is slow, or sees nothing of the dynamics.", "Check the unit of `t`."}},
+    {"sentinel",
+     {"Single rows decide the model.", "Take the rows without a reading out of the file."}},
+    {"short_log",
+     {"Intervals are wide.", "Drive for two minutes or more, or fit several logs together."}},
+    {"speed_range", {"All parameters are wrong.", "Check the unit of the speed: m/s and rad/s."}},
+    {"stuck_values",
+     {"A model that stands still is fitted to a vehicle that moves.",
+      "Take these rows out of the file."}},
+};
+
+}  // namespace
+
+Advice AdviceOn(std::string_view code) {
+  const auto* const found = std::find_if(std::begin(kAdvice),
+                                         std::end(kAdvice),
+                                         [&](const Entry& entry) { return entry.code == code; });
+  return found == std::end(kAdvice) ? Advice{} : found->advice;
+}
+
+}  // namespace fathom

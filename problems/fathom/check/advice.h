@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+
+namespace fathom {
+
+// What a finding does to a model, and how to mend it.
+struct Advice {
+  std::string_view effect;
+  std::string_view remedy;
+};
+
+// Of a finding's code; empty for a code without advice.
+Advice AdviceOn(std::string_view code);
+
+}  // namespace fathom

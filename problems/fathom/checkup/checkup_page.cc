@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/checkup/checkup_page.h"
+
+#include "fathom/check/advice.h"
+#include "fathom/checkup/checkup_text.h"
+#include "fathom/report/page.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+std::string FindingText(const Finding& finding) {
+  const Advice advice = AdviceOn(finding.code);
+  std::string text = finding.sentence;
+  if (!advice.effect.empty()) text += fmt::format(" To a model: {}", advice.effect);
+  if (!advice.remedy.empty()) text += fmt::format(" To do: {}", advice.remedy);
+  return fmt::format("{} ({})", text, finding.code);
+}
+
+// Warnings stand out, notes are paragraphs.
+void AddFindings(const std::vector<Finding>& findings,
+                 std::vector<std::string>* warnings,
+                 std::vector<std::string>* text) {
+  for (const Finding& finding : findings) {
+    (finding.severity == Severity::kWarning ? warnings : text)->push_back(FindingText(finding));
+  }
+}
+
+// Motion and command over the stamps of the motion; a gap between two segments.
+void AddCharts(const DofCheckup& dof, PageSection* section) {
+  TimePanel motion, command;
+  Series measured = {"measured", {}}, commanded = {"command", {}};
+  for (const Segment& segment : dof.signals->train) {
+    const std::vector<double> force = dof.command.At(segment.time);
+    if (!motion.time.empty()) {
+      motion.time.push_back(segment.time.front());
+      measured.values.push_back(std::numeric_limits<double>::quiet_NaN());
+      commanded.values.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    motion.time.insert(motion.time.end(), segment.time.begin(), segment.time.end());
+    measured.values.insert(measured.values.end(), segment.velocity.begin(), segment.velocity.end());
+    commanded.values.insert(commanded.values.end(), force.begin(), force.end());
+  }
+  motion.quantity = fmt::format("{} velocity", Name(dof.dof));
+  motion.unit = VelocityUnit(dof.dof);
+  motion.measured = std::move(measured);
+  motion.has_residuals = false;
+  if (dof.excitation.held_out) motion.held_out = {*dof.excitation.held_out};
+  command.time = motion.time;
+  command.quantity = fmt::format("{} command", Name(dof.dof));
+  command.unit = dof.signals->force_unit;
+  command.measured = std::move(commanded);
+  command.has_residuals = false;
+  command.is_stepped = true;
+  command.is_low = true;
+  section->time_panels = {std::move(motion), std::move(command)};
+}
+
+}  // namespace
+
+std::string RenderCheckupPage(const LogCheckup& checkup, const std::string& footer) {
+  Page page;
+  page.title = fmt::format("Check of {}", checkup.name);
+  page.lead = {Verdict(checkup)};
+  page.footer = footer;
+  PageSection streams;
+  streams.heading = "Files";
+  streams.tables = {StreamTable(checkup)};
+  streams.text = checkup.remarks;
+  AddFindings(checkup.findings, &page.warnings, &streams.text);
+  for (const DofCheckup& dof : checkup.dofs) {
+    PageSection section;
+    section.heading = std::string(Name(dof.dof));
+    if (!dof.why_not.empty()) {
+      section.text.push_back(fmt::format("It cannot be identified: {}", dof.why_not));
+    }
+    AddFindings(dof.findings, &section.warnings, &section.text);
+    for (std::string& sentence : ExcitationSentences(checkup, dof)) {
+      section.text.push_back(std::move(sentence));
+    }
+    if (dof.signals && !dof.signals->train.empty()) AddCharts(dof, &section);
+    if (Table table = DeterminedTable(dof); !table.rows.empty()) {
+      table.caption =
+          "How well this log knows the parameters (95 %): well within 20 %, roughly "
+          "within 100 %.";
+      section.tables = {std::move(table)};
+    }
+    page.sections.push_back(std::move(section));
+  }
+  page.sections.push_back(std::move(streams));
+  return RenderPage(page);
+}
+
+}  // namespace fathom

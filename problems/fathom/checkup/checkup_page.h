@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/checkup/log_checkup.h"
+
+#include <string>
+
+namespace fathom {
+
+// The checkup as a page: the verdict, the findings with what they do and how to mend them, motion
+// and command of each DOF, and how well its parameters are known. `footer`: version, date, command.
+std::string RenderCheckupPage(const LogCheckup& checkup, const std::string& footer);
+
+}  // namespace fathom

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/checkup/checkup_text.h"
+
+#include "fathom/base/interval95.h"
+#include "fathom/base/plural.h"
+#include "fathom/check/advice.h"
+#include "fathom/check/finding_json.h"
+#include "fathom/report/format_value.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t NumOf(Severity severity, const std::vector<Finding>& findings) {
+  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
+}
+
+// "surge, sway and yaw"
+std::string Listed(const std::vector<std::string>& names) {
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  const std::vector<std::string> all_but_last(names.begin(), names.end() - 1);
+  return fmt::format("{} and {}", fmt::join(all_but_last, ", "), names.back());
+}
+
+// How well the interval leaves a value known.
+std::string_view HowWellKnown(double value, double std) {
+  constexpr double kWell = 0.2, kRoughly = 1.0;
+  const double share = kStdsOf95 * std / std::abs(value);
+  if (share <= kWell) return "well";
+  return share <= kRoughly ? "roughly" : "not";
+}
+
+double StdOf(const FittedModel& model, int index) {
+  return std::sqrt(model.covariance(index, index));
+}
+
+std::string FindingLines(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& finding : findings) {
+    text += fmt::format("{:<7} {:<17} {}\n",
+                        finding.severity == Severity::kWarning ? "red" : "yellow",
+                        finding.code,
+                        finding.sentence);
+    const Advice advice = AdviceOn(finding.code);
+    if (advice.remedy.empty()) continue;
+    text += fmt::format(
+        "{:<25} To a model: {}\n{:<25} To do: {}\n", "", advice.effect, "", advice.remedy);
+  }
+  return text;
+}
+
+std::string IntervalText(const TimeInterval& interval) {
+  return fmt::format("{:.1f} to {:.1f} s", interval.from, interval.to);
+}
+
+Json JsonOf(const TimeInterval& interval) { return Json::array({interval.from, interval.to}); }
+
+}  // namespace
+
+std::string Verdict(const LogCheckup& checkup) {
+  const std::vector<Finding> findings = AllFindings(checkup);
+  const std::size_t red = NumOf(Severity::kWarning, findings);
+  std::vector<std::string> usable;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
+  }
+  if (red > 0) {
+    return fmt::format("{} before a model of this log can be believed.",
+                       red == 1 ? "One finding has to be explained"
+                                : fmt::format("{} findings have to be explained", red));
+  }
+  if (usable.empty()) return "Nothing in this log can be identified.";
+  return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));
+}
+
+Table StreamTable(const LogCheckup& checkup) {
+  Table table;
+  table.columns = {{"file"},
+                   {"rows", true},
+                   {"first [s]", true},
+                   {"last [s]", true},
+                   {"rate [Hz]", true},
+                   {"longest gap [s]", true}};
+  for (const StreamSummary& stream : checkup.streams) {
+    table.rows.push_back({{stream.file,
+                           std::to_string(stream.rows),
+                           fmt::format("{:.3f}", stream.first),
+                           fmt::format("{:.3f}", stream.last),
+                           fmt::format("{:.1f}", stream.rate),
+                           fmt::format("{:.2f}", stream.longest_gap)}});
+  }
+  return table;
+}
+
+Table DeterminedTable(const DofCheckup& dof) {
+  Table table;
+  table.columns = {{"parameter"}, {"value", true}, {"known"}};
+  if (!dof.model || !dof.model->is_usable) return table;
+  const FittedModel& fitted = dof.model->fitted;
+  const ParameterVector values = ToVector(fitted.model);
+  for (int i = 0; i < kNumParameters; ++i) {
+    const double std = StdOf(fitted, i);
+    table.rows.push_back(
+        {{fmt::format("{} [{}]",
+                      kParameterInfo[static_cast<std::size_t>(i)].name,
+                      ParameterUnit(i, fitted.dof, fitted.force_unit)),
+          FormatInterval(values[i], std, kParameterInfo[static_cast<std::size_t>(i)].lower_bound),
+          std::string(HowWellKnown(values[i], std))}});
+  }
+  return table;
+}
+
+std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof) {
+  std::vector<std::string> sentences;
+  if (!dof.signals) return sentences;
+  const Excitation& excitation = dof.excitation;
+  constexpr double kMostly = 0.8;
+  constexpr std::size_t kMostListed = 6;
+  if (excitation.excited < kMostly * excitation.duration && !excitation.stretches.empty()) {
+    std::vector<std::string> stretches;
+    for (const TimeInterval& stretch : excitation.stretches) {
+      if (stretches.size() == kMostListed) {
+        stretches.emplace_back("...");
+        break;
+      }
+      stretches.push_back(IntervalText(stretch));
+    }
+    sentences.push_back(fmt::format("Excited for {:.0f} of {:.0f} s: {}.",
+                                    excitation.excited,
+                                    excitation.duration,
+                                    fmt::join(stretches, ", ")));
+  }
+  if (!checkup.holds_out && excitation.held_out) {
+    sentences.push_back(
+        fmt::format("To judge the model on data that it has not seen, add to log.yaml: held_out: "
+                    "[{:.1f}, {:.1f}]",
+                    excitation.held_out->from,
+                    excitation.held_out->to));
+  }
+  return sentences;
+}
+
+std::string FormatCheckup(const LogCheckup& checkup) {
+  std::string text = fmt::format(
+      "{}: {}\n\n{}", checkup.name, Verdict(checkup), FormatTable(StreamTable(checkup)));
+  if (!checkup.findings.empty()) text += "\n" + FindingLines(checkup.findings);
+  for (const DofCheckup& dof : checkup.dofs) {
+    text += fmt::format("\n{}\n", Name(dof.dof));
+    if (!dof.why_not.empty()) text += fmt::format("cannot be identified: {}\n", dof.why_not);
+    text += FindingLines(dof.findings);
+    if (dof.findings.empty() && dof.why_not.empty()) text += "green   nothing found\n";
+    if (const Table table = DeterminedTable(dof); !table.rows.empty()) {
+      text += "\n" + FormatTable(table);
+    }
+    for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
+  }
+  for (const std::string& remark : checkup.remarks) text += "note: " + remark + "\n";
+  return text;
+}
+
+std::string FormatCheckupJson(const LogCheckup& checkup) {
+  Json streams = Json::array(), dofs = Json::array();
+  for (const StreamSummary& stream : checkup.streams) {
+    streams.push_back({{"file", stream.file},
+                       {"rows", stream.rows},
+                       {"first", stream.first},
+                       {"last", stream.last},
+                       {"rate", stream.rate},
+                       {"longest_gap", stream.longest_gap}});
+  }
+  for (const DofCheckup& dof : checkup.dofs) {
+    Json parameters = Json::array(), stretches = Json::array();
+    if (dof.model && dof.model->is_usable) {
+      const FittedModel& fitted = dof.model->fitted;
+      const ParameterVector values = ToVector(fitted.model);
+      for (int i = 0; i < kNumParameters; ++i) {
+        parameters.push_back({{"name", kParameterInfo[static_cast<std::size_t>(i)].name},
+                              {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)},
+                              {"value", values[i]},
+                              {"std", StdOf(fitted, i)},
+                              {"known", HowWellKnown(values[i], StdOf(fitted, i))}});
+      }
+    }
+    for (const TimeInterval& stretch : dof.excitation.stretches) {
+      stretches.push_back(JsonOf(stretch));
+    }
+    dofs.push_back(
+        {{"dof", Name(dof.dof)},
+         {"why_not", dof.why_not},
+         {"findings", JsonOf<Json>(dof.findings)},
+         {"parameters", std::move(parameters)},
+         {"excited", std::move(stretches)},
+         {"held_out", dof.excitation.held_out ? JsonOf(*dof.excitation.held_out) : Json(nullptr)}});
+  }
+  const Json json = {{"schema", "fathom-check-1"},
+                     {"log", checkup.name},
+                     {"verdict", Verdict(checkup)},
+                     {"streams", std::move(streams)},
+                     {"findings", JsonOf<Json>(checkup.findings)},
+                     {"dofs", std::move(dofs)},
+                     {"remarks", checkup.remarks}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs) {
+  Table table;
+  table.columns = {{"log"}, {"DOFs"}, {"red"}, {"yellow"}};
+  for (const CheckedLog& log : logs) {
+    if (!log.message.empty()) {
+      table.rows.push_back({{log.path, "-", "not readable: " + log.message, ""}});
+      continue;
+    }
+    std::vector<std::string> usable;
+    for (const DofCheckup& dof : log.checkup.dofs) {
+      if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
+    }
+    std::set<std::string> red, yellow;
+    for (const Finding& finding : AllFindings(log.checkup)) {
+      (finding.severity == Severity::kWarning ? red : yellow).insert(finding.code);
+    }
+    table.rows.push_back({{log.path,
+                           usable.empty() ? "-" : fmt::format("{}", fmt::join(usable, " ")),
+                           fmt::format("{}", fmt::join(red, " ")),
+                           fmt::format("{}", fmt::join(yellow, " "))}});
+  }
+  return FormatTable(table);
+}
+
+}  // namespace fathom

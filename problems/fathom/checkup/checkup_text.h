@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/checkup/log_checkup.h"
+#include "fathom/report/table.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What comes first, in one sentence: what is red, and what can be identified.
+std::string Verdict(const LogCheckup& checkup);
+
+Table StreamTable(const LogCheckup& checkup);
+
+// How well this log knows each parameter of a DOF, by output error.
+Table DeterminedTable(const DofCheckup& dof);
+
+// Where the log is excited, and what to hold out, a sentence each; may be empty.
+std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof);
+
+// All of it for a terminal.
+std::string FormatCheckup(const LogCheckup& checkup);
+
+// As JSON, schema "fathom-check-1"; docs/check.md.
+std::string FormatCheckupJson(const LogCheckup& checkup);
+
+// A row for each log of an archive, or for what could not be opened.
+struct CheckedLog {
+  std::string path;
+  std::string message;  // why it could not be checked; empty: it was
+  LogCheckup checkup;
+};
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs);
+
+}  // namespace fathom

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/checkup/log_checkup.h"
+
+#include "fathom/archive/jobs/survey.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
+#include "fathom/check/command_check.h"
+#include "fathom/check/command_clock.h"
+#include "fathom/check/log_check.h"
+#include "fathom/check/pose_jumps.h"
+#include "fathom/check/pose_twist_check.h"
+#include "fathom/comparison/log_identification.h"
+#include "fathom/log/log.h"
+#include "fathom/marker_trajectory/open_log.h"
+#include "fathom/signal/sources/choose_source.h"
+#include "fathom/signal/sources/log_column.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+void Add(std::vector<Finding> more, std::vector<Finding>* findings) {
+  std::ranges::move(more, std::back_inserter(*findings));
+}
+
+std::vector<StreamSummary> StreamsOf(const Log& log) {
+  std::vector<StreamSummary> streams;
+  const std::pair<const char*, const std::optional<Stream>*> files[] = {
+      {"command.csv", &log.command},
+      {"velocity.csv", &log.velocity},
+      {"pose.csv", &log.pose},
+      {"detections.csv", &log.detections}};
+  for (const auto& [file, stream] : files) {
+    if (!*stream || (*stream)->time.empty()) continue;
+    const std::vector<double>& time = (*stream)->time;
+    StreamSummary summary = {file, time.size(), time.front(), time.back(), 0.0, 0.0};
+    // Detections have a row for each marker of a frame.
+    std::vector<double> stamps = time;
+    stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
+    if (stamps.size() > 1) summary.rate = 1.0 / MedianStep(stamps);
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+      summary.longest_gap = std::max(summary.longest_gap, stamps[i] - stamps[i - 1]);
+    }
+    streams.push_back(std::move(summary));
+  }
+  return streams;
+}
+
+// What the checks say of a DOF that cannot be identified; nothing where they cannot run.
+std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
+  try {
+    return CheckLogs({&log, 1}, dof);
+  } catch (const InputError&) {
+    return {};  // why_not says it already
+  }
+}
+
+void Identify(const Log& log, DofCheckup* checkup) {
+  LogIdentificationOptions options;
+  options.dof = checkup->dof;
+  options.source = BestSourceOf(log, checkup->dof);
+  LogIdentification identified = IdentifyFromLogs({log}, options);
+  checkup->findings = std::move(identified.findings);
+  checkup->signals = std::move(identified.signals);
+  checkup->command = CommandOf(log, checkup->dof);
+  const auto& segments = checkup->signals->train;
+  if (auto finding = CheckCommandClock(checkup->command, segments)) {
+    checkup->findings.push_back(*std::move(finding));
+  }
+  Add(CheckCommand(checkup->command, segments), &checkup->findings);
+  if (!identified.result.is_usable) {
+    checkup->findings.push_back(
+        {Severity::kNote,
+         "no_model",
+         fmt::format("There is no usable model: {}", identified.result.message)});
+  }
+  checkup->excitation = ExcitationOf(checkup->command, segments);
+  checkup->model = std::move(identified.result);
+}
+
+}  // namespace
+
+LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
+  const Survey survey = SurveyLog(path, dof);
+  Log log = OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true});
+  if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
+  LogCheckup checkup;
+  checkup.path = path;
+  checkup.name = log.name;
+  checkup.streams = StreamsOf(log);
+  checkup.holds_out = !log.held_out.empty();
+  checkup.findings = CheckPoseAgainstTwist(log);
+  Add(CheckPoseJumps(log), &checkup.findings);
+  checkup.findings = WarningsFirst(std::move(checkup.findings));
+  for (const Remark& remark : log.remarks) checkup.remarks.push_back(remark.text);
+  if (survey.needs_tracking) {
+    checkup.findings.push_back({Severity::kNote,
+                                "not_tracked",
+                                "The motion is in images alone: fathom_track comes first."});
+  }
+  for (const SurveyedDof& surveyed : survey.dofs) {
+    if (dof && surveyed.dof != *dof) continue;
+    DofCheckup of_dof;
+    of_dof.dof = surveyed.dof;
+    of_dof.why_not = surveyed.why_not;
+    if (of_dof.why_not.empty()) {
+      Identify(log, &of_dof);
+    } else {
+      of_dof.findings = FindingsWithoutFit(log, of_dof.dof);
+    }
+    of_dof.findings = WarningsFirst(std::move(of_dof.findings));
+    checkup.dofs.push_back(std::move(of_dof));
+  }
+  return checkup;
+}
+
+std::vector<Finding> AllFindings(const LogCheckup& checkup) {
+  std::vector<Finding> findings = checkup.findings;
+  for (const DofCheckup& dof : checkup.dofs) Add(dof.findings, &findings);
+  return findings;
+}
+
+}  // namespace fathom

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/check/excitation.h"
+#include "fathom/check/finding.h"
+#include "fathom/comparison/identification.h"
+#include "fathom/log/held_command.h"
+#include "fathom/signal/signals.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// One file of a log.
+struct StreamSummary {
+  std::string file;  // "command.csv"
+  std::size_t rows = 0;
+  double first = 0.0, last = 0.0;  // stamps [s]
+  double rate = 0.0;               // by the median step [Hz]
+  double longest_gap = 0.0;        // between two rows [s]
+};
+
+// What is to be known of one DOF before it is fitted.
+struct DofCheckup {
+  Dof dof = Dof::kSurge;
+  std::string why_not;  // it cannot be identified; empty: it can
+  std::vector<Finding> findings;
+
+  // Where it can be identified, of the best source that the log has:
+  HeldCommand command;
+  std::optional<Signals> signals;
+  Excitation excitation;
+  std::optional<Identification> model;  // by output error; how well its parameters are known
+};
+
+// What is to be known of a log before any fit; docs/check.md.
+struct LogCheckup {
+  std::filesystem::path path;
+  std::string name;
+  std::vector<StreamSummary> streams;
+  bool holds_out = false;            // log.yaml names held-out intervals
+  std::vector<Finding> findings;     // of no single DOF
+  std::vector<std::string> remarks;  // what the reader passed over
+  std::vector<DofCheckup> dofs;      // those that log.yaml names, else those that are commanded
+};
+
+// Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit
+// by output error knows the parameters. `dof`: only that one, or what a single CSV is of. Throws
+// InputError as OpenLog() does.
+LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof);
+
+// All findings, those of the log and of its DOFs.
+std::vector<Finding> AllFindings(const LogCheckup& checkup);
+
+}  // namespace fathom

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is wrong with a log, before any fit.
+
+#include "fathom/archive/dives/archive_settings.h"
+#include "fathom/archive/dives/path_text.h"
+#include "fathom/archive/dives/walk_archive.h"
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/checkup/checkup_page.h"
+#include "fathom/checkup/checkup_text.h"
+#include "fathom/checkup/log_checkup.h"
+#include "fathom/tool/dof_flag.h"
+#include "fathom/tool/log_flags.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/progress.h"
+#include "fathom/tool/tool.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(archive, "", "A folder of logs instead of --log: a table of them.");
+DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_string(json, "", "Write what was found to this JSON file.");
+DECLARE_string(log);
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_check",
+    "Says what is wrong with a log, and what it can determine, before any fit.",
+    "--log=LOG [--dof=DOF] [--report=FILE] [--json=FILE] | --archive=DIR",
+    "fathom_check --log=data/flatfish --report=check.html",
+    "Streams, rates and gaps; broken sensors, wrong signs, units, clocks and axes; how well each "
+    "parameter would be known; where a long dive is excited, and what to hold out. Each finding "
+    "says "
+    "what it does to a model and what to do: docs/check.md. Exit code 2: a finding is red."};
+
+bool HasRed(const LogCheckup& checkup) {
+  return std::ranges::any_of(AllFindings(checkup), [](const Finding& finding) {
+    return finding.severity == Severity::kWarning;
+  });
+}
+
+int CheckLog(const std::string& command) {
+  const std::vector<std::string> paths = LogPathsFromFlags();
+  if (paths.size() != 1) {
+    throw InputError(fmt::format("--log: names {} logs, expected one.", paths.size()));
+  }
+  RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
+  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag());
+  fmt::print("{}", FormatCheckup(checkup));
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
+  if (!FLAGS_report.empty()) {
+    WriteFile(FLAGS_report,
+              RenderCheckupPage(checkup, fmt::format("Fathom {}. {}", FATHOM_VERSION, command)));
+  }
+  return HasRed(checkup) ? kExitNoFit : kExitUsable;
+}
+
+int CheckArchive() {
+  for (const auto& [flag, file] : {std::pair{"report", FLAGS_report}, {"json", FLAGS_json}}) {
+    if (!file.empty()) {
+      throw InputError(fmt::format("--{}: goes with --log, expected none with --archive.", flag));
+    }
+  }
+  const ArchiveSettings settings = ReadArchiveSettings(FLAGS_archive);
+  const FoundArchive found = WalkArchive(FLAGS_archive, settings);
+  std::vector<CheckedLog> checked;
+  Progress progress("log");
+  bool has_red = false;
+  for (const FoundLog& log : found.logs) {
+    progress.Show(static_cast<int>(checked.size()), static_cast<int>(found.logs.size()), "");
+    CheckedLog one = {PathText(log.path), "", {}};
+    try {
+      if (log.is_recording) throw InputError("a recording: fathom_import comes first.");
+      one.checkup = CheckUp(log.place, DofFromFlag());
+      has_red |= HasRed(one.checkup);
+    } catch (const InputError& error) {
+      one.message = error.what();
+    }
+    // Its data are large, and no longer needed.
+    for (DofCheckup& dof : one.checkup.dofs) dof.signals.reset();
+    checked.push_back(std::move(one));
+  }
+  fmt::print("{}", FormatCheckedLogs(checked));
+  return has_red ? kExitNoFit : kExitUsable;
+}
+
+int Run(const std::string& command) {
+  if (FLAGS_archive.empty() == FLAGS_log.empty()) {
+    throw InputError("--log or --archive: expected one of them.");
+  }
+  return FLAGS_archive.empty() ? CheckLog(command) : CheckArchive();
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) {
+  const std::string command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  return fathom::RunTool(argc, argv, fathom::kInfo, [&] { return fathom::Run(command); });
+}
