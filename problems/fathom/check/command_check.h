@@ -17,7 +17,8 @@ namespace fathom {
 //   clipped_command   one limit holds for a tenth of the time, though other values are many
 //   few_changes       fewer than four changes while the motion was measured: few parameters show
 //   short_log         less than 30 s of motion
-//   closed_loop       the command follows the motion: noise of the speed is in it. Second differences,
+//   closed_loop       the command follows the motion: noise of the speed is in it. Second
+//   differences,
 //                     in which noise is large and motion small, have opposite signs at a delay of 0
 //                     to 2 samples, and the same sign a sample beside it, as noise has and no
 //                     smooth motion

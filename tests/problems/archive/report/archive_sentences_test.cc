@@ -85,8 +85,8 @@ TEST(ChangeSentences, TellsManyVehiclesOfFewDivesTogether) {
 
 TEST(LogsSentence, CountsEveryState) {
   EXPECT_EQ(LogsSentence(WithStates(StatesInOrder())),
-            "10 logs in 1 dive: 2 gave a model (1 ok, 1 partial), 8 did not (1 nothing to "
-            "identify, 1 no model, 1 refused, 1 crashed, 1 timed out, 1 out of memory, 1 "
+            "11 logs in 1 dive: 2 gave a model (1 ok, 1 partial), 9 did not (1 nothing to "
+            "identify, 1 no map, 1 no model, 1 refused, 1 crashed, 1 timed out, 1 out of memory, 1 "
             "unreadable, 1 duplicate).");
 }
 

@@ -1,0 +1,406 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What fathom_check says of logs with a typical mistake, and of sound ones.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "mistakes.h"
+#include "real_data.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include "sound_log.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+using Path = fs::path;
+
+// A log of one DOF with the poses that belong to it: the vehicle goes straight on along x.
+struct Dive {
+  LogNumbers numbers;
+  bool has_pose = false;
+  std::vector<double> x, y, yaw;  // of pose.csv, at numbers.time
+};
+
+Dive SoundDive(const Path& scratch, bool is_slow) {
+  Dive dive;
+  dive.numbers = is_slow ? SlowSoundLog(scratch) : SoundLog(scratch);
+  double x = 0.0;
+  for (std::size_t i = 0; i < dive.numbers.time.size(); ++i) {
+    if (i > 0) {
+      x += 0.5 * (dive.numbers.speed[i] + dive.numbers.speed[i - 1]) *
+           (dive.numbers.time[i] - dive.numbers.time[i - 1]);
+    }
+    dive.x.push_back(x);
+    dive.y.push_back(0.0);
+    dive.yaw.push_back(0.0);
+  }
+  return dive;
+}
+
+Path WriteDive(const Dive& dive, const Path& folder) {
+  Write(dive.numbers, folder);
+  if (!dive.has_pose) return folder;
+  std::string pose = "t,x,y,z,qx,qy,qz,qw\n";
+  for (std::size_t i = 0; i < dive.x.size(); ++i) {
+    pose += fmt::format("{},{:.7g},{:.7g},0,0,0,{:.9f},{:.9f}\n",
+                        dive.numbers.time[i],
+                        dive.x[i],
+                        dive.y[i],
+                        std::sin(0.5 * dive.yaw[i]),
+                        std::cos(0.5 * dive.yaw[i]));
+  }
+  WriteTestFile(folder / "pose.csv", pose);
+  return folder;
+}
+
+// What the tool says: {severity, code, sentence} of each finding, and why DOFs are left out.
+struct Said {
+  int exit_code = -1;
+  std::vector<Json> findings;
+  std::string why_not;
+  std::string text;
+};
+
+Said Check(const Path& log, const Path& scratch) {
+  const Path file = scratch / "check.json";
+  const ToolRun run =
+      RunToolBinary("fathom_check", {"--log=" + log.string(), "--json=" + file.string()});
+  Said said = {run.exit_code, {}, "", run.out + run.err};
+  if (run.exit_code != 0 && run.exit_code != 2) return said;
+  const Json json = Json::parse(TextOf(file));
+  for (const Json& finding : json["findings"]) said.findings.push_back(finding);
+  for (const Json& dof : json["dofs"]) {
+    for (const Json& finding : dof["findings"]) said.findings.push_back(finding);
+    said.why_not += dof["why_not"].get<std::string>();
+  }
+  return said;
+}
+
+struct Mistake {
+  std::string name;
+  std::function<void(Dive*)> make;
+  // "red", "yellow"; "left out": the DOF cannot be identified; "refused": the log cannot be read
+  std::string severity;
+  std::string code;   // of the finding; of "left out" and "refused" a part of the reason
+  std::string words;  // in its sentence
+  bool is_slow = false;
+};
+
+void PrintTo(const Mistake& one, std::ostream* out) { *out << one.name; }
+
+std::function<void(Dive*)> Force(double factor) {
+  return [=](Dive* dive) { ScaleForce(factor, &dive->numbers); };
+}
+
+std::function<void(Dive*)> Speed(double factor) {
+  return [=](Dive* dive) { ScaleSpeed(factor, &dive->numbers); };
+}
+
+std::function<void(Dive*)> Numbers(void (*make)(LogNumbers*)) {
+  return [=](Dive* dive) { make(&dive->numbers); };
+}
+
+std::function<void(Dive*)> Later(double seconds) {
+  return [=](Dive* dive) {
+    for (double& t : dive->numbers.time) t += seconds;
+  };
+}
+
+std::function<void(Dive*)> Pose(const std::function<void(Dive*, std::size_t)>& change) {
+  return [=](Dive* dive) {
+    dive->has_pose = true;
+    for (std::size_t i = 0; i < dive->x.size(); ++i) change(dive, i);
+  };
+}
+
+// The first seconds of the log.
+std::function<void(Dive*)> Cut(double seconds) {
+  return [=](Dive* dive) {
+    LogNumbers& log = dive->numbers;
+    const auto keep = [&](std::vector<double>* time, std::vector<double>* values) {
+      const auto end = std::upper_bound(time->begin(), time->end(), seconds);
+      values->resize(static_cast<std::size_t>(end - time->begin()));
+      time->erase(end, time->end());
+    };
+    keep(&log.command_time, &log.force);
+    keep(&log.time, &log.speed);
+  };
+}
+
+// What the vehicle does under another command, by the model that the sound log comes of.
+void Drive(LogNumbers* log, const std::function<double(double, double)>& force) {
+  double v = 0.0;
+  std::size_t row = 0;
+  const std::vector<double> noise = log->speed;  // its last digits are as good as noise
+  log->force.clear();
+  log->command_time.clear();
+  for (double t = 0.0; t < 150.0; t += 0.1) {
+    const double measured = v + 0.002 * std::sin(1e4 * noise[std::min(row, noise.size() - 1)]);
+    const double f = force(t, measured);
+    log->command_time.push_back(t);
+    log->force.push_back(f);
+    while (row < log->time.size() && log->time[row] < t + 0.1) {
+      log->speed[row++] = measured;
+    }
+    v += 0.1 * (f - 40.0 * v * std::abs(v) - 8.0 * v + 0.3) / 38.0;
+  }
+}
+
+std::function<void(Dive*)> Driven(const std::function<double(double, double)>& force) {
+  return [=](Dive* dive) { Drive(&dive->numbers, force); };
+}
+
+double Tones(double t) {
+  return 12.0 * std::sin(0.6 * t) + 9.0 * std::sin(1.7 * t + 1.0) + 7.0 * std::sin(4.1 * t);
+}
+
+std::vector<Mistake> Table() {
+  const std::string below = "below the vehicle's dry mass of 22.5 kg";
+  const std::string over = "times the vehicle's dry mass of 22.5 kg";
+  return {
+      {"ForceInKilonewton", Force(1e-3), "red", "inertia", "forces in kN"},
+      {"ForceInKilogramForce", Force(1.0 / 9.80665), "red", "inertia", "kgf"},
+      {"ForceInPounds", Force(1.0 / 4.44822), "red", "inertia", "lbf"},
+      {"ThrusterSpeedInRpm",
+       [](Dive* dive) { dive->numbers.thruster_speed_unit = 60.0; },
+       "red",
+       "inertia",
+       "rpm"},
+      {"ThrusterSpeedInRadians",
+       [](Dive* dive) { dive->numbers.thruster_speed_unit = 6.28319; },
+       "red",
+       "inertia",
+       "rad/s"},
+      {"FastInCentimetres", Speed(100.0), "red", "speed_range", "The speed reaches "},
+      {"SlowInCentimetres", Speed(100.0), "red", "inertia", "motion in cm", /*is_slow=*/true},
+      {"SlowInMillimetres", Speed(1000.0), "red", "inertia", below, /*is_slow=*/true},
+      {"SpeedInKnots", Speed(1.94384), "red", "inertia", "knots"},
+      {"SpeedInKilometresPerHour", Speed(3.6), "red", "inertia", "km/h"},
+      {"SpeedInFeet", Speed(3.28084), "red", "inertia", "feet"},
+      {"PerCentOf20N", Force(5.0), "red", "inertia", over},
+      {"MassOfAnotherVehicle",
+       [](Dive* dive) { dive->numbers.mass = 500.0; },
+       "red",
+       "inertia",
+       "below the vehicle's dry mass of 500 kg"},
+      {"FlippedForce", Force(-1.0), "red", "passivity", "The mean power"},
+      {"FlippedSpeed", Speed(-1.0), "red", "passivity", "The mean power"},
+      {"AccelerationAsSpeed", Numbers(WriteAccelerations), "red", "force_sign", "decelerates"},
+      {"LostLock", Numbers(LoseLock), "red", "lost_values", "u is exactly 0 in "},
+      {"StuckSensor", Numbers(GetStuck), "red", "stuck_values", "u stands still in "},
+      {"Sentinel", Numbers(WriteSentinels), "red", "sentinel", "u is exactly -32.768 in "},
+      {"SentinelOfNines",
+       [](Dive* dive) {
+         for (std::size_t i = 40; i < dive->numbers.speed.size(); i += 300) {
+           dive->numbers.speed[i] = 999.0;
+         }
+       },
+       "red",
+       "sentinel",
+       "u is exactly 999 in "},
+      {"HeldSamples", Numbers(HoldSamples), "red", "held_samples", "only every 2 s"},
+      {"RepeatedBlock", Numbers(RepeatABlock), "red", "repeated_block", "the same 300 rows twice"},
+      {"ClockThreeSecondsLate", Later(3.0), "red", "command_delay", "s after the command"},
+      {"ClockThreeSecondsEarly", Later(-3.0), "red", "command_delay", "s before the command"},
+      {"ClockEightSecondsLate", Later(8.0), "red", "command_delay", "s after the command"},
+      {"ClockSixTenthsLate", Later(0.6), "yellow", "command_delay", "s after the command"},
+      {"StampsInMilliseconds",
+       [](Dive* dive) {
+         for (double& t : dive->numbers.time) t *= 1000.0;
+         for (double& t : dive->numbers.command_time) t *= 1000.0;
+       },
+       "refused",
+       "Is it in ms",
+       ""},
+      {"ConstantCommand",
+       Driven([](double, double) { return 10.0; }),
+       "left out",
+       "the command never changes",
+       ""},
+      {"VehicleAtRest", Speed(0.0), "left out", "at rest", ""},
+      {"CutAfterTwoSeconds", Cut(2.0), "left out", "too short", ""},
+      {"CutAfterTwentySeconds", Cut(20.0), "yellow", "short_log", "s of motion"},
+      {"OneStep",
+       Driven([](double t, double) { return t < 60.0 ? 5.0 : 20.0; }),
+       "yellow",
+       "few_changes",
+       "changes once"},
+      {"Clipped",
+       Driven([](double t, double) { return std::clamp(Tones(t), -14.0, 14.0); }),
+       "yellow",
+       "clipped_command",
+       "stands at its limit of 14"},
+      {"ClosedLoop",
+       Driven([](double t, double v) { return 60.0 * (0.5 * std::sin(0.3 * t) - v); }),
+       "yellow",
+       "closed_loop",
+       "A controller was on"},
+      {"SensorPaused",
+       [](Dive* dive) {
+         LogNumbers& log = dive->numbers;
+         log.time.erase(log.time.begin() + 500, log.time.begin() + 600);
+         log.speed.erase(log.speed.begin() + 500, log.speed.begin() + 600);
+       },
+       "yellow",
+       "gap",
+       "gap"},
+      {"StampsOfArrival",
+       [](Dive* dive) {
+         for (std::size_t i = 0; i < dive->numbers.time.size(); i += 7) {
+           dive->numbers.time[i] += 0.045;
+         }
+       },
+       "yellow",
+       "jitter",
+       "steps differ by over 30 %"},
+      {"PoseOfTheOtherAxis",
+       Pose([](Dive* dive, std::size_t i) { dive->x[i] *= -1.0; }),
+       "red",
+       "pose_twist_sign",
+       "opposite signs"},
+      {"MarkerOfTwiceTheSize",
+       Pose([](Dive* dive, std::size_t i) { dive->x[i] *= 2.0; }),
+       "red",
+       "pose_twist_scale",
+       "u"},
+      {"PoseLate",
+       [](Dive* dive) {
+         dive->has_pose = true;
+         std::rotate(dive->x.begin(), dive->x.end() - 5, dive->x.end());
+         std::fill_n(dive->x.begin(), 5, dive->x[5]);
+       },
+       "yellow",
+       "pose_twist_delay",
+       "s later"},
+      {"EstimatorRealigned",
+       Pose([](Dive* dive, std::size_t i) { dive->x[i] += i < 700 ? 0.0 : 1.2; }),
+       "red",
+       "pose_jump",
+       "x jumps once"},
+      {"YawRealigned",
+       Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; }),
+       "red",
+       "pose_jump",
+       "yaw jumps once"},
+  };
+}
+
+class CheckedMistakes : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(CheckedMistakes, AreSaidWithTheirWords) {
+  const Mistake& mistake = GetParam();
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, mistake.is_slow);
+  mistake.make(&dive);
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  if (mistake.severity == "left out") {
+    EXPECT_THAT(said.why_not, HasSubstr(mistake.code)) << said.text;
+    return;
+  }
+  if (mistake.severity == "refused") {
+    EXPECT_EQ(said.exit_code, 1);
+    EXPECT_THAT(said.text, HasSubstr(mistake.code));
+    return;
+  }
+  const bool is_said = std::ranges::any_of(said.findings, [&](const Json& finding) {
+    return finding["severity"] == mistake.severity && finding["code"] == mistake.code &&
+           finding["sentence"].get<std::string>().find(mistake.words) != std::string::npos;
+  });
+  EXPECT_TRUE(is_said) << said.text;
+  EXPECT_TRUE(mistake.severity != "red" || said.exit_code == 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table,
+                         CheckedMistakes,
+                         ::testing::ValuesIn(Table()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(CheckTool, IsGreenOnSoundLogs) {
+  const Path folder = EmptyTestFolder();
+  for (const bool is_slow : {false, true}) {
+    const Path own = folder / (is_slow ? "slow" : "fast");
+    fs::create_directories(own);
+    Dive dive = SoundDive(own, is_slow);
+    dive.has_pose = true;
+    const Said said = Check(WriteDive(dive, own / "log"), own);
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+    for (const Json& finding : said.findings) EXPECT_EQ(finding["severity"], "yellow") << finding;
+  }
+}
+
+TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  ScaleSpeed(-1.0, &dive.numbers);
+  const Path page = folder / "check.html";
+  const ToolRun run = RunToolBinary(
+      "fathom_check",
+      {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.out, HasSubstr("To do: Check sign and frame of command and motion"));
+  EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
+}
+
+TEST(CheckTool, ListsAnArchive) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  WriteDive(dive, folder / "archive/sound");
+  LoseLock(&dive.numbers);
+  WriteDive(dive, folder / "archive/lost");
+  WriteTestFile(folder / "archive/broken/log.yaml", "name: [\n");
+  const ToolRun run = RunToolBinary("fathom_check", {"--archive=" + (folder / "archive").string()});
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("lost_values"));
+  EXPECT_THAT(run.out, HasSubstr("not readable: "));
+}
+
+using CheckedRealLogs = OnRealData;
+
+// Logs that others recorded and that are sound: none gets a red finding.
+TEST_F(CheckedRealLogs, GetNoRedFinding) {
+  const Path folder = EmptyTestFolder();
+  std::vector<std::string> logs = {"lbv_surge",
+                                   "lbv_surge_short",
+                                   "pool_rov_surge",
+                                   "emps_pulses_pose",
+                                   "emps_pulses_velocity",
+                                   "dc_motor_stairs",
+                                   "camera_by_others/heave_a",
+                                   "camera_by_others/heave_b",
+                                   "camera_by_others/surge_sine",
+                                   "kingfisher_runs/run_01",
+                                   "kingfisher_runs/run_02",
+                                   "kingfisher_runs/run_12",
+                                   "kingfisher_runs/run_13",
+                                   "kingfisher_runs/run_16",
+                                   "kingfisher_runs/run_20",
+                                   "kingfisher_runs/run_28",
+                                   "kingfisher_runs/run_30"};
+  for (const char* run : {"neg_0.04_1", "neg_0.045_2", "pos_0.06_3", "pos_0.065_1"}) {
+    logs.push_back(std::string("hsm150_runs/") + run);
+  }
+  for (const std::string& log : logs) {
+    SCOPED_TRACE(log);
+    const Said said = Check(folder_ / log, folder);
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  }
+}
+
+}  // namespace
+}  // namespace fathom
