@@ -183,5 +183,17 @@ TEST(MessageDefinition, SaysWhatIsWrong) {
   EXPECT_THAT(error("float64[-1] x\n"), HasSubstr("'-1' is no length"));
 }
 
+// genpy (ROS 1) packs a byte as int8; in ROS 2 it is an octet.
+TEST(MessageType, TakesAByteWithItsSignInRos1Only) {
+  std::vector<double> values;
+  const auto ros1 = ParseRosDefinition("test_msgs/B", "byte b\n");
+  MessageDecoder(ros1, MessageEncoding::kRos1, {"b"}).Decode("\xff", &values);
+  EXPECT_THAT(values, ElementsAre(-1.0));
+  const auto ros2 = ParseRosDefinition("test_msgs/msg/B", "byte b\n");
+  const std::string message("\0\1\0\0\xff", 5);
+  MessageDecoder(ros2, MessageEncoding::kCdr, {"b"}).Decode(message, &values);
+  EXPECT_THAT(values, ElementsAre(255.0));
+}
+
 }  // namespace
 }  // namespace fathom
