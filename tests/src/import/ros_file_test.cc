@@ -133,6 +133,19 @@ TEST_P(BagsOf, ThisCompressionAreRead) {
   EXPECT_EQ(ReadAll(*recording, {"/depth", {"data"}}).rows[49][0], 24.5);
 }
 
+// One buffer takes the chunks one after the other: 3 MB, little, 6 MB.
+TEST_P(BagsOf, ThisCompressionMayHaveChunksOfAnySize) {
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag",
+                                BagHead(true) + BagChunk(GetParam(), BagRecords(0, 40000)) +
+                                    BagChunk(GetParam(), BagRecords(40000, 10)) +
+                                    BagChunk(GetParam(), BagRecords(40010, 80000))));
+  EXPECT_TRUE(recording->contents().IsComplete());
+  const ReadSamples samples = ReadAll(*recording, {"/depth", {"data"}});
+  ASSERT_EQ(samples.rows.size(), 120010U);
+  for (std::size_t k = 0; k < samples.rows.size(); ++k) ASSERT_EQ(samples.rows[k][0], 0.5 * k);
+}
+
 INSTANTIATE_TEST_SUITE_P(Compressions, BagsOf, ::testing::Values("none", "bz2", "lz4"));
 
 TEST(Bag, WithoutAnIndexIsReadAndTold) {
