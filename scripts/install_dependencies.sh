@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what Fathom needs on Debian 12: the packages of apt-packages.txt, then the JavaScript of
-# the report. Where all of it is there already, it does nothing and needs no network.
+# the report and of the tests. Where all of it is there already, it does nothing and needs no
+# network.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,8 +27,9 @@ if [ ${#missing[@]} -gt 0 ]; then
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 fi
 
-# npm notes in node_modules what it installed.
-web=src/fathom/report/web
-if ! [ "$web/node_modules/.package-lock.json" -nt "$web/package-lock.json" ]; then
-  (cd "$web" && npm ci --ignore-scripts --no-audit --no-fund)
-fi
+for folder in src/fathom/report/web tests/src/import/writers; do
+  # npm notes in node_modules what it installed.
+  if ! [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+    (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund)
+  fi
+done

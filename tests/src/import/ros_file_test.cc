@@ -14,6 +14,7 @@
 
 #include "dataflash_writer.h"
 #include "scratch_file.h"
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <bzlib.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -131,6 +132,19 @@ TEST_P(BagsOf, ThisCompressionAreRead) {
   EXPECT_EQ(*depth.first, 1500000000.5);
   EXPECT_EQ(*depth.last, 1500000049.5);
   EXPECT_EQ(ReadAll(*recording, {"/depth", {"data"}}).rows[49][0], 24.5);
+}
+
+// One buffer takes the chunks one after the other: 3 MB, little, 6 MB.
+TEST_P(BagsOf, ThisCompressionMayHaveChunksOfAnySize) {
+  const auto recording =
+      OpenRecording(ScratchFile("a.bag",
+                                BagHead(true) + BagChunk(GetParam(), BagRecords(0, 40000)) +
+                                    BagChunk(GetParam(), BagRecords(40000, 10)) +
+                                    BagChunk(GetParam(), BagRecords(40010, 80000))));
+  EXPECT_TRUE(recording->contents().IsComplete());
+  const ReadSamples samples = ReadAll(*recording, {"/depth", {"data"}});
+  ASSERT_EQ(samples.rows.size(), 120010U);
+  for (std::size_t k = 0; k < samples.rows.size(); ++k) ASSERT_EQ(samples.rows[k][0], 0.5 * k);
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions, BagsOf, ::testing::Values("none", "bz2", "lz4"));
@@ -342,6 +356,24 @@ TEST(Mcap, WithoutChunksAndSummaryIsRead) {
   EXPECT_EQ(recording->contents().channels[0].count, 7U);
   EXPECT_TRUE(recording->contents().IsComplete());
   EXPECT_THAT(recording->contents().remarks, ElementsAre(HasSubstr("was not closed")));
+}
+
+TEST(Rosbag2, TellsMessagesOfNoTopic) {
+  const auto path = ScratchFile("a.db3", "");
+  {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
+    database.exec(
+        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+        "BLOB)");
+    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
+    database.exec(
+        "INSERT INTO messages VALUES (1, 1, 1500000000500000000, x'000100000000000000002940'),"
+        "(2, 7, 1500000001500000000, x'000100000000000000002940')");
+  }
+  const auto recording = OpenRecording(path);
+  EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
+  EXPECT_THAT(recording->contents().remarks, ElementsAre("1 messages belong to no topic."));
 }
 
 }  // namespace

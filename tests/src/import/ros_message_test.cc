@@ -183,5 +183,31 @@ TEST(MessageDefinition, SaysWhatIsWrong) {
   EXPECT_THAT(error("float64[-1] x\n"), HasSubstr("'-1' is no length"));
 }
 
+// genpy (ROS 1) packs a byte as int8; in ROS 2 it is an octet.
+TEST(MessageType, TakesAByteWithItsSignInRos1Only) {
+  std::vector<double> values;
+  const auto ros1 = ParseRosDefinition("test_msgs/B", "byte b\n");
+  MessageDecoder(ros1, MessageEncoding::kRos1, {"b"}).Decode("\xff", &values);
+  EXPECT_THAT(values, ElementsAre(-1.0));
+  const auto ros2 = ParseRosDefinition("test_msgs/msg/B", "byte b\n");
+  const std::string message("\0\1\0\0\xff", 5);
+  MessageDecoder(ros2, MessageEncoding::kCdr, {"b"}).Decode(message, &values);
+  EXPECT_THAT(values, ElementsAre(255.0));
+}
+
+TEST(MessageType, GivesAnArrayInAnyOrderAndAsFarAsItGoes) {
+  const auto definition = ParseRosDefinition("test_msgs/A", "float64[3] a\nfloat64 b\n");
+  const std::string message = Bytes(1.0) + Bytes(2.0) + Bytes(3.0) + Bytes(4.0);
+  const MessageDecoder all(definition, MessageEncoding::kRos1, {"a[2]", "b", "a[0]", "a[1]"});
+  std::vector<double> values;
+  EXPECT_TRUE(all.Decode(message, &values));
+  EXPECT_THAT(values, ElementsAre(3.0, 4.0, 1.0, 2.0));
+  EXPECT_FALSE(all.Decode(message.substr(0, 17), &values));
+  EXPECT_THAT(values, ElementsAre(IsNan(), IsNan(), 1.0, 2.0));
+  const MessageDecoder twice(definition, MessageEncoding::kRos1, {"a[1]", "a[2]", "a[1]", "b"});
+  EXPECT_TRUE(twice.Decode(message, &values));
+  EXPECT_THAT(values, ElementsAre(2.0, 3.0, 2.0, 4.0));
+}
+
 }  // namespace
 }  // namespace fathom

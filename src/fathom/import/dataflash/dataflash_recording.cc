@@ -13,6 +13,7 @@
 #include "fathom/import/recording/find_channel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -27,12 +28,11 @@
 namespace fathom {
 namespace {
 
-// The stamp of a message [s]; NaN if it has none.
-double StampOf(const MessageFormat& format, std::string_view message) {
-  if (const MessageField* us = format.FindNumber("TimeUS")) return ValueOf(*us, message);
-  if (const MessageField* ms = format.FindNumber("TimeMS")) return ValueOf(*ms, message);
-  return NAN;
-}
+// The fields of a type that listing and reading look at in every message.
+struct CommonFields {
+  const MessageField* stamp = nullptr;     // [s]; null if there is none
+  const MessageField* instance = nullptr;  // which of several sensors it is of; likewise
+};
 
 // Keeps the setting that a message PARM states.
 void TakeParameter(const MessageFormat& format,
@@ -47,18 +47,35 @@ void TakeParameter(const MessageFormat& format,
   (*parameters)[std::string(TextOf(*name, message))] = ValueOf(*value, message);
 }
 
-// The field that says which of several sensors a message is of; null if there is none.
-const MessageField* InstanceField(const MessageFormat& format) {
+CommonFields CommonFieldsOf(const MessageFormat& format) {
+  CommonFields fields;
+  fields.stamp = format.FindNumber("TimeUS");
+  if (fields.stamp == nullptr) fields.stamp = format.FindNumber("TimeMS");
   for (const MessageField& field : format.numbers) {
-    if (field.unit == "instance") return &field;
+    if (field.unit != "instance") continue;
+    fields.instance = &field;
+    break;
   }
-  return nullptr;
+  return fields;
 }
 
-int InstanceOf(const MessageFormat& format, std::string_view message) {
-  const MessageField* field = InstanceField(format);
-  if (field == nullptr) return 0;
-  const double number = ValueOf(*field, message);
+// By type.
+std::array<CommonFields, 256> CommonFieldsOf(const MessageFormats& formats) {
+  std::array<CommonFields, 256> fields;
+  std::transform(formats.begin(), formats.end(), fields.begin(), [](const MessageFormat& format) {
+    return CommonFieldsOf(format);
+  });
+  return fields;
+}
+
+// NaN if it has none.
+double StampOf(const CommonFields& fields, std::string_view message) {
+  return fields.stamp == nullptr ? NAN : ValueOf(*fields.stamp, message);
+}
+
+int InstanceOf(const CommonFields& fields, std::string_view message) {
+  if (fields.instance == nullptr) return 0;
+  const double number = ValueOf(*fields.instance, message);
   // Instances are few; a damaged one is of none of them.
   return number >= 0.0 && number < 256.0 ? static_cast<int>(number) : -1;
 }
@@ -94,13 +111,15 @@ class DataflashRecording final : public Recording {
 void DataflashRecording::List(ByteFile* file) {
   std::map<std::pair<int, int>, ChannelStamps> stamps;  // by type and instance
   std::map<int, int> num_instances;
+  const std::array<CommonFields, 256> fields = CommonFieldsOf(formats_);
   GpsTime gps_time;
   std::uint64_t num_messages = 0;
   const MessageWalk walk =
       ForEachMessage(file, formats_, [&](const MessageFormat& format, std::string_view message) {
-        const auto [place, is_new] = stamps.try_emplace({format.type, InstanceOf(format, message)});
+        const auto [place, is_new] =
+            stamps.try_emplace({format.type, InstanceOf(fields[format.type], message)});
         if (is_new) ++num_instances[format.type];
-        place->second.Add(StampOf(format, message));
+        place->second.Add(StampOf(fields[format.type], message));
         gps_time.Take(format, message);
         TakeParameter(format, message, &contents_.parameters);
         ++num_messages;
@@ -167,14 +186,16 @@ void DataflashRecording::Read(std::span<const Selection> selections, const Sampl
     }
     wanted[format->type].push_back(std::move(entry));
   }
+  const std::array<CommonFields, 256> fields = CommonFieldsOf(formats_);
   ByteFile file(path_);
   ForEachMessage(&file, formats_, [&](const MessageFormat& format, std::string_view message) {
+    const CommonFields& common = fields[format.type];
     for (Wanted& entry : wanted[format.type]) {
-      if (entry.instance && *entry.instance != InstanceOf(format, message)) continue;
+      if (entry.instance && *entry.instance != InstanceOf(common, message)) continue;
       for (std::size_t k = 0; k < entry.fields.size(); ++k) {
         entry.values[k] = ValueOf(*entry.fields[k], message);
       }
-      sink(entry.selection, StampOf(format, message), entry.values);
+      sink(entry.selection, StampOf(common, message), entry.values);
     }
   });
 }

@@ -6,6 +6,7 @@
 #include "fathom/base/number.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -103,8 +104,13 @@ void ScaleStamps(MessageFormat* format) {
 
 void AddUnits(ByteFile* file, MessageFormats* formats) {
   UnitTables tables;
+  std::array<bool, 256> is_of_units = {};  // by type
+  for (const MessageFormat& format : *formats) {
+    const bool is = format.name == "UNIT" || format.name == "MULT" || format.name == "FMTU";
+    if (is && format.type >= 0) is_of_units[format.type] = true;
+  }
   ForEachMessage(file, *formats, [&](const MessageFormat& format, std::string_view message) {
-    Take(format, message, &tables);
+    if (is_of_units[format.type]) Take(format, message, &tables);
   });
   for (MessageFormat& format : *formats) {
     if (format.type < 0) continue;

@@ -3,6 +3,8 @@
 
 #include "fathom/import/message/message_decoder.h"
 
+#include "fathom/import/recording/little_endian.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +13,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -60,6 +64,18 @@ class Cursor {
     if (is_swapped_) std::reverse(raw.begin(), raw.end());
     at_ += sizeof(T);
     return std::bit_cast<T>(raw);
+  }
+
+  // `count` numbers at once, as ReadNumber() would give them one by one; empty if they are not
+  // there, or have their bytes in the other order.
+  std::string_view TakeDoubles(std::uint64_t count) {
+    if (is_swapped_ || count == 0) return {};
+    Align(sizeof(double));
+    if (count > BytesLeft() / sizeof(double)) return {};
+    const std::string_view taken =
+        bytes_.substr(at_, static_cast<std::size_t>(count) * sizeof(double));
+    at_ += taken.size();
+    return taken;
   }
 
   // Of a text or a sequence.
@@ -249,64 +265,134 @@ std::vector<Field> NumbersOf(const MessageDefinition& definition,
 
 // What is asked of a message at some place in the tree.
 struct MessageDecoder::Plan {
-  // By the index of the member, then of its element.
-  std::map<std::size_t, std::map<std::uint64_t, std::vector<std::size_t>>> numbers;
-  std::map<std::size_t, std::map<std::uint64_t, Plan>> messages;
+  // A number: an element of a member, and where it goes.
+  struct Number {
+    std::uint64_t element = 0;
+    std::size_t value = 0;
+  };
+  struct Inner;
+  // Of the member of this index, by element.
+  struct Member {
+    std::size_t index = 0;
+    std::vector<Number> numbers;
+    std::vector<Inner> messages;
+
+    // Whether each of `count` elements is asked for, once.
+    bool AsksForAll(std::uint64_t count) const { return numbers.size() == count && is_each_once; }
+    bool is_each_once = true;  // element k is numbers[k]
+  };
+  std::vector<Member> members;  // by index, only those that something is asked of
+
+  Member& Of(std::size_t index);
 
   void Add(const MessageDefinition& definition,
            std::size_t type,
            std::string_view path,
-           std::size_t value) {
-    const std::size_t dot = std::min(path.find('.'), path.size());
-    std::string_view name = path.substr(0, dot);
-    std::uint64_t element = 0;
-    if (const std::size_t open = name.find('['); open != std::string_view::npos) {
-      std::from_chars(name.data() + open + 1, name.data() + name.size(), element);
-      name = name.substr(0, open);
-    }
-    const auto& members = definition[type].members;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      if (members[i].name != name) continue;
-      if (members[i].kind == MemberKind::kMessage) {
-        if (dot < path.size()) {
-          messages[i][element].Add(definition, members[i].message, path.substr(dot + 1), value);
-        }
-      } else {
-        numbers[i][element].push_back(value);
-      }
-    }
-  }
+           std::size_t value);
 
   void Decode(const MessageDefinition& definition,
               std::size_t type,
               Cursor* cursor,
-              std::vector<double>* values) const {
-    const auto& members = definition[type].members;
-    for (std::size_t i = 0; i < members.size() && cursor->is_good(); ++i) {
-      const MessageMember& member = members[i];
-      const std::uint64_t count = CountOf(member, cursor);
-      std::uint64_t done = 0;
-      if (const auto wanted = numbers.find(i); wanted != numbers.end()) {
-        for (const auto& [element, places] : wanted->second) {
-          if (element >= count) break;
-          SkipElements(definition, member, element - done, cursor);
-          const double number = ReadNumber(member.kind, cursor);
-          if (!cursor->is_good()) return;
-          for (const std::size_t place : places) (*values)[place] = number;
-          done = element + 1;
-        }
-      } else if (const auto inner = messages.find(i); inner != messages.end()) {
-        for (const auto& [element, plan] : inner->second) {
-          if (element >= count) break;
-          SkipElements(definition, member, element - done, cursor);
-          plan.Decode(definition, member.message, cursor, values);
-          done = element + 1;
-        }
+              std::vector<double>* values) const;
+};
+
+struct MessageDecoder::Plan::Inner {
+  std::uint64_t element = 0;
+  Plan plan;
+};
+
+MessageDecoder::Plan::Member& MessageDecoder::Plan::Of(std::size_t index) {
+  const auto place =
+      std::lower_bound(members.begin(), members.end(), index, [](const Member& m, std::size_t i) {
+        return m.index < i;
+      });
+  if (place != members.end() && place->index == index) return *place;
+  Member member;
+  member.index = index;
+  return *members.insert(place, std::move(member));
+}
+
+void MessageDecoder::Plan::Add(const MessageDefinition& definition,
+                               std::size_t type,
+                               std::string_view path,
+                               std::size_t value) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  std::string_view name = path.substr(0, dot);
+  std::uint64_t element = 0;
+  if (const std::size_t open = name.find('['); open != std::string_view::npos) {
+    std::from_chars(name.data() + open + 1, name.data() + name.size(), element);
+    name = name.substr(0, open);
+  }
+  const auto is_before = [](const auto& entry, std::uint64_t e) { return entry.element < e; };
+  const auto& types_members = definition[type].members;
+  for (std::size_t i = 0; i < types_members.size(); ++i) {
+    if (types_members[i].name != name) continue;
+    if (types_members[i].kind == MemberKind::kMessage) {
+      if (dot == path.size()) continue;
+      std::vector<Inner>& inner = Of(i).messages;
+      auto place = std::lower_bound(inner.begin(), inner.end(), element, is_before);
+      if (place == inner.end() || place->element != element) {
+        place = inner.insert(place, Inner{element, {}});
       }
-      SkipElements(definition, member, count - done, cursor);
+      place->plan.Add(definition, types_members[i].message, path.substr(dot + 1), value);
+    } else {
+      std::vector<Number>& numbers = Of(i).numbers;
+      numbers.insert(std::lower_bound(numbers.begin(), numbers.end(), element, is_before),
+                     {element, value});
+      bool* is_each_once = &Of(i).is_each_once;
+      *is_each_once = true;
+      for (std::size_t k = 0; k < numbers.size(); ++k) *is_each_once &= numbers[k].element == k;
     }
   }
-};
+}
+
+void MessageDecoder::Plan::Decode(const MessageDefinition& definition,
+                                  std::size_t type,
+                                  Cursor* cursor,
+                                  std::vector<double>* values) const {
+  const auto& types_members = definition[type].members;
+  auto wanted = members.begin();
+  for (std::size_t i = 0; i < types_members.size() && cursor->is_good(); ++i) {
+    const MessageMember& member = types_members[i];
+    const std::uint64_t count = CountOf(member, cursor);
+    std::uint64_t done = 0;
+    if (wanted != members.end() && wanted->index == i) {
+      if (member.kind == MemberKind::kFloat64 && wanted->AsksForAll(count)) {
+        const std::string_view raw = cursor->TakeDoubles(count);
+        for (; done * sizeof(double) < raw.size(); ++done) {
+          (*values)[wanted->numbers[done].value] =
+              LittleEndian<double>(raw, static_cast<std::size_t>(done) * sizeof(double));
+        }
+      }
+      double number = 0.0;
+      for (const Number& asked : std::span(wanted->numbers).subspan(done)) {
+        if (asked.element >= count) break;
+        // The same number may be asked for twice.
+        if (asked.element >= done) {
+          if (asked.element > done) {
+            SkipElements(definition, member, asked.element - done, cursor);
+          }
+          // Most numbers are of this kind.
+          number = member.kind == MemberKind::kFloat64 ? cursor->Read<double>()
+                                                       : ReadNumber(member.kind, cursor);
+          if (!cursor->is_good()) return;
+          done = asked.element + 1;
+        }
+        (*values)[asked.value] = number;
+      }
+      for (const Inner& inner : wanted->messages) {
+        if (inner.element >= count) break;
+        if (inner.element > done) {
+          SkipElements(definition, member, inner.element - done, cursor);
+        }
+        inner.plan.Decode(definition, member.message, cursor, values);
+        done = inner.element + 1;
+      }
+      ++wanted;
+    }
+    if (count > done) SkipElements(definition, member, count - done, cursor);
+  }
+}
 
 MessageDecoder::MessageDecoder(const MessageDefinition& definition,
                                MessageEncoding encoding,

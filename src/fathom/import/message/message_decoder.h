@@ -7,7 +7,6 @@
 #include "fathom/import/recording/recording.h"
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>

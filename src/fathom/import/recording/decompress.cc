@@ -21,27 +21,26 @@ constexpr std::size_t kStep = std::size_t{1} << 20;  // [bytes] by which the out
 // Lets `step` write into the output until it has nothing more to give. Memory grows with what comes
 // out, not with what a damaged header promises.
 template <typename Step>
-std::string Grow(std::size_t size, const Step& step) {
-  std::string out;
-  while (out.size() < size) {
-    const std::size_t before = out.size();
-    out.resize(std::min(size, before + kStep));
+std::string_view Grow(std::size_t size, std::string* buffer, const Step& step) {
+  std::size_t done = 0;
+  while (done < size) {
+    const std::size_t room = std::min(size - done, kStep);
+    if (buffer->size() < done + room) buffer->resize(done + room);
     bool goes_on = false;
-    const std::size_t written = step(out.data() + before, out.size() - before, &goes_on);
-    out.resize(before + written);
+    done += step(buffer->data() + done, room, &goes_on);
     if (!goes_on) break;
   }
-  return out;
+  return std::string_view(*buffer).substr(0, done);
 }
 
-std::string FromBzip2(std::string_view data, std::size_t size) {
+std::string_view FromBzip2(std::string_view data, std::size_t size, std::string* buffer) {
   bz_stream stream = {};
   if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
   const std::unique_ptr<bz_stream, int (*)(bz_stream*)> guard(&stream, BZ2_bzDecompressEnd);
   stream.next_in = const_cast<char*>(data.data());  // bzlib reads only
   stream.avail_in = static_cast<unsigned>(
       std::min<std::size_t>(data.size(), std::numeric_limits<unsigned>::max()));
-  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+  return Grow(size, buffer, [&](char* out, std::size_t room, bool* goes_on) {
     stream.next_out = out;
     stream.avail_out = static_cast<unsigned>(room);
     const int result = BZ2_bzDecompress(&stream);
@@ -50,20 +49,23 @@ std::string FromBzip2(std::string_view data, std::size_t size) {
   });
 }
 
-std::string FromLz4(std::string_view data, std::size_t size) {
+std::string_view FromLz4(std::string_view data, std::size_t size, std::string* buffer) {
   LZ4F_dctx* context = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) {
     throw std::bad_alloc();
   }
   const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> guard(
       context, LZ4F_freeDecompressionContext);
-  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+  // What came out before stays where it is, and so need not be kept twice, unless the buffer moves.
+  LZ4F_decompressOptions_t options = {};
+  options.stableDst = size <= kStep || size <= buffer->size() ? 1 : 0;
+  return Grow(size, buffer, [&](char* out, std::size_t room, bool* goes_on) {
     std::size_t written = 0;
     while (written < room) {
       std::size_t taken = data.size();
       std::size_t given = room - written;
       const std::size_t result =
-          LZ4F_decompress(context, out + written, &given, data.data(), &taken, nullptr);
+          LZ4F_decompress(context, out + written, &given, data.data(), &taken, &options);
       if (LZ4F_isError(result) != 0) return written;
       written += given;
       data.remove_prefix(taken);
@@ -74,7 +76,7 @@ std::string FromLz4(std::string_view data, std::size_t size) {
   });
 }
 
-std::string FromZlib(std::string_view data, std::size_t size) {
+std::string_view FromZlib(std::string_view data, std::size_t size, std::string* buffer) {
   z_stream stream = {};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
@@ -82,7 +84,7 @@ std::string FromZlib(std::string_view data, std::size_t size) {
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
   stream.avail_in =
       static_cast<uInt>(std::min<std::size_t>(data.size(), std::numeric_limits<uInt>::max()));
-  return Grow(size, [&](char* out, std::size_t room, bool* goes_on) {
+  return Grow(size, buffer, [&](char* out, std::size_t room, bool* goes_on) {
     stream.next_out = reinterpret_cast<Bytef*>(out);
     stream.avail_out = static_cast<uInt>(room);
     const int result = inflate(&stream, Z_NO_FLUSH);
@@ -91,12 +93,12 @@ std::string FromZlib(std::string_view data, std::size_t size) {
   });
 }
 
-std::string FromZstd(std::string_view data, std::size_t size) {
+std::string_view FromZstd(std::string_view data, std::size_t size, std::string* buffer) {
   const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
                                                                              ZSTD_freeDStream);
   if (stream == nullptr) throw std::bad_alloc();
   ZSTD_inBuffer in = {data.data(), data.size(), 0};
-  return Grow(size, [&](char* to, std::size_t room, bool* goes_on) {
+  return Grow(size, buffer, [&](char* to, std::size_t room, bool* goes_on) {
     ZSTD_outBuffer out = {to, room, 0};
     while (out.pos < out.size) {
       const std::size_t taken = in.pos;
@@ -112,20 +114,23 @@ std::string FromZstd(std::string_view data, std::size_t size) {
 
 }  // namespace
 
-std::string Decompressed(Compression compression, std::string_view data, std::size_t size) {
+std::string_view Decompressed(Compression compression,
+                              std::string_view data,
+                              std::size_t size,
+                              std::string* buffer) {
   switch (compression) {
     case Compression::kBzip2:
-      return FromBzip2(data, size);
+      return FromBzip2(data, size, buffer);
     case Compression::kLz4:
-      return FromLz4(data, size);
+      return FromLz4(data, size, buffer);
     case Compression::kZlib:
-      return FromZlib(data, size);
+      return FromZlib(data, size, buffer);
     case Compression::kZstd:
-      return FromZstd(data, size);
+      return FromZstd(data, size, buffer);
     case Compression::kNone:
       break;
   }
-  return std::string(data.substr(0, size));
+  return data.substr(0, size);
 }
 
 }  // namespace fathom

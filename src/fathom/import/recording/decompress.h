@@ -12,7 +12,11 @@ namespace fathom {
 enum class Compression { kNone, kBzip2, kLz4, kZlib, kZstd };
 
 // The first `size` bytes at most of what was compressed; fewer where the data is cut or damaged.
-// LZ4 and Zstandard as frames.
-std::string Decompressed(Compression compression, std::string_view data, std::size_t size);
+// LZ4 and Zstandard as frames. They lie in `buffer`, which serves the next call too, or are `data`
+// itself if it is not compressed.
+std::string_view Decompressed(Compression compression,
+                              std::string_view data,
+                              std::size_t size,
+                              std::string* buffer);
 
 }  // namespace fathom

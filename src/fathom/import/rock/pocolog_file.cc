@@ -93,6 +93,7 @@ ContainerWalk PocologFile::Walk(std::vector<MessageChannel>* channels,
                                 const MessageSink& take) const {
   ByteFile file(path_);
   ContainerWalk walk;
+  std::string buffer;  // of a sample that was compressed
   walk.size_bytes = file.size();
   std::map<std::uint16_t, std::size_t> channel_of;
   std::size_t num_unknown = 0, num_large = 0, num_controls = 0;
@@ -124,7 +125,8 @@ ContainerWalk PocologFile::Walk(std::vector<MessageChannel>* channels,
       if (channel == channel_of.end()) {
         ++num_unknown;
       } else if (is_packed) {
-        const std::string plain = Decompressed(Compression::kZlib, sample, kLargestBlock);
+        const std::string_view plain =
+            Decompressed(Compression::kZlib, sample, kLargestBlock, &buffer);
         take(channel->second, TimeAt(block, 8), plain);
       } else {
         take(channel->second, TimeAt(block, 8), sample);

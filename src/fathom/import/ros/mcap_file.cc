@@ -184,6 +184,7 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
   walk.size_bytes = file.size();
   std::uint64_t at = kMagic.size();
   bool is_closed = false;
+  std::string buffer;  // of a chunk that was compressed
   while (!is_closed) {
     const std::string_view head = file.View(at, kRecordHead);
     if (head.size() < kRecordHead) break;
@@ -200,10 +201,11 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
         continue;
       }
       if (chunk->size > kLargestRecord || chunk->stored_size > kLargestRecord) break;
-      const std::string plain =
+      const std::string_view plain =
           Decompressed(*chunk->compression,
                        file.View(records, static_cast<std::size_t>(chunk->stored_size)),
-                       static_cast<std::size_t>(chunk->size));
+                       static_cast<std::size_t>(chunk->size),
+                       &buffer);
       if (!WalkRecords(plain, &walker) || plain.size() < chunk->size || size > left) break;
     } else {
       if (size > left) break;

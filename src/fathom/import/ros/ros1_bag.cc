@@ -10,8 +10,10 @@
 #include "fathom/import/recording/little_endian.h"
 
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,28 +30,29 @@ constexpr char kChunk = 0x05;
 constexpr char kChunkInfo = 0x06;
 constexpr char kConnection = 0x07;
 
-// The fields of a record's header: "name=value" each behind its length. Nothing where they do not
-// fit together.
+// The fields of a record's header: "name=value" each behind its length.
 class Fields {
  public:
+  // Nothing where they do not fit together.
   static std::optional<Fields> Parse(std::string_view bytes) {
     Fields fields;
+    fields.bytes_ = bytes;
     while (!bytes.empty()) {
-      if (bytes.size() < 4) return std::nullopt;
-      const auto length = LittleEndian<std::uint32_t>(bytes, 0);
-      if (length > bytes.size() - 4) return std::nullopt;
-      const std::string_view field = bytes.substr(4, length);
-      const std::size_t equals = field.find('=');
-      if (equals == std::string_view::npos) return std::nullopt;
-      fields.values_[field.substr(0, equals)] = field.substr(equals + 1);
-      bytes.remove_prefix(4 + length);
+      const auto field = Take(&bytes);
+      if (!field || field->find('=') == std::string_view::npos) return std::nullopt;
     }
     return fields;
   }
 
+  // They are few: looked through again for each name.
   std::string_view Text(std::string_view name) const {
-    const auto found = values_.find(name);
-    return found == values_.end() ? std::string_view() : found->second;
+    for (std::string_view bytes = bytes_; !bytes.empty();) {
+      const std::string_view field = *Take(&bytes);
+      if (field.size() > name.size() && field[name.size()] == '=' && field.starts_with(name)) {
+        return field.substr(name.size() + 1);
+      }
+    }
+    return {};
   }
 
   // Nothing if it is not there, or has another size.
@@ -61,7 +64,17 @@ class Fields {
   }
 
  private:
-  std::map<std::string_view, std::string_view> values_;
+  // The first field, which is taken off. Nothing where the bytes do not hold it.
+  static std::optional<std::string_view> Take(std::string_view* bytes) {
+    if (bytes->size() < 4) return std::nullopt;
+    const auto length = LittleEndian<std::uint32_t>(*bytes, 0);
+    if (length > bytes->size() - 4) return std::nullopt;
+    const std::string_view field = bytes->substr(4, length);
+    bytes->remove_prefix(4 + std::size_t{length});
+    return field;
+  }
+
+  std::string_view bytes_;
 };
 
 // A record: the length of its header, its header, the length of its data, its data.
@@ -187,6 +200,7 @@ ContainerWalk Bag::Walk(std::vector<MessageChannel>* channels, const MessageSink
   walk.size_bytes = file.size();
   std::uint64_t at = kMagic.size();
   bool is_indexed = true;
+  std::string buffer;  // of a chunk that was compressed
   while (at < file.size()) {
     const auto record = RecordIn(&file, at);
     if (!record) break;
@@ -208,7 +222,7 @@ ContainerWalk Bag::Walk(std::vector<MessageChannel>* channels, const MessageSink
         at = data;
         continue;
       }
-      const std::string plain = Decompressed(*compression, record->data, *size);
+      const std::string_view plain = Decompressed(*compression, record->data, *size, &buffer);
       if (!WalkChunk(plain, &walker) || plain.size() < *size) break;
     }
     if (end > file.size()) break;

@@ -83,7 +83,9 @@ std::map<std::string, std::string_view> TextsOf(std::string_view type, std::stri
 class Parser {
  public:
   Parser(std::string_view type, std::string_view text)
-      : type_(WithoutMsg(type)), texts_(TextsOf(type, text)) {}
+      : type_(WithoutMsg(type)),
+        is_ros2_(type.find("/msg/") != std::string_view::npos),
+        texts_(TextsOf(type, text)) {}
 
   MessageDefinition Parse() {
     AddType(type_, 0);
@@ -147,6 +149,8 @@ class Parser {
     type = type.substr(0, type.find("<="));  // a string of bounded length
     if (const auto primitive = Primitives().find(type); primitive != Primitives().end()) {
       member.kind = primitive->second;
+      // In ROS 1 another name of int8, in ROS 2 an octet.
+      if (type == "byte" && !is_ros2_) member.kind = MemberKind::kInt8;
     } else {
       member.kind = MemberKind::kMessage;
       const std::string package(PackageOf(definition_[index].name));
@@ -170,6 +174,7 @@ class Parser {
   }
 
   std::string type_;
+  bool is_ros2_;  // whose types are called package/msg/Type
   std::map<std::string, std::string_view> texts_;
   MessageDefinition definition_;
   std::map<std::string, std::size_t> index_;

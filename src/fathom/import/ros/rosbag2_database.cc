@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/import/ros/known_types.h"
 
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -67,6 +68,7 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
                                     const MessageSink& take) const {
   ContainerWalk walk;
   walk.size_bytes = std::filesystem::file_size(path_);
+  std::uint64_t num_unknown = 0;  // messages of no topic
   try {
     SQLite::Database database = OpenReadOnly(path_);
     const auto definitions = DefinitionsOf(&database);
@@ -87,7 +89,10 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
                                "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
     while (messages.executeStep()) {
       const auto channel = channel_of.find(messages.getColumn(0).getInt64());
-      if (channel == channel_of.end()) continue;
+      if (channel == channel_of.end()) {
+        ++num_unknown;
+        continue;
+      }
       const std::int64_t stamp = messages.getColumn(1).getInt64();
       const double time =
           static_cast<double>(stamp / 1000000000) + 1e-9 * static_cast<double>(stamp % 1000000000);
@@ -102,6 +107,9 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
         fmt::format("the database is damaged ({}): {} bytes of messages could be read.",
                     error.what(),
                     walk.read_bytes));
+  }
+  if (num_unknown > 0) {
+    walk.remarks.push_back(fmt::format("{} messages belong to no topic.", num_unknown));
   }
   return walk;
 }

@@ -4,6 +4,7 @@
 #include "fathom/import/tlog/mavlink_message.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <utility>
@@ -170,6 +171,19 @@ MavlinkMessage MessageOf(const MavlinkDefinition& definition) {
   return message;
 }
 
+// What eight steps of the checksum, a bit each, make of every byte.
+constexpr std::array<std::uint16_t, 256> ChecksumsOfBytes() {
+  std::array<std::uint16_t, 256> checksums = {};
+  for (std::size_t byte = 0; byte < checksums.size(); ++byte) {
+    auto crc = static_cast<std::uint16_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = static_cast<std::uint16_t>((crc & 1) != 0 ? (crc >> 1) ^ 0x8408 : crc >> 1);
+    }
+    checksums[byte] = crc;
+  }
+  return checksums;
+}
+
 }  // namespace
 
 const PackedNumber* MavlinkMessage::Find(std::string_view field) const {
@@ -192,12 +206,10 @@ const MavlinkMessage* FindMavlinkMessage(std::uint32_t id) {
 }
 
 std::uint16_t MavlinkChecksum(std::string_view bytes, std::uint8_t crc_extra) {
+  static constexpr std::array<std::uint16_t, 256> kOfByte = ChecksumsOfBytes();
   std::uint16_t crc = 0xffff;
   const auto take = [&crc](unsigned char byte) {
-    crc = static_cast<std::uint16_t>(crc ^ byte);
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = static_cast<std::uint16_t>((crc & 1) != 0 ? (crc >> 1) ^ 0x8408 : crc >> 1);
-    }
+    crc = static_cast<std::uint16_t>((crc >> 8) ^ kOfByte[(crc ^ byte) & 0xff]);
   };
   for (const char c : bytes) take(static_cast<unsigned char>(c));
   take(crc_extra);
