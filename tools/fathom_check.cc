@@ -30,6 +30,7 @@ DEFINE_string(archive, "", "A folder of logs instead of --log: a table of them."
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_string(json, "", "Write what was found to this JSON file.");
 DECLARE_string(log);
+DECLARE_string(velocity);
 
 namespace fathom {
 namespace {
@@ -96,6 +97,9 @@ int CheckArchive() {
 }
 
 int Run(const std::string& command) {
+  if (!FLAGS_velocity.empty()) {
+    throw InputError("--velocity: the log's own files are checked, expected none.");
+  }
   if (FLAGS_archive.empty() == FLAGS_log.empty()) {
     throw InputError("--log or --archive: expected one of them.");
   }
