@@ -10,10 +10,12 @@
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "scratch_file.h"
 #include "tlog_writer.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,6 +83,19 @@ TEST(TlogMap, TakesOutputsAndTheMotionOfTheEkf) {
   EXPECT_NEAR(imported.log.velocity->Find("v")->at(3), 0.0, 1e-6);
   EXPECT_NEAR(imported.log.velocity->Find("r")->at(3), 0.03, 1e-6);
   EXPECT_NEAR(imported.log.pose->Find("y")->at(3), 1.5, 1e-6);
+}
+
+// Seconds since the autopilot was switched on are no date.
+TEST(TlogMap, SaysWhenALogBeganOnlyByItsOwnStamps) {
+  const auto file = ScratchFile("dive.tlog", Dive());
+  const auto recording = OpenRecording(file);
+  const auto start = [&](const char* time) {
+    const std::string map = fmt::format(
+        "dof: surge\nvelocity: {{channel: LOCAL_POSITION_NED, {}u: vx, v: vy, w: vz}}\n", time);
+    return ImportLog(file, *recording, ParseImportMap("map.yaml", map), std::nullopt).log.start;
+  };
+  EXPECT_EQ(start(""), 1600000000.0);
+  EXPECT_EQ(start("time: time_boot_ms, "), std::nullopt);
 }
 
 TEST(TlogMap, TakesNoVoltageThatIsNotMeasured) {

@@ -150,6 +150,22 @@ std::vector<Dof> MovedBy(const Stream& command) {
   return dofs;
 }
 
+// When the log began, by the streams that keep the recording's own stamps [s since 1970].
+std::optional<double> StartOf(const Contents& contents, const ImportMap& map, const Log& log) {
+  if (!contents.utc_of_zero) return std::nullopt;
+  std::optional<double> first;
+  const auto take = [&](const std::optional<StreamMap>& of_map,
+                        const std::optional<Stream>& stream) {
+    if (!of_map || !stream || of_map->time || of_map->rate) return;
+    first = std::min(first.value_or(stream->time.front()), stream->time.front());
+  };
+  take(map.command, log.command);
+  take(map.velocity, log.velocity);
+  take(map.pose, log.pose);
+  if (!first) return std::nullopt;
+  return *contents.utc_of_zero + *first;
+}
+
 }  // namespace
 
 ImportedLog ImportLog(const std::filesystem::path& file,
@@ -191,13 +207,7 @@ ImportedLog ImportLog(const std::filesystem::path& file,
                      ": no command changes, so that nothing says which DOF moves, expected the map "
                      "to name it with 'dof'.");
   }
-  if (recording.contents().utc_of_zero) {
-    double first = INFINITY;
-    for (const auto& stream : {log.command, log.velocity, log.pose}) {
-      if (stream) first = std::min(first, stream->time.front());
-    }
-    log.start = *recording.contents().utc_of_zero + first;
-  }
+  log.start = StartOf(recording.contents(), map, log);
   return imported;
 }
 
