@@ -109,30 +109,41 @@ std::string Sentence(const DofComparison& comparison) {
       UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
 }
 
-void RemoveColumn(const std::string& heading, Table* table) {
-  for (size_t column = 0; column < table->columns.size(); ++column) {
-    if (table->columns[column].heading != heading) continue;
-    const auto index = static_cast<std::ptrdiff_t>(column);
-    table->columns.erase(table->columns.begin() + index);
-    for (TableRow& row : table->rows) row.cells.erase(row.cells.begin() + index);
-    return;
+// The rows of a table with some of its columns.
+Table WithColumns(const Table& table, const std::vector<size_t>& columns) {
+  Table part;
+  for (const size_t column : columns) part.columns.push_back(table.columns[column]);
+  for (const TableRow& row : table.rows) {
+    TableRow& line = part.rows.emplace_back();
+    line.flag = row.flag;
+    for (const size_t column : columns) line.cells.push_back(row.cells[column]);
   }
+  return part;
+}
+
+// What decides, then the parameters; the other figures on demand. The section says which DOF it is.
+std::vector<Table> TablesOf(const DofComparison& comparison) {
+  const Table all = ParameterTable(comparison);
+  const size_t held_out = all.columns.size() - 1, trained = held_out - 2;
+  const size_t score = HasHeldOut(comparison) ? held_out : trained;
+  Table shown = WithColumns(all, {1, score, 2, 3, 4, 5});
+  Table others = WithColumns(all, {1, held_out, held_out - 1, trained, trained - 1});
+  if (!HasHeldOut(comparison)) others = WithColumns(all, {1, trained, trained - 1});
+  others.fold = HasHeldOut(comparison) ? "More figures: MAE, and errors on the training data"
+                                       : "More figures: MAE";
+  return {std::move(shown), std::move(others)};
 }
 
 PageSection SectionOf(const DofComparison& comparison) {
   PageSection section;
   section.heading = Capitalised(std::string(Name(comparison.dof)));
   for (const Finding& finding : comparison.findings) {
-    if (finding.severity == Severity::kNote) section.text.push_back(finding.sentence);
+    if (finding.severity == Severity::kNote) section.notes.push_back(finding.sentence);
   }
-  for (const std::string& remark : comparison.remarks) section.text.push_back(remark);
+  for (const std::string& remark : comparison.remarks) section.notes.push_back(remark);
   section.time_panels.push_back(ResponsePanel(comparison));
   section.parameter_panels = ParameterPanels(comparison);
-  // The section says which DOF it is, and a page is not wide enough for every figure.
-  Table parameters = ParameterTable(comparison);
-  RemoveColumn("DOF", &parameters);
-  RemoveColumn("held-out MAE", &parameters);
-  section.tables.push_back(std::move(parameters));
+  section.tables = TablesOf(comparison);
 
   Table notes;
   notes.caption = "What the intervals do not cover";

@@ -26,6 +26,7 @@ struct PageSection {
   std::vector<ParameterPanel> parameter_panels;
   std::vector<Table> tables;
   std::vector<ScatterPanel> scatter_panels = {};  // below the charts over time
+  std::vector<std::string> notes = {};            // routine, on the data; folded away below all
 };
 
 struct Page {

@@ -20,6 +20,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -192,8 +193,30 @@ TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {
   const Page page = ComparisonPage(comparison);
   EXPECT_THAT(page.warnings, ElementsAre("Surge: It gains energy."));
   const PageSection& section = page.sections.at(0);
+  ASSERT_EQ(section.tables.size(), 3u);
+  EXPECT_EQ(section.tables[2].rows.at(0).cells.at(1), "a caveat");
+}
+
+TEST(ComparisonPage, ShowsTheFigureThatDecidesFirstAndFoldsTheOthers) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)})};
+  const PageSection section = ComparisonPage(comparison).sections.at(0);
   ASSERT_EQ(section.tables.size(), 2u);
-  EXPECT_EQ(section.tables[1].rows.at(0).cells.at(1), "a caveat");
+  const Table& shown = section.tables[0];
+  EXPECT_EQ(shown.columns.at(1).heading, "velocity NMAE, held out");
+  EXPECT_EQ(shown.rows.at(0).cells.at(1), "0.0300");
+  EXPECT_THAT(shown.fold, IsEmpty());
+  EXPECT_THAT(section.tables[1].fold, HasSubstr("training data"));
+  EXPECT_EQ(section.tables[1].columns.size(), 5u);
+}
+
+TEST(ComparisonPage, ShowsTheErrorOnTheTrainingDataWhereNoneAreHeldOut) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  comparison.dofs[0].scored.held_out.clear();
+  const PageSection section = ComparisonPage(comparison).sections.at(0);
+  EXPECT_EQ(section.tables.at(0).columns.at(1).heading, "velocity NMAE");
+  EXPECT_EQ(section.tables.at(0).rows.at(0).cells.at(1), "0.0200");
 }
 
 }  // namespace

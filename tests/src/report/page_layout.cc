@@ -49,7 +49,7 @@ addEventListener("load", async () => {
     await wait();
     look("opened");
   }
-  const unlabelled = [...document.querySelectorAll("figure, .chart")].filter((chart) =>
+  const unlabelled = [...document.querySelectorAll("figure, canvas")].filter((chart) =>
     !chart.matches("[aria-label], [aria-labelledby]") && !chart.querySelector("[aria-label], [aria-labelledby]"));
   const list = (texts) => [...texts].slice(0, 8).join("; ").replace(/\s+/g, " ");
   const text = `overflow=${list(overflow)}\nerrors=${list(foundErrors)}\n` +
