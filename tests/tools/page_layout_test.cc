@@ -58,7 +58,14 @@ class PageLayout : public testing::Test {
 };
 
 TEST_F(PageLayout, OfAComparisonFits) {
-  ExpectThatItFits(PageOf("fathom_compare", {"--log=" + kPoolRun, "--dofs=surge,heave,yaw"}));
+  const std::string page =
+      PageOf("fathom_compare", {"--log=" + kPoolRun, "--dofs=surge,heave,yaw", "--json="});
+  ExpectThatItFits(page);
+  const std::string header = page.substr(0, page.find("</header>"));
+  EXPECT_THAT(header, testing::HasSubstr("<code>fathom_compare --log=" + kPoolRun));
+  EXPECT_THAT(header,
+              testing::ContainsRegex("flatfish_table1, 0.0 s to 299.9 s, fingerprint "
+                                     "<code>[0-9a-f]{16}</code>"));
 }
 
 TEST_F(PageLayout, OfADiagnosisFits) {

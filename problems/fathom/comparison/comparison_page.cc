@@ -7,6 +7,7 @@
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/report/format_value.h"
+#include "fathom/report/held_curve.h"
 #include "fathom/simulate/free_run.h"
 
 #include <algorithm>
@@ -141,7 +142,7 @@ PageSection SectionOf(const DofComparison& comparison) {
     if (finding.severity == Severity::kNote) section.notes.push_back(finding.sentence);
   }
   for (const std::string& remark : comparison.remarks) section.notes.push_back(remark);
-  section.time_panels.push_back(ResponsePanel(comparison));
+  section.time_panels = {ResponsePanel(comparison), CommandPanel(comparison)};
   section.parameter_panels = ParameterPanels(comparison);
   section.tables = TablesOf(comparison);
 
@@ -254,6 +255,22 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
   return panel;
 }
 
+TimePanel CommandPanel(const DofComparison& comparison) {
+  TimePanel panel =
+      HeldCurvePanel(IsAngular(comparison.dof) ? "moment" : "force",
+                     ParameterUnit(kBuoyancy, comparison.dof, comparison.scored.force_unit));
+  for (const PlacedSegment& place : InOrderOfTime(comparison)) {
+    const Segment& segment = *place.segment;
+    AppendHeldCurve(segment.command.time,
+                    segment.command.value,
+                    {segment.time.front(), segment.time.back()},
+                    place.shift,
+                    &panel);
+    if (place.is_held_out) panel.held_out.push_back({place.from(), place.to()});
+  }
+  return panel;
+}
+
 std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
   std::vector<ParameterPanel> panels;
   for (int i = 0; i < kNumParameters; ++i) {
@@ -285,7 +302,6 @@ Page ComparisonPage(const Comparison& comparison) {
           fmt::format("{}: {}", Capitalised(std::string(Name(dof.dof))), finding.sentence));
     }
   }
-  page.warnings.insert(page.warnings.end(), comparison.remarks.begin(), comparison.remarks.end());
   for (const DofComparison& dof : comparison.dofs) {
     const auto duration = [](const std::vector<Segment>& segments) {
       double sum = 0.0;
@@ -297,6 +313,11 @@ Page ComparisonPage(const Comparison& comparison) {
                                       duration(dof.scored.train),
                                       duration(dof.scored.held_out))});
     page.sections.push_back(SectionOf(dof));
+  }
+  // Of the whole log: no warnings.
+  if (!page.sections.empty()) {
+    std::vector<std::string>& notes = page.sections.front().notes;
+    notes.insert(notes.begin(), comparison.remarks.begin(), comparison.remarks.end());
   }
   page.footer =
       "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "

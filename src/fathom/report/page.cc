@@ -135,6 +135,7 @@ std::string RenderPage(const Page& page) {
   html += Paragraphs(page.lead, "lead");
   html += FactsHtml(page.facts);
   html += Paragraphs(page.warnings, "warning");
+  html += OriginHtml(page.origin);
   html += ContentsHtml(page.sections);
   html += "</header>\n<main>\n";
   html +=

@@ -14,7 +14,7 @@
   const shown = (color) => (isDark() ? DARK_COLORS[color] ?? color : color);
   const FONT = '12px system-ui, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif';
   const HEIGHTS = {response: 300, residual: 170, lone: 190};  // [px]
-  const LOW_HEIGHTS = {response: 180, residual: 150, lone: 190};
+  const LOW_HEIGHTS = {response: 180, residual: 150, lone: 150};
   const AXIS_WIDTH = 72;         // [px], the same everywhere so that the time axes line up
   const FEW_STAMPS = 60;         // up to here each stamp gets a dot
 
