@@ -14,6 +14,7 @@
 #include "fathom/checkup/log_checkup.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
@@ -23,7 +24,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(archive, "", "A folder of logs instead of --log: a table of them.");
@@ -51,7 +51,7 @@ bool HasRed(const LogCheckup& checkup) {
   });
 }
 
-int CheckLog(const std::string& command) {
+int CheckLog() {
   const std::vector<std::string> paths = LogPathsFromFlags();
   if (paths.size() != 1) {
     throw InputError(fmt::format("--log: names {} logs, expected one.", paths.size()));
@@ -61,8 +61,7 @@ int CheckLog(const std::string& command) {
   fmt::print("{}", FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {
-    WriteFile(FLAGS_report,
-              RenderCheckupPage(checkup, fmt::format("Fathom {}. {}", FATHOM_VERSION, command)));
+    WriteFile(FLAGS_report, RenderCheckupPage(checkup, OriginOfPage({checkup.log})));
   }
   return HasRed(checkup) ? kExitNoFit : kExitUsable;
 }
@@ -89,6 +88,7 @@ int CheckArchive() {
       one.message = error.what();
     }
     // Its data are large, and no longer needed.
+    one.checkup.log = {};
     for (DofCheckup& dof : one.checkup.dofs) dof.signals.reset();
     checked.push_back(std::move(one));
   }
@@ -96,20 +96,17 @@ int CheckArchive() {
   return has_red ? kExitNoFit : kExitUsable;
 }
 
-int Run(const std::string& command) {
+int Run() {
   if (!FLAGS_velocity.empty()) {
     throw InputError("--velocity: the log's own files are checked, expected none.");
   }
   if (FLAGS_archive.empty() == FLAGS_log.empty()) {
     throw InputError("--log or --archive: expected one of them.");
   }
-  return FLAGS_archive.empty() ? CheckLog(command) : CheckArchive();
+  return FLAGS_archive.empty() ? CheckLog() : CheckArchive();
 }
 
 }  // namespace
 }  // namespace fathom
 
-int main(int argc, char** argv) {
-  const std::string command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
-  return fathom::RunTool(argc, argv, fathom::kInfo, [&] { return fathom::Run(command); });
-}
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }

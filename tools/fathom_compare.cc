@@ -9,6 +9,7 @@
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/tool/identifier_flags.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
@@ -121,7 +122,11 @@ int Run() {
   for (const DofComparison& part : comparison.dofs) PrintWarnings(part.findings);
   for (const DofComparison& part : comparison.dofs) Print(part);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));
-  if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(ComparisonPage(comparison)));
+  if (!FLAGS_report.empty()) {
+    Page page = ComparisonPage(comparison);
+    page.origin = OriginOfPage({log});
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
   if (!FLAGS_figures.empty()) {
     for (const DofComparison& part : comparison.dofs) WriteFigures(part, FLAGS_figures);
   }

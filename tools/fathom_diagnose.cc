@@ -17,6 +17,7 @@
 #include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
@@ -90,6 +91,7 @@ struct Logs {
   Dof dof = Dof::kSurge;  // to be diagnosed
   std::vector<Log> all;
   std::vector<std::string> fingerprints;  // of the logs as they lie there, whatever --source
+  PageOrigin origin;                      // so are they here
 };
 
 Logs LogsFromFlags() {
@@ -97,6 +99,7 @@ Logs LogsFromFlags() {
   Logs logs;
   logs.all = ReadLogsFromFlags(dof);
   logs.dof = DofOfAll(logs.all, dof);
+  logs.origin = OriginOfPage(logs.all);
   for (Log& log : logs.all) {
     logs.fingerprints.push_back(FingerprintOf(log));
     log = WithSourceFromFlag(std::move(log));
@@ -123,6 +126,11 @@ void Print(const Diagnosis& diagnosis) {
   for (const std::string& remark : diagnosis.remarks) std::printf("note: %s\n", remark.c_str());
 }
 
+void WritePage(Page page, const Logs& logs) {
+  page.origin = logs.origin;
+  WriteFile(FLAGS_report, RenderPage(page));
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const DiagnosisOptions options = OptionsFromFlags();
@@ -133,7 +141,7 @@ int Run() {
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
     if (!FLAGS_report.empty()) {
-      WriteFile(FLAGS_report, RenderPage(NoDiagnosisPage(diagnosis, why)));
+      WritePage(NoDiagnosisPage(diagnosis, why), logs);
     }
     return 2;
   }
@@ -145,7 +153,7 @@ int Run() {
   if (!FLAGS_verdict.empty()) {
     WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, logs.fingerprints));
   }
-  if (!FLAGS_report.empty()) WriteFile(FLAGS_report, RenderPage(DiagnosisPage(diagnosis)));
+  if (!FLAGS_report.empty()) WritePage(DiagnosisPage(diagnosis), logs);
   Print(diagnosis);
   return 0;
 }

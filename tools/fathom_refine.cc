@@ -16,6 +16,7 @@
 #include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
@@ -156,7 +157,9 @@ int RunRefine() {
   Print(images);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatImageComparison(images));
   if (!FLAGS_report.empty()) {
-    WriteFile(FLAGS_report, RenderPage(ImageComparisonPage(markers, images)));
+    Page page = ImageComparisonPage(markers, images);
+    page.origin = OriginOfPage(markers.logs);
+    WriteFile(FLAGS_report, RenderPage(page));
   }
   if (!row.is_usable) {
     std::fprintf(stderr, "fathom_refine: no usable model: %s\n", row.message.c_str());

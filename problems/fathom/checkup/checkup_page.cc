@@ -5,6 +5,7 @@
 
 #include "fathom/check/advice.h"
 #include "fathom/checkup/checkup_text.h"
+#include "fathom/report/held_curve.h"
 #include "fathom/report/page.h"
 
 #include <limits>
@@ -33,47 +34,42 @@ void AddFindings(const std::vector<Finding>& findings,
   }
 }
 
-// Motion and command over the stamps of the motion; a gap between two segments.
+// Motion and command, with a gap between two segments.
 void AddCharts(const DofCheckup& dof, PageSection* section) {
-  TimePanel motion, command;
-  Series measured = {"measured", {}}, commanded = {"command", {}};
-  for (const Segment& segment : dof.signals->train) {
-    const std::vector<double> force = dof.command.At(segment.time);
-    if (!motion.time.empty()) {
-      motion.time.push_back(segment.time.front());
-      measured.values.push_back(std::numeric_limits<double>::quiet_NaN());
-      commanded.values.push_back(std::numeric_limits<double>::quiet_NaN());
-    }
-    motion.time.insert(motion.time.end(), segment.time.begin(), segment.time.end());
-    measured.values.insert(measured.values.end(), segment.velocity.begin(), segment.velocity.end());
-    commanded.values.insert(commanded.values.end(), force.begin(), force.end());
-  }
+  TimePanel motion;
   motion.quantity = fmt::format("{} velocity", Name(dof.dof));
   motion.unit = VelocityUnit(dof.dof);
-  motion.measured = std::move(measured);
   motion.has_residuals = false;
   if (dof.excitation.held_out) motion.held_out = {*dof.excitation.held_out};
-  command.time = motion.time;
-  command.quantity = fmt::format("{} command", Name(dof.dof));
-  command.unit = dof.signals->force_unit;
-  command.measured = std::move(commanded);
-  command.has_residuals = false;
-  command.is_stepped = true;
-  command.is_low = true;
+  Series measured = {"measured", {}};
+  TimePanel command =
+      HeldCurvePanel(fmt::format("{} command", Name(dof.dof)), dof.signals->force_unit);
+  for (const Segment& segment : dof.signals->train) {
+    motion.time.insert(motion.time.end(), segment.time.begin(), segment.time.end());
+    measured.values.insert(measured.values.end(), segment.velocity.begin(), segment.velocity.end());
+    motion.time.push_back(segment.time.back());
+    measured.values.push_back(std::numeric_limits<double>::quiet_NaN());
+    AppendHeldCurve(dof.command.time,
+                    dof.command.value,
+                    {segment.time.front(), segment.time.back()},
+                    0.0,
+                    &command);
+  }
+  motion.measured = std::move(measured);
   section->time_panels = {std::move(motion), std::move(command)};
 }
 
 }  // namespace
 
-std::string RenderCheckupPage(const LogCheckup& checkup, const std::string& footer) {
+std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origin) {
   Page page;
-  page.title = fmt::format("Check of {}", checkup.name);
+  page.title = fmt::format("Check of {}", checkup.log.name);
   page.lead = {Verdict(checkup)};
-  page.footer = footer;
+  page.origin = origin;
   PageSection streams;
   streams.heading = "Files";
   streams.tables = {StreamTable(checkup)};
-  streams.text = checkup.remarks;
+  for (const Remark& remark : checkup.log.remarks) streams.text.push_back(remark.text);
   AddFindings(checkup.findings, &page.warnings, &streams.text);
   for (const DofCheckup& dof : checkup.dofs) {
     PageSection section;

@@ -4,13 +4,14 @@
 #pragma once
 
 #include "fathom/checkup/log_checkup.h"
+#include "fathom/report/page_origin.h"
 
 #include <string>
 
 namespace fathom {
 
 // The checkup as a page: the verdict, the findings with what they do and how to mend them, motion
-// and command of each DOF, and how well its parameters are known. `footer`: version, date, command.
-std::string RenderCheckupPage(const LogCheckup& checkup, const std::string& footer);
+// and command of each DOF, and how well its parameters are known.
+std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origin);
 
 }  // namespace fathom

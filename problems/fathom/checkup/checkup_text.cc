@@ -143,7 +143,7 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
                                     excitation.duration,
                                     fmt::join(stretches, ", ")));
   }
-  if (!checkup.holds_out && excitation.held_out) {
+  if (checkup.log.held_out.empty() && excitation.held_out) {
     sentences.push_back(
         fmt::format("To judge the model on data that it has not seen, add to log.yaml: held_out: "
                     "[{:.1f}, {:.1f}]",
@@ -155,7 +155,7 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
 
 std::string FormatCheckup(const LogCheckup& checkup) {
   std::string text = fmt::format(
-      "{}: {}\n\n{}", checkup.name, Verdict(checkup), FormatTable(StreamTable(checkup)));
+      "{}: {}\n\n{}", checkup.log.name, Verdict(checkup), FormatTable(StreamTable(checkup)));
   if (!checkup.findings.empty()) text += "\n" + FindingLines(checkup.findings);
   for (const DofCheckup& dof : checkup.dofs) {
     text += fmt::format("\n{}\n", Name(dof.dof));
@@ -167,12 +167,13 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     }
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
-  for (const std::string& remark : checkup.remarks) text += "note: " + remark + "\n";
+  for (const Remark& remark : checkup.log.remarks) text += "note: " + remark.text + "\n";
   return text;
 }
 
 std::string FormatCheckupJson(const LogCheckup& checkup) {
-  Json streams = Json::array(), dofs = Json::array();
+  Json streams = Json::array(), dofs = Json::array(), remarks = Json::array();
+  for (const Remark& remark : checkup.log.remarks) remarks.push_back(remark.text);
   for (const StreamSummary& stream : checkup.streams) {
     streams.push_back({{"file", stream.file},
                        {"rows", stream.rows},
@@ -206,12 +207,12 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
          {"held_out", dof.excitation.held_out ? JsonOf(*dof.excitation.held_out) : Json(nullptr)}});
   }
   const Json json = {{"schema", "fathom-check-1"},
-                     {"log", checkup.name},
+                     {"log", checkup.log.name},
                      {"verdict", Verdict(checkup)},
                      {"streams", std::move(streams)},
                      {"findings", JsonOf<Json>(checkup.findings)},
                      {"dofs", std::move(dofs)},
-                     {"remarks", checkup.remarks}};
+                     {"remarks", std::move(remarks)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -12,7 +12,6 @@
 #include "fathom/check/pose_jumps.h"
 #include "fathom/check/pose_twist_check.h"
 #include "fathom/comparison/log_identification.h"
-#include "fathom/log/log.h"
 #include "fathom/marker_trajectory/open_log.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
@@ -92,14 +91,10 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
   Log log = OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true});
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   LogCheckup checkup;
-  checkup.path = path;
-  checkup.name = log.name;
   checkup.streams = StreamsOf(log);
-  checkup.holds_out = !log.held_out.empty();
   checkup.findings = CheckPoseAgainstTwist(log);
   Add(CheckPoseJumps(log), &checkup.findings);
   checkup.findings = WarningsFirst(std::move(checkup.findings));
-  for (const Remark& remark : log.remarks) checkup.remarks.push_back(remark.text);
   if (survey.needs_tracking) {
     checkup.findings.push_back({Severity::kNote,
                                 "not_tracked",
@@ -118,6 +113,7 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
     of_dof.findings = WarningsFirst(std::move(of_dof.findings));
     checkup.dofs.push_back(std::move(of_dof));
   }
+  checkup.log = std::move(log);
   return checkup;
 }
 

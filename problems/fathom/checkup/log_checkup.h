@@ -8,6 +8,7 @@
 #include "fathom/check/finding.h"
 #include "fathom/comparison/identification.h"
 #include "fathom/log/held_command.h"
+#include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 
 #include <cstddef>
@@ -42,13 +43,10 @@ struct DofCheckup {
 
 // What is to be known of a log before any fit; docs/check.md.
 struct LogCheckup {
-  std::filesystem::path path;
-  std::string name;
+  Log log;  // as it was opened
   std::vector<StreamSummary> streams;
-  bool holds_out = false;            // log.yaml names held-out intervals
-  std::vector<Finding> findings;     // of no single DOF
-  std::vector<std::string> remarks;  // what the reader passed over
-  std::vector<DofCheckup> dofs;      // those that log.yaml names, else those that are commanded
+  std::vector<Finding> findings;  // of no single DOF
+  std::vector<DofCheckup> dofs;   // those that log.yaml names, else those that are commanded
 };
 
 // Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit

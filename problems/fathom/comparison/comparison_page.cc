@@ -7,6 +7,7 @@
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/report/format_value.h"
+#include "fathom/report/held_curve.h"
 #include "fathom/simulate/free_run.h"
 
 #include <algorithm>
@@ -109,30 +110,41 @@ std::string Sentence(const DofComparison& comparison) {
       UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
 }
 
-void RemoveColumn(const std::string& heading, Table* table) {
-  for (size_t column = 0; column < table->columns.size(); ++column) {
-    if (table->columns[column].heading != heading) continue;
-    const auto index = static_cast<std::ptrdiff_t>(column);
-    table->columns.erase(table->columns.begin() + index);
-    for (TableRow& row : table->rows) row.cells.erase(row.cells.begin() + index);
-    return;
+// The rows of a table with some of its columns.
+Table WithColumns(const Table& table, const std::vector<size_t>& columns) {
+  Table part;
+  for (const size_t column : columns) part.columns.push_back(table.columns[column]);
+  for (const TableRow& row : table.rows) {
+    TableRow& line = part.rows.emplace_back();
+    line.flag = row.flag;
+    for (const size_t column : columns) line.cells.push_back(row.cells[column]);
   }
+  return part;
+}
+
+// What decides, then the parameters; the other figures on demand. The section says which DOF it is.
+std::vector<Table> TablesOf(const DofComparison& comparison) {
+  const Table all = ParameterTable(comparison);
+  const size_t held_out = all.columns.size() - 1, trained = held_out - 2;
+  const size_t score = HasHeldOut(comparison) ? held_out : trained;
+  Table shown = WithColumns(all, {1, score, 2, 3, 4, 5});
+  Table others = WithColumns(all, {1, held_out, held_out - 1, trained, trained - 1});
+  if (!HasHeldOut(comparison)) others = WithColumns(all, {1, trained, trained - 1});
+  others.fold = HasHeldOut(comparison) ? "More figures: MAE, and errors on the training data"
+                                       : "More figures: MAE";
+  return {std::move(shown), std::move(others)};
 }
 
 PageSection SectionOf(const DofComparison& comparison) {
   PageSection section;
   section.heading = Capitalised(std::string(Name(comparison.dof)));
   for (const Finding& finding : comparison.findings) {
-    if (finding.severity == Severity::kNote) section.text.push_back(finding.sentence);
+    if (finding.severity == Severity::kNote) section.notes.push_back(finding.sentence);
   }
-  for (const std::string& remark : comparison.remarks) section.text.push_back(remark);
-  section.time_panels.push_back(ResponsePanel(comparison));
+  for (const std::string& remark : comparison.remarks) section.notes.push_back(remark);
+  section.time_panels = {ResponsePanel(comparison), CommandPanel(comparison)};
   section.parameter_panels = ParameterPanels(comparison);
-  // The section says which DOF it is, and a page is not wide enough for every figure.
-  Table parameters = ParameterTable(comparison);
-  RemoveColumn("DOF", &parameters);
-  RemoveColumn("held-out MAE", &parameters);
-  section.tables.push_back(std::move(parameters));
+  section.tables = TablesOf(comparison);
 
   Table notes;
   notes.caption = "What the intervals do not cover";
@@ -243,6 +255,22 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
   return panel;
 }
 
+TimePanel CommandPanel(const DofComparison& comparison) {
+  TimePanel panel =
+      HeldCurvePanel(IsAngular(comparison.dof) ? "moment" : "force",
+                     ParameterUnit(kBuoyancy, comparison.dof, comparison.scored.force_unit));
+  for (const PlacedSegment& place : InOrderOfTime(comparison)) {
+    const Segment& segment = *place.segment;
+    AppendHeldCurve(segment.command.time,
+                    segment.command.value,
+                    {segment.time.front(), segment.time.back()},
+                    place.shift,
+                    &panel);
+    if (place.is_held_out) panel.held_out.push_back({place.from(), place.to()});
+  }
+  return panel;
+}
+
 std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
   std::vector<ParameterPanel> panels;
   for (int i = 0; i < kNumParameters; ++i) {
@@ -274,7 +302,6 @@ Page ComparisonPage(const Comparison& comparison) {
           fmt::format("{}: {}", Capitalised(std::string(Name(dof.dof))), finding.sentence));
     }
   }
-  page.warnings.insert(page.warnings.end(), comparison.remarks.begin(), comparison.remarks.end());
   for (const DofComparison& dof : comparison.dofs) {
     const auto duration = [](const std::vector<Segment>& segments) {
       double sum = 0.0;
@@ -286,6 +313,11 @@ Page ComparisonPage(const Comparison& comparison) {
                                       duration(dof.scored.train),
                                       duration(dof.scored.held_out))});
     page.sections.push_back(SectionOf(dof));
+  }
+  // Of the whole log: no warnings.
+  if (!page.sections.empty()) {
+    std::vector<std::string>& notes = page.sections.front().notes;
+    notes.insert(notes.begin(), comparison.remarks.begin(), comparison.remarks.end());
   }
   page.footer =
       "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "

@@ -26,6 +26,9 @@ std::vector<std::string> CommentsOn(const DofComparison& comparison);
 // whole log, in seconds since its first sample.
 TimePanel ResponsePanel(const DofComparison& comparison);
 
+// The command over the same time.
+TimePanel CommandPanel(const DofComparison& comparison);
+
 // One small plot per parameter: each usable model's value with its interval.
 std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison);
 

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/check/finding.h"
+#include "fathom/log/held_command.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
@@ -149,6 +150,7 @@ struct ResidualTrace {
   std::vector<double> before;    // baseline's free run
   std::vector<double> after;     // extended model's free run
   bool is_held_out = false;
+  HeldCommand command = {};  // meanwhile, as logged
 };
 
 // A cause of a time of its own, such as a step, where a free function of what the vehicle did

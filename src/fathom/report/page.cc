@@ -34,6 +34,12 @@ std::string Paragraphs(const std::vector<std::string>& texts, std::string_view k
   return html;
 }
 
+std::string NotesHtml(const std::vector<std::string>& notes) {
+  if (notes.empty()) return "";
+  return "<details class=\"notes\"><summary>Data</summary>\n" + Paragraphs(notes, "text") +
+         "</details>\n";
+}
+
 std::string FactsHtml(const std::vector<Fact>& facts) {
   if (facts.empty()) return "";
   std::string html = "<dl class=\"facts\">\n";
@@ -55,7 +61,8 @@ std::string ContentsHtml(const std::vector<PageSection>& sections) {
 
 // The frame of a chart; page.js draws into it.
 std::string TimeChartHtml(const TimePanel& panel, std::size_t section, std::size_t index) {
-  std::string html = "<figure class=\"time\">";
+  std::string html =
+      fmt::format("<figure class=\"time\" aria-label=\"{} over time\">", HtmlText(panel.quantity));
   if (!panel.title.empty()) {
     html += fmt::format("<figcaption><b>{}</b></figcaption>", HtmlText(panel.title));
   }
@@ -97,6 +104,7 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   html += ScatterChartsHtml(section.scatter_panels, palette);
   html += ParameterChartsHtml(section.parameter_panels, palette);
   for (const Table& table : section.tables) html += TableHtml(table);
+  html += NotesHtml(section.notes);
   return html + "</section>\n";
 }
 
@@ -127,6 +135,7 @@ std::string RenderPage(const Page& page) {
   html += Paragraphs(page.lead, "lead");
   html += FactsHtml(page.facts);
   html += Paragraphs(page.warnings, "warning");
+  html += OriginHtml(page.origin);
   html += ContentsHtml(page.sections);
   html += "</header>\n<main>\n";
   html +=

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/report/page_origin.h"
 #include "fathom/report/panel.h"
 #include "fathom/report/table.h"
 
@@ -26,6 +27,7 @@ struct PageSection {
   std::vector<ParameterPanel> parameter_panels;
   std::vector<Table> tables;
   std::vector<ScatterPanel> scatter_panels = {};  // below the charts over time
+  std::vector<std::string> notes = {};            // routine, on the data; folded away below all
 };
 
 struct Page {
@@ -35,7 +37,8 @@ struct Page {
   std::vector<Fact> facts;
   std::vector<std::string> warnings;
   std::vector<PageSection> sections;
-  std::string footer;  // where it comes from: versions, options, date
+  std::string footer;      // how to read it
+  PageOrigin origin = {};  // in the header
 };
 
 // One HTML file with everything in it: no network, no other file. All texts are plain text and are

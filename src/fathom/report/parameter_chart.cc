@@ -148,8 +148,9 @@ std::string ParameterChartHtml(const ParameterPanel& panel, Palette& palette) {
     if (place >= 0.0 && place <= 100.0) lines += Span("reference", place);
   }
 
-  std::string html =
-      fmt::format("<figure class=\"parameter\"><figcaption><b>{}</b>", HtmlText(panel.name));
+  std::string html = fmt::format(
+      R"(<figure class="parameter" aria-label="estimates of {0}"><figcaption><b>{0}</b>)",
+      HtmlText(panel.name));
   if (!panel.unit.empty()) {
     html += fmt::format(" <span>[{}]</span>", HtmlText(UnitText(panel.unit)));
   }

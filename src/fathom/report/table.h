@@ -24,6 +24,9 @@ struct Table {
   std::string caption;  // may be empty
   std::vector<TableColumn> columns;
   std::vector<TableRow> rows;
+
+  // On a page: the words to click on. Such a table is closed until asked for and is not printed.
+  std::string fold = {};
 };
 
 // The table for a terminal: two spaces between the columns, a line below the headings, "* " before

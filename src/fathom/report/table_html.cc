@@ -56,7 +56,11 @@ std::string_view RowClass(RowFlag flag) {
 }  // namespace
 
 std::string TableHtml(const Table& table) {
-  std::string html = "<div class=\"table\"><table>\n";
+  std::string html;
+  if (!table.fold.empty()) {
+    html += "<details class=\"fold\"><summary>" + HtmlText(table.fold) + "</summary>\n";
+  }
+  html += "<div class=\"table\"><table>\n";
   if (!table.caption.empty()) html += "<caption>" + HtmlText(table.caption) + "</caption>\n";
   html += "<thead><tr>";
   std::vector<std::size_t> interval_widths;
@@ -72,10 +76,14 @@ std::string TableHtml(const Table& table) {
     const std::string_view flag = RowClass(row.flag);
     html += fmt::format("<tr class=\"{}\">", flag);
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      // The heading stands beside the cell where the window is too narrow for columns.
+      const std::string name =
+          i == 0 ? "" : fmt::format(" data-name=\"{}\"", HtmlText(table.columns[i].heading));
       if (table.columns[i].is_number) {
-        html += "<td class=\"number\">" + NumberHtml(row.cells[i], interval_widths[i]);
+        html += fmt::format(
+            "<td class=\"number\"{}>{}", name, NumberHtml(row.cells[i], interval_widths[i]));
       } else {
-        html += "<td>" + HtmlText(row.cells[i]);
+        html += fmt::format("<td{}>{}", name, HtmlText(row.cells[i]));
       }
       const bool is_label = i + 1 == row.cells.size() && !flag.empty();
       if (is_label) html += fmt::format(" <span class=\"flag\">{}</span>", flag);
@@ -83,7 +91,9 @@ std::string TableHtml(const Table& table) {
     }
     html += "</tr>\n";
   }
-  return html + "</tbody>\n</table></div>\n";
+  html += "</tbody>\n</table></div>\n";
+  if (!table.fold.empty()) html += "</details>\n";
+  return html;
 }
 
 }  // namespace fathom

@@ -9,7 +9,8 @@
 
 namespace fathom {
 
-// The table as HTML, its flagged rows labelled "best" and "unusable".
+// The table as HTML, its flagged rows labelled "best" and "unusable". Where it does not fit,
+// page.js makes each row a block, whose lines are a heading and a cell each.
 std::string TableHtml(const Table& table);
 
 }  // namespace fathom

@@ -20,6 +20,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -136,6 +137,24 @@ TEST(ResponsePanel, ShowsTheFreeRunOfEachModel) {
   EXPECT_EQ(panel.responses[0].note, "held-out velocity NMAE 0.030");
 }
 
+TEST(CommandPanel, HoldsTheCommandOverTheTimeOfTheMotion) {
+  DofComparison comparison = HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)});
+  for (Segment& segment : comparison.scored.train) {
+    const double start = segment.time.front();
+    segment.command = {{start, start + 1.0}, {5.0, -7.0}};
+  }
+  const TimePanel motion = ResponsePanel(comparison), command = CommandPanel(comparison);
+  EXPECT_EQ(command.quantity, "force");
+  EXPECT_EQ(command.unit, "N");
+  EXPECT_TRUE(command.is_stepped);
+  EXPECT_EQ(command.time.front(), motion.time.front());
+  EXPECT_EQ(command.time.back(), motion.time.back());
+  EXPECT_EQ(command.responses.at(0).values.at(0), 5.0);
+  EXPECT_EQ(command.responses.at(0).values.at(1), -7.0);
+  ASSERT_EQ(command.held_out.size(), 1u);
+  EXPECT_EQ(command.held_out[0].from, motion.held_out.at(0).from);
+}
+
 TEST(ResponsePanel, LeavesOutModelsThatAreNotUsable) {
   const TimePanel panel = ResponsePanel(HandmadeDof({UnusableRow(Family::kLeastSquares)}));
   EXPECT_TRUE(panel.responses.empty());
@@ -189,11 +208,35 @@ TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {
   comparison.dofs = {HandmadeDof({row})};
   comparison.dofs[0].findings = {
       {.severity = Severity::kWarning, .code = "passivity", .sentence = "It gains energy."}};
+  comparison.remarks = {"A column is not read."};
   const Page page = ComparisonPage(comparison);
   EXPECT_THAT(page.warnings, ElementsAre("Surge: It gains energy."));
+  EXPECT_THAT(page.sections.at(0).notes, ElementsAre("A column is not read."));
   const PageSection& section = page.sections.at(0);
+  ASSERT_EQ(section.tables.size(), 3u);
+  EXPECT_EQ(section.tables[2].rows.at(0).cells.at(1), "a caveat");
+}
+
+TEST(ComparisonPage, ShowsTheFigureThatDecidesFirstAndFoldsTheOthers) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)})};
+  const PageSection section = ComparisonPage(comparison).sections.at(0);
   ASSERT_EQ(section.tables.size(), 2u);
-  EXPECT_EQ(section.tables[1].rows.at(0).cells.at(1), "a caveat");
+  const Table& shown = section.tables[0];
+  EXPECT_EQ(shown.columns.at(1).heading, "velocity NMAE, held out");
+  EXPECT_EQ(shown.rows.at(0).cells.at(1), "0.0300");
+  EXPECT_THAT(shown.fold, IsEmpty());
+  EXPECT_THAT(section.tables[1].fold, HasSubstr("training data"));
+  EXPECT_EQ(section.tables[1].columns.size(), 5u);
+}
+
+TEST(ComparisonPage, ShowsTheErrorOnTheTrainingDataWhereNoneAreHeldOut) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  comparison.dofs[0].scored.held_out.clear();
+  const PageSection section = ComparisonPage(comparison).sections.at(0);
+  EXPECT_EQ(section.tables.at(0).columns.at(1).heading, "velocity NMAE");
+  EXPECT_EQ(section.tables.at(0).rows.at(0).cells.at(1), "0.0200");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ addEventListener("message", (event) => {{
   report.textContent = event.data;
   document.body.append(report);
 }});
-</script><iframe width="{}" height="{}" style="border:0" src="file://{}#selftest"></iframe></body>)";
+</script><iframe width="{}" height="{}" style="border:0" src="file://{}{}"></iframe></body>)";
 
 // What Chromium writes to stdout when it opens the page at `hash`.
 std::string OutputOfChromium(const std::string& html,
@@ -82,14 +82,14 @@ std::string DomOf(const std::string& html, const std::string& name, const Window
     const std::string file =
         fmt::format("{}/{}_{}_in_frame.html", FATHOM_SCRATCH_DIR, name, getpid());
     WriteFile(file, html);
-    const std::string frame = fmt::format(kFrame, window.width, window.height, file);
+    const std::string frame = fmt::format(kFrame, window.width, window.height, file, window.hash);
     const std::string dom = DomOf(frame, name, {.height = window.height});
     std::filesystem::remove(file);
     return dom;
   }
   return OutputOfChromium(html,
                           name,
-                          "#selftest",
+                          window.hash,
                           fmt::format("--window-size={},{} {} --dump-dom",
                                       window.width,
                                       window.height,

@@ -23,6 +23,7 @@ struct Window {
   int width = 1280;  // below 500 the page is opened within a frame of this width
   int height = 1000;
   bool has_real_time = false;  // otherwise timers fire at once, and clocks mean nothing
+  std::string hash = "#selftest";
 };
 
 // The same of any page. With the real clock it is read as soon as it has loaded. Of a page in a

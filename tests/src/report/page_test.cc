@@ -117,5 +117,36 @@ TEST(Page, GivesAFamilyTheSameColourInEveryChart) {
   EXPECT_EQ(Count(html, R"(background:#cc79a7"></i></span><span class="value">)"), 12);
 }
 
+TEST(Page, SaysInItsHeaderWhereItComesFrom) {
+  Page page;
+  page.origin = {"Fathom 0.1.0", "2026-11-25T14:31:02Z", "fathom_compare --log='a b'", {}};
+  for (int i = 0; i < 3; ++i) {
+    page.origin.logs.push_back({"pool <" + std::to_string(i) + ">", "0.0 s to 9.9 s", "00ff"});
+  }
+  std::string html = RenderPage(page);
+  const std::string header = html.substr(0, html.find("</header>"));
+  for (const char* text : {"Fathom 0.1.0, 2026-11-25T14:31:02Z",
+                           "<code>fathom_compare --log=&#39;a b&#39;</code>",
+                           "pool &lt;2&gt;, 0.0 s to 9.9 s, fingerprint <code>00ff</code>"}) {
+    EXPECT_NE(header.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(header.find("<details"), std::string::npos);
+  page.origin.logs.push_back({"another", "", ""});
+  html = RenderPage(page);
+  EXPECT_NE(html.find("<summary>4 logs</summary>"), std::string::npos);
+  EXPECT_EQ(RenderPage({}).find("class=\"origin\""), std::string::npos);
+}
+
+TEST(Page, FoldsNotesOfRoutineAndTablesThatAreToBeAskedFor) {
+  Page page;
+  PageSection& section = page.sections.emplace_back();
+  section.notes = {"4 gaps"};
+  section.tables = {{"", {{"a"}}, {{{"1"}}}, "More figures"}};
+  const std::string html = RenderPage(page);
+  EXPECT_NE(html.find("<details class=\"fold\"><summary>More figures</summary>"),
+            std::string::npos);
+  EXPECT_NE(html.find("<summary>Data</summary>\n<p class=\"text\">4 gaps</p>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace fathom

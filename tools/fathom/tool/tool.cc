@@ -11,11 +11,13 @@
 #include "fathom/tool/flag_values.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -154,13 +156,36 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
   return run();
 }
 
+// As a shell reads it back.
+std::string ForShell(const std::string& argument) {
+  const bool is_plain = !argument.empty() && std::ranges::all_of(argument, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_=/.,:+@%").find(c) != std::string_view::npos;
+  });
+  if (is_plain) return argument;
+  std::string quoted = "'";
+  for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string& CommandLineOfThis() {
+  static std::string line;
+  return line;
+}
+
 }  // namespace
+
+std::string VersionOfTools() { return "Fathom " FATHOM_VERSION; }
+
+const std::string& CommandLine() { return CommandLineOfThis(); }
 
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_FATAL;  // what a solver tries and drops is no news to a user
   google::InitGoogleLogging(info.name.c_str());
   RemoveTemporariesOnInterrupt();
+  CommandLineOfThis() = info.name;
+  for (int i = 1; i < argc; ++i) CommandLineOfThis() += " " + ForShell(argv[i]);
   int exit_code = kExitBadInput;
   std::string problem;
   try {

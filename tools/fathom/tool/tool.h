@@ -33,6 +33,13 @@ struct ToolInfo {
 // does not suffice. Warnings go to stderr.
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run);
 
+// "Fathom 0.1.0".
+std::string VersionOfTools();
+
+// How the running tool was called: its name and its arguments, those in quotes that a shell would
+// take apart. Empty before RunTool().
+const std::string& CommandLine();
+
 // The value of a flag that has to be given. Throws InputError if it is empty: "--log: is missing,
 // expected <expected>."
 const std::string& RequireFlag(const std::string& name,

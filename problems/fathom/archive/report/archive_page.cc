@@ -11,6 +11,7 @@
 #include "fathom/archive/report/web/assets.h"
 #include "fathom/report/html_text.h"
 #include "fathom/report/page_frame.h"
+#include "fathom/report/page_origin.h"
 
 #include <string_view>
 #include <vector>
@@ -49,18 +50,15 @@ std::string HeaderHtml(const ArchiveReport& report) {
     html += fmt::format("<p class=\"lead change\">{}</p>\n", HtmlText(sentence));
   }
   html += fmt::format("<p class=\"lead logs\">{}</p>\n", HtmlText(LogsSentence(report)));
+  // The archive stands for its logs.
+  html += OriginHtml({"Fathom " + report.version,
+                      report.date,
+                      report.command,
+                      {{"Archive " + report.archive, "", ""}}});
   return html +
          "<nav><a href=\"#parameters\">Parameters</a><a href=\"#effects\">Effects</a>"
          "<a href=\"#dives\">Dives</a><a href=\"#comparison\">Two dives</a>"
          "<a href=\"#lost\">Logs without a model</a></nav>\n</header>\n";
-}
-
-std::string FooterHtml(const ArchiveReport& report) {
-  return fmt::format("<footer>Fathom {}, {}. Archive {}.<br><code>{}</code></footer>\n",
-                     HtmlText(report.version),
-                     HtmlText(report.date),
-                     HtmlText(report.archive),
-                     HtmlText(report.command));
 }
 
 // The scripts share their names and nothing else does.
@@ -94,7 +92,7 @@ std::string RenderArchivePage(const ArchiveReport& report) {
               "JavaScript; the sentences above and the logs without a model are here."
               "</p></noscript>\n" +
               std::string(kSections) + "<section id=\"lost\">\n<h2>Logs without a model</h2>\n" +
-              LostLogsHtml(report.tables.logs) + "</section>\n</main>\n" + FooterHtml(report);
+              LostLogsHtml(report.tables.logs) + "</section>\n</main>\n";
   page.data = fmt::format(R"({{"parameters":{},"archive":{}}})",
                           ParameterChartsJson(report, dives),
                           DivesJson(report, summaries));

@@ -115,6 +115,9 @@ ResidualTrace TraceOf(const MeasuredSegment& segment,
     trace.before = std::move(before->predicted);
   }
   if (after) trace.after = std::move(after->predicted);
+  if (!trace.time.empty()) {
+    trace.command = segment.inputs->command.Between(trace.time.front(), trace.time.back());
+  }
   return trace;
 }
 

@@ -11,6 +11,7 @@
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,25 +30,29 @@ PageSection NextStepsSection(const Diagnosis& diagnosis) {
   return section;
 }
 
-// A section for each panel, which is a log's.
+// A section for each panel, which is a log's, with the command below it.
 void AddSections(std::vector<TimePanel> panels,
+                 std::vector<TimePanel> commands,
                  const std::string& heading,
                  const std::vector<std::string>& text,
                  bool are_several,
                  Page* page) {
-  for (TimePanel& panel : panels) {
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    TimePanel& panel = panels[i];
     PageSection section;
     section.heading = are_several ? heading + ": " + panel.title : heading;
     section.text = text;
     panel.title.clear();
     panel.is_low = page->sections.empty();  // the first screen holds more than that
     section.time_panels = {std::move(panel)};
+    if (!commands[i].time.empty()) section.time_panels.push_back(std::move(commands[i]));
     page->sections.push_back(std::move(section));
   }
 }
 
 void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
   AddSections(FreeRunPanels(diagnosis),
+              CommandPanels(diagnosis, diagnosis.traces),
               diagnosis.ComparesTwoModels() ? "Before and after" : "The model and the measurement",
               {},
               diagnosis.logs.size() > 1,
@@ -57,6 +62,7 @@ void AddFreeRuns(const Diagnosis& diagnosis, Page* page) {
 void AddPoses(const Diagnosis& diagnosis, Page* page) {
   AddSections(
       PosePanels(diagnosis),
+      CommandPanels(diagnosis, diagnosis.pose_traces),
       diagnosis.ComparesTwoModels() ? "The poses before and after" : "The model and the poses",
       {"Every 10 s the modelled displacement is reset to the measured straight line, "
        "because the drift of a simulation from the command alone would soon hide the "

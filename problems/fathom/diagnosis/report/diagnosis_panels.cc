@@ -5,6 +5,7 @@
 
 #include "fathom/base/median.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
+#include "fathom/report/held_curve.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -91,6 +92,19 @@ void AddTrace(const ResidualTrace& trace, const std::vector<Curve>& curves, Time
   if (trace.is_held_out) panel->held_out.push_back({trace.time.front(), trace.time.back()});
 }
 
+// The traces of a log that hold anything, by time.
+std::vector<const ResidualTrace*> TracesOf(const std::string& log,
+                                           const std::vector<ResidualTrace>& all) {
+  std::vector<const ResidualTrace*> traces;
+  for (const ResidualTrace& trace : all) {
+    if (trace.log == log && !trace.time.empty()) traces.push_back(&trace);
+  }
+  std::stable_sort(traces.begin(), traces.end(), [](const auto* a, const auto* b) {
+    return a->time.front() < b->time.front();
+  });
+  return traces;
+}
+
 // A panel for each log, with all its traces by time. The notes are for before and after.
 std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
                                 const std::vector<ResidualTrace>& of,
@@ -100,14 +114,8 @@ std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
   const std::vector<Curve> curves = CurvesOf(diagnosis, before_note, after_note);
   std::vector<TimePanel> panels;
   for (const std::string& log : diagnosis.logs) {
-    std::vector<const ResidualTrace*> traces;
-    for (const ResidualTrace& trace : of) {
-      if (trace.log == log && !trace.time.empty()) traces.push_back(&trace);
-    }
+    const std::vector<const ResidualTrace*> traces = TracesOf(log, of);
     if (traces.empty()) continue;
-    std::stable_sort(traces.begin(), traces.end(), [](const auto* a, const auto* b) {
-      return a->time.front() < b->time.front();
-    });
     TimePanel panel;
     panel.title = log;
     panel.quantity =
@@ -133,6 +141,25 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
 
 std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis) {
   return PanelsOf(diagnosis, diagnosis.pose_traces, false, "", "");
+}
+
+std::vector<TimePanel> CommandPanels(const Diagnosis& diagnosis,
+                                     const std::vector<ResidualTrace>& traces) {
+  std::vector<TimePanel> panels;
+  for (const std::string& log : diagnosis.logs) {
+    const std::vector<const ResidualTrace*> of_log = TracesOf(log, traces);
+    if (of_log.empty()) continue;
+    TimePanel panel = HeldCurvePanel(IsAngular(diagnosis.dof) ? "moment" : "force",
+                                     ParameterUnit(kBuoyancy, diagnosis.dof, diagnosis.force_unit));
+    for (const ResidualTrace* trace : of_log) {
+      if (trace->command.time.empty()) continue;
+      const TimeInterval shown = {trace->time.front(), trace->time.back()};
+      AppendHeldCurve(trace->command.time, trace->command.value, shown, 0.0, &panel);
+      if (trace->is_held_out) panel.held_out.push_back(shown);
+    }
+    panels.push_back(std::move(panel));
+  }
+  return panels;
 }
 
 std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis) {

@@ -17,6 +17,11 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis);
 // both models.
 std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis);
 
+// The command below each of the other panels, on the same time axis; a panel without stamps where
+// none is known.
+std::vector<TimePanel> CommandPanels(const Diagnosis& diagnosis,
+                                     const std::vector<ResidualTrace>& traces);
+
 // The missing force with its band of two standard deviations, and the part of it that the causes
 // account for; a panel for each stretch over which its stamps rise.
 std::vector<TimePanel> MissingForcePanels(const Diagnosis& diagnosis);

@@ -5,11 +5,16 @@
   const errors = [];
   window.addEventListener("error", (event) => errors.push(event.message));
 
-  const INK = "#5d6776";
-  const GRID = "#e8ebf0";
+  // A colour of page.css, which has others in the dark.
+  const colorOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const isDark = () => window.matchMedia("(prefers-color-scheme: dark)").matches &&
+    !document.documentElement.classList.contains("on-paper");
+  // Of a curve: those that the dark would hide are turned round.
+  const DARK_COLORS = {"#000000": "#ffffff", "#57606e": "#b4bcc8", "#0072b2": "#3d9ad6"};
+  const shown = (color) => (isDark() ? DARK_COLORS[color] ?? color : color);
   const FONT = '12px system-ui, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif';
   const HEIGHTS = {response: 300, residual: 170, lone: 190};  // [px]
-  const LOW_HEIGHTS = {response: 180, residual: 150, lone: 190};
+  const LOW_HEIGHTS = {response: 180, residual: 150, lone: 150};
   const AXIS_WIDTH = 72;         // [px], the same everywhere so that the time axes line up
   const FEW_STAMPS = 60;         // up to here each stamp gets a dot
 
@@ -37,7 +42,7 @@
       const left = Math.max(plot.valToPos(from, "x", true), bbox.left);
       const right = Math.min(plot.valToPos(to, "x", true), bbox.left + bbox.width);
       if (right <= left) continue;
-      ctx.fillStyle = "#f6efdc";
+      ctx.fillStyle = colorOf("held-out");
       ctx.fillRect(left, bbox.top, right - left, bbox.height);
     }
     ctx.restore();
@@ -50,7 +55,7 @@
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     ctx.font = FONT.replace("12px", `${12 * scale}px`);
-    ctx.fillStyle = "#7a6322";
+    ctx.fillStyle = colorOf("held-out-ink");
     ctx.textBaseline = "top";
     ctx.textAlign = "left";
     for (const [from, to] of held_out) {
@@ -89,8 +94,10 @@
 
   const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
     const own = [panel.time[0], panel.time[panel.time.length - 1]];
-    const axis = {stroke: INK, font: FONT, labelFont: FONT, grid: {stroke: GRID, width: 1},
-                  ticks: {stroke: GRID, width: 1, size: 5}};
+    const ink = () => colorOf("muted");
+    const grid = () => colorOf("grid");
+    const axis = {stroke: ink, font: FONT, labelFont: FONT, grid: {stroke: grid, width: 1},
+                  ticks: {stroke: grid, width: 1, size: 5}};
     const edges = edgesOf(series);
     const offset = panel.time_offset ? ` + ${panel.time_offset}` : "";
     const plot = new uPlot({
@@ -119,11 +126,11 @@
       }),
       series: [{}, ...edges.map(() => ({width: 0, spanGaps: false, points: {show: false}})), ...series.map((one) => ({
         label: one.name,
-        stroke: one.color,
+        stroke: () => shown(one.color),
         width: one.width,
         spanGaps: false,
         paths: panel.is_stepped ? uPlot.paths.stepped({align: 1}) : undefined,
-        points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: one.color},
+        points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: () => shown(one.color)},
       }))],
       hooks: {
         drawClear: [shade(panel.held_out)],
@@ -133,6 +140,8 @@
         }],
       },
     }, [panel.time, ...edges, ...series.map((one) => one.values)], place);
+    plot.ctx.canvas.setAttribute("role", "img");
+    plot.ctx.canvas.setAttribute("aria-label", `${label} over time: ${series.map((one) => one.name).join(", ")}`);
     group.plots.push(plot);
     new ResizeObserver(() => {
       if (place.clientWidth && place.clientWidth !== plot.width) {
@@ -156,7 +165,8 @@
       button.setAttribute("aria-pressed", "true");
       button.title = "Show or hide";
       const swatch = element("span", "swatch");
-      swatch.style.background = curve.color;
+      swatch.style.background = shown(curve.color);
+      swatch.dataset.color = curve.color;
       const name = element("span", "key-name", curve.name);
       // Until the cursor is in the chart the place of the value tells something else.
       const atRest = curve.note || (hasNotes && curve === curves[0] ? "hover to read values" : "");
@@ -251,7 +261,7 @@
     const one = drawPanel(group, sections[place.dataset.section][place.dataset.panel], place);
     if (!one) continue;
     if (!drawn.some((other) => other.group === group)) {
-      place.append(element("p", "hint",
+      place.append(element("p", "hint on-screen",
         "Drag to zoom, double-click to reset; a click on a name hides its curve."));
     }
     drawn.push({...one, group});
@@ -264,8 +274,29 @@
       for (const plot of plots) plot.setSize({width: widthOf(plot), height: plot.height});
     }
   };
-  window.addEventListener("beforeprint", () => fit(() => PAPER_WIDTH));
-  window.addEventListener("afterprint", () => fit((plot) => plot.root.parentElement.clientWidth));
+  const recolor = () => {
+    for (const swatch of document.querySelectorAll(".swatch")) swatch.style.background = shown(swatch.dataset.color);
+    for (const {plots} of drawn) for (const plot of plots) plot.redraw(false, true);
+  };
+  // A table that is wider than its place becomes blocks.
+  const fitTables = () => {
+    for (const table of document.querySelectorAll(".table")) {
+      table.classList.remove("blocks");
+      table.classList.toggle("blocks", table.scrollWidth > table.clientWidth);
+    }
+  };
+  fitTables();
+  window.addEventListener("resize", fitTables);
+  for (const fold of document.querySelectorAll("details")) fold.addEventListener("toggle", fitTables);
+  const print = (isPaper) => {
+    document.documentElement.classList.toggle("on-paper", isPaper);
+    fit((plot) => (isPaper ? PAPER_WIDTH : plot.root.parentElement.clientWidth));
+    fitTables();
+    recolor();
+  };
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolor);
+  window.addEventListener("beforeprint", () => print(true));
+  window.addEventListener("afterprint", () => print(false));
 
   // Uses the first panel as a reader would and writes what happened into the page; for the tests.
   const selfTest = async () => {

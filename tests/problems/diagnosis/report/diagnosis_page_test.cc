@@ -195,6 +195,23 @@ TEST(FreeRunPanels, ShowWhatWasMeasuredBeforeAndAfter) {
   EXPECT_EQ(panels[0].held_out[0].to, 25.0);
 }
 
+TEST(CommandPanels, LieBelowTheMotion) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  for (ResidualTrace& trace : diagnosis.traces) {
+    trace.command = {{trace.time.front() - 1.0, trace.time.front() + 2.0}, {40.0, -40.0}};
+  }
+  const auto panels = CommandPanels(diagnosis, diagnosis.traces);
+  ASSERT_EQ(panels.size(), 1u);
+  EXPECT_EQ(panels[0].quantity, "force");
+  EXPECT_EQ(panels[0].time.front(), 10.0);
+  EXPECT_EQ(panels[0].time.back(), 25.0);
+  ASSERT_EQ(panels[0].held_out.size(), 1u);
+  EXPECT_EQ(panels[0].held_out[0].from, 20.0);
+  const Page page = DiagnosisPage(diagnosis);
+  ASSERT_EQ(page.sections[0].time_panels.size(), 2u);
+  EXPECT_EQ(page.sections[0].time_panels[1].quantity, "force");
+}
+
 TEST(FreeRunPanels, ShowOneModelWhereNothingIsNamed) {
   const auto panels = FreeRunPanels(UnexplainedDiagnosis());
   ASSERT_EQ(panels.size(), 1u);

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Pages as the tools write them, in a browser.
+
+#include "page_layout.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "filmed_minute.h"
+#include "headless_browser.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include "small_log.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using Path = std::filesystem::path;
+
+const std::string kPoolRun = FATHOM_DATA_DIR "/flatfish";
+
+class PageLayout : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  }
+
+  // The page that a tool writes.
+  std::string PageOf(const std::string& tool, std::vector<std::string> arguments) {
+    const Path page = folder_ / "page.html";
+    arguments.push_back("--report=" + page.string());
+    const ToolRun run = RunToolBinary(tool, arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return TextOf(page);
+  }
+
+  static void ExpectThatItFits(const std::string& html) {
+    for (const PageLook& look : {PageLook{.width = 1400},
+                                 PageLook{.width = 800},
+                                 PageLook{.width = 390},
+                                 PageLook{.width = 390, .is_dark = true},
+                                 PageLook{.width = kPaperWidth, .is_printed = true}}) {
+      for (const auto& [what, faults] : FaultsOf(html, "layout", look)) {
+        EXPECT_EQ(faults, "") << what << " at " << look.width << " px"
+                              << (look.is_printed ? " on paper" : "")
+                              << (look.is_dark ? " in the dark" : "");
+      }
+    }
+  }
+
+  const Path folder_ = EmptyTestFolder();
+};
+
+TEST_F(PageLayout, OfAComparisonFits) {
+  const std::string page =
+      PageOf("fathom_compare", {"--log=" + kPoolRun, "--dofs=surge,heave,yaw", "--json="});
+  ExpectThatItFits(page);
+  const std::string header = page.substr(0, page.find("</header>"));
+  EXPECT_THAT(header, testing::HasSubstr("<code>fathom_compare --log=" + kPoolRun));
+  EXPECT_THAT(header,
+              testing::ContainsRegex("flatfish_table1, 0.0 s to 299.9 s, fingerprint "
+                                     "<code>[0-9a-f]{16}</code>"));
+}
+
+TEST_F(PageLayout, OfADiagnosisFits) {
+  ExpectThatItFits(PageOf("fathom_diagnose", {"--log=" + kPoolRun, "--dof=surge"}));
+}
+
+TEST_F(PageLayout, OfARefinementFits) {
+  const Path log = SynthesizeMinute(folder_ / "log", "wall.yaml", 40.0, 1);
+  ExpectThatItFits(PageOf("fathom_refine", {"--log=" + log.string(), "--dof=surge"}));
+}
+
+TEST_F(PageLayout, OfAnArchiveFits) {
+  for (const char* dive : {"dive_1", "dive_2"}) WriteSmallLog(folder_ / "archive" / dive / "run");
+  ExpectThatItFits(PageOf("fathom_batch",
+                          {"--archive=" + (folder_ / "archive").string(),
+                           "--results=" + (folder_ / "results.sqlite").string()}));
+}
+
+}  // namespace
+}  // namespace fathom
