@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -104,11 +105,13 @@ TEST(CompareTool, WritesAPageThatShowsEachDofAndNeedsNoNetwork) {
 }
 
 TEST(CompareTool, TheSameLogGivesTheSameBytes) {
+  // A page says when it was made, and by which command.
+  setenv("SOURCE_DATE_EPOCH", "1500000000", 1);
   const Path folder = EmptyTestFolder();
-  std::filesystem::create_directories(folder / "first");
-  std::filesystem::create_directories(folder / "second");
-  const FlatfishRun first(folder / "first");
-  const FlatfishRun second(folder / "second");
+  const FlatfishRun first(folder);
+  const FlatfishRun second(folder);
+  unsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_THAT(first.page, HasSubstr("2017-07-14"));
   EXPECT_FALSE(first.json.empty());
   EXPECT_EQ(first.json, second.json);
   EXPECT_EQ(first.page, second.page);

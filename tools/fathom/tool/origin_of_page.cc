@@ -3,6 +3,7 @@
 
 #include "fathom/tool/origin_of_page.h"
 
+#include "fathom/base/number.h"
 #include "fathom/base/utc_time.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/tool/tool.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
@@ -31,11 +33,20 @@ std::string SpanOf(const Log& log) {
   return first > last ? "" : fmt::format("{:.1f} s to {:.1f} s", first, last);
 }
 
+// Seconds since 1970; those of SOURCE_DATE_EPOCH where it is set, as reproducible-builds.org has
+// it: the same run then writes the same bytes.
+double Now() {
+  if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH")) {
+    if (const auto seconds = ParseFiniteNumber(fixed)) return *seconds;
+  }
+  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+  return std::floor(now.count());
+}
+
 }  // namespace
 
 PageOrigin OriginOfPage(const std::vector<Log>& logs) {
-  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
-  PageOrigin origin = {VersionOfTools(), FormatUtc(std::floor(now.count())), CommandLine(), {}};
+  PageOrigin origin = {VersionOfTools(), FormatUtc(Now()), CommandLine(), {}};
   for (const Log& log : logs) origin.logs.push_back({log.name, SpanOf(log), FingerprintOf(log)});
   return origin;
 }

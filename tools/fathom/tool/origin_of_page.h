@@ -10,7 +10,8 @@
 
 namespace fathom {
 
-// The running tool, its command line, now, and these logs as they were read: from which stamp to
+// The running tool, its command line, now (or the seconds since 1970 in SOURCE_DATE_EPOCH, so that
+// the same run writes the same bytes), and these logs as they were read: from which stamp to
 // which, and their fingerprints.
 PageOrigin OriginOfPage(const std::vector<Log>& logs);
 
