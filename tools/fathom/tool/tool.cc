@@ -9,6 +9,7 @@
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/nearest.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -67,6 +68,15 @@ void SetFlag(const Flag& flag, const std::string& value) {
   }
 }
 
+// ", did you mean --dof?", or nothing where no flag is near.
+std::string Suggestion(const std::vector<Flag>& flags, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Flag& flag : flags) names.push_back(flag.name);
+  for (const char* name_of_all : {"help", "version"}) names.push_back(name_of_all);
+  const std::string nearest = Nearest(name, names);
+  return nearest.empty() ? "" : fmt::format(", did you mean --{}?", nearest);
+}
+
 void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
   const std::string& tool = info.name;
   const std::vector<Flag> flags = OwnFlags();
@@ -97,8 +107,11 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
       value = "false";
     }
     if (flag == nullptr) {
-      throw InputError(
-          fmt::format("--{}: there is no such flag. See {} --help.", Printable(name), tool));
+      const std::string suggestion = Suggestion(flags, name);
+      throw InputError(fmt::format("--{}: there is no such flag{} See {} --help.",
+                                   Printable(name),
+                                   suggestion.empty() ? "." : suggestion,
+                                   tool));
     }
     const bool may_repeat = std::ranges::count(info.repeatable_flags, flag->name) > 0;
     if (!given.insert(flag->name).second) {
