@@ -284,7 +284,9 @@ TEST(RunTool, PrintsItsOwnHelpAndVersion) {
                     testing::Not(HasSubstr("flagfile"))));
   const ToolRun version = Synthesize({"--version"});
   EXPECT_EQ(version.exit_code, 0);
-  EXPECT_THAT(version.out, testing::MatchesRegex("fathom_synthesize [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex(
+                  "fathom [0-9]+\\.[0-9]+\\.[0-9]+ \\(([0-9a-f]+( with changes)?|unknown)\\)\n"));
 }
 
 TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {

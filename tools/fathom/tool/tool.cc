@@ -10,6 +10,7 @@
 #include "fathom/base/quoted.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/nearest.h"
+#include "fathom/tool/version.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -149,6 +150,13 @@ void PrintHelp(const ToolInfo& info) {
       "\nExit code 0: a usable result; 1: input or flags cannot be used; 2: no usable fit.\n");
 }
 
+void PrintFlags() {
+  for (const Flag& flag : OwnFlags()) {
+    fmt::print("--{}{}\n", flag.name, flag.type == "bool" ? "" : "=");
+  }
+  fmt::print("--help\n--version\n");
+}
+
 int ReadFlagsAndRun(const std::vector<std::string>& arguments,
                     const ToolInfo& info,
                     const std::function<int()>& run) {
@@ -160,7 +168,11 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
     return 0;
   }
   if (given("--version") || given("-version")) {
-    fmt::print("{} {}\n", info.name, FATHOM_VERSION);
+    fmt::print("fathom {}\n", VersionWithCommit());
+    return 0;
+  }
+  if (given("--flags")) {
+    PrintFlags();
     return 0;
   }
   ReadFlags(arguments, info);
@@ -174,10 +186,16 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   FLAGS_minloglevel = google::GLOG_FATAL;  // what a solver tries and drops is no news to a user
   google::InitGoogleLogging(info.name.c_str());
   RemoveTemporariesOnInterrupt();
+  return ReportProblems(info.name, [&] {
+    return ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
+  });
+}
+
+int ReportProblems(const std::string& name, const std::function<int()>& run) {
   int exit_code = kExitBadInput;
   std::string problem;
   try {
-    exit_code = ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
+    exit_code = run();
   } catch (const std::bad_alloc&) {
     problem = "the memory does not suffice.";
     exit_code = kExitOutOfMemory;
@@ -191,7 +209,7 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   }
   if (problem.empty()) return exit_code;
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}\n", info.name, problem);
+  fmt::print(stderr, "{}: {}\n", name, problem);
   return exit_code;
 }
 
