@@ -7,6 +7,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
 #include "fathom/process/run_child.h"
+#include "fathom/tool/completion.h"
 #include "fathom/tool/nearest.h"
 #include "fathom/tool/programs_folder.h"
 #include "fathom/tool/tool.h"
@@ -54,7 +55,9 @@ int PrintCommands() {
   for (const std::string& command : SubCommands()) {
     fmt::print("  {:<12}{}\n", command, SummaryOf(command));
   }
-  fmt::print("\n  {:<12}{}\n", "help", "Shows a sub-command's help: fathom help identify");
+  fmt::print(
+      "\n  {:<12}{}\n", "completion", "Prints a script for a shell: fathom completion bash|zsh");
+  fmt::print("  {:<12}{}\n", "help", "Shows a sub-command's help: fathom help identify");
   fmt::print(
       "\n`fathom identify` is the program fathom_identify, with its flags and exit codes.\n\n"
       "Example:\n\n  fathom identify --log=data/flatfish --dof=surge\n");
@@ -64,7 +67,7 @@ int PrintCommands() {
 void RequireSubCommand(const std::string& given) {
   std::vector<std::string> known = SubCommands();
   if (std::ranges::count(known, given) > 0) return;
-  known.push_back("help");
+  known.insert(known.end(), {"completion", "help"});
   const std::string nearest = Nearest(given, known);
   throw InputError(fmt::format("{}: there is no such sub-command{} See fathom --help.",
                                Quoted(given),
@@ -85,6 +88,19 @@ void RequireSubCommand(const std::string& given) {
                                std::strerror(errno)));
 }
 
+int PrintCompletion(const std::vector<std::string>& shells) {
+  if (shells.size() != 1) {
+    throw InputError(fmt::format("completion: names {} shell, expected bash or zsh.",
+                                 shells.empty() ? "no" : "more than one"));
+  }
+  const std::string& shell = shells.front();
+  if (shell != "bash" && shell != "zsh") {
+    throw InputError(fmt::format("completion: is {}, expected bash or zsh.", Quoted(shell)));
+  }
+  fmt::print("{}", shell == "bash" ? BashCompletion(SubCommands()) : ZshCompletion(SubCommands()));
+  return kExitUsable;
+}
+
 int Run(const std::vector<std::string>& arguments) {
   const std::string first = arguments.empty() ? "--help" : arguments.front();
   const std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1),
@@ -101,6 +117,7 @@ int Run(const std::vector<std::string>& arguments) {
     }
     Become(rest.front(), {"--help"});
   }
+  if (first == "completion") return PrintCompletion(rest);
   if (first.starts_with("-")) {
     throw InputError(
         fmt::format("{}: a sub-command comes first, as in fathom identify --log=LOG. See fathom "
