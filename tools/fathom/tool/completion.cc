@@ -78,8 +78,10 @@ _fathom() {
     _files
   elif [[ $PREFIX == -* ]]; then
     flags=(${(f)"$($program $sub --flags 2>/dev/null)"})
-    compadd -S '' -- ${(M)flags:#*=}
-    compadd -- ${flags:#*=}
+    local missing=1
+    compadd -S '' -- ${(M)flags:#*=} && missing=0
+    compadd -- ${flags:#*=} && missing=0
+    return missing
   else
     _files
   fi
