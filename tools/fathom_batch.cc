@@ -15,6 +15,7 @@
 #include "fathom/comparison/family.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/programs_folder.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 
@@ -84,11 +85,7 @@ Shard ParseShard(const std::string& text) {
   return shard;
 }
 
-fs::path ToolsFolder() {
-  if (!FLAGS_tools.empty()) return FLAGS_tools;
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
+fs::path ToolsFolder() { return FLAGS_tools.empty() ? ProgramsFolder() : fs::path(FLAGS_tools); }
 
 // "dives_pages" beside "dives.html".
 fs::path PagesFolder() {

@@ -93,9 +93,24 @@ TEST_P(LogTools, RefusesALogThatIsNotThere) {
 TEST_P(LogTools, RefusesAnUnknownFlag) {
   const Inputs inputs;
   auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
-  arguments.push_back("--famly=adaptive");
+  arguments.push_back("--colour=red");
   EXPECT_EQ(ExpectRefusal(GetParam(), arguments, inputs.folder),
-            GetParam() + ": --famly: there is no such flag. See " + GetParam() + " --help.\n");
+            GetParam() + ": --colour: there is no such flag. See " + GetParam() + " --help.\n");
+}
+
+// The tools for one DOF have --dof, those for several --dofs.
+TEST_P(LogTools, SuggestsDofForDofsAndTheReverse) {
+  const Inputs inputs;
+  const bool takes_several = GetParam() == "fathom_compare";
+  const std::string wrong = takes_several ? "--dof" : "--dofs";
+  const std::string right = takes_several ? "--dofs" : "--dof";
+  const std::string log = "--log=" + inputs.log.string();
+  for (const std::vector<std::string>& given :
+       {std::vector<std::string>{log, wrong + "=surge"}, {log, wrong, "surge"}}) {
+    EXPECT_EQ(ExpectRefusal(GetParam(), given, inputs.folder),
+              GetParam() + ": " + wrong + ": there is no such flag, did you mean " + right +
+                  "? See " + GetParam() + " --help.\n");
+  }
 }
 
 TEST_P(LogTools, RefusesALogWithoutMotion) {
@@ -310,6 +325,16 @@ TEST(Refusals, TheDamagesAreDifferent) {
       if (a == b) continue;
       EXPECT_NE(damaged, Damaged(SmallVelocityCsv(), kVelocity, b)) << Name(a);
     }
+  }
+}
+
+// The other tools that take a DOF.
+TEST(Refusals, CheckAndRefineSuggestDofForDofs) {
+  const Path folder = EmptyTestFolder();
+  for (const std::string tool : {"fathom_check", "fathom_refine"}) {
+    EXPECT_EQ(
+        ExpectRefusal(tool, {"--dofs=surge"}, folder),
+        tool + ": --dofs: there is no such flag, did you mean --dof? See " + tool + " --help.\n");
   }
 }
 

@@ -251,7 +251,9 @@ TEST(RunTool, RefusesBadFlagsWithExitCode1) {
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.err, "fathom_synthesize: " + message + "\n");
   };
-  expect_refusal({"--sed=1"}, "--sed: there is no such flag. See fathom_synthesize --help.");
+  expect_refusal(
+      {"--sed=1"},
+      "--sed: there is no such flag, did you mean --seed? See fathom_synthesize --help.");
   expect_refusal({"--minloglevel=0"},
                  "--minloglevel: there is no such flag. See fathom_synthesize --help.");
   expect_refusal({"--seed=one"}, "--seed: is 'one', expected a whole number, at least 0.");
@@ -259,7 +261,9 @@ TEST(RunTool, RefusesBadFlagsWithExitCode1) {
   expect_refusal({"--seed"}, "--seed: has no value, expected a whole number, at least 0.");
   expect_refusal({"--seed=1", "--seed=2"}, "--seed: is given twice, expected once.");
   expect_refusal({"--overwrite=perhaps"}, "--overwrite: is 'perhaps', expected true or false.");
-  expect_refusal({"--noseed"}, "--noseed: there is no such flag. See fathom_synthesize --help.");
+  expect_refusal(
+      {"--noseed"},
+      "--noseed: there is no such flag, did you mean --seed? See fathom_synthesize --help.");
   expect_refusal({"e.yaml"},
                  "'e.yaml': is no flag, expected --name=value. See fathom_synthesize --help.");
   expect_refusal({}, "--vehicle: is missing, expected a vehicle file.");
@@ -280,7 +284,9 @@ TEST(RunTool, PrintsItsOwnHelpAndVersion) {
                     testing::Not(HasSubstr("flagfile"))));
   const ToolRun version = Synthesize({"--version"});
   EXPECT_EQ(version.exit_code, 0);
-  EXPECT_THAT(version.out, testing::MatchesRegex("fathom_synthesize [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex(
+                  "fathom [0-9]+\\.[0-9]+\\.[0-9]+ \\(([0-9a-f]+( with changes)?|unknown)\\)\n"));
 }
 
 TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {

@@ -7,6 +7,7 @@
 #include "fathom/base/utc_time.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/version.h"
 
 #include <algorithm>
 #include <chrono>
@@ -46,7 +47,7 @@ double Now() {
 }  // namespace
 
 PageOrigin OriginOfPage(const std::vector<Log>& logs) {
-  PageOrigin origin = {VersionOfTools(), FormatUtc(Now()), CommandLine(), {}};
+  PageOrigin origin = {"Fathom " + VersionWithCommit(), FormatUtc(Now()), CommandLine(), {}};
   for (const Log& log : logs) origin.logs.push_back({log.name, SpanOf(log), FingerprintOf(log)});
   return origin;
 }

@@ -9,6 +9,8 @@
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/nearest.h"
+#include "fathom/tool/version.h"
 
 #include <algorithm>
 #include <cctype>
@@ -69,6 +71,15 @@ void SetFlag(const Flag& flag, const std::string& value) {
   }
 }
 
+// ", did you mean --dof?", or nothing where no flag is near.
+std::string Suggestion(const std::vector<Flag>& flags, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Flag& flag : flags) names.push_back(flag.name);
+  for (const char* name_of_all : {"help", "version"}) names.push_back(name_of_all);
+  const std::string nearest = Nearest(name, names);
+  return nearest.empty() ? "" : fmt::format(", did you mean --{}?", nearest);
+}
+
 void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
   const std::string& tool = info.name;
   const std::vector<Flag> flags = OwnFlags();
@@ -99,8 +110,11 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
       value = "false";
     }
     if (flag == nullptr) {
-      throw InputError(
-          fmt::format("--{}: there is no such flag. See {} --help.", Printable(name), tool));
+      const std::string suggestion = Suggestion(flags, name);
+      throw InputError(fmt::format("--{}: there is no such flag{} See {} --help.",
+                                   Printable(name),
+                                   suggestion.empty() ? "." : suggestion,
+                                   tool));
     }
     const bool may_repeat = std::ranges::count(info.repeatable_flags, flag->name) > 0;
     if (!given.insert(flag->name).second) {
@@ -138,6 +152,13 @@ void PrintHelp(const ToolInfo& info) {
       "\nExit code 0: a usable result; 1: input or flags cannot be used; 2: no usable fit.\n");
 }
 
+void PrintFlags() {
+  for (const Flag& flag : OwnFlags()) {
+    fmt::print("--{}{}\n", flag.name, flag.type == "bool" ? "" : "=");
+  }
+  fmt::print("--help\n--version\n");
+}
+
 int ReadFlagsAndRun(const std::vector<std::string>& arguments,
                     const ToolInfo& info,
                     const std::function<int()>& run) {
@@ -149,7 +170,11 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
     return 0;
   }
   if (given("--version") || given("-version")) {
-    fmt::print("{} {}\n", info.name, FATHOM_VERSION);
+    fmt::print("fathom {}\n", VersionWithCommit());
+    return 0;
+  }
+  if (given("--flags")) {
+    PrintFlags();
     return 0;
   }
   ReadFlags(arguments, info);
@@ -175,8 +200,6 @@ std::string& CommandLineOfThis() {
 
 }  // namespace
 
-std::string VersionOfTools() { return "Fathom " FATHOM_VERSION; }
-
 const std::string& CommandLine() { return CommandLineOfThis(); }
 
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run) {
@@ -186,10 +209,16 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   RemoveTemporariesOnInterrupt();
   CommandLineOfThis() = info.name;
   for (int i = 1; i < argc; ++i) CommandLineOfThis() += " " + ForShell(argv[i]);
+  return ReportProblems(info.name, [&] {
+    return ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
+  });
+}
+
+int ReportProblems(const std::string& name, const std::function<int()>& run) {
   int exit_code = kExitBadInput;
   std::string problem;
   try {
-    exit_code = ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
+    exit_code = run();
   } catch (const std::bad_alloc&) {
     problem = "the memory does not suffice.";
     exit_code = kExitOutOfMemory;
@@ -203,7 +232,7 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   }
   if (problem.empty()) return exit_code;
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}\n", info.name, problem);
+  fmt::print(stderr, "{}: {}\n", name, problem);
   return exit_code;
 }
 

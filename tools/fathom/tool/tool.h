@@ -26,19 +26,21 @@ struct ToolInfo {
 //
 //   int main(int argc, char** argv) { return fathom::RunTool(argc, argv, kInfo, Run); }
 //
-// Flags are --name=value, --name value, and for a bool --name or --noname. --help and --version
-// print to stdout and return 0. Returns 1, with "<name>: <what is wrong>" on stderr, for an
-// unknown, wrongly repeated or malformed flag, an argument that is no flag, any exception out of
-// `run` (InputError is the expected one) and a stdout that cannot be written; 4 where the memory
-// does not suffice. Warnings go to stderr.
+// Flags are --name=value, --name value, and for a bool --name or --noname. --help, --version and
+// --flags (for completion: a line "--name=", or "--name" of a bool, for each flag) print to stdout
+// and return 0. Returns 1, with "<name>: <what is wrong>" on stderr, for an unknown, wrongly
+// repeated or malformed flag, an argument that is no flag and what ReportProblems() says. Warnings
+// go to stderr.
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run);
-
-// "Fathom 0.1.0".
-std::string VersionOfTools();
 
 // How the running tool was called: its name and its arguments, those in quotes that a shell would
 // take apart. Empty before RunTool().
 const std::string& CommandLine();
+
+// Calls `run` and returns its exit code. Returns 1, with "<name>: <what is wrong>" on stderr, for
+// any exception out of it (InputError is the expected one) and a stdout that cannot be written; 4
+// where the memory does not suffice.
+int ReportProblems(const std::string& name, const std::function<int()>& run);
 
 // The value of a flag that has to be given. Throws InputError if it is empty: "--log: is missing,
 // expected <expected>."
