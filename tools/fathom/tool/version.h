@@ -7,7 +7,7 @@
 
 namespace fathom {
 
-// "0.2.0 (abc1234)": the version and the commit that was built, "abc1234 with changes" where files
+// "0.1.0 (abc1234)": the version and the commit that was built, "abc1234 with changes" where files
 // differed from it, "unknown" where the sources were no checkout of git.
 std::string VersionWithCommit();
 
