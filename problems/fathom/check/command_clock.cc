@@ -3,7 +3,6 @@
 
 #include "fathom/check/command_clock.h"
 
-#include "fathom/base/median.h"
 #include "fathom/signal/filters/integral.h"
 
 #include <algorithm>

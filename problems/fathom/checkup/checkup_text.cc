@@ -4,7 +4,6 @@
 #include "fathom/checkup/checkup_text.h"
 
 #include "fathom/base/interval95.h"
-#include "fathom/base/plural.h"
 #include "fathom/check/advice.h"
 #include "fathom/check/finding_json.h"
 #include "fathom/report/format_value.h"
@@ -131,12 +130,12 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
   constexpr std::size_t kMostListed = 6;
   if (excitation.excited < kMostly * excitation.duration && !excitation.stretches.empty()) {
     std::vector<std::string> stretches;
-    for (const TimeInterval& stretch : excitation.stretches) {
-      if (stretches.size() == kMostListed) {
-        stretches.emplace_back("...");
-        break;
-      }
-      stretches.push_back(IntervalText(stretch));
+    const std::size_t num_listed = std::min(kMostListed, excitation.stretches.size());
+    for (std::size_t i = 0; i < num_listed; ++i) {
+      stretches.push_back(IntervalText(excitation.stretches[i]));
+    }
+    if (num_listed < excitation.stretches.size()) {
+      stretches.push_back(fmt::format("and {} more", excitation.stretches.size() - num_listed));
     }
     sentences.push_back(fmt::format("Excited for {:.0f} of {:.0f} s: {}.",
                                     excitation.excited,

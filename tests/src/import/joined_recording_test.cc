@@ -50,6 +50,15 @@ TEST(JoinedRecording, AFolderOfTablesHasAChannelForEach) {
   EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("readme.md: is of no known")));
 }
 
+TEST(JoinedRecording, TablesOfOneNameStayApart) {
+  const auto folder = ScratchFolder();
+  Write(folder / "dvl.csv", "t,u\n0,1.0\n1,1.5\n2,2.0\n");
+  Write(folder / "dvl.txt", "t,u\n0,7.0\n1,8.0\n2,9.0\n");
+  const auto recording = OpenRecording(folder);
+  EXPECT_EQ(ChannelNamed(recording->contents(), "dvl.csv/dvl").count, 3U);
+  EXPECT_THAT(ReadAll(*recording, {"dvl.txt/dvl", {"u"}}).rows[2], ElementsAre(9.0));
+}
+
 // Two parts of one recording; the second has one sensor more, and its name sorts first.
 TEST(JoinedRecording, PartsOfAChannelFollowEachOtherInTime) {
   const std::vector<Field> one = {{"a", ""}}, two = {{"b", ""}, {"a", ""}};

@@ -86,7 +86,10 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
     formats.insert(part.recording->contents().format);
     for (const Channel& channel : part.recording->contents().channels) {
       const auto [known, is_new] = type_of.emplace(channel.name, channel.type);
-      if (!is_new && known->second != channel.type) names_of_several_types_.insert(channel.name);
+      const bool is_table = part.recording->contents().format == "csv";
+      if (!is_new && (is_table || known->second != channel.type)) {
+        names_of_several_types_.insert(channel.name);
+      }
     }
   }
   contents_.format = formats.size() == 1 ? *formats.begin() : "several";

@@ -3,6 +3,7 @@
 
 #include "fathom/import/suggest/ardupilot_map.h"
 
+#include "fathom/import/suggest/autopilot_readiness.h"
 #include "fathom/import/suggest/channel_facts.h"
 
 #include <string>
@@ -87,15 +88,8 @@ SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicl
   if (!ekf.empty()) map.text += MotionText(contents, ekf);
   if (outputs.empty()) map.text += "# no RCOU: the log has no thruster outputs.\n";
   if (ekf.empty()) map.text += "# no XKF1 or NKF1: the log has no motion.\n";
-  const bool has_both = !outputs.empty() && !ekf.empty();
-  map.needs_vehicle = has_both && !vehicle;
-  map.is_ready = has_both && vehicle;
-  if (map.is_ready && NumOutputs(recording, outputs) < std::ssize(vehicle->thrusters)) {
-    map.is_ready = false;
-    map.text += fmt::format("# the log drives {} outputs, the vehicle has {} thrusters.\n",
-                            NumOutputs(recording, outputs),
-                            vehicle->thrusters.size());
-  }
+  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  JudgeReadiness(!outputs.empty() && !ekf.empty(), num_outputs, vehicle, &map);
   return map;
 }
 

@@ -3,6 +3,7 @@
 
 #include "fathom/import/suggest/px4_map.h"
 
+#include "fathom/import/suggest/autopilot_readiness.h"
 #include "fathom/import/suggest/channel_facts.h"
 
 #include <array>
@@ -133,15 +134,7 @@ SuggestedMap Px4Map(const Recording& recording, const std::optional<Vehicle>& ve
   } else {
     map.text += "# no vehicle_local_position and vehicle_attitude: the log has no motion.\n";
   }
-  const bool has_both = outputs.count > 0 && has_motion;
-  map.needs_vehicle = has_both && !vehicle;
-  map.is_ready = has_both && vehicle;
-  if (map.is_ready && outputs.count < static_cast<int>(vehicle->thrusters.size())) {
-    map.is_ready = false;
-    map.text += fmt::format("# the log drives {} outputs, the vehicle has {} thrusters.\n",
-                            outputs.count,
-                            vehicle->thrusters.size());
-  }
+  JudgeReadiness(outputs.count > 0 && has_motion, outputs.count, vehicle, &map);
   return map;
 }
 

@@ -3,6 +3,7 @@
 
 #include "fathom/import/suggest/tlog_map.h"
 
+#include "fathom/import/suggest/autopilot_readiness.h"
 #include "fathom/import/suggest/channel_facts.h"
 
 #include <string>
@@ -82,15 +83,8 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
   } else {
     map.text += "# no LOCAL_POSITION_NED and ATTITUDE: the log has no motion.\n";
   }
-  const bool has_both = !outputs.empty() && has_motion;
-  map.needs_vehicle = has_both && !vehicle;
-  map.is_ready = has_both && vehicle;
-  if (map.is_ready && NumOutputs(recording, outputs) < std::ssize(vehicle->thrusters)) {
-    map.is_ready = false;
-    map.text += fmt::format("# the log drives {} outputs, the vehicle has {} thrusters.\n",
-                            NumOutputs(recording, outputs),
-                            vehicle->thrusters.size());
-  }
+  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  JudgeReadiness(!outputs.empty() && has_motion, num_outputs, vehicle, &map);
   return map;
 }
 
