@@ -8,7 +8,9 @@
 #include <ostream>
 #include <string>
 
+#include "filmed_minute.h"
 #include "run_tool.h"
+#include "saved_files.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +62,24 @@ INSTANTIATE_TEST_SUITE_P(
         Hopeless{"fathom_compare", "--dofs", 0.0, "1e6", "the search did not converge"},
         Hopeless{"fathom_diagnose", "--dof", 10.0, "1e3", "no diagnosis: "}),
     [](const auto& info) { return info.param.tool; });
+
+// No motion under 1e9 N can be simulated.
+TEST(QuietSolver, KeepsItsLogToItselfInRefine) {
+  const Path folder = EmptyTestFolder();
+  const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
+  std::string command = "t,tau_surge\n";
+  for (int t = 0; t <= 60; t += 3) {
+    command += std::to_string(t) + (t % 2 == 0 ? ",-1e9\n" : ",1e9\n");
+  }
+  WriteTestFile(log / "command.csv", command);
+  const Path page = folder / "page.html";
+  const ToolRun run = RunToolBinary(
+      "fathom_refine", {"--log=" + log.string(), "--dof=surge", "--report=" + page.string()});
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));
+  EXPECT_THAT(run.err, Not(HasSubstr(".cc:")));
+  EXPECT_THAT(HeaderOf(TextOf(page)), HasSubstr("usable"));
+}
 
 }  // namespace
 }  // namespace fathom
