@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "run_tool.h"
@@ -16,9 +17,11 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
 const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
@@ -102,6 +105,60 @@ TEST(CompareTool, WritesAPageThatShowsEachDofAndNeedsNoNetwork) {
   EXPECT_THAT(flatfish.page, Not(HasSubstr("<script src=")));
   EXPECT_THAT(flatfish.page, Not(HasSubstr("<link")));
   EXPECT_THAT(flatfish.run.out, HasSubstr("velocity NMAE, held out"));
+}
+
+// The family of the row that is marked with * for its DOF, as --json has it.
+std::string MarkedFamily(const std::string& dof, const std::string& out) {
+  const std::size_t at = out.find("* " + dof);
+  const std::string row = at == std::string::npos ? "" : out.substr(at, out.find('\n', at) - at);
+  for (const auto& [title, family] :
+       std::vector<std::pair<std::string, std::string>>{{"Least squares", "least_squares"},
+                                                        {"Adaptive", "adaptive"},
+                                                        {"Output error", "output_error"}}) {
+    if (row.find(title) != std::string::npos) return family;
+  }
+  return "";
+}
+
+// The adaptive law has a quadratic damping of 176 +- 29, and nearly the best score.
+TEST(CompareTool, RecommendsAModelWhoseIntervalsHoldTheTruth) {
+  const std::map<std::string, double> truth = {// data/vehicles/flatfish.yaml
+                                               {"inertia", 851.05},
+                                               {"quadratic_damping", 8.62},
+                                               {"linear_damping", 39.57},
+                                               {"buoyancy", -0.81}};
+  const FlatfishRun flatfish(EmptyTestFolder());
+  const std::string family = MarkedFamily("surge", flatfish.run.out);
+  const auto comparison = nlohmann::json::parse(flatfish.json);
+  int num_held = 0;
+  for (const auto& row : comparison["rows"]) {
+    if (row["dof"] != "surge" || row["family"] != family) continue;
+    EXPECT_TRUE(row["usable"].get<bool>());
+    for (const auto& [name, value] : truth) {
+      const auto& parameter = row["parameters"][name];
+      EXPECT_NEAR(parameter["value"].get<double>(), value, 1.96 * parameter["std"].get<double>())
+          << name << " of " << family;
+      ++num_held;
+    }
+  }
+  EXPECT_EQ(num_held, 4);
+}
+
+// In yaw, 0.1330 and 0.1330 on a last minute of noise.
+TEST(CompareTool, CallsAsGoodWhatIsBetterByChance) {
+  const FlatfishRun flatfish(EmptyTestFolder());
+  const std::string header = HeaderOf(flatfish.page);
+  const std::size_t yaw = header.find("Yaw: ");
+  ASSERT_NE(yaw, std::string::npos) << header;
+  EXPECT_THAT(header.substr(yaw),
+              AllOf(StartsWith("Yaw: take Output error, velocity.csv."),
+                    HasSubstr("As good within chance: Least squares, velocity.csv")));
+}
+
+TEST(CompareTool, SaysInTheLegendThatTheScoreIsOfHeldOutData) {
+  const FlatfishRun flatfish(EmptyTestFolder());
+  EXPECT_NE(flatfish.page.find("\"held-out velocity NMAE 0.062\""), std::string::npos);
+  EXPECT_EQ(flatfish.page.find("\"velocity NMAE 0."), std::string::npos);
 }
 
 TEST(CompareTool, TheSameLogGivesTheSameBytes) {

@@ -18,6 +18,7 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
+#include "synthesized_log.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,40 +31,6 @@ using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
 const std::string kData = FATHOM_DATA_DIR;
-
-// A log of the vehicle under the experiment with `effects` hidden.
-Path Synthesized(const Path& vehicle,
-                 const Path& experiment,
-                 const std::string& effects,
-                 int seed,
-                 const Path& log) {
-  std::vector<std::string> arguments = {"--vehicle=" + vehicle.string(),
-                                        "--experiment=" + experiment.string(),
-                                        "--seed=" + std::to_string(seed),
-                                        "--out=" + log.string()};
-  if (!effects.empty()) arguments.push_back("--effects=" + effects);
-  const ToolRun run = RunToolBinary("fathom_synthesize", arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return log;
-}
-
-// A minute and a half of the vehicle of small_log.h, quickly diagnosed.
-Path SmallLogWith(const Path& folder,
-                  const std::string& name,
-                  const std::string& effects,
-                  int seed) {
-  const Path vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml());
-  const Path experiment =
-      WriteTestFile(folder / "multisine.yaml",
-                    "name: small_multisine\n"
-                    "duration: 90\n"
-                    "command_rate: 10\n"
-                    "surge: {control: open_loop, input: {kind: multisine, rms: 12, "
-                    "frequency: [0.15, 2], lines: 9}}\n"
-                    "velocity: {rate: 10, noise: {surge: 0.005}}\n"
-                    "held_out: [70, 90]\n");
-  return Synthesized(vehicle, experiment, effects, seed, folder / name);
-}
 
 ToolRun Diagnosed(const Path& log, std::vector<std::string> arguments = {}) {
   arguments.insert(arguments.begin(), "--log=" + log.string());

@@ -21,7 +21,10 @@ ToolRun RunToolBinary(const std::string& name,
   if (result.end == ChildEnd::kNotStarted) {
     throw std::runtime_error("cannot run " + binary + ": " + result.err);
   }
-  return {.exit_code = result.exit_code, .out = result.out, .err = result.err};
+  return {.exit_code = result.exit_code,
+          .out = result.out,
+          .err = result.err,
+          .peak_memory = result.peak_memory};
 }
 
 std::filesystem::path EmptyTestFolder() {

@@ -12,9 +12,10 @@ namespace fathom {
 
 // What a program did.
 struct ToolRun {
-  int exit_code = -1;  // 128 plus the signal's number if a signal ended it
-  std::string out;     // all of its stdout
-  std::string err;     // all of its stderr
+  int exit_code = -1;        // 128 plus the signal's number if a signal ended it
+  std::string out;           // all of its stdout
+  std::string err;           // all of its stderr
+  double peak_memory = 0.0;  // resident, at most [bytes]
 };
 
 // Runs a program of the build's tools/ folder to its end, without a shell; stdin is empty.

@@ -19,6 +19,12 @@ std::string TextOf(const std::filesystem::path& path) {
   return text.str();
 }
 
+std::string HeaderOf(const std::string& page) {
+  const std::size_t from = page.find("<header"), to = page.find("</header>");
+  if (from == std::string::npos || to == std::string::npos) return "";
+  return page.substr(from, to - from);
+}
+
 nlohmann::json JsonOf(const std::filesystem::path& path) {
   return nlohmann::json::parse(TextOf(path));
 }

@@ -14,6 +14,9 @@ namespace fathom {
 // The bytes of a file that a tool has written; empty if there is none.
 std::string TextOf(const std::filesystem::path& path);
 
+// What a page says above its first section: title, first sentences and tiles.
+std::string HeaderOf(const std::string& page);
+
 nlohmann::json JsonOf(const std::filesystem::path& path);
 
 // A CSV, read without Fathom's own reader: plain numbers below one line of names.

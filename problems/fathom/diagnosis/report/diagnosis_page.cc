@@ -135,7 +135,7 @@ std::string LabelsOf(const Diagnosis& diagnosis, const Cause& cause) {
   const std::vector<std::string> alternatives = LabelsOf(AlternativesOf(cause));
   if (alternatives.empty()) return label;
   if (alternatives.size() > 2) {
-    return fmt::format("{} or one of {} others", label, alternatives.size());
+    return fmt::format("{}, or another effect {}", label, PlacesText(diagnosis, cause));
   }
   return fmt::format("{} or {}", label, fmt::join(alternatives, " or "));
 }
