@@ -21,6 +21,8 @@ struct Series {
 
   // Of a band to either side of the curve, shaded; one for each value, or empty: no band.
   std::vector<double> half_width = {};
+
+  bool is_faded = false;  // of a page: thin and pale until a reader asks for it
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus

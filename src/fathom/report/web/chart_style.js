@@ -16,6 +16,12 @@ const element = (tag, kind, text = "") => {
   made.textContent = text;
   return made;
 };
+
+// A faded curve is thin and pale until it is asked for or pointed at.
+const isPale = (curve) => curve.is_faded && !curve.isAsked && !curve.isPointedAt;
+const strokeOf = (curve) => (isPale(curve) ? `${shown(curve.color)}4d` : shown(curve.color));
+const widthOf = (curve, width) => (isPale(curve) ? 1 : width);
+
 const withUnit = (name, unit) => (unit ? `${name} [${unit}]` : name);
 
 // Writes numbers with the decimals that suit the largest of them.

@@ -1,5 +1,6 @@
 "use strict";
-// One button for each curve: shows and hides it, and reads out its value below the cursor.
+// One button for each curve: shows and hides it, or brings out a faded one and fades it again. It reads
+// out its value below the cursor.
 const makeLegend = (group, panel, curves) => {
   const hasNotes = curves.some((curve) => curve.note);
   const legend = element("div", hasNotes ? "legend" : "legend one-line");
@@ -10,8 +11,9 @@ const makeLegend = (group, panel, curves) => {
   const buttons = curves.map((curve) => {
     const button = element("button", "");
     button.type = "button";
-    button.setAttribute("aria-pressed", "true");
-    button.title = "Show or hide";
+    button.classList.toggle("faded", curve.is_faded);
+    button.setAttribute("aria-pressed", String(!curve.is_faded));
+    button.title = curve.is_faded ? "Bring out or fade" : "Show or hide";
     const swatch = element("span", "swatch");
     swatch.style.background = shown(curve.color);
     swatch.dataset.color = curve.color;
@@ -23,14 +25,22 @@ const makeLegend = (group, panel, curves) => {
     button.addEventListener("click", () => {
       const show = button.getAttribute("aria-pressed") === "false";
       button.setAttribute("aria-pressed", String(show));
+      if (curve.is_faded) {
+        curve.isAsked = show;
+        repaint(curve);
+        return;
+      }
       for (const [plot, index] of [...curve.drawn, ...(curve.edges ?? [])]) plot.setSeries(index, {show});
     });
-    button.addEventListener("mouseenter", () => {
-      for (const [plot, index] of curve.drawn) plot.setSeries(index, {focus: true});
-    });
-    button.addEventListener("mouseleave", () => {
-      for (const [plot] of curve.drawn) plot.setSeries(null, {focus: true});
-    });
+    const point = (isPointedAt) => {
+      curve.isPointedAt = isPointedAt;
+      if (curve.is_faded) repaint(curve);
+      for (const [plot, index] of curve.drawn) plot.setSeries(isPointedAt ? index : null, {focus: true});
+    };
+    button.addEventListener("mouseenter", () => point(true));
+    button.addEventListener("mouseleave", () => point(false));
+    button.addEventListener("focus", () => { if (button.matches(":focus-visible")) point(true); });
+    button.addEventListener("blur", () => point(false));
     legend.append(button);
     return {readOut, curve, atRest};
   });

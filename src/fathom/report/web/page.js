@@ -5,6 +5,7 @@
   const errors = [];
   window.addEventListener("error", (event) => errors.push(event.message));
 
+  const WIDTHS = {measured: 2.5, response: 1.6, residual: 1.2};  // [px]
   const HEIGHTS = {response: 300, residual: 170, lone: 190};  // [px]
   const LOW_HEIGHTS = {response: 180, residual: 150, lone: 150};
 
@@ -14,8 +15,8 @@
       return null;
     }
     const curves = [];
-    if (panel.measured) curves.push({...panel.measured, width: 2.5, drawn: []});
-    for (const response of panel.responses) curves.push({...response, width: 1.6, drawn: []});
+    if (panel.measured) curves.push({...panel.measured, width: WIDTHS.measured, drawn: []});
+    for (const response of panel.responses) curves.push({...response, width: WIDTHS.response, drawn: []});
     if (panel.has_residuals) {
       const measured = panel.measured.values;
       for (const curve of curves.slice(1)) {
@@ -24,25 +25,32 @@
       }
     }
 
+    // Faded curves lie behind the full ones.
+    const isResponse = (curve) => curve !== curves[0] || !panel.measured;
+    const depth = (curve) => (isResponse(curve) && !curve.is_faded ? 1 : 0);
+    const stacked = [...curves].sort((one, other) => depth(one) - depth(other));
+    const responses = stacked.filter(isResponse);
+
     const legend = makeLegend(group, panel, curves);
     place.append(legend);
     const plots = [];
     const heights = panel.is_low ? LOW_HEIGHTS : HEIGHTS;
     const isSmall = !panel.measured && curves.length === 1;
     plots.push(makePlot(group, panel, place, {
-      label: withUnit(panel.quantity, panel.unit), series: curves,
+      label: withUnit(panel.quantity, panel.unit),
+      series: stacked.map((curve) => ({curve, values: curve.values, low: curve.low, high: curve.high, width: curve.width})),
       height: isSmall ? heights.lone : heights.response, hasTimeLabel: !panel.has_residuals,
     }));
     let edge = 0;
-    for (const curve of curves) if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
-    curves.forEach((curve, i) => curve.drawn.push([plots[0], edge + i + 1]));
+    for (const curve of stacked) if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
+    stacked.forEach((curve, i) => curve.drawn.push([plots[0], edge + i + 1, curve.width]));
     if (panel.has_residuals) {
       plots.push(makePlot(group, panel, place, {
         label: withUnit("residual", panel.unit),
-        series: curves.slice(1).map((curve) => ({...curve, values: curve.residual, low: null, width: 1.2})),
+        series: responses.map((curve) => ({curve, values: curve.residual, width: WIDTHS.residual})),
         height: heights.residual, hasTimeLabel: true,
       }));
-      curves.slice(1).forEach((curve, i) => curve.drawn.push([plots[1], i + 1]));
+      responses.forEach((curve, i) => curve.drawn.push([plots[1], i + 1, WIDTHS.residual]));
     }
     for (const plot of plots) {
       plot.hooks.setCursor = [(self) => legend.update(self.cursor.left >= 0 ? self.cursor.idx : null)];
@@ -59,7 +67,7 @@
     if (!one) continue;
     if (!drawn.some((other) => other.group === group)) {
       place.append(element("p", "hint on-screen",
-        "Drag to zoom, double-click to reset; a click on a name hides its curve."));
+        "Drag to zoom, double-click to reset; a click on a name hides its curve or brings a pale one out."));
     }
     drawn.push({...one, group});
   }

@@ -58,6 +58,14 @@ const linkedGroup = (key, panels) => {
   return group;
 };
 
+// Draws a curve anew after it was asked for or pointed at.
+const repaint = (curve) => {
+  for (const [plot, index, width] of curve.drawn) {
+    plot.series[index].width = widthOf(curve, width);
+    plot.redraw(false);
+  }
+};
+
 // The edges of the bands of those curves that have one: low and high of each in turn. They come
 // before the curves, as curves without ink, so that a band does not tint what lies over it.
 const edgesOf = (series) => series.flatMap((one) => (one.low ? [one.low, one.high] : []));
@@ -92,15 +100,15 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     bands: series.flatMap((one, i) => {
       if (!one.low) return [];
       const low = 1 + 2 * series.slice(0, i).filter((other) => other.low).length;
-      return [{series: [low + 1, low], fill: `${one.color}38`}];
+      return [{series: [low + 1, low], fill: `${one.curve.color}38`}];
     }),
     series: [{}, ...edges.map(() => ({width: 0, spanGaps: false, points: {show: false}})), ...series.map((one) => ({
-      label: one.name,
-      stroke: () => shown(one.color),
-      width: one.width,
+      label: one.curve.name,
+      stroke: () => strokeOf(one.curve),
+      width: widthOf(one.curve, one.width),
       spanGaps: false,
       paths: panel.is_stepped ? uPlot.paths.stepped({align: 1}) : undefined,
-      points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: () => shown(one.color)},
+      points: {show: panel.time.length <= FEW_STAMPS, size: 5, fill: () => strokeOf(one.curve)},
     }))],
     hooks: {
       drawClear: [shade(panel.held_out)],
@@ -111,7 +119,7 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     },
   }, [panel.time, ...edges, ...series.map((one) => one.values)], place);
   plot.ctx.canvas.setAttribute("role", "img");
-  plot.ctx.canvas.setAttribute("aria-label", `${label} over time: ${series.map((one) => one.name).join(", ")}`);
+  plot.ctx.canvas.setAttribute("aria-label", `${label} over time: ${series.map((one) => one.curve.name).join(", ")}`);
   group.plots.push(plot);
   new ResizeObserver(() => {
     if (place.clientWidth && place.clientWidth !== plot.width) {
