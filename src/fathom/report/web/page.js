@@ -32,11 +32,12 @@
     const responses = stacked.filter(isResponse);
 
     const legend = makeLegend(group, panel, curves);
-    place.append(legend);
+    const frame = element("div", "plots");
+    place.append(legend, frame);
     const plots = [];
     const heights = panel.is_low ? LOW_HEIGHTS : HEIGHTS;
     const isSmall = !panel.measured && curves.length === 1;
-    plots.push(makePlot(group, panel, place, {
+    plots.push(makePlot(group, panel, frame, {
       label: withUnit(panel.quantity, panel.unit),
       series: stacked.map((curve) => ({curve, values: curve.values, low: curve.low, high: curve.high, width: curve.width})),
       height: isSmall ? heights.lone : heights.response, hasTimeLabel: !panel.has_residuals,
@@ -45,7 +46,7 @@
     for (const curve of stacked) if (curve.low) curve.edges = [[plots[0], ++edge], [plots[0], ++edge]];
     stacked.forEach((curve, i) => curve.drawn.push([plots[0], edge + i + 1, curve.width]));
     if (panel.has_residuals) {
-      plots.push(makePlot(group, panel, place, {
+      plots.push(makePlot(group, panel, frame, {
         label: withUnit("residual", panel.unit),
         series: responses.map((curve) => ({curve, values: curve.residual, width: WIDTHS.residual})),
         height: heights.residual, hasTimeLabel: true,
@@ -55,6 +56,7 @@
     for (const plot of plots) {
       plot.hooks.setCursor = [(self) => legend.update(self.cursor.left >= 0 ? self.cursor.idx : null)];
     }
+    frame.append(saveButton(`${panel.quantity} over time`, () => columnsOf(panel)));
     return {panel, curves, legend, plots};
   };
 
@@ -70,6 +72,11 @@
         "Drag to zoom, double-click to reset; a click on a name hides its curve or brings a pale one out."));
     }
     drawn.push({...one, group});
+  }
+
+  for (const figure of document.querySelectorAll(".scatter[data-columns]")) {
+    const columns = JSON.parse(figure.dataset.columns);
+    figure.append(saveButton(`${columns[1].name} over ${columns[0].name}`, () => columns));
   }
 
   // Paper is narrower than most windows.
