@@ -14,6 +14,7 @@ extern const std::string_view uplot_license;
 extern const std::string_view chart_style_js;
 extern const std::string_view time_plot_js;
 extern const std::string_view legend_js;
+extern const std::string_view chart_keys_js;
 extern const std::string_view csv_js;
 extern const std::string_view page_selftest_js;
 extern const std::string_view page_js;

@@ -1,6 +1,10 @@
 "use strict";
 // Draws the charts over time. The data stand in the element #data: a list of panels for each section,
 // written by time_chart_json.cc.
+
+// Every panel that is drawn: {panel, curves, legend, plots, group}.
+const drawn = [];
+
 (() => {
   const errors = [];
   window.addEventListener("error", (event) => errors.push(event.message));
@@ -56,20 +60,21 @@
     for (const plot of plots) {
       plot.hooks.setCursor = [(self) => legend.update(self.cursor.left >= 0 ? self.cursor.idx : null)];
     }
+    listenToKeys(frame, group, `${panel.quantity} over time`);
     frame.append(saveButton(`${panel.quantity} over time`, () => columnsOf(panel)));
     return {panel, curves, legend, plots};
   };
 
   const sections = JSON.parse(document.getElementById("data").textContent);
   const groups = sections.map((panels, index) => linkedGroup(`section-${index}`, panels));
-  const drawn = [];
   for (const place of document.querySelectorAll(".chart")) {
     const group = groups[place.dataset.section];
     const one = drawPanel(group, sections[place.dataset.section][place.dataset.panel], place);
     if (!one) continue;
     if (!drawn.some((other) => other.group === group)) {
       place.append(element("p", "hint on-screen",
-        "Drag to zoom, double-click to reset; a click on a name hides its curve or brings a pale one out."));
+        "Drag to zoom, double-click to reset; keys: + − zoom, ← → move, 0 resets. " +
+        "A click on a name hides its curve or brings a pale one out."));
     }
     drawn.push({...one, group});
   }
