@@ -72,6 +72,9 @@ const drawn = [];
     const one = drawPanel(group, sections[place.dataset.section][place.dataset.panel], place);
     if (!one) continue;
     if (!drawn.some((other) => other.group === group)) {
+      if (group.cuts.length) {
+        place.append(element("p", "hint", "Silences are cut out at the marks //; the times at the axis are true."));
+      }
       place.append(element("p", "hint on-screen",
         "Drag to zoom, double-click to reset; keys: + − zoom, ← → move, 0 resets. " +
         "A click on a name hides its curve or brings a pale one out."));
@@ -122,5 +125,5 @@ const drawn = [];
   });
   // "#zoom=20,40" opens the page with every chart zoomed to these times.
   const zoom = /^#zoom=([-0-9.]+),([-0-9.]+)$/.exec(location.hash);
-  if (zoom) for (const group of groups) group.zoom(Number(zoom[1]), Number(zoom[2]));
+  if (zoom) for (const group of groups) group.zoom(placeOf(group.cuts, Number(zoom[1])), placeOf(group.cuts, Number(zoom[2])));
 })();

@@ -36,17 +36,48 @@ const labelShades = (held_out) => (plot) => {
   ctx.restore();
 };
 
-// The charts of one section share their time axis.
+// The marks at which silences are cut out of the axis.
+const markCuts = (cuts) => (plot) => {
+  const {ctx, bbox} = plot;
+  const scale = uPlot.pxRatio;
+  const bottom = bbox.top + bbox.height;
+  ctx.save();
+  ctx.strokeStyle = colorOf("muted");
+  ctx.lineWidth = 1.2 * scale;
+  for (const {from, to} of cuts) {
+    const left = plot.valToPos(placeOf(cuts, from), "x", true);
+    const right = plot.valToPos(placeOf(cuts, to), "x", true);
+    if (left < bbox.left || right > bbox.left + bbox.width) continue;
+    ctx.fillStyle = colorOf("paper");
+    ctx.fillRect(left, bbox.top, right - left, bbox.height + scale);
+    const middle = (left + right) / 2;
+    for (const x of [middle - 2 * scale, middle + 2 * scale]) {
+      ctx.beginPath();
+      ctx.moveTo(x - 3 * scale, bottom + 6 * scale);
+      ctx.lineTo(x + 3 * scale, bottom - 6 * scale);
+      ctx.stroke();
+    }
+  }
+  ctx.restore();
+};
+
+// The charts of one section share their time axis. Its places are times with the silences cut out.
 const linkedGroup = (key, panels) => {
+  const cuts = cutsBetween(stretchesOf(panels));
+  const place = (time) => placeOf(cuts, time);
+  for (const panel of panels) {
+    panel.places = cuts.length ? panel.time.map(place) : panel.time;
+    panel.held_out = panel.held_out.map((interval) => interval.map(place));
+  }
   let first = Infinity;
   let last = -Infinity;
   for (const panel of panels) {
-    if (!panel.time.length) continue;
-    first = Math.min(first, panel.time[0]);
-    last = Math.max(last, panel.time[panel.time.length - 1]);
+    if (!panel.places.length) continue;
+    first = Math.min(first, panel.places[0]);
+    last = Math.max(last, panel.places[panel.places.length - 1]);
   }
   if (!(first < last)) [first, last] = first === last ? [first - 1, last + 1] : [0, 1];
-  const group = {key, first, last, plots: [], onZoom: [], isZoomed: false};
+  const group = {key, cuts, first, last, plots: [], onZoom: [], isZoomed: false};
   group.zoom = (min, max) => {
     group.isZoomed = min > group.first || max < group.last;
     for (const plot of group.plots) {
@@ -71,11 +102,17 @@ const repaint = (curve) => {
 const edgesOf = (series) => series.flatMap((one) => (one.low ? [one.low, one.high] : []));
 
 const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
-  const own = [panel.time[0], panel.time[panel.time.length - 1]];
+  const own = [panel.places[0], panel.places[panel.places.length - 1]];
   const ink = () => colorOf("muted");
   const grid = () => colorOf("grid");
   const axis = {stroke: ink, font: FONT, labelFont: FONT, grid: {stroke: grid, width: 1},
                 ticks: {stroke: grid, width: 1, size: 5}};
+  const {cuts} = group;
+  const timeAxis = cuts.length ? {
+    ...axis,
+    splits: (_, index, min, max, step) => roundTimes(cuts, [min, max], step).map((time) => placeOf(cuts, time)),
+    values: (_, places) => places.map((one) => uPlot.fmtNum(Number(timeOf(cuts, one).toFixed(6)))),
+  } : axis;
   const edges = edgesOf(series);
   const offset = panel.time_offset ? ` + ${panel.time_offset}` : "";
   const plot = new uPlot({
@@ -93,8 +130,8 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
             (min == null || (min === own[0] && max === own[1]) ? [group.first, group.last] : [min, max])},
     },
     axes: [
-      hasTimeLabel ? {...axis, label: `time [s]${offset}`, labelSize: 20, size: 30}
-                   : {...axis, size: 10, values: (_, ticks) => ticks.map(() => "")},
+      hasTimeLabel ? {...timeAxis, label: `time [s]${offset}`, labelSize: 20, size: 30}
+                   : {...timeAxis, size: 10, values: (_, ticks) => ticks.map(() => "")},
       {...axis, label, labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
     ],
     bands: series.flatMap((one, i) => {
@@ -112,12 +149,12 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     }))],
     hooks: {
       drawClear: [shade(panel.held_out)],
-      draw: [labelShades(panel.held_out)],
+      draw: [markCuts(cuts), labelShades(panel.held_out)],
       setScale: [(self, scale) => {
         if (scale === "x") group.zoom(self.scales.x.min, self.scales.x.max);
       }],
     },
-  }, [panel.time, ...edges, ...series.map((one) => one.values)], place);
+  }, [panel.places, ...edges, ...series.map((one) => one.values)], place);
   plot.ctx.canvas.setAttribute("role", "img");
   plot.ctx.canvas.setAttribute("aria-label", `${label} over time: ${series.map((one) => one.curve.name).join(", ")}`);
   group.plots.push(plot);
