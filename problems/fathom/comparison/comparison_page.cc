@@ -280,6 +280,7 @@ std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
     panel.name = kParameterInfo[i].name;
     std::replace(panel.name.begin(), panel.name.end(), '_', ' ');
     panel.unit = ParameterUnit(i, comparison.dof, comparison.scored.force_unit);
+    panel.lower_bound = kParameterInfo[i].lower_bound;
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable) continue;
       panel.estimates.push_back(

@@ -57,6 +57,11 @@ struct ParameterPanel {
   std::vector<Estimate> estimates = {};
   std::optional<double> reference = {};  // a line across: the truth, a value from a data sheet
   std::string reference_name = "truth";
+
+  // What the parameter can be: bars end there, open. An estimate beyond a bound keeps its whole
+  // bar.
+  double lower_bound = -std::numeric_limits<double>::infinity();
+  double upper_bound = std::numeric_limits<double>::infinity();
 };
 
 // Points of one quantity over another, with the course of their means and of another quantity's
