@@ -219,13 +219,15 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
   panel.quantity = fmt::format("{} velocity", Name(comparison.dof));
   panel.unit = VelocityUnit(comparison.dof);
   panel.measured = Series{"measured", {}, ""};
+  const Identification* const taken = Recommend(comparison).taken;
   for (const Identification& row : comparison.rows) {
     if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
-    panel.responses.push_back({ModelName(row),
-                               {},
-                               fmt::format("{}velocity NMAE {:.3f}",
-                                           HasHeldOut(comparison) ? "held-out " : "",
-                                           ScoreOf(comparison, row))});
+    Series& response = panel.responses.emplace_back();
+    response.name = ModelName(row);
+    response.note = fmt::format("{}velocity NMAE {:.3f}",
+                                HasHeldOut(comparison) ? "held-out " : "",
+                                ScoreOf(comparison, row));
+    response.is_faded = taken != nullptr && &row != taken;
   }
   const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);
   if (const size_t num_logs = NumLogs(placed); num_logs > 1) {
@@ -278,6 +280,7 @@ std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
     panel.name = kParameterInfo[i].name;
     std::replace(panel.name.begin(), panel.name.end(), '_', ' ');
     panel.unit = ParameterUnit(i, comparison.dof, comparison.scored.force_unit);
+    panel.lower_bound = kParameterInfo[i].lower_bound;
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable) continue;
       panel.estimates.push_back(

@@ -23,7 +23,7 @@ Table ParameterTable(const DofComparison& comparison);
 std::vector<std::string> CommentsOn(const DofComparison& comparison);
 
 // The paper's Fig. 5 for one DOF: what was measured against each usable model's free run, over the
-// whole log, in seconds since its first sample.
+// whole log, in seconds since its first sample. All models but the recommended one are faded.
 TimePanel ResponsePanel(const DofComparison& comparison);
 
 // The command over the same time.

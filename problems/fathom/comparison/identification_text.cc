@@ -58,7 +58,7 @@ Table ParameterTable(const Identification& identification) {
   const ParameterVector values = ToVector(fitted.model);
   Table table;
   table.columns = {
-      {"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}, {"own share", true}};
+      {"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}, {"unique effect", true}};
   for (int i = 0; i < kNumParameters; ++i) {
     table.rows.push_back(RowOf(kParameterInfo[i].name,
                                {values[i], std::sqrt(fitted.covariance(i, i))},
@@ -124,13 +124,16 @@ std::string FormatIdentification(const Identification& identification,
         fitted.force_unit);
   }
   if (std::isfinite(identification.condition_number)) {
-    text +=
-        fmt::format("condition number {:.1f}; own share: share that only this parameter explains\n",
-                    identification.condition_number);
+    text += fmt::format(
+        "condition number {:.1f}; unique effect: the part that no other parameter can imitate\n",
+        identification.condition_number);
   }
   if (!identification.weighting_reason.empty()) {
     text += fmt::format(
-        "weighting: {}. {}\n", identification.weighting, identification.weighting_reason);
+        "weighting: {} ({}). {}\n",
+        identification.weighting,
+        identification.weighting == "plain" ? "all samples alike" : "by the noise in the residual",
+        identification.weighting_reason);
   }
   text += FiguresText("training", fitted.train, VelocityUnit(fitted.dof));
   text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));

@@ -77,10 +77,9 @@ void DescribeDelay(std::span<const Segment> segments, OutputErrorSummary* summar
 
 std::string CaveatOnDamping(int parameter, double value, double half_width, double share) {
   if (!(half_width > value)) return "";
-  const std::string reason =
-      share < kSmallShare
-          ? fmt::format("the share that only this parameter explains is {:.0f} %", 100.0 * share)
-          : std::string("its effect is below the noise");
+  const std::string reason = share < kSmallShare
+                                 ? fmt::format("its unique effect is {:.0f} %", 100.0 * share)
+                                 : std::string("its effect is below the noise");
   return fmt::format("This log does not determine {}: {:.3g} ± {:.2g} (95 %), because {}. {}",
                      Spaced(kParameterInfo[parameter].name),
                      value,

@@ -248,7 +248,7 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
   const auto more = MoreMissedOfLeftOutRuns(segments, options, plain, fit);
   if (!more || *more < 0.0) return chosen;
   plain.weighting_reason = fmt::format(
-      "Learned weights do not predict left-out runs better: they miss {:.1f} % more of them.",
+      "Learned weights do not predict runs that the fit left out better: they miss {:.1f} % more.",
       100.0 * *more);
   return plain;
 }

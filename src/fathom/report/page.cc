@@ -127,6 +127,13 @@ std::string RenderPage(const Page& page) {
   framed.scripts = {
       fmt::format(
           "/* uPlot draws the charts. Its licence:\n{}*/\n{}\n", web::uplot_license, web::uplot_js),
+      std::string(web::chart_style_js),
+      std::string(web::time_cuts_js),
+      std::string(web::time_plot_js),
+      std::string(web::legend_js),
+      std::string(web::chart_keys_js),
+      std::string(web::csv_js),
+      std::string(web::page_selftest_js),
       std::string(web::page_js)};
 
   std::string& html = framed.body;

@@ -21,6 +21,8 @@ struct Series {
 
   // Of a band to either side of the curve, shaded; one for each value, or empty: no band.
   std::vector<double> half_width = {};
+
+  bool is_faded = false;  // of a page: thin and pale until a reader asks for it
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus
@@ -55,6 +57,11 @@ struct ParameterPanel {
   std::vector<Estimate> estimates = {};
   std::optional<double> reference = {};  // a line across: the truth, a value from a data sheet
   std::string reference_name = "truth";
+
+  // What the parameter can be: bars end there, open. An estimate beyond a bound keeps its whole
+  // bar.
+  double lower_bound = -std::numeric_limits<double>::infinity();
+  double upper_bound = std::numeric_limits<double>::infinity();
 };
 
 // Points of one quantity over another, with the course of their means and of another quantity's

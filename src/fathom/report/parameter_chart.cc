@@ -39,18 +39,29 @@ std::string WithUnit(const std::string& value, const std::string& unit) {
   return unit.empty() ? value : value + " " + UnitText(unit);
 }
 
+// Whether an end of a bar stands at a bound of the parameter, short of the interval's.
+std::string OpenEnds(const Estimate& estimate, const ChartRange& bar) {
+  const double half = kStdsOf95 * estimate.std;
+  return std::string(bar.from > estimate.value - half ? " open-left" : "") +
+         (bar.to < estimate.value + half ? " open-right" : "");
+}
+
 // Bar, dot and the arrows that stand for what lies outside.
-std::string MarksHtml(const Estimate& estimate, const ChartRange& range, std::string_view color) {
+std::string MarksHtml(const Estimate& estimate,
+                      const ParameterPanel& panel,
+                      const ChartRange& range,
+                      std::string_view color) {
   if (!std::isfinite(estimate.value)) return R"(<span class="none">no estimate</span>)";
-  const double half = std::isnan(estimate.std) ? 0.0 : kStdsOf95 * estimate.std;
-  const double left = Place(estimate.value - half, range);
-  const double right = Place(estimate.value + half, range);
+  const ChartRange bar = BarOf(estimate, panel);
+  const double left = Place(bar.from, range);
+  const double right = Place(bar.to, range);
   const double dot = Place(estimate.value, range);
   std::string html;
   const double shown_left = std::clamp(left, 0.0, 100.0);
   const double shown_right = std::clamp(right, 0.0, 100.0);
   if (shown_right > shown_left) {
-    html += fmt::format(R"(<i class="bar" style="left:{:.2f}%;width:{:.2f}%;background:{}"></i>)",
+    html += fmt::format(R"(<i class="bar{}" style="left:{:.2f}%;width:{:.2f}%;background:{}"></i>)",
+                        OpenEnds(estimate, bar),
                         shown_left,
                         shown_right - shown_left,
                         color);
@@ -63,18 +74,26 @@ std::string MarksHtml(const Estimate& estimate, const ChartRange& range, std::st
   return html;
 }
 
-std::string HoverText(const Estimate& estimate, const std::string& unit) {
+std::string HoverText(const Estimate& estimate, const ParameterPanel& panel) {
   if (!std::isfinite(estimate.value)) return estimate.name + ": no estimate";
   std::string text = fmt::format("{}: {:.6g}", estimate.name, estimate.value);
   if (!std::isnan(estimate.std)) {
-    text += fmt::format(", 95 % interval {:.6g} to {:.6g}",
-                        estimate.value - kStdsOf95 * estimate.std,
-                        estimate.value + kStdsOf95 * estimate.std);
+    const ChartRange bar = BarOf(estimate, panel);
+    text += fmt::format(", 95 % interval {:.6g} to {:.6g}", bar.from, bar.to);
   }
-  return WithUnit(text, unit);
+  return WithUnit(text, panel.unit);
 }
 
 }  // namespace
+
+ChartRange BarOf(const Estimate& estimate, const ParameterPanel& panel) {
+  const double value = estimate.value;
+  const double half = std::isnan(estimate.std) ? 0.0 : kStdsOf95 * estimate.std;
+  ChartRange bar{value - half, value + half};
+  if (value >= panel.lower_bound) bar.from = std::max(bar.from, panel.lower_bound);
+  if (value <= panel.upper_bound) bar.to = std::min(bar.to, panel.upper_bound);
+  return bar;
+}
 
 ChartRange RangeOf(const ParameterPanel& panel) {
   std::vector<double> values;
@@ -103,8 +122,9 @@ ChartRange RangeOf(const ParameterPanel& panel) {
     if (!std::isfinite(estimate.value)) continue;
     include(estimate.value);
     if (!std::isfinite(estimate.std)) continue;
-    include(estimate.value - kStdsOf95 * estimate.std);
-    include(estimate.value + kStdsOf95 * estimate.std);
+    const ChartRange bar = BarOf(estimate, panel);
+    include(bar.from);
+    include(bar.to);
   }
   if (panel.reference) include(*panel.reference);
 
@@ -164,10 +184,10 @@ std::string ParameterChartHtml(const ParameterPanel& panel, Palette& palette) {
     html += fmt::format(
         R"(<span class="name" title="{0}">{1}</span><span class="track" title="{0}">{2}{3}</span><span class="value">{4}</span>)"
         "\n",
-        HtmlText(HoverText(estimate, panel.unit)),
+        HtmlText(HoverText(estimate, panel)),
         HtmlText(estimate.name),
         lines,
-        MarksHtml(estimate, range, palette.ColorOf(estimate.name)),
+        MarksHtml(estimate, panel, range, palette.ColorOf(estimate.name)),
         HtmlText(FormatValue(estimate.value, estimate.std)));
   }
   html += R"(<span></span><span class="axis">)";

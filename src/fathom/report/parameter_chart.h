@@ -17,6 +17,10 @@ struct ChartRange {
   double to = 1.0;
 };
 
+// The 95 % interval of an estimate as a bar shows it: between the bounds of the panel, unless the
+// estimate lies beyond them. Without a finite deviation it is the estimate alone.
+ChartRange BarOf(const Estimate& estimate, const ParameterPanel& panel);
+
 // Holds every estimate, its interval and the reference, with a margin. An estimate or an end of an
 // interval that lies absurdly far from the others (over 25 times as far as is usual among them) is
 // left outside, so that one diverged fit does not squeeze the rest into a point.

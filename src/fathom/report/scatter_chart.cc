@@ -6,6 +6,7 @@
 #include "fathom/report/format_value.h"
 #include "fathom/report/html_text.h"
 #include "fathom/report/parameter_chart.h"
+#include "fathom/report/scatter_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,9 +99,9 @@ std::string AxesSvg(const Frame& frame) {
 
 // Points are strokes without length and with round ends: a few bytes each.
 std::string PointsSvg(const Frame& frame, const std::vector<Pair>& pairs) {
-  const std::size_t every = (pairs.size() + kMostPoints - 1) / kMostPoints;
+  const std::size_t every = DrawnEvery(pairs.size());
   std::string path;
-  for (std::size_t i = 0; i < pairs.size(); i += std::max<std::size_t>(every, 1)) {
+  for (std::size_t i = 0; i < pairs.size(); i += every) {
     if (pairs[i].y < frame.y.from || pairs[i].y > frame.y.to) continue;
     path += fmt::format("M{:.1f} {:.1f}h0", frame.Left(pairs[i].x), frame.Top(pairs[i].y));
   }
@@ -212,7 +213,9 @@ double ShareBetweenBins(const std::vector<double>& x, const std::vector<double>&
 std::string ScatterChartHtml(const ScatterPanel& panel, Palette& palette) {
   const std::vector<Pair> pairs = FinitePairs(panel.x, panel.y);
   std::string html =
-      fmt::format("<figure class=\"scatter\"><figcaption><b>{}</b>", HtmlText(panel.x_name));
+      fmt::format("<figure class=\"scatter\" data-columns=\"{}\"><figcaption><b>{}</b>",
+                  HtmlText(ScatterColumnsJson(panel)),
+                  HtmlText(panel.x_name));
   if (!panel.note.empty()) html += fmt::format("<em>{}</em>", HtmlText(panel.note));
   html += "</figcaption>\n";
   if (pairs.empty()) return html + "<p class=\"hint\">No data.</p></figure>\n";

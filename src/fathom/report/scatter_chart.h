@@ -6,14 +6,10 @@
 #include "fathom/report/palette.h"
 #include "fathom/report/panel.h"
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace fathom {
-
-// More points than this are thinned: every k-th is drawn. Means are of all of them.
-inline constexpr std::size_t kMostPoints = 1500;
 
 // The mean of what falls into one bin.
 struct BinMean {

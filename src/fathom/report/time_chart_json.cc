@@ -30,6 +30,7 @@ json SeriesJson(const Series& series,
   json curve = {{"name", series.name},
                 {"note", series.note},
                 {"color", color},
+                {"is_faded", series.is_faded},
                 {"values", std::move(values)}};
   if (!series.half_width.empty()) {
     json low = json::array(), high = json::array();

@@ -155,6 +155,15 @@ TEST(CommandPanel, HoldsTheCommandOverTheTimeOfTheMotion) {
   EXPECT_EQ(command.held_out[0].from, motion.held_out.at(0).from);
 }
 
+TEST(ResponsePanel, FadesAllModelsButTheRecommendedOne) {
+  const TimePanel panel =
+      ResponsePanel(HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.02, 0.09),
+                                 HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
+  ASSERT_EQ(panel.responses.size(), 2u);
+  EXPECT_TRUE(panel.responses[0].is_faded);
+  EXPECT_FALSE(panel.responses[1].is_faded);
+}
+
 TEST(ResponsePanel, LeavesOutModelsThatAreNotUsable) {
   const TimePanel panel = ResponsePanel(HandmadeDof({UnusableRow(Family::kLeastSquares)}));
   EXPECT_TRUE(panel.responses.empty());

@@ -134,7 +134,7 @@ TEST(Weighting, AutoStaysPlainWhereTheModelLacksStructure) {
   options.weighting = Weighting::kAuto;
   const auto fit = FitOutputError({&segment, 1}, options);
   EXPECT_EQ(fit.weighting, Weighting::kPlain);
-  EXPECT_THAT(fit.weighting_reason, HasSubstr("would suffer"));
+  EXPECT_THAT(fit.weighting_reason, HasSubstr("predict worse"));
 }
 
 TEST(Weighting, LearnedLeavesWildSamplesOut) {

@@ -42,6 +42,34 @@ addEventListener("message", (event) => {{
 }});
 </script><iframe width="{}" height="{}" style="border:0" src="file://{}{}"></iframe></body>)";
 
+// What a reader's script finds it with.
+constexpr const char* kReader = R"(<script>
+addEventListener("load", async () => {
+  const findings = {errors: ""};
+  addEventListener("error", (event) => { findings.errors += event.message; });
+  addEventListener("securitypolicyviolation", (event) => { findings.errors += event.violatedDirective; });
+  const wait = () => new Promise((done) => setTimeout(done, 60));
+  const inkOf = (canvas, color) => {
+    const wanted = [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (wanted.every((level, k) => Math.abs(pixels[i + k] - level) < 12)) ++count;
+    }
+    return count;
+  };
+  const read = async () => {
+    READER
+  };
+  await wait();
+  await read().catch((error) => { findings.errors += error; });
+  const report = document.createElement("pre");
+  report.id = "selftest";
+  report.textContent = Object.entries(findings).map(([name, value]) => `${name}=${value}\n`).join("");
+  document.body.append(report);
+});
+</script>)";
+
 // What Chromium writes to stdout when it opens the page at `hash`.
 std::string OutputOfChromium(const std::string& html,
                              const std::string& name,
@@ -94,6 +122,16 @@ std::string DomOf(const std::string& html, const std::string& name, const Window
                                       window.width,
                                       window.height,
                                       window.has_real_time ? "" : "--virtual-time-budget=8000"));
+}
+
+std::map<std::string, std::string> FindingsOf(const std::string& html,
+                                              const std::string& name,
+                                              const std::string& script) {
+  std::string reader = kReader;
+  reader.replace(reader.find("READER"), std::string("READER").size(), script);
+  std::string page = html;
+  page.insert(page.rfind("</body>"), reader);
+  return FindingsIn(DomOf(page, name, {.hash = ""}));
 }
 
 std::string PrintOf(const std::string& html, const std::string& name) {

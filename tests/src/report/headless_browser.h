@@ -30,6 +30,13 @@ struct Window {
 // frame only its findings are read, which it has to post to the window around it.
 std::string DomOf(const std::string& html, const std::string& name, const Window& window);
 
+// The findings of a reader that acts by `script`, the body of an async function: it fills the
+// object `findings`, waits with `await wait()` until all is drawn, and counts with `inkOf(canvas,
+// "#0072b2")` the pixels of about that colour.
+std::map<std::string, std::string> FindingsOf(const std::string& html,
+                                              const std::string& name,
+                                              const std::string& script);
+
 // The bytes of the PDF that printing the page gives; empty if there is none.
 std::string PrintOf(const std::string& html, const std::string& name);
 

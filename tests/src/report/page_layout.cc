@@ -43,7 +43,7 @@ addEventListener("load", async () => {
   if (isPrinted) dispatchEvent(new Event("beforeprint"));
   await wait();
   look("at first");
-  const screen = isPrinted ? ["Drag to zoom", "Reset zoom", "hover to read"].filter((text) => document.body.innerText.includes(text)) : [];
+  const screen = isPrinted ? ["Drag to zoom", "Reset zoom", "hover to read", "Save as CSV"].filter((text) => document.body.innerText.includes(text)) : [];
   if (!isPrinted) {
     for (const fold of document.querySelectorAll("details")) fold.open = true;
     await wait();

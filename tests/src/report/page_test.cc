@@ -112,8 +112,8 @@ TEST(Page, GivesAFamilyTheSameColourInEveryChart) {
   const std::string html = RenderPage(ExamplePage());
   // "adaptive" comes second in the first section; it has no response in the third, yet "joint"
   // keeps the colour it had. It has a dot for each of four parameters in three sections.
-  EXPECT_GT(Count(html, R"("color":"#d55e00","name":"adaptive")"), 0);
-  EXPECT_EQ(Count(html, R"("color":"#cc79a7","name":"joint")"), 3);
+  EXPECT_GT(Count(html, R"("color":"#d55e00","is_faded":false,"name":"adaptive")"), 0);
+  EXPECT_EQ(Count(html, R"("color":"#cc79a7","is_faded":false,"name":"joint")"), 3);
   EXPECT_EQ(Count(html, R"(background:#cc79a7"></i></span><span class="value">)"), 12);
 }
 

@@ -52,6 +52,32 @@ TEST(ParameterChart, AnEstimateAloneHasARange) {
   EXPECT_GT(range.to, 10.0);
 }
 
+TEST(ParameterChart, BarsEndAtWhatTheParameterCanBe) {
+  ParameterPanel panel = PanelOf({{"a", 10.0, 10.0}, {"b", 20.0, 1.0}, {"c", -1.0, 2.0}});
+  panel.lower_bound = 0.0;
+  EXPECT_EQ(BarOf(panel.estimates[0], panel).from, 0.0);
+  EXPECT_NEAR(BarOf(panel.estimates[0], panel).to, 29.6, kRounding);
+  EXPECT_NEAR(BarOf(panel.estimates[1], panel).from, 18.04, kRounding);
+  EXPECT_NEAR(BarOf(panel.estimates[2], panel).from, -4.92, kRounding);  // already beyond
+  panel.upper_bound = 21.0;
+  EXPECT_EQ(BarOf(panel.estimates[1], panel).to, 21.0);
+
+  Palette palette;
+  const std::string html = ParameterChartHtml(panel, palette);
+  EXPECT_THAT(html, HasSubstr(R"(<i class="bar open-left open-right")"));  // a
+  EXPECT_THAT(html, HasSubstr(R"(<i class="bar open-right")"));            // b
+  EXPECT_THAT(html, HasSubstr("a: 10, 95 % interval 0 to 21 kg"));
+  EXPECT_THAT(html, HasSubstr("10 ± 10"));
+}
+
+TEST(ParameterChart, RangeEndsCloseToTheBoundOfABar) {
+  ParameterPanel panel = PanelOf({{"a", 10.0, 10.0}});
+  panel.lower_bound = 0.0;
+  // 0 to 29.6, and 6 % of it on either side.
+  EXPECT_NEAR(RangeOf(panel).from, -1.776, kRounding);
+  EXPECT_NEAR(RangeOf(panel).to, 31.376, kRounding);
+}
+
 TEST(ParameterChart, TicksAreRoundNumbers) {
   EXPECT_THAT(TicksOf({-0.1, 10.1}), ElementsAre(0.0, 5.0, 10.0));
   EXPECT_THAT(TicksOf({0.0, 10.0}), ElementsAre(0.0, 2.0, 4.0, 6.0, 8.0, 10.0));

@@ -3,6 +3,8 @@
 
 #include "fathom/report/scatter_chart.h"
 
+#include "fathom/report/scatter_columns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

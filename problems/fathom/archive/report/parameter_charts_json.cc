@@ -7,10 +7,12 @@
 #include "fathom/report/format_value.h"
 #include "fathom/report/parameter_chart.h"
 #include "fathom/report/seven_digits.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -79,9 +81,16 @@ json OutliersJson(const ArchiveReport& report,
   return outliers;
 }
 
+double LowerBoundOf(const std::string& parameter) {
+  const auto found = std::ranges::find(kParameterInfo, parameter, &ParameterInfo::name);
+  return found == kParameterInfo.end() ? -std::numeric_limits<double>::infinity()
+                                       : found->lower_bound;
+}
+
 // The usable rows of one parameter.
 json ChartJson(const std::vector<const DiveFitRow*>& rows, const Places& places) {
   ParameterPanel panel;
+  panel.lower_bound = LowerBoundOf(rows.front()->parameter);
   json points = json::array();
   for (const DiveFitRow* row : rows) {
     panel.estimates.push_back({row->dive, row->value, row->std});
@@ -99,6 +108,7 @@ json ChartJson(const std::vector<const DiveFitRow*>& rows, const Places& places)
   }
   return {{"parameter", rows.front()->parameter},
           {"unit", UnitText(rows.front()->unit)},
+          {"lower_bound", panel.lower_bound},  // null where there is none
           {"range", {ToSevenDigits(range.from), ToSevenDigits(range.to)}},
           {"ticks", std::move(ticks)},
           {"points", std::move(points)}};

@@ -221,6 +221,7 @@ std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
     ParameterPanel panel;
     panel.name = WithSpaces(kParameterInfo[i].name);
     panel.unit = ParameterUnit(i, diagnosis.dof, diagnosis.force_unit);
+    panel.lower_bound = kParameterInfo[i].lower_bound;
     if (diagnosis.ComparesTwoModels()) {
       panel.estimates.push_back(estimate_of(kBefore, diagnosis.baseline, i));
     }
@@ -236,6 +237,8 @@ std::vector<ParameterPanel> ParameterPanels(const Diagnosis& diagnosis) {
       panel.name = fmt::format(
           "{}: {}", LabelOf(active.effect->info(), active.setting), WithSpaces(parameter.name));
       panel.unit = unit == "-" ? "" : unit;
+      panel.lower_bound = parameter.lower;
+      panel.upper_bound = parameter.upper;
       panel.estimates = {
           {NameOfExtended(diagnosis), active.values[k], std_of(diagnosis.extended, index++)}};
       if (std::isfinite(parameter.null)) {

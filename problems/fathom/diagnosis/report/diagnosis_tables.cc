@@ -50,9 +50,9 @@ Table CauseTable(const Diagnosis& diagnosis) {
                    {"parameter"},
                    {"value"},
                    {"p-value", true},
-                   {"BIC better by", true},
+                   {"evidence (BIC)", true},
                    {"held-out gain", true},
-                   {"same trace as"}};
+                   {"looks like"}};
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
     const std::vector<double> stds = EffectStds(diagnosis.extended, cause.effect_index);
@@ -136,7 +136,7 @@ Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
                    {"score", true},
                    {"p-value", true},
                    {"gain, refitted", true},
-                   {"BIC better by", true},
+                   {"evidence (BIC)", true},
                    {"result"}};
   for (const Candidate& candidate : diagnosis.candidates) {
     if (table.rows.size() == most) break;

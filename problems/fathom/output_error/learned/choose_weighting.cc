@@ -100,16 +100,19 @@ OutputErrorSummary Judged(std::span<const BinnedSegment> bins,
   };
   const double change = more_by(by_learned->sum_of_squares);
   const double limit = more_by(by_plain->ExpectedOfLeftOutData(plain.covariance));
+  const bool is_as_good = change <= limit;
   const std::string figures = fmt::format(
-      "free runs miss {:+.1f} % compared with plain squares, which are expected to miss {:.1f} % "
-      "more of left-out data",
+      "simulated from the command alone they miss {:+.1f} % compared with plain ones, {} the "
+      "{:.1f} "
+      "% that chance allows",
       change,
+      is_as_good ? "within" : "above",
       limit);
-  if (change <= limit) {
-    return Because("Left-out free runs do not suffer: " + figures + ".", std::move(learned));
+  if (is_as_good) {
+    return Because("Learned weights predict as well: " + figures + ".", std::move(learned));
   }
-  return Because("Left-out free runs would suffer from learned weights: " + figures +
-                     ". What passes for a disturbance is structure that the model lacks.",
+  return Because("Learned weights predict worse: " + figures +
+                     ". What they take for a disturbance is structure that the model lacks.",
                  std::move(plain));
 }
 
@@ -127,8 +130,7 @@ OutputErrorSummary ChooseWeighting(std::span<const Segment> segments,
   const auto residuals = ResidualsOf(plain, segments, options);
   if (residuals.empty()) return Because("A run over a whole segment diverges.", std::move(plain));
   if (is_auto && IsWhite(residuals)) {
-    return Because("What plain squares miss is white: no other weights are better.",
-                   std::move(plain));
+    return Because("The residual is white noise: no other weights are better.", std::move(plain));
   }
   std::vector<std::vector<bool>> is_wild;
   for (const auto& residual : residuals) is_wild.push_back(WildSamples(residual));

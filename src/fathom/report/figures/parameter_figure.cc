@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/base/interval95.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/report/figures/figure_style.h"
 #include "fathom/report/figures/gnuplot.h"
@@ -134,15 +133,15 @@ std::string EstimateCommands(const ParameterPanel& panel,
       labels += BeyondRange(estimate.value > range.to, k, color);
       continue;
     }
-    const double half = std::isfinite(estimate.std) ? kStdsOf95 * estimate.std : 0.0;
+    const ChartRange bar = BarOf(estimate, panel);
     blocks +=
         fmt::format("$estimate{}_{} << END_OF_DATA\n{:.12g} {} {:.12g} {:.12g}\nEND_OF_DATA\n",
                     i,
                     k,
                     estimate.value,
                     k,
-                    std::max(estimate.value - half, range.from),
-                    std::min(estimate.value + half, range.to));
+                    std::max(bar.from, range.from),
+                    std::min(bar.to, range.to));
     plots += fmt::format(
         ", $estimate{0}_{1} using 1:2:3:4 with xerrorbars pt 7 ps 0.9 lw 2.4 lc rgb '{2}'",
         i,

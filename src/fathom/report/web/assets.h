@@ -11,6 +11,13 @@ namespace fathom::web {
 extern const std::string_view uplot_js;
 extern const std::string_view uplot_css;
 extern const std::string_view uplot_license;
+extern const std::string_view chart_style_js;
+extern const std::string_view time_cuts_js;
+extern const std::string_view time_plot_js;
+extern const std::string_view legend_js;
+extern const std::string_view chart_keys_js;
+extern const std::string_view csv_js;
+extern const std::string_view page_selftest_js;
 extern const std::string_view page_js;
 extern const std::string_view page_css;
 

@@ -41,6 +41,7 @@ TEST(ParameterChartsJson, CountsThePlacesOfAVehicleOverItsOwnDives) {
   EXPECT_EQ(chart["points"][0], json({0, 11.0, 0.5, "11.00 ± 0.50"}));
   EXPECT_EQ(chart["points"][1], json({1, 12.0, 0.5, "12.00 ± 0.50"}));
   EXPECT_EQ(chart["outliers"], json({1}));
+  EXPECT_EQ(chart["lower_bound"], 0.0);
 }
 
 TEST(ParameterChartsJson, PutsDofsInTheirUsualOrder) {

@@ -34,8 +34,9 @@ const changePaths = (changes, numPlaces, x, y) => {
   return {steps, levels, borders};
 };
 
-// Dots, bars, diamonds and arrows as the outlines of one path each.
-const pointPaths = (points, outliers, x, y) => {
+// Dots, bars, diamonds and arrows as the outlines of one path each. A bar ends at what the parameter can
+// be, unless its value lies beyond.
+const pointPaths = (points, outliers, x, y, bound) => {
   const top = CHART.top;
   const bottom = CHART.height - CHART.bottom;
   const paths = {bars: "", dots: "", diamonds: "", arrows: ""};
@@ -47,7 +48,9 @@ const pointPaths = (points, outliers, x, y) => {
   for (const [place, value, std] of points) {
     const at = x(place).toFixed(1);
     const middle = y(value);
-    const [high, low] = [y(value + STDS_OF_95 * (std ?? 0)), y(value - STDS_OF_95 * (std ?? 0))];
+    const half = STDS_OF_95 * (std ?? 0);
+    const least = value >= bound ? Math.max(value - half, bound) : value - half;
+    const [high, low] = [y(value + half), y(least)];
     const [from, to] = [Math.max(high, top), Math.min(low, bottom)];
     if (to > from) paths.bars += `M${at} ${from.toFixed(1)}V${to.toFixed(1)}`;
     if (high < top - 0.5) arrow(at, true);
@@ -81,7 +84,7 @@ const drawParameterChart = (svg, chart, names, width) => {
   axisLabels(svg, names, x, CHART.height - 8, CHART.left - 10, width);
 
   const change = changePaths(chart.changes, names.length, x, y);
-  const marks = pointPaths(chart.points, new Set(chart.outliers), x, y);
+  const marks = pointPaths(chart.points, new Set(chart.outliers), x, y, chart.lower_bound ?? -Infinity);
   svg.append(drawing("path", {class: "border", d: change.borders}),
              drawing("path", {class: "bars", d: marks.bars}),
              drawing("path", {class: "dots", d: marks.dots}),

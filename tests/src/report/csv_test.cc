@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The data behind a chart, saved by a reader of the page.
+
+#include "fathom/report/page.h"
+
+#include <cmath>
+#include <string>
+
+#include "headless_browser.h"
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+// Reads what the first button saves, one line after another.
+const std::string kSave = R"(
+  let saved, file;
+  URL.createObjectURL = (blob) => { saved = blob; return "#"; };
+  HTMLAnchorElement.prototype.click = function() { file = this.download; };
+  document.querySelector(".save").click();
+  findings.csv = (await saved.text()).trim().split("\n").join("|");
+  findings.file = file;
+)";
+
+TEST(Csv, HoldsWhatATimeChartDrawsByItsTrueTime) {
+  if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  TimePanel motion;
+  motion.quantity = "surge velocity";
+  motion.unit = "m/s";
+  motion.time = {2e9 + 0.25, 2e9 + 0.5, 2e9 + 0.5, 2e9 + 9.0};
+  motion.measured = Series{"measured", {0.1, 0.2, std::nan(""), std::nan("")}};
+  motion.responses = {{"a, \"b\"", {1.5, -1.0, std::nan(""), 2.0}}};
+  Page page;
+  page.title = "pool 3";
+  page.sections = {{"Surge", {}, {}, {motion}, {}, {}}};
+  auto findings = FindingsOf(RenderPage(page), "time_csv", kSave);
+  EXPECT_EQ(findings["errors"], "");
+  EXPECT_EQ(findings["csv"],
+            "time [s],measured [m/s],\"a, \"\"b\"\" [m/s]\"|2000000000.25,0.1,1.5|"
+            "2000000000.5,0.2,-1|2000000009,,2");
+  EXPECT_EQ(findings["file"], "pool_3_surge_velocity_over_time.csv");
+}
+
+TEST(Csv, HoldsThePointsOfAScatterChart) {
+  if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  Page page;
+  page.title = "pool 3";
+  PageSection& section = page.sections.emplace_back();
+  section.scatter_panels = {{"command",
+                             "N",
+                             "missing",
+                             "N",
+                             {1.0, 2.0, std::nan("")},
+                             {0.5, -0.25, 1.0},
+                             {0.125, std::nan(""), 1.0},
+                             "explained",
+                             ""}};
+  auto findings = FindingsOf(RenderPage(page), "scatter_csv", kSave);
+  EXPECT_EQ(findings["errors"], "");
+  EXPECT_EQ(findings["csv"], "command [N],missing [N],explained [N]|1,0.5,0.125|2,-0.25,");
+}
+
+}  // namespace
+}  // namespace fathom
