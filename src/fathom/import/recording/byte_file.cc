@@ -15,7 +15,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kWindow = std::size_t{1} << 20;  // [bytes]
+constexpr std::size_t kWindow = std::size_t{1} << 18;  // [bytes], so that it stays in the cache
 
 }  // namespace
 
