@@ -166,6 +166,27 @@ std::string NameOf(const std::filesystem::path& path) {
   return std::filesystem::absolute(path / "").parent_path().filename().string();
 }
 
+// Puts the video of the map, its calibration, tags and mount into the log's folder: a second name
+// for the video's bytes where the disk allows it, as they may be many.
+void TakeCameraFiles(const CameraMap& camera,
+                     const std::filesystem::path& from,
+                     const std::filesystem::path& to) {
+  for (const auto& [in_log, named] : camera.Files()) {
+    const std::filesystem::path file = from / named;
+    std::error_code error;
+    if (in_log == camera.Files().front().first) {
+      std::filesystem::create_hard_link(file, to / in_log, error);
+      if (!error) continue;
+    }
+    if (!std::filesystem::copy_file(file, to / in_log, error)) {
+      throw InputError(
+          fmt::format("{}: cannot be copied into the log: {}. The map's camera names it.",
+                      file.string(),
+                      error.message()));
+    }
+  }
+}
+
 void PrintStream(const char* file, const std::optional<Stream>& stream) {
   if (!stream) return;
   fmt::print("{:<13}{} rows, t = {:.3f} to {:.3f} s\n",
@@ -177,6 +198,13 @@ void PrintStream(const char* file, const std::optional<Stream>& stream) {
 
 // What the log looks like before any fit: which DOFs it can identify, and what is wrong with it.
 void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
+  if (log.command && !log.velocity && !log.pose && !log.video.empty()) {
+    fmt::print(
+        "note: the motion is in the video. This tracks it: fathom_track --log={0} "
+        "--out={0}_tracked\n",
+        folder.string());
+    return;
+  }
   if (!log.command || (!log.velocity && !log.pose)) {
     fmt::print("note: {}.\n",
                log.command ? "the map names no motion, so that the log identifies nothing"
@@ -224,6 +252,9 @@ int Run() {
   WriteLog(made.path(), log);
   WriteFile(made.path() / "map.yaml", map_text);
   if (vehicle) WriteFile(made.path() / log.vehicle, ReadFile(vehicle_file));
+  if (map.camera) {
+    TakeCameraFiles(*map.camera, std::filesystem::path(FLAGS_map).parent_path(), made.path());
+  }
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));

@@ -137,6 +137,41 @@ TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
   EXPECT_EQ(frames["times_with_unused_tags_only"].size(), 12u);
 }
 
+// A recording of the vehicle and a film beside it, on a clock of its own, become one log.
+TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path& log = RenderedLog();
+  const ToolRun filmed = Track(
+      log, {"--out=" + (folder / "first").string(), "--overlay=" + (folder / "dive.avi").string()});
+  ASSERT_EQ(filmed.exit_code, 0) << filmed.err;
+  for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml"}) {
+    fs::copy_file(log / file, folder / file);
+  }
+  fs::copy_file(log / "command.csv", folder / "vehicle.csv");
+  WriteTestFile(folder / "map.yaml",
+                "command: {tau_surge: {field: tau_surge, unit: N}}\ndof: surge\n"
+                "camera: {video: dive.avi, start: 0.25}\n");
+  const ToolRun imported = RunToolBinary("fathom_import",
+                                         {"--from=" + (folder / "vehicle.csv").string(),
+                                          "--map=" + (folder / "map.yaml").string(),
+                                          "--out=" + (folder / "log").string()});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("note: the motion is in the video. This tracks it: "));
+  EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
+
+  const ToolRun run = Track(folder / "log", {"--out=" + (folder / "out").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const CsvTable first = PosesIn(folder / "first"), again = PosesIn(folder / "out");
+  ASSERT_EQ(again.stream.time.size(), first.stream.time.size());
+  for (std::size_t row = 0; row < first.stream.time.size(); ++row) {
+    const double since_the_first = first.stream.time[row] - first.stream.time.front();
+    EXPECT_NEAR(again.stream.time[row], 0.25 + since_the_first, 1e-3);
+    // The overlay lies on the markers.
+    EXPECT_NEAR((*again.stream.Find("x"))[row], (*first.stream.Find("x"))[row], 0.05);
+  }
+  EXPECT_EQ(ReadLog(folder / "out").origin->file, "vehicle.csv");
+}
+
 // What is written is a log in itself: it names no video or vehicle that is not there.
 TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   const fs::path log = CopyOfTheLog();
@@ -154,13 +189,16 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   WriteTestFile(dive / "frame_times.csv", times);
   WriteTestFile(folder / "rov.yaml", "name: rov\nmass: 20\nsize: [1, 1, 1]\n");
   WriteTestFile(dive / "log.yaml",
-                "name: dive\ndof: surge\nvideo: dive.avi\nvehicle: ../rov.yaml\nnotes: still\n");
+                "name: dive\ndof: surge\nvideo: dive.avi\nvehicle: ../rov.yaml\nnotes: still\n"
+                "mass: 21\ndive: harbour\n");
 
   const ToolRun run = Track(dive, {"--out=" + (folder / "out").string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Log out = ReadLog(folder / "out");
   EXPECT_EQ(out.name, "dive");
   EXPECT_EQ(out.notes, "still");
+  EXPECT_EQ(out.mass, 21.0);
+  EXPECT_EQ(out.dive, "harbour");
   EXPECT_EQ(out.video, "");
   EXPECT_EQ(out.vehicle, "rov.yaml");
   EXPECT_EQ(Bytes(folder / "out/rov.yaml"), Bytes(folder / "rov.yaml"));

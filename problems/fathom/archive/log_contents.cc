@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
 #include "fathom/log/log_content.h"
 #include "fathom/log/log_files.h"
@@ -18,20 +19,38 @@ namespace fathom {
 namespace {
 
 // What decides what comes out of a log: its files, and of a recording map and vehicle file too.
+// What decides a recording's log beside its own bytes. A map that cannot be read is told when it is
+// used.
+std::vector<std::filesystem::path> FilesBeside(const FoundLog& log) {
+  std::vector<std::filesystem::path> files;
+  if (!log.vehicle.empty()) files.emplace_back(log.vehicle);
+  if (log.map.empty()) return files;
+  files.emplace_back(log.map);
+  try {
+    const auto named = FilesNamedBy(log.map);
+    files.insert(files.end(), named.begin(), named.end());
+  } catch (const InputError&) {
+    return files;
+  }
+  return files;
+}
+
 std::vector<std::filesystem::path> FilesOf(const FoundLog& log) {
   if (!log.is_recording) return InputFilesOf(log.place);
   std::vector<std::filesystem::path> files = FilesOfRecording(log.place);
-  for (const std::string& file : {log.map, log.vehicle}) {
-    if (!file.empty()) files.emplace_back(file);
-  }
+  const auto beside = FilesBeside(log);
+  files.insert(files.end(), beside.begin(), beside.end());
   return files;
 }
 
 std::string ContentOfFound(const FoundLog& log) {
   if (!log.is_recording) return ContentOf(log.place);
-  return DigestOf({ContentOfRecording(log.place),
-                   log.map.empty() ? "" : ContentOf(log.map),
-                   log.vehicle.empty() ? "" : ContentOf(log.vehicle)});
+  std::vector<std::string> contents = {ContentOfRecording(log.place)};
+  for (const std::filesystem::path& file : FilesBeside(log)) {
+    std::error_code error;
+    contents.push_back(std::filesystem::exists(file, error) ? ContentOf(file) : "missing");
+  }
+  return DigestOf(contents);
 }
 
 std::string StampsOf(const FoundLog& log) {

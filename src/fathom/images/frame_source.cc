@@ -99,12 +99,19 @@ std::string Range(int first, int last) {
 
 class VideoFrames : public FrameSource {
  public:
-  VideoFrames(const std::filesystem::path& folder, const std::string& video, ExpectedSize size)
+  VideoFrames(const std::filesystem::path& folder, const VideoOfLog& video, ExpectedSize size)
       : size_(std::move(size)),
-        name_((folder / video).string()),
+        name_((folder / video.file).string()),
         times_name_((folder / "frame_times.csv").string()),
-        reader_(folder / video) {
+        reader_(folder / video.file),
+        start_(video.start) {
     if (!Exists(times_name_)) return;
+    if (start_ != 0.0) {
+      throw InputError(
+          fmt::format("{}: stands beside log.yaml's video_start, expected one of them "
+                      "to say when the frames were taken.",
+                      times_name_));
+    }
     FrameTimes read = ParseFrameTimes(times_name_, ReadFile(times_name_));
     if (!read.remark.empty()) remarks_.push_back(read.remark);
     times_ = std::move(read.times);
@@ -134,7 +141,7 @@ class VideoFrames : public FrameSource {
     next_ = index + 1;
     RequireStamps(next_);
     frame->name = fmt::format("{}, frame {}", name_, index);
-    frame->time = times_ ? (*times_)[index] : reader_.time();
+    frame->time = times_ ? (*times_)[index] : start_ + reader_.time();
     size_.Require(frame->name, frame->image);
     RequireRisingTime(*frame);
     last_time_ = frame->time;
@@ -202,6 +209,7 @@ class VideoFrames : public FrameSource {
   std::string name_;
   std::string times_name_;
   VideoReader reader_;
+  double start_;
   std::optional<std::vector<double>> times_;
   int next_ = 0;
   std::optional<double> last_time_;
@@ -211,19 +219,19 @@ class VideoFrames : public FrameSource {
 }  // namespace
 
 std::unique_ptr<FrameSource> OpenFrames(const std::filesystem::path& folder,
-                                        const std::string& video,
+                                        const VideoOfLog& video,
                                         const CameraModel& camera,
                                         const std::string& camera_file) {
   const bool has_list = Exists(folder / "frames.csv");
-  if (has_list && !video.empty()) {
+  if (has_list && !video.file.empty()) {
     throw InputError(
         fmt::format("{}: holds frames.csv, and log.yaml names the video {}; expected one of them. "
                     "Remove the other.",
                     folder.string(),
-                    video));
+                    video.file));
   }
   ExpectedSize size{camera, camera_file};
-  if (!video.empty()) return std::make_unique<VideoFrames>(folder, video, std::move(size));
+  if (!video.file.empty()) return std::make_unique<VideoFrames>(folder, video, std::move(size));
   if (has_list) return std::make_unique<ListedImages>(folder, std::move(size));
   throw InputError(
       fmt::format("{}: holds no images: no frames.csv, and log.yaml names no video. See "

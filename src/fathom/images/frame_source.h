@@ -21,7 +21,7 @@ struct ImageFrame {
 
 // The frames of a camera log in the order of their stamps, whether images or a video.
 //
-//   const auto frames = OpenFrames(folder, log.video, camera);
+//   const auto frames = OpenFrames(folder, {log.video, log.video_start}, camera, camera_file);
 //   for (ImageFrame frame; frames->Next(&frame);) { ... }
 //   frames->unreadable();  // what was passed over
 class FrameSource {
@@ -56,12 +56,18 @@ class FrameSource {
   std::vector<std::string> remarks_;
 };
 
-// Opens the frames of a log folder: `video` (log.yaml), stamped by frame_times.csv where there is
-// one and by the container else, or the images of frames.csv. `camera_file` names the calibration
-// in messages. Throws InputError if there are neither, or both, they cannot be opened, or a video
-// holds more frames than there are stamps.
+// A video of a log folder, as log.yaml names it.
+struct VideoOfLog {
+  std::string file;    // from the folder on; empty: there is none
+  double start = 0.0;  // when its own clock is at 0 [s], in the log's time
+};
+
+// Opens the frames of a log folder: `video`, stamped by frame_times.csv where there is one and by
+// the container else, or the images of frames.csv. `camera_file` names the calibration in messages.
+// Throws InputError if there are neither, or both, they cannot be opened, a video holds more frames
+// than there are stamps, or has a start beside frame_times.csv.
 std::unique_ptr<FrameSource> OpenFrames(const std::filesystem::path& folder,
-                                        const std::string& video,
+                                        const VideoOfLog& video,
                                         const CameraModel& camera,
                                         const std::string& camera_file);
 

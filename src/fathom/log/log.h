@@ -45,6 +45,7 @@ struct Log {
   std::optional<double> mass;          // of the vehicle, dry [kg]; see OpenLog()
   std::string command_unit;            // empty: N and N m
   std::string video;                   // of a camera log, a file in its folder; may be empty
+  double video_start = 0.0;            // when the video's own clock is at 0 [s], in the log's time
   std::optional<LogOrigin> origin;     // of a log that was imported
 
   std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]

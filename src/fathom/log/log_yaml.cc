@@ -76,6 +76,14 @@ std::string VideoOf(const YamlMap& file) {
   return video;
 }
 
+double VideoStartOf(const YamlMap& file) {
+  if (!file.Has("video_start")) return 0.0;
+  if (!file.Has("video")) {
+    file.Fail("video_start", "belongs to a video, expected the key 'video' beside it.");
+  }
+  return file.Number("video_start");
+}
+
 std::optional<LogOrigin> OriginOf(const YamlMap& file) {
   const auto origin = file.OptionalMap("imported");
   if (!origin) return std::nullopt;
@@ -102,6 +110,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.mass = MassOf(file);
   log.command_unit = file.String("command_unit", "");
   log.video = VideoOf(file);
+  log.video_start = VideoStartOf(file);
   log.origin = OriginOf(file);
   file.Finish();
   return log;

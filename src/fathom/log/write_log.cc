@@ -58,6 +58,9 @@ std::string FormatLogYaml(const Log& log) {
   }
   emit_text("command_unit", log.command_unit);
   emit_text("video", log.video);
+  if (!log.video.empty() && log.video_start != 0.0) {
+    yaml << YAML::Key << "video_start" << YAML::Value << fmt::format("{}", log.video_start);
+  }
   emit_text("notes", log.notes);
   if (log.origin) {
     yaml << YAML::Key << "imported" << YAML::Value << YAML::BeginMap;

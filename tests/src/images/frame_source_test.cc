@@ -118,7 +118,7 @@ class FrameFolder : public testing::Test {
 
   std::unique_ptr<FrameSource> Open(const std::string& video = "",
                                     const CameraModel& camera = SmallCamera()) const {
-    return OpenFrames(folder_, video, camera, (folder_ / "camera.yaml").string());
+    return OpenFrames(folder_, {video, video_start_}, camera, (folder_ / "camera.yaml").string());
   }
 
   std::string RefusalOf(const std::string& video = "",
@@ -142,6 +142,7 @@ class FrameFolder : public testing::Test {
   }
 
   std::filesystem::path folder_;
+  double video_start_ = 0.0;
 };
 
 TEST_F(FrameFolder, ReadsImagesWithTheirStamps) {
@@ -294,6 +295,19 @@ TEST_F(FrameFolder, PrefersTheStampsOfFrameTimes) {
   const auto source = Open("film.avi");
   EXPECT_EQ(TimesOf(*source), (std::vector<double>{100.5, 100.7, 100.8}));
   EXPECT_NEAR(source->mean_rate(), 2.0 / 0.3, 1e-9);
+}
+
+TEST_F(FrameFolder, CountsTheContainersStampsFromTheStartOfTheVideo) {
+  WriteVideo(3);
+  video_start_ = 1433350639.5;
+  const auto times = TimesOf(*Open("film.avi"));
+  ASSERT_EQ(times.size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(times[i], 1433350639.5 + i / 8.0, 1e-6);
+  WriteFile(folder_ / "frame_times.csv", "frame,t\n0,100.5\n1,100.7\n2,100.8\n");
+  EXPECT_EQ(RefusalOf("film.avi"),
+            Path("frame_times.csv") +
+                ": stands beside log.yaml's video_start, expected one of them to say when the "
+                "frames were taken.");
 }
 
 TEST_F(FrameFolder, CountsWhatATruncatedVideoLacks) {

@@ -12,7 +12,9 @@
 namespace fathom {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Pair;
 
 TEST(ImportMap, ReadsEveryKey) {
   const ImportMap map = ParseImportMap("map.yaml", R"(
@@ -38,6 +40,7 @@ velocity:
   u: vx
   r: {channel: IMU, field: GyrZ, unit: deg/s}
 pose: {channel: XKF1, frame: NED, x: PN, y: PE, z: PD, roll: Roll, pitch: Pitch, yaw: Yaw}
+camera: {video: ../films/dive.mp4, start: 2026-05-03T14:30:05.25Z, tags: wall.yaml}
 )");
   EXPECT_EQ(map.name, "dive_7");
   EXPECT_EQ(map.dofs.size(), 2U);
@@ -57,6 +60,13 @@ pose: {channel: XKF1, frame: NED, x: PN, y: PE, z: PD, roll: Roll, pitch: Pitch,
   EXPECT_EQ(map.velocity->Find("r")->unit, "deg/s");
   EXPECT_EQ(map.velocity->Find("q"), nullptr);
   EXPECT_EQ(map.pose->columns.size(), 6U);
+  EXPECT_TRUE(map.camera->is_utc);
+  EXPECT_EQ(map.camera->start, 1777818605.25);  // date -u -d 2026-05-03T14:30:05Z +%s
+  EXPECT_THAT(map.camera->Files(),
+              ElementsAre(Pair("dive.mp4", "../films/dive.mp4"),
+                          Pair("camera.yaml", "camera.yaml"),
+                          Pair("tags.yaml", "wall.yaml"),
+                          Pair("mount.yaml", "mount.yaml")));
 }
 
 TEST(ImportMap, SaysWhatIsWrong) {
@@ -78,6 +88,10 @@ TEST(ImportMap, SaysWhatIsWrong) {
   EXPECT_THAT(error("pose: {x: a, y: b}\n"), HasSubstr("an attitude"));
   EXPECT_THAT(error("pose: {x: a, y: b, qx: c, qw: d}\n"), HasSubstr("qx qy qz qw"));
   EXPECT_THAT(error("pose: {x: a, y: b, yaw: c, frame: FLU}\n"), HasSubstr("NED, ENU or NWU"));
+  EXPECT_THAT(error("velocity: {u: a}\ncamera: {start: 3}\n"), HasSubstr("'camera.video'"));
+  EXPECT_THAT(error("velocity: {u: a}\ncamera: {video: films/}\n"), HasSubstr("names a folder"));
+  EXPECT_THAT(error("velocity: {u: a}\ncamera: {video: a.mp4, start: noon}\n"),
+              HasSubstr("'camera.start'"));
   EXPECT_THAT(error("table: {separator: x}\nvelocity: {u: a}\n"), HasSubstr("separator"));
 }
 

@@ -68,11 +68,12 @@ std::string Error(const Files& changes, const ReadLogOptions& options = {}) {
 }
 
 TEST(ReadLog, ReadsAFolder) {
-  Files files = With({{"log.yaml",
-                       "name: run 7\ndof: [surge, yaw]\nvehicle: rov.yaml\nheld_out: [0.55, 0.65]\n"
-                       "notes: calm\ncommand_unit: A\nvideo: a.mp4\ndive: harbour\n"
-                       "start: 2026-05-03T14:30:05Z\n"},
-                      {"pose.csv", kPose}});
+  Files files =
+      With({{"log.yaml",
+             "name: run 7\ndof: [surge, yaw]\nvehicle: rov.yaml\nheld_out: [0.55, 0.65]\n"
+             "notes: calm\ncommand_unit: A\nvideo: a.mp4\nvideo_start: 12.5\ndive: harbour\n"
+             "start: 2026-05-03T14:30:05Z\n"},
+            {"pose.csv", kPose}});
   const auto folder = Folder(files);
   const Log log = ReadLog(folder);
   EXPECT_EQ(log.path, folder);
@@ -82,6 +83,7 @@ TEST(ReadLog, ReadsAFolder) {
   EXPECT_EQ(log.notes, "calm");
   EXPECT_EQ(log.command_unit, "A");
   EXPECT_EQ(log.video, "a.mp4");
+  EXPECT_EQ(log.video_start, 12.5);
   EXPECT_EQ(log.dive, "harbour");
   EXPECT_EQ(log.start, 1777818605.0);  // date -u -d 2026-05-03T14:30:05Z +%s
   ASSERT_EQ(log.held_out.size(), 1u);
@@ -279,7 +281,8 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
   EXPECT_EQ(
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
-      "dive, start, held_out, mass, command_unit, video, imported. Correct or remove it.");
+      "dive, start, held_out, mass, command_unit, video, video_start, imported. Correct or remove "
+      "it.");
   EXPECT_EQ(error("name: a\ndof: yaw\nvideo: ../a.mp4\n"),
             "log.yaml:3: key 'video' is '../a.mp4', expected the path of a video from this folder "
             "on.");

@@ -50,6 +50,7 @@ void ExpectSameLog(const Log& a, const Log& b) {
   EXPECT_EQ(a.notes, b.notes);
   EXPECT_EQ(a.command_unit, b.command_unit);
   EXPECT_EQ(a.video, b.video);
+  EXPECT_EQ(a.video_start, b.video_start);
   EXPECT_EQ(a.dive, b.dive);
   EXPECT_EQ(a.start, b.start);
   ASSERT_EQ(a.held_out.size(), b.held_out.size());
@@ -85,6 +86,7 @@ Log FullLog() {
   log.notes = "first line\n  second\tline \\ with caf\xc3\xa9\n\n- and: more\n";
   log.command_unit = "A";
   log.video = "dive: 1.mp4";
+  log.video_start = 1433350639.5;
   log.dive = "harbour: 3";
   log.start = 1777818605.0;
   log.held_out = {{.from = 1433350640.1, .to = 1433350641.0 / 3.0 * 3.0},

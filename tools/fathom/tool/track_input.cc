@@ -18,7 +18,8 @@ namespace fathom {
 namespace fs = std::filesystem;
 
 std::unique_ptr<FrameSource> TrackInput::Frames() const {
-  return OpenFrames(folder, log.video, rig.camera, (folder / "camera.yaml").string());
+  return OpenFrames(
+      folder, {log.video, log.video_start}, rig.camera, (folder / "camera.yaml").string());
 }
 
 TrackInput ReadTrackInput(const fs::path& folder) {

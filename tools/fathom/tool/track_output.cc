@@ -51,6 +51,8 @@ void CopyLog(const Log& log, const MarkerTrack& track, const fs::path& to) {
        {"command.csv", "velocity.csv", "detections.csv", "camera.yaml", "mount.yaml"}) {
     Copy(log.path / file, to / file);
   }
+  if (log.origin && !log.origin->map.empty())
+    Copy(log.path / log.origin->map, to / log.origin->map);
   // A path from the log's folder, which may lead out of it.
   const fs::path vehicle = log.vehicle;
   const bool has_vehicle = vehicle.extension() == ".yaml" && Exists(log.path / vehicle);
@@ -58,13 +60,9 @@ void CopyLog(const Log& log, const MarkerTrack& track, const fs::path& to) {
   if (log.video.empty() && (!has_vehicle || vehicle == vehicle.filename())) {
     Copy(log.path / "log.yaml", to / "log.yaml");
   } else {
-    Log changed;
-    changed.name = log.name;
-    changed.dofs = log.dofs;
-    changed.vehicle = has_vehicle ? vehicle.filename().string() : log.vehicle;
-    changed.notes = log.notes;
-    changed.held_out = log.held_out;
-    changed.command_unit = log.command_unit;
+    Log changed = log;
+    if (has_vehicle) changed.vehicle = vehicle.filename().string();
+    changed.video.clear();
     WriteFile(to / "log.yaml", FormatLogYaml(changed));
   }
   if (track.estimated_ids.empty()) {

@@ -150,6 +150,25 @@ std::vector<Dof> MovedBy(const Stream& command) {
   return dofs;
 }
 
+// When the clock of the camera's video is at 0, in the time of the log.
+double VideoStart(const std::filesystem::path& file,
+                  const Contents& contents,
+                  const ImportMap& map) {
+  const CameraMap& camera = *map.camera;
+  if (!camera.is_utc) return camera.start;
+  const bool has_own_stamps = [&] {
+    for (const auto& stream : {map.command, map.velocity, map.pose}) {
+      if (stream && (stream->time || stream->rate)) return false;
+    }
+    return true;
+  }();
+  if (contents.utc_of_zero && has_own_stamps) return camera.start - *contents.utc_of_zero;
+  throw InputError(
+      file.string() +
+      ": camera: the video's start is in UTC, and the recording's stamps are not known "
+      "to be, expected a 'start' in seconds of the log's time.");
+}
+
 // When the log began, by the streams that keep the recording's own stamps [s since 1970].
 std::optional<double> StartOf(const Contents& contents, const ImportMap& map, const Log& log) {
   if (!contents.utc_of_zero) return std::nullopt;
@@ -208,6 +227,10 @@ ImportedLog ImportLog(const std::filesystem::path& file,
                      "to name it with 'dof'.");
   }
   log.start = StartOf(recording.contents(), map, log);
+  if (map.camera) {
+    log.video = map.camera->Files().front().first;
+    log.video_start = VideoStart(file, recording.contents(), map);
+  }
   return imported;
 }
 

@@ -237,11 +237,24 @@ ImportMap ParseImportMap(const std::string& name, const std::string& text) {
   if (const auto command = file.OptionalMap("command")) ReadCommand(*command, &map);
   if (const auto velocity = file.OptionalMap("velocity")) map.velocity = VelocityOf(*velocity);
   if (const auto pose = file.OptionalMap("pose")) map.pose = PoseOf(*pose);
+  if (const auto camera = file.OptionalMap("camera")) map.camera = CameraMapOf(*camera);
   file.Finish();
   if (!map.command && !map.velocity && !map.pose) {
     file.Fail("names no stream, expected some of command, velocity, pose.");
   }
   return map;
+}
+
+std::vector<std::filesystem::path> FilesNamedBy(const std::filesystem::path& map_file) {
+  const ImportMap map = ReadImportMap(map_file);
+  std::vector<std::filesystem::path> files;
+  if (!map.vehicle.empty()) files.push_back(map_file.parent_path() / map.vehicle);
+  if (map.camera) {
+    for (const auto& [in_log, file] : map.camera->Files()) {
+      files.push_back(map_file.parent_path() / file);
+    }
+  }
+  return files;
 }
 
 }  // namespace fathom

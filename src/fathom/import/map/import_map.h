@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/time_interval.h"
+#include "fathom/import/map/camera_map.h"
 #include "fathom/import/table/table_layout.h"
 
 #include <filesystem>
@@ -72,6 +73,7 @@ struct ImportMap {
   std::optional<double> fixed_voltage;  // the same where it is not measured [V]
   std::optional<StreamMap> velocity;    // u v w p q r
   std::optional<StreamMap> pose;        // x y z, and qx qy qz qw or roll pitch yaw
+  std::optional<CameraMap> camera;
 };
 
 // Throws InputError, naming file, line and key, for whatever breaks the format.
@@ -79,5 +81,8 @@ ImportMap ReadImportMap(const std::filesystem::path& path);
 
 // The same from memory; `name` stands for the file in messages.
 ImportMap ParseImportMap(const std::string& name, const std::string& text);
+
+// The files that a map names: the vehicle's, those of a camera. Throws as ReadImportMap() does.
+std::vector<std::filesystem::path> FilesNamedBy(const std::filesystem::path& map_file);
 
 }  // namespace fathom

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/import/map/camera_map.h"
+
+#include "fathom/base/utc_time.h"
+
+#include <filesystem>
+
+namespace fathom {
+
+std::array<std::pair<std::string, std::string>, 4> CameraMap::Files() const {
+  return {{{std::filesystem::path(video).filename().string(), video},
+           {"camera.yaml", calibration},
+           {"tags.yaml", tags},
+           {"mount.yaml", mount}}};
+}
+
+CameraMap CameraMapOf(const YamlMap& map) {
+  CameraMap camera;
+  camera.video = map.String("video");
+  if (std::filesystem::path(camera.video).filename().empty()) {
+    map.Fail("video", "names a folder, expected a video.");
+  }
+  camera.calibration = map.String("calibration", "camera.yaml");
+  camera.tags = map.String("tags", "tags.yaml");
+  camera.mount = map.String("mount", "mount.yaml");
+  if (!map.Has("start")) return camera;
+  if (const auto utc = ParseUtc(map.String("start"))) {
+    camera.start = *utc;
+    camera.is_utc = true;
+  } else {
+    camera.start = map.Number("start");
+  }
+  return camera;
+}
+
+}  // namespace fathom
