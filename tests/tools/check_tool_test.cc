@@ -357,6 +357,62 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
 }
 
+// The place of the first finding with this code; null if it has none.
+Json PlaceOf(const Said& said, const std::string& code) {
+  const auto found = std::ranges::find_if(
+      said.findings, [&](const Json& finding) { return finding["code"] == code; });
+  return found == said.findings.end() ? Json() : found->value("where", Json());
+}
+
+// Of mistakes that were made in known rows: rows 300 to 599, 10 Hz, and rows 600 to 899 are copies.
+TEST(CheckTool, SaysWhereAMistakeIs) {
+  const Path folder = EmptyTestFolder();
+  const Dive sound = SoundDive(folder, false);
+  const std::vector<double>& time = sound.numbers.time;
+  Dive stuck = sound;
+  std::fill_n(stuck.numbers.speed.begin() + 300, 300, stuck.numbers.speed[300]);
+  const Json where = PlaceOf(Check(WriteDive(stuck, folder / "stuck"), folder), "stuck_values");
+  EXPECT_EQ(where["file"], "velocity.csv");
+  EXPECT_EQ(where["axis"], "u");
+  EXPECT_NEAR(where["from"].get<double>(), time[300], 1e-3);
+  EXPECT_NEAR(where["to"].get<double>(), time[599], 1e-3);
+
+  Dive jumps = sound;
+  Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; })(&jumps);
+  const Json jump = PlaceOf(Check(WriteDive(jumps, folder / "jumps"), folder), "pose_jump");
+  EXPECT_EQ(jump["axis"], "yaw");
+  EXPECT_NEAR(jump["from"].get<double>(), time[699], 1e-3);
+  EXPECT_NEAR(jump["to"].get<double>(), time[700], 1e-3);
+
+  Dive clipped = sound;
+  Driven([](double t, double) { return t > 40.0 && t < 70.0 ? 30.0 : Tones(t); })(&clipped);
+  const Json limit =
+      PlaceOf(Check(WriteDive(clipped, folder / "clipped"), folder), "clipped_command");
+  EXPECT_EQ(limit["file"], "command.csv");
+  EXPECT_NEAR(limit["from"].get<double>(), 40.0, 0.21);  // two rows
+  EXPECT_NEAR(limit["to"].get<double>(), 70.0, 0.21);
+
+  Dive flipped = sound;
+  ScaleForce(-1.0, &flipped.numbers);
+  EXPECT_TRUE(
+      PlaceOf(Check(WriteDive(flipped, folder / "flipped"), folder), "passivity").is_null());
+}
+
+TEST(CheckTool, DrawsAFindingAtItsPlace) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  std::fill_n(dive.numbers.speed.begin() + 300, 300, dive.numbers.speed[300]);
+  Later(3.0)(&dive);
+  const Path page = folder / "check.html";
+  RunToolBinary("fathom_check",
+                {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+  const std::string html = TextOf(page);
+  EXPECT_THAT(html, HasSubstr("<h2>surge: stuck values</h2>"));
+  EXPECT_THAT(html, HasSubstr("\"name\":\"what is meant\""));
+  EXPECT_THAT(html, HasSubstr("<h2>surge: command delay</h2>"));
+  EXPECT_THAT(html, HasSubstr("correlation with the command"));
+}
+
 TEST(CheckTool, ListsAnArchive) {
   const Path folder = EmptyTestFolder();
   Dive dive = SoundDive(folder, false);
