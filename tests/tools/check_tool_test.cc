@@ -426,6 +426,81 @@ TEST(CheckTool, ListsAnArchive) {
   EXPECT_THAT(run.out, HasSubstr("not readable: "));
 }
 
+// The rows of a log from one stamp up to another; the stamps stay.
+Dive PartOf(const Dive& dive, double from, double to) {
+  Dive part = dive;
+  const auto keep = [&](std::vector<double>* time, std::vector<double>* values) {
+    std::vector<double> kept_time, kept;
+    for (std::size_t i = 0; i < time->size(); ++i) {
+      if ((*time)[i] < from || (*time)[i] >= to) continue;
+      kept_time.push_back((*time)[i]);
+      kept.push_back((*values)[i]);
+    }
+    *time = kept_time;
+    *values = kept;
+  };
+  keep(&part.numbers.command_time, &part.numbers.force);
+  keep(&part.numbers.time, &part.numbers.speed);
+  return part;
+}
+
+// What fathom_check writes of several logs, and prints.
+Json CheckSeveral(const std::vector<Path>& logs, const Path& scratch, std::string* text = nullptr) {
+  const Path file = scratch / "several.json";
+  std::vector<std::string> arguments = {"--json=" + file.string(),
+                                        "--report=" + (scratch / "several.html").string()};
+  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
+  const ToolRun run = RunToolBinary("fathom_check", arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  if (text != nullptr) *text = run.out;
+  return Json::parse(TextOf(file));
+}
+
+// Information adds up: two pieces know together what the whole log knows.
+TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
+  const Path folder = EmptyTestFolder();
+  const Dive whole = SoundDive(folder, false);
+  const Path first = WriteDive(PartOf(whole, 0.0, 50.0), folder / "first");
+  const Path second = WriteDive(PartOf(whole, 50.0, 1e9), folder / "second");
+  const Json parameters = CheckSeveral({first, second}, folder)["dofs"][0]["parameters"];
+  Check(WriteDive(whole, folder / "whole"), folder);
+  const Json of_whole = Json::parse(TextOf(folder / "check.json"))["dofs"][0]["parameters"];
+  ASSERT_EQ(parameters.size(), 4u);
+  for (std::size_t p = 0; p < 4; ++p) {
+    SCOPED_TRACE(parameters[p]["name"]);
+    // Each piece estimates its noise and its start anew.
+    const double ratio = parameters[p]["std"].get<double>() / of_whole[p]["std"].get<double>();
+    EXPECT_GT(ratio, 0.7);
+    EXPECT_LT(ratio, 1.4);
+    const Json& logs = parameters[p]["logs"];
+    EXPECT_NEAR(logs[0]["share"].get<double>() + logs[1]["share"].get<double>(), 1.0, 1e-6);
+    EXPECT_LT(logs[0]["share"], logs[1]["share"]);  // a third of the time
+  }
+}
+
+// What it proposes to hold out of several logs leaves enough to identify.
+TEST(CheckTool, ProposesWholeLogsToHoldOut) {
+  const Path folder = EmptyTestFolder();
+  const Dive whole = SoundDive(folder, false);
+  std::vector<Path> logs;
+  for (int k = 0; k < 3; ++k) {
+    logs.push_back(WriteDive(PartOf(whole, 50.0 * k, 50.0 * (k + 1)), folder / std::to_string(k)));
+  }
+  std::string text;
+  const Json held_out = CheckSeveral(logs, folder, &text)["dofs"][0]["held_out"];
+  ASSERT_EQ(held_out.size(), 1u) << text;
+  const Path held = held_out[0]["log"].get<std::string>();
+  const auto line = text.find("held_out: [");
+  ASSERT_NE(line, std::string::npos) << text;
+  WriteTestFile(held / "log.yaml",
+                TextOf(held / "log.yaml") + text.substr(line, text.find('\n', line) - line) + "\n");
+  std::vector<std::string> arguments = {"--dof=surge"};
+  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
+  const ToolRun run = RunToolBinary("fathom_identify", arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("held out")) << run.out;
+}
+
 using CheckedRealLogs = OnRealData;
 
 // Logs that others recorded and that are sound: none gets a red finding.

@@ -123,4 +123,10 @@ std::vector<Finding> AllFindings(const LogCheckup& checkup) {
   return findings;
 }
 
+bool HasRed(const LogCheckup& checkup) {
+  return std::ranges::any_of(AllFindings(checkup), [](const Finding& finding) {
+    return finding.severity == Severity::kWarning;
+  });
+}
+
 }  // namespace fathom
