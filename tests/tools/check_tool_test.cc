@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -502,6 +503,30 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
 }
 
 using CheckedRealLogs = OnRealData;
+
+// A camera whose stamps are wrong is told once, and no axis for it.
+TEST_F(CheckedRealLogs, TellACameraThatIsLate) {
+  const Path folder = EmptyTestFolder();
+  const Path log = folder / "log";
+  fs::copy(Path(folder_) / "camera_by_others/heave_a", log);
+  std::string shifted;
+  std::istringstream rows(TextOf(log / "detections.csv"));
+  for (std::string row; std::getline(rows, row);) {
+    const auto comma = row.find(',');
+    if (shifted.empty()) {
+      shifted = row + "\n";
+    } else {
+      shifted +=
+          fmt::format("{:.6f}{}\n", std::stod(row.substr(0, comma)) + 2.3, row.substr(comma));
+    }
+  }
+  fs::permissions(log / "detections.csv", fs::perms::owner_write, fs::perm_options::add);
+  WriteTestFile(log / "detections.csv", shifted);
+  const Said said = Check(log, folder);
+  ASSERT_EQ(said.findings.size(), 1u) << said.text;
+  EXPECT_EQ(said.findings[0]["code"], "camera_delay");
+  EXPECT_THAT(said.findings[0]["sentence"].get<std::string>(), HasSubstr("2.30 s after"));
+}
 
 // Logs that others recorded and that are sound: none gets a red finding.
 TEST_F(CheckedRealLogs, GetNoRedFinding) {

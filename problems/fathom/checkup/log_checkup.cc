@@ -6,6 +6,7 @@
 #include "fathom/archive/jobs/survey.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/check/camera_clock.h"
 #include "fathom/check/command_check.h"
 #include "fathom/check/command_clock.h"
 #include "fathom/check/log_check.h"
@@ -61,6 +62,21 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
   }
 }
 
+// The poses against velocity.csv. Those of a camera get the clock of velocity.csv first, so that a
+// delay is told once and no axis for it.
+std::vector<Finding> CheckTwoMotions(Log log) {
+  if (!log.velocity) return {};
+  if (!log.detections) return CheckPoseAgainstTwist(log);
+  if (!log.pose) TrackDetectionsIfUsable(&log);
+  std::vector<Finding> findings;
+  if (const auto delay = FindCameraDelay(log)) {
+    if (auto finding = CheckCameraClock(log, *delay)) findings.push_back(*std::move(finding));
+    for (double& t : log.pose->time) t -= delay->delay;
+  }
+  Add(CheckPoseAgainstTwist(log), &findings);
+  return findings;
+}
+
 void Identify(const Log& log, DofCheckup* checkup) {
   LogIdentificationOptions options;
   options.dof = checkup->dof;
@@ -92,7 +108,7 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   LogCheckup checkup;
   checkup.streams = StreamsOf(log);
-  checkup.findings = CheckPoseAgainstTwist(log);
+  checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
   checkup.findings = WarningsFirst(std::move(checkup.findings));
   if (survey.needs_tracking) {
