@@ -294,6 +294,13 @@ std::vector<Mistake> Table() {
        "red",
        "pose_jump",
        "x jumps once"},
+      {"PoseFreezes",
+       Pose([](Dive* dive, std::size_t i) {
+         if (i > 700 && i < 760) dive->x[i] = dive->x[700];
+       }),
+       "red",
+       "stuck_values",
+       "pose.csv: x stands still"},
       {"YawRealigned",
        Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; }),
        "red",

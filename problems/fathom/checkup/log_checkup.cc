@@ -10,6 +10,7 @@
 #include "fathom/check/command_check.h"
 #include "fathom/check/command_clock.h"
 #include "fathom/check/log_check.h"
+#include "fathom/check/motion_check.h"
 #include "fathom/check/pose_jumps.h"
 #include "fathom/check/pose_twist_check.h"
 #include "fathom/comparison/log_identification.h"
@@ -110,6 +111,12 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
+  // Where velocity.csv is the source, no DOF looks at the poses.
+  if (log.velocity) {
+    for (const Dof dof : {Dof::kSurge, Dof::kYaw}) {
+      Add(CheckMotion(log, dof, Source::kCamera), &checkup.findings);
+    }
+  }
   checkup.findings = WarningsFirst(std::move(checkup.findings));
   if (survey.needs_tracking) {
     checkup.findings.push_back({Severity::kNote,
