@@ -12,6 +12,8 @@
 #include "fathom/checkup/checkup_page.h"
 #include "fathom/checkup/checkup_text.h"
 #include "fathom/checkup/log_checkup.h"
+#include "fathom/checkup/logs_checkup.h"
+#include "fathom/checkup/logs_text.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
@@ -19,7 +21,6 @@
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,25 +39,41 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_check",
     "Says what is wrong with a log, and what it can determine, before any fit.",
-    "--log=LOG [--dof=DOF] [--report=FILE] [--json=FILE] | --archive=DIR",
+    "--log=LOG [--log=LOG ...] [--dof=DOF] [--report=FILE] [--json=FILE] | --archive=DIR",
     "fathom_check --log=data/flatfish --report=check.html",
     "Streams, rates and gaps; broken sensors, wrong signs, units, clocks and axes; how well each "
-    "parameter would be known; where a long dive is excited, and what to hold out. Each finding "
-    "says "
-    "what it does to a model and what to do: docs/check.md. Exit code 2: a finding is red."};
+    "parameter would be known; where a long dive is excited, and what to hold out; of several "
+    "logs, "
+    "which carry the information. Each finding says what it does to a model and what to do: "
+    "docs/check.md. Exit code 2: a finding is red.",
+    {"log"}};
 
-bool HasRed(const LogCheckup& checkup) {
-  return std::ranges::any_of(AllFindings(checkup), [](const Finding& finding) {
-    return finding.severity == Severity::kWarning;
-  });
+// Several logs: which of them carry the information.
+int CheckLogs(const std::vector<std::string>& paths) {
+  std::vector<CheckedLog> checked;
+  std::vector<Log> logs;
+  Progress progress("log");
+  bool has_red = false;
+  for (const std::string& path : paths) {
+    progress.Show(static_cast<int>(checked.size()), static_cast<int>(paths.size()), "");
+    checked.push_back({path, "", CheckUp(path, DofFromFlag())});
+    has_red |= HasRed(checked.back().checkup);
+    logs.push_back(checked.back().checkup.log);
+  }
+  RequireDifferentData(logs);
+  const std::vector<DofOfLogs> dofs = CompareLogs(checked);
+  fmt::print("{}", FormatLogs(checked, dofs));
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatLogsJson(checked, dofs));
+  if (!FLAGS_report.empty()) {
+    WriteFile(FLAGS_report, RenderLogsPage(checked, dofs, OriginOfPage(logs)));
+  }
+  return has_red ? kExitNoFit : kExitUsable;
 }
 
 int CheckLog() {
   const std::vector<std::string> paths = LogPathsFromFlags();
-  if (paths.size() != 1) {
-    throw InputError(fmt::format("--log: names {} logs, expected one.", paths.size()));
-  }
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
+  if (paths.size() > 1) return CheckLogs(paths);
   const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag());
   fmt::print("{}", FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -293,6 +294,13 @@ std::vector<Mistake> Table() {
        "red",
        "pose_jump",
        "x jumps once"},
+      {"PoseFreezes",
+       Pose([](Dive* dive, std::size_t i) {
+         if (i > 700 && i < 760) dive->x[i] = dive->x[700];
+       }),
+       "red",
+       "stuck_values",
+       "pose.csv: x stands still"},
       {"YawRealigned",
        Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; }),
        "red",
@@ -357,6 +365,62 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
 }
 
+// The place of the first finding with this code; null if it has none.
+Json PlaceOf(const Said& said, const std::string& code) {
+  const auto found = std::ranges::find_if(
+      said.findings, [&](const Json& finding) { return finding["code"] == code; });
+  return found == said.findings.end() ? Json() : found->value("where", Json());
+}
+
+// Of mistakes that were made in known rows: rows 300 to 599, 10 Hz, and rows 600 to 899 are copies.
+TEST(CheckTool, SaysWhereAMistakeIs) {
+  const Path folder = EmptyTestFolder();
+  const Dive sound = SoundDive(folder, false);
+  const std::vector<double>& time = sound.numbers.time;
+  Dive stuck = sound;
+  std::fill_n(stuck.numbers.speed.begin() + 300, 300, stuck.numbers.speed[300]);
+  const Json where = PlaceOf(Check(WriteDive(stuck, folder / "stuck"), folder), "stuck_values");
+  EXPECT_EQ(where["file"], "velocity.csv");
+  EXPECT_EQ(where["axis"], "u");
+  EXPECT_NEAR(where["from"].get<double>(), time[300], 1e-3);
+  EXPECT_NEAR(where["to"].get<double>(), time[599], 1e-3);
+
+  Dive jumps = sound;
+  Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; })(&jumps);
+  const Json jump = PlaceOf(Check(WriteDive(jumps, folder / "jumps"), folder), "pose_jump");
+  EXPECT_EQ(jump["axis"], "yaw");
+  EXPECT_NEAR(jump["from"].get<double>(), time[699], 1e-3);
+  EXPECT_NEAR(jump["to"].get<double>(), time[700], 1e-3);
+
+  Dive clipped = sound;
+  Driven([](double t, double) { return t > 40.0 && t < 70.0 ? 30.0 : Tones(t); })(&clipped);
+  const Json limit =
+      PlaceOf(Check(WriteDive(clipped, folder / "clipped"), folder), "clipped_command");
+  EXPECT_EQ(limit["file"], "command.csv");
+  EXPECT_NEAR(limit["from"].get<double>(), 40.0, 0.21);  // two rows
+  EXPECT_NEAR(limit["to"].get<double>(), 70.0, 0.21);
+
+  Dive flipped = sound;
+  ScaleForce(-1.0, &flipped.numbers);
+  EXPECT_TRUE(
+      PlaceOf(Check(WriteDive(flipped, folder / "flipped"), folder), "passivity").is_null());
+}
+
+TEST(CheckTool, DrawsAFindingAtItsPlace) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  std::fill_n(dive.numbers.speed.begin() + 300, 300, dive.numbers.speed[300]);
+  Later(3.0)(&dive);
+  const Path page = folder / "check.html";
+  RunToolBinary("fathom_check",
+                {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+  const std::string html = TextOf(page);
+  EXPECT_THAT(html, HasSubstr("<h2>surge: stuck values</h2>"));
+  EXPECT_THAT(html, HasSubstr("\"name\":\"what is meant\""));
+  EXPECT_THAT(html, HasSubstr("<h2>surge: command delay</h2>"));
+  EXPECT_THAT(html, HasSubstr("correlation with the command"));
+}
+
 TEST(CheckTool, ListsAnArchive) {
   const Path folder = EmptyTestFolder();
   Dive dive = SoundDive(folder, false);
@@ -370,7 +434,106 @@ TEST(CheckTool, ListsAnArchive) {
   EXPECT_THAT(run.out, HasSubstr("not readable: "));
 }
 
+// The rows of a log from one stamp up to another; the stamps stay.
+Dive PartOf(const Dive& dive, double from, double to) {
+  Dive part = dive;
+  const auto keep = [&](std::vector<double>* time, std::vector<double>* values) {
+    std::vector<double> kept_time, kept;
+    for (std::size_t i = 0; i < time->size(); ++i) {
+      if ((*time)[i] < from || (*time)[i] >= to) continue;
+      kept_time.push_back((*time)[i]);
+      kept.push_back((*values)[i]);
+    }
+    *time = kept_time;
+    *values = kept;
+  };
+  keep(&part.numbers.command_time, &part.numbers.force);
+  keep(&part.numbers.time, &part.numbers.speed);
+  return part;
+}
+
+// What fathom_check writes of several logs, and prints.
+Json CheckSeveral(const std::vector<Path>& logs, const Path& scratch, std::string* text = nullptr) {
+  const Path file = scratch / "several.json";
+  std::vector<std::string> arguments = {"--json=" + file.string(),
+                                        "--report=" + (scratch / "several.html").string()};
+  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
+  const ToolRun run = RunToolBinary("fathom_check", arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  if (text != nullptr) *text = run.out;
+  return Json::parse(TextOf(file));
+}
+
+// Information adds up: two pieces know together what the whole log knows.
+TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
+  const Path folder = EmptyTestFolder();
+  const Dive whole = SoundDive(folder, false);
+  const Path first = WriteDive(PartOf(whole, 0.0, 50.0), folder / "first");
+  const Path second = WriteDive(PartOf(whole, 50.0, 1e9), folder / "second");
+  const Json parameters = CheckSeveral({first, second}, folder)["dofs"][0]["parameters"];
+  Check(WriteDive(whole, folder / "whole"), folder);
+  const Json of_whole = Json::parse(TextOf(folder / "check.json"))["dofs"][0]["parameters"];
+  ASSERT_EQ(parameters.size(), 4u);
+  for (std::size_t p = 0; p < 4; ++p) {
+    SCOPED_TRACE(parameters[p]["name"]);
+    // Each piece estimates its noise and its start anew.
+    const double ratio = parameters[p]["std"].get<double>() / of_whole[p]["std"].get<double>();
+    EXPECT_GT(ratio, 0.7);
+    EXPECT_LT(ratio, 1.4);
+    const Json& logs = parameters[p]["logs"];
+    EXPECT_NEAR(logs[0]["share"].get<double>() + logs[1]["share"].get<double>(), 1.0, 1e-6);
+    EXPECT_LT(logs[0]["share"], logs[1]["share"]);  // a third of the time
+  }
+}
+
+// What it proposes to hold out of several logs leaves enough to identify.
+TEST(CheckTool, ProposesWholeLogsToHoldOut) {
+  const Path folder = EmptyTestFolder();
+  const Dive whole = SoundDive(folder, false);
+  std::vector<Path> logs;
+  for (int k = 0; k < 3; ++k) {
+    logs.push_back(WriteDive(PartOf(whole, 50.0 * k, 50.0 * (k + 1)), folder / std::to_string(k)));
+  }
+  std::string text;
+  const Json held_out = CheckSeveral(logs, folder, &text)["dofs"][0]["held_out"];
+  ASSERT_EQ(held_out.size(), 1u) << text;
+  const Path held = held_out[0]["log"].get<std::string>();
+  const auto line = text.find("held_out: [");
+  ASSERT_NE(line, std::string::npos) << text;
+  WriteTestFile(held / "log.yaml",
+                TextOf(held / "log.yaml") + text.substr(line, text.find('\n', line) - line) + "\n");
+  std::vector<std::string> arguments = {"--dof=surge"};
+  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
+  const ToolRun run = RunToolBinary("fathom_identify", arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("held out")) << run.out;
+}
+
 using CheckedRealLogs = OnRealData;
+
+// A camera whose stamps are wrong is told once, and no axis for it.
+TEST_F(CheckedRealLogs, TellACameraThatIsLate) {
+  const Path folder = EmptyTestFolder();
+  const Path log = folder / "log";
+  fs::copy(Path(folder_) / "camera_by_others/heave_a", log);
+  std::string shifted;
+  std::istringstream rows(TextOf(log / "detections.csv"));
+  for (std::string row; std::getline(rows, row);) {
+    const auto comma = row.find(',');
+    if (shifted.empty()) {
+      shifted = row + "\n";
+    } else {
+      shifted +=
+          fmt::format("{:.6f}{}\n", std::stod(row.substr(0, comma)) + 2.3, row.substr(comma));
+    }
+  }
+  fs::permissions(log / "detections.csv", fs::perms::owner_write, fs::perm_options::add);
+  WriteTestFile(log / "detections.csv", shifted);
+  const Said said = Check(log, folder);
+  ASSERT_EQ(said.findings.size(), 1u) << said.text;
+  EXPECT_EQ(said.findings[0]["code"], "camera_delay");
+  EXPECT_THAT(said.findings[0]["sentence"].get<std::string>(), HasSubstr("2.30 s after"));
+}
 
 // Logs that others recorded and that are sound: none gets a red finding.
 TEST_F(CheckedRealLogs, GetNoRedFinding) {

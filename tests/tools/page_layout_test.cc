@@ -11,9 +11,11 @@
 
 #include "filmed_minute.h"
 #include "headless_browser.h"
+#include "mistakes.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
+#include "sound_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,11 +34,13 @@ class PageLayout : public testing::Test {
   }
 
   // The page that a tool writes.
-  std::string PageOf(const std::string& tool, std::vector<std::string> arguments) {
+  std::string PageOf(const std::string& tool,
+                     std::vector<std::string> arguments,
+                     int exit_code = 0) {
     const Path page = folder_ / "page.html";
     arguments.push_back("--report=" + page.string());
     const ToolRun run = RunToolBinary(tool, arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.exit_code, exit_code) << run.err;
     return TextOf(page);
   }
 
@@ -70,6 +74,29 @@ TEST_F(PageLayout, OfAComparisonFits) {
 
 TEST_F(PageLayout, OfADiagnosisFits) {
   ExpectThatItFits(PageOf("fathom_diagnose", {"--log=" + kPoolRun, "--dof=surge"}));
+}
+
+// With a picture of a sensor that is stuck, and one of the command's delay.
+TEST_F(PageLayout, OfACheckFits) {
+  LogNumbers log = SoundLog(folder_);
+  GetStuck(&log);
+  for (double& t : log.time) t += 3.0;
+  Write(log, folder_ / "log");
+  const std::string page = PageOf("fathom_check", {"--log=" + (folder_ / "log").string()}, 2);
+  EXPECT_THAT(page, testing::HasSubstr("stuck values</h2>"));
+  EXPECT_THAT(page, testing::HasSubstr("command delay</h2>"));
+  ExpectThatItFits(page);
+}
+
+TEST_F(PageLayout, OfACheckOfSeveralLogsFits) {
+  std::vector<std::string> arguments;
+  LogNumbers log = SoundLog(folder_);
+  for (const char* dive : {"dive_1", "dive_2", "dive_3"}) {
+    Write(log, folder_ / dive);
+    arguments.push_back("--log=" + (folder_ / dive).string());
+    ScaleForce(1.01, &log);  // the same data twice would be refused
+  }
+  ExpectThatItFits(PageOf("fathom_check", arguments));
 }
 
 TEST_F(PageLayout, OfARefinementFits) {

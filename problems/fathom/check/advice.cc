@@ -16,6 +16,11 @@ struct Entry {
 
 // By code.
 constexpr Entry kAdvice[] = {
+    {"camera_delay",
+     {"Models from the two sources differ in their dynamics, and in a fit of both each spoils the "
+      "other.",
+      "Put the clocks together: take the stamps of the exposure, not of the arrival of the image, "
+      "or shift those of detections.csv by this delay."}},
     {"clipped_command",
      {"Nothing, if the thrusters got the same limit. If they got more, damping comes out too "
       "small.",

@@ -18,13 +18,16 @@
 namespace fathom {
 namespace {
 
-void Note(const char* code, std::string sentence, std::vector<Finding>* findings) {
-  findings->push_back({Severity::kNote, code, std::move(sentence)});
+void Note(const char* code,
+          std::string sentence,
+          std::vector<Finding>* findings,
+          std::optional<FindingPlace> where = {}) {
+  findings->push_back({Severity::kNote, code, std::move(sentence), std::move(where)});
 }
 
 // The command at the stamps of the motion.
 struct Sampled {
-  std::vector<double> force, velocity;
+  std::vector<double> time, force, velocity;
   double duration = 0.0;  // [s]
   std::size_t num_changes = 0;
 };
@@ -36,12 +39,28 @@ Sampled SampledOf(const HeldCommand& command, std::span<const Segment> segments)
     for (std::size_t i = 1; i < force.size(); ++i) {
       if (force[i] != force[i - 1]) ++sampled.num_changes;
     }
+    sampled.time.insert(sampled.time.end(), segment.time.begin(), segment.time.end());
     sampled.force.insert(sampled.force.end(), force.begin(), force.end());
     sampled.velocity.insert(
         sampled.velocity.end(), segment.velocity.begin(), segment.velocity.end());
     sampled.duration += segment.time.back() - segment.time.front();
   }
   return sampled;
+}
+
+// The longest stretch of stamps at which the command has this value.
+FindingPlace LongestAt(double value, const Sampled& sampled) {
+  TimeInterval longest = {0.0, -1.0};
+  const auto& [time, force, velocity, duration, num_changes] = sampled;
+  for (std::size_t first = 0; first < force.size();) {
+    std::size_t end = first;
+    while (end < force.size() && force[end] == value) ++end;
+    if (end > first && time[end - 1] - time[first] > longest.to - longest.from) {
+      longest = {time[first], time[end - 1]};
+    }
+    first = end + 1;
+  }
+  return {"command.csv", "", longest};
 }
 
 void CheckClipping(const Sampled& sampled, std::vector<Finding>* findings) {
@@ -57,7 +76,8 @@ void CheckClipping(const Sampled& sampled, std::vector<Finding>* findings) {
          fmt::format("The command stands at its limit of {:.4g} for {:.0f} % of the time.",
                      limit,
                      100.0 * share),
-         findings);
+         findings,
+         LongestAt(limit, sampled));
   }
 }
 

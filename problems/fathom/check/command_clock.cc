@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -85,6 +86,11 @@ class Impulse {
 struct Rest {
   double with_force = 0.0, without_force = 0.0;
   double slope = 0.0;  // of the change over the force
+
+  double Correlation() const {
+    const double explained = without_force > 0.0 ? 1.0 - with_force / without_force : 0.0;
+    return std::copysign(std::sqrt(std::max(explained, 0.0)), slope);
+  }
 };
 
 Rest RestAt(double delay, const std::vector<Window>& windows, const Impulse& impulse) {
@@ -110,11 +116,15 @@ Rest RestAt(double delay, const std::vector<Window>& windows, const Impulse& imp
   return rest;
 }
 
-}  // namespace
+// What each delay leaves; empty where too little is known to tell them apart.
+struct Rests {
+  std::vector<Rest> of_step;  // from the earliest to the latest
+  int num_steps = 0;          // on either side of none
+  std::size_t num_windows = 0;
+};
 
-std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
-                                             std::span<const Segment> segments) {
-  if (command.time.size() < 2) return std::nullopt;
+Rests RestsOf(const HeldCommand& command, std::span<const Segment> segments) {
+  if (command.time.size() < 2) return {};
   std::vector<Window> windows;
   double longest = 0.0;
   for (const Segment& segment : segments) {
@@ -129,15 +139,33 @@ std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
     return window.from - most < command.time.front() || window.to + most > command.time.back();
   });
   constexpr std::size_t kFewestWindows = 30;
-  if (windows.size() < kFewestWindows) return std::nullopt;
+  if (windows.size() < kFewestWindows) return {};
   const Impulse impulse(command);
-  const int num_steps = static_cast<int>(std::lround(most / kDelayStep));
-  std::vector<Rest> rests;
-  for (int k = -num_steps; k <= num_steps; ++k) {
-    rests.push_back(RestAt(k * kDelayStep, windows, impulse));
+  Rests rests = {{}, static_cast<int>(std::lround(most / kDelayStep)), windows.size()};
+  for (int k = -rests.num_steps; k <= rests.num_steps; ++k) {
+    rests.of_step.push_back(RestAt(k * kDelayStep, windows, impulse));
   }
+  return rests;
+}
+
+}  // namespace
+
+DelayCurve CommandDelayCurve(const HeldCommand& command, std::span<const Segment> segments) {
+  const auto [rests, num_steps, num_windows] = RestsOf(command, segments);
+  DelayCurve curve;
+  for (int k = 0; k < std::ssize(rests); ++k) {
+    curve.delay.push_back((k - num_steps) * kDelayStep);
+    curve.correlation.push_back(rests[static_cast<std::size_t>(k)].Correlation());
+  }
+  return curve;
+}
+
+std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
+                                             std::span<const Segment> segments) {
+  const auto [rests, num_steps, num_windows] = RestsOf(command, segments);
+  if (rests.empty()) return std::nullopt;
   // Halves of the windows overlap.
-  const double count = 0.25 * static_cast<double>(windows.size());
+  const double count = 0.25 * static_cast<double>(num_windows);
   const auto evidence = [&](const Rest& a, const Rest& b) {
     return count * std::log(std::max(b.with_force, 1e-300) / std::max(a.with_force, 1e-300));
   };

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace fathom {
 
@@ -33,6 +34,14 @@ struct CommandDelay {
 // `command`: of the whole log. Segments shorter than 20 s are left out.
 std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
                                              std::span<const Segment> segments);
+
+// What FindCommandDelay() compares: at each delay the correlation of the change of the velocity and
+// the impulse of the command, both without what the other terms of (6) explain.
+struct DelayCurve {
+  std::vector<double> delay;        // [s]
+  std::vector<double> correlation;  // -1 to 1
+};
+DelayCurve CommandDelayCurve(const HeldCommand& command, std::span<const Segment> segments);
 
 // As a finding `command_delay`: a warning if the motion comes first by over 0.2 s, or late by over
 // a second; a note if it is late by over 0.3 s, which thrusters and filters may explain.

@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include "fathom/base/time_interval.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +16,19 @@ enum class Severity {
   kWarning,  // no fit of these data should be believed before this is explained
 };
 
+// Where in a log a finding shows.
+struct FindingPlace {
+  std::string file;   // "velocity.csv"
+  std::string axis;   // its column, "yaw" of a pose; empty: the command of the DOF
+  TimeInterval time;  // the first row and the last one, or of a jump those beside it [s]
+};
+
 // What is odd about data, or about a model in the light of what is known of the vehicle.
 struct Finding {
   Severity severity = Severity::kNote;
-  std::string code;      // one word for programs: "passivity"
-  std::string sentence;  // for a person, with its figures
+  std::string code;                        // one word for programs: "passivity"
+  std::string sentence;                    // for a person, with its figures
+  std::optional<FindingPlace> where = {};  // absent: it is about the whole log
 };
 
 // The warnings before the notes, otherwise in their order.

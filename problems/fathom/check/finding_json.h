@@ -9,8 +9,9 @@
 
 namespace fathom {
 
-// [{severity, code, sentence}], as every file has them: severity "red" for a warning, else
-// "yellow". `Json` is nlohmann's, which this header is spared.
+// [{severity, code, sentence, where: {file, axis, from, to}}], as every file has them: severity
+// "red" for a warning, else "yellow"; `where` only of a finding that has a place. `Json` is
+// nlohmann's, which this header is spared.
 template <typename Json>
 Json JsonOf(const std::vector<Finding>& findings) {
   Json list = Json::array();
@@ -18,6 +19,12 @@ Json JsonOf(const std::vector<Finding>& findings) {
     list.push_back({{"severity", finding.severity == Severity::kWarning ? "red" : "yellow"},
                     {"code", finding.code},
                     {"sentence", finding.sentence}});
+    if (const auto& where = finding.where) {
+      list.back()["where"] = {{"file", where->file},
+                              {"axis", where->axis},
+                              {"from", where->time.from},
+                              {"to", where->time.to}};
+    }
   }
   return list;
 }

@@ -10,7 +10,9 @@
 #include "fathom/check/values/stuck_values.h"
 #include "fathom/signal/sources/log_column.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -27,11 +29,22 @@ namespace {
 constexpr double kShortHold = 0.3;  // [s]; a delay of half of that is no worse than a filter's
 
 struct Column {
-  std::string name;  // "velocity.csv: u"
+  std::string file, axis;
   std::span<const double> time, values;
+
+  std::string Name() const { return fmt::format("{}: {}", file, axis); }
 
   double Share(std::size_t num_rows) const {
     return 100.0 * static_cast<double>(num_rows) / static_cast<double>(values.size());
+  }
+  FindingPlace Place(std::size_t first, std::size_t last) const {
+    return {file, axis, {time[first], time[last]}};
+  }
+  // Of the rows from `first` on that hold one value.
+  FindingPlace PlaceOfValue(std::size_t first) const {
+    std::size_t last = first;
+    while (last + 1 < values.size() && values[last + 1] == values[first]) ++last;
+    return Place(first, last);
   }
 };
 
@@ -52,8 +65,25 @@ Rows RowsOtherThan0(const Column& column) {
 // Without the folder: a log may be moved, and what is wrong with it stays the same.
 std::string NameOf(const std::filesystem::path& file) { return file.filename().string(); }
 
-Finding Warning(const char* code, std::string sentence) {
-  return {Severity::kWarning, code, std::move(sentence)};
+Finding Warning(const char* code, std::string sentence, FindingPlace where) {
+  return {Severity::kWarning, code, std::move(sentence), std::move(where)};
+}
+
+// Ten held values about the largest change, where they show best.
+FindingPlace PlaceOf(const Column& column, const HeldSamples& held) {
+  constexpr double kNumOnEitherSide = 5.0;
+  std::size_t row = 1;
+  for (std::size_t i = 1; i < column.values.size(); ++i) {
+    const auto change = [&](std::size_t k) {
+      return std::abs(column.values[k] - column.values[k - 1]);
+    };
+    if (change(i) > change(row)) row = i;
+  }
+  const double side = kNumOnEitherSide * held.interval;
+  return {column.file,
+          column.axis,
+          {std::max(column.time[row] - side, column.time.front()),
+           std::min(column.time[row] + side, column.time.back())}};
 }
 
 Finding FindingOf(const Column& column, const Sentinel& sentinel) {
@@ -61,11 +91,12 @@ Finding FindingOf(const Column& column, const Sentinel& sentinel) {
                  fmt::format("{} is exactly {} in {} row{}, first at t = {:.6g} s, far from all "
                              "other values. Such a number stands for \"no reading\". Take these "
                              "rows out.",
-                             column.name,
+                             column.Name(),
                              sentinel.value,
                              sentinel.num_rows,
                              sentinel.num_rows == 1 ? "" : "s",
-                             column.time[sentinel.first]));
+                             column.time[sentinel.first]),
+                 column.PlaceOfValue(sentinel.first));
 }
 
 Finding FindingOf(const Column& column, const LostValues& lost) {
@@ -73,10 +104,11 @@ Finding FindingOf(const Column& column, const LostValues& lost) {
                  fmt::format("{} is exactly 0 in {} rows ({:.2g} %) while the rows before and "
                              "after them are far from 0, first at t = {:.6g} s. The sensor had no "
                              "reading. Take these rows out.",
-                             column.name,
+                             column.Name(),
                              lost.num_rows,
                              column.Share(lost.num_rows),
-                             column.time[lost.first]));
+                             column.time[lost.first]),
+                 column.PlaceOfValue(lost.first));
 }
 
 Finding FindingOf(const Column& column, const StuckValues& stuck) {
@@ -85,12 +117,13 @@ Finding FindingOf(const Column& column, const StuckValues& stuck) {
                  fmt::format("{} stands still in {} rows ({:.2g} %), the longest time at {:.6g} "
                              "for {:.3g} s from t = {:.6g} s. The sensor wrote no new value. Take "
                              "these rows out.",
-                             column.name,
+                             column.Name(),
                              stuck.num_rows,
                              column.Share(stuck.num_rows),
                              column.values[stuck.longest.first],
                              to - from,
-                             from));
+                             from),
+                 column.Place(stuck.longest.first, stuck.longest.last));
 }
 
 Finding FindingOf(const Column& column, const HeldSamples& held) {
@@ -100,9 +133,10 @@ Finding FindingOf(const Column& column, const HeldSamples& held) {
       fmt::format("{} has a new value only every {:.3g} s, though a row comes every {:.3g} s: a "
                   "slow sensor was written at a higher rate. Keep only the rows in which the "
                   "value is new.",
-                  column.name,
+                  column.Name(),
                   held.interval,
-                  held.row_step)};
+                  held.row_step),
+      PlaceOf(column, held)};
 }
 
 Finding FindingOf(const Column& column, const RepeatedBlock& block) {
@@ -110,10 +144,11 @@ Finding FindingOf(const Column& column, const RepeatedBlock& block) {
                  fmt::format("{} holds the same {} rows twice, from t = {:.6g} s and from t = "
                              "{:.6g} s. Data with noise never repeat to the last digit. Take one "
                              "of the blocks out.",
-                             column.name,
+                             column.Name(),
                              block.num_rows,
                              column.time[block.first],
-                             column.time[block.second]));
+                             column.time[block.second]),
+                 column.Place(block.second, block.second + block.num_rows - 1));
 }
 
 void CheckColumn(const Column& column, std::vector<Finding>* findings) {
@@ -129,7 +164,7 @@ void CheckColumn(const Column& column, std::vector<Finding>* findings) {
   add(column, held);
   if (!held) {
     const Rows rows = lost ? RowsOtherThan0(column) : Rows();
-    const Column rest = lost ? Column{column.name, rows.time, rows.values} : column;
+    const Column rest = lost ? Column{column.file, column.axis, rows.time, rows.values} : column;
     add(rest, FindStuckValues(rest.time, rest.values));
   }
   add(column, FindRepeatedBlock(column.values));
@@ -142,7 +177,7 @@ void CheckColumns(const Stream& stream,
   for (const std::string_view name : names) {
     const std::vector<double>* values = stream.Find(name);
     if (values == nullptr) continue;
-    CheckColumn({fmt::format("{}: {}", file, name), stream.time, *values}, findings);
+    CheckColumn({file, std::string(name), stream.time, *values}, findings);
   }
 }
 

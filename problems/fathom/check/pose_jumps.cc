@@ -5,12 +5,12 @@
 
 #include "fathom/base/median.h"
 #include "fathom/base/plural.h"
+#include "fathom/check/values/pose_yaw.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,7 +25,8 @@ constexpr double kLeast = 0.1;        // [m] or [rad]
 constexpr double kLargeSteps = 10.0;  // times the 90 % quantile
 
 struct Jump {
-  double time = 0.0, size = 0.0;
+  double before = 0.0, time = 0.0;  // stamps of the rows beside it [s]
+  double size = 0.0;
 };
 
 // Where the course of the values on one side is at the jump, half a row behind the last of them.
@@ -67,24 +68,9 @@ std::vector<Jump> JumpsOf(const std::vector<double>& time,
     std::reverse(behind.begin(), behind.end());
     double size = Continued(behind) - before;
     if (turn > 0.0) size = std::remainder(size, turn);
-    if (std::abs(size) > least) jumps.push_back({time[i], size});
+    if (std::abs(size) > least) jumps.push_back({time[i - 1], time[i], size});
   }
   return jumps;
-}
-
-// Yaw [rad], without the turn from pi to -pi.
-std::optional<std::vector<double>> UnwrappedYaw(const Stream& pose) {
-  const auto *x = pose.Find("qx"), *y = pose.Find("qy"), *z = pose.Find("qz"), *w = pose.Find("qw");
-  if (x == nullptr || y == nullptr || z == nullptr || w == nullptr) return std::nullopt;
-  std::vector<double> yaw;
-  for (std::size_t i = 0; i < x->size(); ++i) {
-    const double now = std::atan2(2.0 * ((*w)[i] * (*z)[i] + (*x)[i] * (*y)[i]),
-                                  1.0 - 2.0 * ((*y)[i] * (*y)[i] + (*z)[i] * (*z)[i]));
-    const double turns =
-        yaw.empty() ? 0.0 : std::round((yaw.back() - now) / (2.0 * std::numbers::pi));
-    yaw.push_back(now + turns * 2.0 * std::numbers::pi);
-  }
-  return yaw;
 }
 
 void Tell(const char* name,
@@ -104,7 +90,8 @@ void Tell(const char* name,
                    jumps.size() == 1 ? "once" : Plural(jumps.size(), "time"),
                    largest.size,
                    unit,
-                   largest.time)});
+                   largest.time),
+       FindingPlace{"pose.csv", name, {largest.before, largest.time}}});
 }
 
 }  // namespace
@@ -117,7 +104,7 @@ std::vector<Finding> CheckPoseJumps(const Log& log) {
       Tell(axis, "m", JumpsOf(log.pose->time, *values, 0.0), &findings);
     }
   }
-  if (const auto yaw = UnwrappedYaw(*log.pose)) {
+  if (const auto yaw = UnwrappedYawOf(*log.pose)) {
     Tell("yaw", "rad", JumpsOf(log.pose->time, *yaw, 2.0 * std::numbers::pi), &findings);
   }
   return findings;

@@ -5,9 +5,12 @@
 
 #include "fathom/check/advice.h"
 #include "fathom/checkup/checkup_text.h"
+#include "fathom/checkup/finding_picture.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/report/page.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -25,13 +28,29 @@ std::string FindingText(const Finding& finding) {
   return fmt::format("{} ({})", text, finding.code);
 }
 
-// Warnings stand out, notes are paragraphs.
-void AddFindings(const std::vector<Finding>& findings,
-                 std::vector<std::string>* warnings,
-                 std::vector<std::string>* text) {
+void AddFinding(const Finding& finding,
+                std::vector<std::string>* warnings,
+                std::vector<std::string>* text) {
+  // Warnings stand out, notes are paragraphs.
+  (finding.severity == Severity::kWarning ? warnings : text)->push_back(FindingText(finding));
+}
+
+// Those with a picture become sections of their own, which are given back.
+std::vector<PageSection> AddFindings(const std::vector<Finding>& findings,
+                                     const Log& log,
+                                     const DofCheckup* dof,
+                                     std::vector<std::string>* warnings,
+                                     std::vector<std::string>* text) {
+  std::vector<PageSection> pictures;
   for (const Finding& finding : findings) {
-    (finding.severity == Severity::kWarning ? warnings : text)->push_back(FindingText(finding));
+    if (auto picture = PictureOf(finding, log, dof)) {
+      AddFinding(finding, &picture->warnings, &picture->text);
+      pictures.push_back(*std::move(picture));
+    } else {
+      AddFinding(finding, warnings, text);
+    }
   }
+  return pictures;
 }
 
 // Motion and command, with a gap between two segments.
@@ -70,14 +89,16 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
   streams.heading = "Files";
   streams.tables = {StreamTable(checkup)};
   for (const Remark& remark : checkup.log.remarks) streams.text.push_back(remark.text);
-  AddFindings(checkup.findings, &page.warnings, &streams.text);
+  page.sections =
+      AddFindings(checkup.findings, checkup.log, nullptr, &page.warnings, &streams.text);
   for (const DofCheckup& dof : checkup.dofs) {
     PageSection section;
     section.heading = std::string(Name(dof.dof));
     if (!dof.why_not.empty()) {
       section.text.push_back(fmt::format("It cannot be identified: {}", dof.why_not));
     }
-    AddFindings(dof.findings, &section.warnings, &section.text);
+    std::vector<PageSection> pictures =
+        AddFindings(dof.findings, checkup.log, &dof, &section.warnings, &section.text);
     for (std::string& sentence : ExcitationSentences(checkup, dof)) {
       section.text.push_back(std::move(sentence));
     }
@@ -89,6 +110,7 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
       section.tables = {std::move(table)};
     }
     page.sections.push_back(std::move(section));
+    std::ranges::move(pictures, std::back_inserter(page.sections));
   }
   page.sections.push_back(std::move(streams));
   return RenderPage(page);

@@ -215,7 +215,7 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs) {
+Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
   Table table;
   table.columns = {{"log"}, {"DOFs"}, {"red"}, {"yellow"}};
   for (const CheckedLog& log : logs) {
@@ -236,7 +236,11 @@ std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs) {
                            fmt::format("{}", fmt::join(red, " ")),
                            fmt::format("{}", fmt::join(yellow, " "))}});
   }
-  return FormatTable(table);
+  return table;
+}
+
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs) {
+  return FormatTable(CheckedLogsTable(logs));
 }
 
 }  // namespace fathom

@@ -34,6 +34,7 @@ struct CheckedLog {
   std::string message;  // why it could not be checked; empty: it was
   LogCheckup checkup;
 };
+Table CheckedLogsTable(const std::vector<CheckedLog>& logs);
 std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs);
 
 }  // namespace fathom

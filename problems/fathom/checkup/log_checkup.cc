@@ -6,9 +6,11 @@
 #include "fathom/archive/jobs/survey.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/check/camera_clock.h"
 #include "fathom/check/command_check.h"
 #include "fathom/check/command_clock.h"
 #include "fathom/check/log_check.h"
+#include "fathom/check/motion_check.h"
 #include "fathom/check/pose_jumps.h"
 #include "fathom/check/pose_twist_check.h"
 #include "fathom/comparison/log_identification.h"
@@ -61,6 +63,21 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
   }
 }
 
+// The poses against velocity.csv. Those of a camera get the clock of velocity.csv first, so that a
+// delay is told once and no axis for it.
+std::vector<Finding> CheckTwoMotions(Log log) {
+  if (!log.velocity) return {};
+  if (!log.detections) return CheckPoseAgainstTwist(log);
+  if (!log.pose) TrackDetectionsIfUsable(&log);
+  std::vector<Finding> findings;
+  if (const auto delay = FindCameraDelay(log)) {
+    if (auto finding = CheckCameraClock(log, *delay)) findings.push_back(*std::move(finding));
+    for (double& t : log.pose->time) t -= delay->delay;
+  }
+  Add(CheckPoseAgainstTwist(log), &findings);
+  return findings;
+}
+
 void Identify(const Log& log, DofCheckup* checkup) {
   LogIdentificationOptions options;
   options.dof = checkup->dof;
@@ -92,8 +109,14 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   LogCheckup checkup;
   checkup.streams = StreamsOf(log);
-  checkup.findings = CheckPoseAgainstTwist(log);
+  checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
+  // Where velocity.csv is the source, no DOF looks at the poses.
+  if (log.velocity) {
+    for (const Dof dof : {Dof::kSurge, Dof::kYaw}) {
+      Add(CheckMotion(log, dof, Source::kCamera), &checkup.findings);
+    }
+  }
   checkup.findings = WarningsFirst(std::move(checkup.findings));
   if (survey.needs_tracking) {
     checkup.findings.push_back({Severity::kNote,
@@ -121,6 +144,12 @@ std::vector<Finding> AllFindings(const LogCheckup& checkup) {
   std::vector<Finding> findings = checkup.findings;
   for (const DofCheckup& dof : checkup.dofs) Add(dof.findings, &findings);
   return findings;
+}
+
+bool HasRed(const LogCheckup& checkup) {
+  return std::ranges::any_of(AllFindings(checkup), [](const Finding& finding) {
+    return finding.severity == Severity::kWarning;
+  });
 }
 
 }  // namespace fathom

@@ -57,4 +57,7 @@ LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof);
 // All findings, those of the log and of its DOFs.
 std::vector<Finding> AllFindings(const LogCheckup& checkup);
 
+// Whether one of them is a warning.
+bool HasRed(const LogCheckup& checkup);
+
 }  // namespace fathom

@@ -5,6 +5,7 @@
 
 #include "fathom/base/random_stream.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -107,6 +108,17 @@ TEST(CommandClock, WarnsOfMotionBeforeItsCommand) {
   EXPECT_THAT(finding->sentence, HasSubstr("s before the command"));
   const Steered late = Simulated(RandomSteps(5), 0.6, 120.0, 5);
   EXPECT_EQ(CheckCommandClock(late.command, late.segments)->severity, Severity::kNote);
+}
+
+TEST(CommandClock, CorrelatesMostAtTheDelayThatItFinds) {
+  const Steered run = Simulated(RandomSteps(5), 2.2, 120.0, 5);
+  const DelayCurve curve = CommandDelayCurve(run.command, run.segments);
+  ASSERT_EQ(curve.delay.size(), 401u);
+  const auto most = std::max_element(curve.correlation.begin(), curve.correlation.end());
+  const auto at = static_cast<std::size_t>(most - curve.correlation.begin());
+  EXPECT_NEAR(curve.delay[at], 2.2, 0.15);
+  EXPECT_GT(*most, 0.9);
+  EXPECT_LE(*most, 1.0);
 }
 
 }  // namespace

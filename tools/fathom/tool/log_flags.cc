@@ -27,6 +27,15 @@ DEFINE_string(velocity, "", "Read this CSV instead of the log's velocity.csv.");
 namespace fathom {
 namespace {
 
+// To stderr, from the remark `first` on.
+void PrintRemarks(const Log& log, std::size_t first) {
+  for (std::size_t i = first; i < log.remarks.size(); ++i) {
+    std::fprintf(stderr, "%s\n", log.remarks[i].text.c_str());
+  }
+}
+
+}  // namespace
+
 void RequireDifferentData(const std::vector<Log>& logs) {
   if (logs.size() < 2) return;
   std::map<std::string, std::string> path_of;
@@ -38,15 +47,6 @@ void RequireDifferentData(const std::vector<Log>& logs) {
                                  log.path.string()));
   }
 }
-
-// To stderr, from the remark `first` on.
-void PrintRemarks(const Log& log, std::size_t first) {
-  for (std::size_t i = first; i < log.remarks.size(); ++i) {
-    std::fprintf(stderr, "%s\n", log.remarks[i].text.c_str());
-  }
-}
-
-}  // namespace
 
 std::vector<std::string> LogPathsFromFlags() {
   namespace fs = std::filesystem;

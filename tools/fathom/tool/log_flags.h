@@ -28,6 +28,9 @@ std::vector<std::string> LogPathsFromFlags();
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
 
+// Throws InputError if two logs hold the same data, whatever their names.
+void RequireDifferentData(const std::vector<Log>& logs);
+
 // OpenLog() of a path of --log (with --velocity); prints the remarks to stderr.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 

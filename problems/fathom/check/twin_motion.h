@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/log/log.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// The motion along one DOF as a log holds it twice: a column of velocity.csv, and the velocity that
+// the poses give, both smoothed over one second (or six steps).
+struct TwinMotion {
+  Dof dof = Dof::kSurge;
+  std::string column;              // of velocity.csv
+  std::vector<double> pose_time;   // [s]
+  std::vector<double> from_pose;   // [m/s] or [rad/s]; NaN near the ends
+  std::vector<double> twist_time;  // [s]
+  std::vector<double> twist;       // [m/s] or [rad/s]
+
+  double SlowestStep() const;  // the larger of the two median steps [s]
+};
+
+// Of those DOFs along which both move: by over 0.02 m/s or 0.01 rad/s (standard deviation). Empty
+// for a log that lacks one of the two, or has under 50 samples of it.
+std::vector<TwinMotion> TwinMotionsOf(const Log& log);
+
+// What the two share. Too few samples: the correlation is 0, the others NaN.
+struct Likeness {
+  double correlation = 0.0;
+  double gain = std::numeric_limits<double>::quiet_NaN();  // of the twist over the pose's velocity,
+                                                           // both about their means
+  double size = std::numeric_limits<double>::quiet_NaN();  // of their root mean squares
+};
+
+// Of the pose's velocity at its stamps and the twist `delay` [s] later.
+Likeness LikenessAt(double delay, const TwinMotion& motion);
+
+}  // namespace fathom

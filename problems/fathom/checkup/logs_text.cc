@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/checkup/logs_text.h"
+
+#include "fathom/report/format_value.h"
+#include "fathom/report/page.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kCaption =
+    "The standard deviation that each log leaves alone (its share of what all know together).";
+
+const FittedModel& ModelOf(const std::vector<CheckedLog>& logs, std::size_t log_index, Dof dof) {
+  return FindDof(logs[log_index].checkup, dof)->model->fitted;
+}
+
+std::string UnitOf(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof, int parameter) {
+  const FittedModel& any = ModelOf(logs, of_dof.log_indices.front(), of_dof.dof);
+  return ParameterUnit(parameter, any.dof, any.force_unit);
+}
+
+double StdOf(const Eigen::MatrixXd& covariance, int parameter) {
+  return std::sqrt(covariance(parameter, parameter));
+}
+
+std::string Sentence(const std::vector<CheckedLog>& logs) {
+  const auto num_red =
+      std::ranges::count_if(logs, [](const CheckedLog& log) { return HasRed(log.checkup); });
+  if (num_red == 0) return fmt::format("Nothing speaks against these {} logs.", logs.size());
+  return fmt::format("{} of {} logs {} red findings, which have to be explained first.",
+                     num_red,
+                     logs.size(),
+                     num_red == 1 ? "has" : "have");
+}
+
+Table InformationTable(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof) {
+  Table table;
+  table.columns = {{"log"}};
+  for (int p = 0; p < kNumParameters; ++p) {
+    table.columns.push_back(
+        {fmt::format(
+             "{} [{}]", kParameterInfo[static_cast<std::size_t>(p)].name, UnitOf(logs, of_dof, p)),
+         true});
+  }
+  for (std::size_t k = 0; k < of_dof.log_indices.size(); ++k) {
+    const std::size_t i = of_dof.log_indices[k];
+    TableRow row = {{logs[i].path}};
+    for (int p = 0; p < kNumParameters; ++p) {
+      const double std = StdOf(ModelOf(logs, i, of_dof.dof).covariance, p);
+      std::string cell = fmt::format("{:.2g}", std);
+      if (of_dof.information) {
+        const double share = of_dof.information->share(static_cast<Eigen::Index>(k), p);
+        cell += fmt::format(" ({:.0f} %)", 100.0 * share);
+      }
+      row.cells.push_back(std::move(cell));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  if (!of_dof.information) return table;
+  TableRow all = {{"all together"}};
+  for (int p = 0; p < kNumParameters; ++p) {
+    all.cells.push_back(fmt::format("{:.2g}", StdOf(of_dof.information->covariance, p)));
+  }
+  table.rows.push_back(std::move(all));
+  return table;
+}
+
+std::vector<std::string> SplitSentences(const std::vector<CheckedLog>& logs,
+                                        const DofOfLogs& of_dof) {
+  std::vector<std::string> sentences;
+  if (of_dof.held_out.empty()) return sentences;
+  sentences.emplace_back("To judge the model on data that it has not seen, add to log.yaml:");
+  for (const LogHeldOut& one : of_dof.held_out) {
+    // Rounded outwards, so that no row of the whole log is left.
+    sentences.push_back(fmt::format("of {}: held_out: [{:.1f}, {:.1f}]",
+                                    logs[one.log_index].path,
+                                    std::floor(10.0 * one.time.from) / 10.0,
+                                    std::ceil(10.0 * one.time.to) / 10.0));
+  }
+  return sentences;
+}
+
+ParameterPanel PanelOf(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof, int p) {
+  ParameterPanel panel;
+  panel.name = kParameterInfo[static_cast<std::size_t>(p)].name;
+  panel.unit = UnitOf(logs, of_dof, p);
+  for (const std::size_t i : of_dof.log_indices) {
+    const FittedModel& fitted = ModelOf(logs, i, of_dof.dof);
+    panel.estimates.push_back(
+        {logs[i].path, ToVector(fitted.model)[p], StdOf(fitted.covariance, p)});
+  }
+  return panel;
+}
+
+Json ParameterJson(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof, int p) {
+  Json of_logs = Json::array();
+  for (std::size_t k = 0; k < of_dof.log_indices.size(); ++k) {
+    const std::size_t i = of_dof.log_indices[k];
+    of_logs.push_back(
+        {{"log", logs[i].path}, {"std", StdOf(ModelOf(logs, i, of_dof.dof).covariance, p)}});
+    if (!of_dof.information) continue;
+    of_logs.back()["share"] = of_dof.information->share(static_cast<Eigen::Index>(k), p);
+  }
+  return {{"name", kParameterInfo[static_cast<std::size_t>(p)].name},
+          {"unit", UnitOf(logs, of_dof, p)},
+          {"std", of_dof.information ? Json(StdOf(of_dof.information->covariance, p)) : Json()},
+          {"logs", std::move(of_logs)}};
+}
+
+}  // namespace
+
+std::string FormatLogs(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
+  std::string text = Sentence(logs) + "\n\n" + FormatCheckedLogs(logs);
+  for (const DofOfLogs& of_dof : dofs) {
+    text += fmt::format(
+        "\n{}\n{}\n{}", Name(of_dof.dof), kCaption, FormatTable(InformationTable(logs, of_dof)));
+    for (const std::string& sentence : SplitSentences(logs, of_dof)) text += sentence + "\n";
+  }
+  return text;
+}
+
+std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
+  Json of_logs = Json::array(), of_dofs = Json::array();
+  for (const CheckedLog& log : logs) {
+    Json one = Json::parse(FormatCheckupJson(log.checkup));
+    one["path"] = log.path;
+    of_logs.push_back(std::move(one));
+  }
+  for (const DofOfLogs& of_dof : dofs) {
+    Json parameters = Json::array(), held_out = Json::array();
+    for (int p = 0; p < kNumParameters; ++p) {
+      parameters.push_back(ParameterJson(logs, of_dof, p));
+    }
+    for (const LogHeldOut& one : of_dof.held_out) {
+      held_out.push_back(
+          {{"log", logs[one.log_index].path}, {"from", one.time.from}, {"to", one.time.to}});
+    }
+    of_dofs.push_back({{"dof", Name(of_dof.dof)},
+                       {"parameters", std::move(parameters)},
+                       {"held_out", std::move(held_out)}});
+  }
+  const Json json = {{"schema", "fathom-check-logs-1"},
+                     {"verdict", Sentence(logs)},
+                     {"logs", std::move(of_logs)},
+                     {"dofs", std::move(of_dofs)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
+                           std::span<const DofOfLogs> dofs,
+                           const PageOrigin& origin) {
+  Page page;
+  page.title = fmt::format("Check of {} logs", logs.size());
+  page.lead = {Sentence(logs)};
+  page.origin = origin;
+  PageSection findings;
+  findings.heading = "Findings";
+  findings.tables = {CheckedLogsTable(logs)};
+  page.sections.push_back(std::move(findings));
+  for (const DofOfLogs& of_dof : dofs) {
+    PageSection section;
+    section.heading = std::string(Name(of_dof.dof));
+    section.text = SplitSentences(logs, of_dof);
+    Table table = InformationTable(logs, of_dof);
+    table.caption = kCaption;
+    section.tables = {std::move(table)};
+    for (int p = 0; p < kNumParameters; ++p) {
+      section.parameter_panels.push_back(PanelOf(logs, of_dof, p));
+    }
+    page.sections.push_back(std::move(section));
+  }
+  return RenderPage(page);
+}
+
+}  // namespace fathom

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/checkup/logs_checkup.h"
+#include "fathom/report/page_origin.h"
+
+#include <span>
+#include <string>
+
+namespace fathom {
+
+// Several logs for a terminal: a row for each (FormatCheckedLogs), and for each DOF the standard
+// deviation that each log alone leaves its parameters, its share of what all know, and what to hold
+// out.
+std::string FormatLogs(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs);
+
+// The same as JSON, schema "fathom-check-logs-1"; docs/check.md.
+std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs);
+
+// The same as a page, with the estimates of each log as dots.
+std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
+                           std::span<const DofOfLogs> dofs,
+                           const PageOrigin& origin);
+
+}  // namespace fathom
