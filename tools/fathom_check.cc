@@ -13,6 +13,7 @@
 #include "fathom/checkup/checkup_text.h"
 #include "fathom/checkup/log_checkup.h"
 #include "fathom/tool/dof_flag.h"
+#include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
@@ -57,7 +58,7 @@ int CheckLog() {
     throw InputError(fmt::format("--log: names {} logs, expected one.", paths.size()));
   }
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
-  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag());
+  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag());
   fmt::print("{}", FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {
@@ -82,7 +83,7 @@ int CheckArchive() {
     CheckedLog one = {PathText(log.path), "", {}};
     try {
       if (log.is_recording) throw InputError("a recording: fathom_import comes first.");
-      one.checkup = CheckUp(log.place, DofFromFlag());
+      one.checkup = CheckUp(log.place, DofFromFlag(), HeldOutFromFlag());
       has_red |= HasRed(one.checkup);
     } catch (const InputError& error) {
       one.message = error.what();

@@ -40,6 +40,8 @@ DEFINE_string(
     "inertia and damping are shared).");
 DEFINE_string(model, "", "Write the model to this JSON file.");
 
+DECLARE_string(held_out);
+
 namespace fathom {
 namespace {
 
@@ -111,6 +113,7 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
       {"family", std::string(Name(result.family))},
       {"source", std::string(Name(result.source))},
       {"velocity", FLAGS_velocity},
+      {"held_out", FLAGS_held_out},
       {"gains", FLAGS_gains},
       {"integrator", FLAGS_integrator},
       {"offset", FLAGS_offset},

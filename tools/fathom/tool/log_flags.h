@@ -28,7 +28,7 @@ std::vector<std::string> LogPathsFromFlags();
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
 
-// OpenLog() of a path of --log (with --velocity); prints the remarks to stderr.
+// OpenLog() of a path of --log (with --velocity and --held_out); prints the remarks to stderr.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 
 // The same of every log that --log names. Throws InputError if two hold the same data, whatever
