@@ -15,6 +15,7 @@
 #include "fathom/checkup/logs_checkup.h"
 #include "fathom/checkup/logs_text.h"
 #include "fathom/tool/dof_flag.h"
+#include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
@@ -56,7 +57,7 @@ int CheckLogs(const std::vector<std::string>& paths) {
   bool has_red = false;
   for (const std::string& path : paths) {
     progress.Show(static_cast<int>(checked.size()), static_cast<int>(paths.size()), "");
-    checked.push_back({path, "", CheckUp(path, DofFromFlag())});
+    checked.push_back({path, "", CheckUp(path, DofFromFlag(), HeldOutFromFlag())});
     has_red |= HasRed(checked.back().checkup);
     logs.push_back(checked.back().checkup.log);
   }
@@ -74,7 +75,7 @@ int CheckLog() {
   const std::vector<std::string> paths = LogPathsFromFlags();
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
   if (paths.size() > 1) return CheckLogs(paths);
-  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag());
+  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag());
   fmt::print("{}", FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {
@@ -99,7 +100,7 @@ int CheckArchive() {
     CheckedLog one = {PathText(log.path), "", {}};
     try {
       if (log.is_recording) throw InputError("a recording: fathom_import comes first.");
-      one.checkup = CheckUp(log.place, DofFromFlag());
+      one.checkup = CheckUp(log.place, DofFromFlag(), HeldOutFromFlag());
       has_red |= HasRed(one.checkup);
     } catch (const InputError& error) {
       one.message = error.what();

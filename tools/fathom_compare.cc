@@ -13,6 +13,7 @@
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -78,7 +79,7 @@ ComparisonOptions OptionsFromFlags() {
 }
 
 void Print(const DofComparison& dof) {
-  std::printf("%s", FormatTable(ParameterTable(dof)).c_str());
+  std::printf("%s", TableForTerminal(ParameterTable(dof)).c_str());
   for (const std::string& line : CommentsOn(dof)) std::printf("%s\n", line.c_str());
   std::printf("\n");
 }

@@ -22,6 +22,7 @@
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 
 #include <cstdio>
 #include <optional>
@@ -116,7 +117,9 @@ void Print(const Diagnosis& diagnosis) {
               std::string(Name(diagnosis.dof)).c_str(),
               std::string(Name(diagnosis.verdict)).c_str(),
               VerdictSentence(diagnosis).c_str());
-  const auto print = [](const Table& table) { std::printf("\n%s", FormatTable(table).c_str()); };
+  const auto print = [](const Table& table) {
+    std::printf("\n%s", TableForTerminal(table).c_str());
+  };
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
   if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));

@@ -13,6 +13,7 @@
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cstdio>
@@ -39,6 +40,8 @@ DEFINE_string(
     "Output error of several logs: shared (one buoyancy in all) or per_log (each its own; "
     "inertia and damping are shared).");
 DEFINE_string(model, "", "Write the model to this JSON file.");
+
+DECLARE_string(held_out);
 
 namespace fathom {
 namespace {
@@ -98,11 +101,11 @@ void Print(const LogIdentification& identified) {
   const FittedModel& fitted = identified.result.fitted;
   if (!identified.offsets.empty()) {
     const Table offsets = OffsetTable(identified.offsets, fitted.dof, fitted.force_unit);
-    std::printf("\n%s", FormatTable(offsets).c_str());
+    std::printf("\n%s", TableForTerminal(offsets).c_str());
   }
   if (!identified.agreement) return;
   const Table runs = RunTable(*identified.agreement, fitted.dof, fitted.force_unit);
-  std::printf("\n%s", FormatTable(runs).c_str());
+  std::printf("\n%s", TableForTerminal(runs).c_str());
 }
 
 std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
@@ -111,6 +114,7 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
       {"family", std::string(Name(result.family))},
       {"source", std::string(Name(result.source))},
       {"velocity", FLAGS_velocity},
+      {"held_out", FLAGS_held_out},
       {"gains", FLAGS_gains},
       {"integrator", FLAGS_integrator},
       {"offset", FLAGS_offset},

@@ -21,6 +21,7 @@
 #include "fathom/tool/output_folder.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ DEFINE_bool(overwrite, false, "Replace the log in --out.");
 DEFINE_bool(list, false, "Only say what the recording holds.");
 DEFINE_bool(suggest, false, "Only print a map for the recording, to be edited.");
 DEFINE_string(json, "", "With --list or --suggest, write that to this JSON file too.");
+DECLARE_bool(wide);
 
 namespace fathom {
 namespace {
@@ -82,14 +84,14 @@ std::string Heading(const std::filesystem::path& file, const Contents& contents)
                             100.0 * share);
 }
 
-// "Roll [deg], Pitch [deg], ..."
+// "Roll [deg], Pitch [deg], ..."; with --wide all of them.
 std::string FieldsText(const Channel& channel) {
-  constexpr std::size_t kMostCharacters = 60;
+  constexpr std::size_t kMostCharacters = 45;
   std::string text;
   for (const Field& field : channel.fields) {
     const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
     const std::string entry = (text.empty() ? "" : ", ") + field.name + unit;
-    if (text.size() + entry.size() > kMostCharacters) return text + ", ...";
+    if (!FLAGS_wide && text.size() + entry.size() > kMostCharacters) return text + ", ...";
     text += entry;
   }
   return text;
@@ -99,10 +101,10 @@ void PrintContents(const std::filesystem::path& file, const Contents& contents) 
   fmt::print("{}\n\n", Heading(file, contents));
   Table table;
   table.columns = {{"channel"},
-                   {"type"},
-                   {"count", true},
-                   {"first [s]", true},
-                   {"last [s]", true},
+                   {"type", false, 3},
+                   {"count", true, 1},
+                   {"first [s]", true, 2},
+                   {"last [s]", true, 2},
                    {"rate [Hz]", true},
                    {"fields"}};
   for (const Channel& channel : contents.channels) {
@@ -118,7 +120,7 @@ void PrintContents(const std::filesystem::path& file, const Contents& contents) 
           has_span ? fmt::format("{:.1f}", static_cast<double>(channel.count - 1) / span) : "-",
           FieldsText(channel)}});
   }
-  fmt::print("{}", FormatTable(table));
+  fmt::print("{}", TableForTerminal(table));
   for (const std::string& remark : contents.remarks) fmt::print("note: {}\n", remark);
 }
 

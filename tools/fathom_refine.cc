@@ -21,6 +21,7 @@
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cstdio>
@@ -96,9 +97,10 @@ ImageComparisonOptions OptionsFromFlags() {
 
 void Print(const ImageComparison& images) {
   const DofComparison& dof = images.comparison.dofs.front();
-  std::printf("%s\n", FormatTable(ParameterTable(dof)).c_str());
-  std::printf("%s\n", FormatTable(IntervalTable(images)).c_str());
-  if (images.joint.IsUsable()) std::printf("%s\n", FormatTable(RefinementTable(images)).c_str());
+  std::printf("%s\n", TableForTerminal(ParameterTable(dof)).c_str());
+  std::printf("%s\n", TableForTerminal(IntervalTable(images)).c_str());
+  if (images.joint.IsUsable())
+    std::printf("%s\n", TableForTerminal(RefinementTable(images)).c_str());
   for (const std::string& remark : images.comparison.remarks) {
     std::printf("note: %s\n", remark.c_str());
   }

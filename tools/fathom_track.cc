@@ -128,10 +128,11 @@ void RequireWritable(const fs::path& out) {
 
 // The log with its detections: those it holds, or those found in its images.
 TrackInput InputOf(const fs::path& folder, const MarkerTrajectoryOptions& options) {
-  TrackInput input = ReadTrackInput(folder);
+  const bool from_detections = StartsFromDetections(folder);
+  TrackInput input = ReadTrackInput(folder, !from_detections);
   RequireReference(options, input.rig.map, folder / "tags.yaml");
   RequireOtherThanFrames(input, {{"overlay", FLAGS_overlay}, {"summary", FLAGS_summary}});
-  if (StartsFromDetections(folder)) {
+  if (from_detections) {
     RequireNoDetectorFlags(folder);
     input.name = (folder / "detections.csv").string();
     input.detections = DetectionsOf(*input.log.detections);

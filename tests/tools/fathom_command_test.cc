@@ -69,6 +69,7 @@ TEST(FathomCommand, ListsEverySubCommandWithWhatItSaysOfItself) {
                                     "diagnose",
                                     "identify",
                                     "import",
+                                    "init",
                                     "refine",
                                     "simulate",
                                     "synthesize",

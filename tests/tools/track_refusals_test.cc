@@ -274,6 +274,24 @@ TEST(TrackTool, RefusesALogWithoutCalibrationOrWithAnothers) {
                 "docs/file_formats.md.\n");
 }
 
+TEST(TrackTool, NamesAllMissingFilesAtOnce) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path log = folder / "log";
+  WriteTestFile(log / "mount.yaml", "never read\n");
+  const auto refusal = [&] {
+    return ExpectRefusal(
+        "fathom_track", {"--log=" + log.string(), "--out=" + (folder / "out").string()}, folder);
+  };
+  const std::string rig =
+      "no camera.yaml (the camera's calibration), no tags.yaml (size and place of the markers), ";
+  EXPECT_THAT(refusal(),
+              HasSubstr(rig + "no log.yaml (name and dof of the log), no images (frames.csv, or a "
+                              "video that log.yaml's key 'video' names), expected them"));
+  WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\nvideo: dive.mp4\n");
+  EXPECT_THAT(refusal(),
+              HasSubstr(rig + "no dive.mp4 (the video, as log.yaml's key 'video' says), expected"));
+}
+
 TEST(TrackTool, SaysWhenNothingIsSeen) {
   const fs::path log = CopyOfTheLog();
   WriteTestFile(log / "tags.yaml",

@@ -103,9 +103,12 @@ void Identify(const Log& log, DofCheckup* checkup) {
 
 }  // namespace
 
-LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
+LogCheckup CheckUp(const std::filesystem::path& path,
+                   std::optional<Dof> dof,
+                   const std::vector<TimeInterval>& held_out) {
   const Survey survey = SurveyLog(path, dof);
-  Log log = OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true});
+  Log log = OpenLog(
+      path, {.dof = dof, .held_out = held_out, .may_lack_motion = true, .may_lack_command = true});
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   LogCheckup checkup;
   checkup.streams = StreamsOf(log);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/base/time_interval.h"
 #include "fathom/check/excitation.h"
 #include "fathom/check/finding.h"
 #include "fathom/comparison/identification.h"
@@ -50,9 +51,11 @@ struct LogCheckup {
 };
 
 // Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit
-// by output error knows the parameters. `dof`: only that one, or what a single CSV is of. Throws
-// InputError as OpenLog() does.
-LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof);
+// by output error knows the parameters. `dof`: only that one, or what a single CSV is of.
+// `held_out`: as ReadLogOptions has it. Throws InputError as OpenLog() does.
+LogCheckup CheckUp(const std::filesystem::path& path,
+                   std::optional<Dof> dof,
+                   const std::vector<TimeInterval>& held_out = {});
 
 // All findings, those of the log and of its DOFs.
 std::vector<Finding> AllFindings(const LogCheckup& checkup);

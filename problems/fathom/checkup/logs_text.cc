@@ -21,7 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kCaption =
-    "The standard deviation that each log leaves alone (its share of what all know together).";
+    "The standard deviation that each log leaves alone (its share of what all know together). All "
+    "together counts logs of one vehicle that agree; fathom_identify of them all says whether they "
+    "do.";
 
 const FittedModel& ModelOf(const std::vector<CheckedLog>& logs, std::size_t log_index, Dof dof) {
   return FindDof(logs[log_index].checkup, dof)->model->fitted;

@@ -17,7 +17,7 @@ Table OffsetTable(std::span<const LogOffset> offsets, Dof dof, const std::string
   table.columns = {{"log"},
                    {fmt::format("buoyancy [{}]", unit), true},
                    {"95 % interval", true},
-                   {fmt::format("training MAE [{}]", UnitText(VelocityUnit(dof))), true},
+                   {fmt::format("training MAE [{}]", UnitText(VelocityUnit(dof))), true, 1},
                    {"training NMAE", true}};
   for (const LogOffset& offset : offsets) {
     table.rows.push_back({{offset.log,

@@ -30,7 +30,7 @@ Table RunTable(const RunAgreement& agreement, Dof dof, const std::string& force_
   table.columns = {{"run alone"}};
   for (int i = 0; i < kNumParameters; ++i) {
     table.columns.push_back(
-        {fmt::format("{} [{}]", NameOf(i), UnitText(ParameterUnit(i, dof, force_unit))), true});
+        {fmt::format("{} [{}]", NameOf(i), UnitText(ParameterUnit(i, dof, force_unit))), true, i});
   }
   for (const RunEstimate& run : agreement.runs) {
     TableRow row;

@@ -8,26 +8,51 @@
 #include "fathom/camera/mount_file.h"
 #include "fathom/camera/tags_file.h"
 
+#include <array>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 
-CameraRig ReadCameraRig(const std::filesystem::path& folder) {
-  const auto require = [&](const char* file, const char* meaning) {
+namespace {
+
+struct RigFile {
+  const char* name;
+  const char* meaning;
+};
+
+constexpr std::array<RigFile, 3> kRigFiles = {
+    {{"camera.yaml", "the camera's calibration"},
+     {"tags.yaml", "size and place of the markers"},
+     {"mount.yaml", "the camera's place on the vehicle"}}};
+
+}  // namespace
+
+void RequireRigFiles(const std::filesystem::path& folder,
+                     const std::vector<std::string>& also_missing) {
+  std::vector<std::string> missing;
+  for (const RigFile& file : kRigFiles) {
     std::error_code error;
-    if (std::filesystem::exists(folder / file, error)) return folder / file;
-    throw InputError(
-        fmt::format("{}: holds no {} ({}), expected it in a camera log. See docs/file_formats.md.",
-                    folder.string(),
-                    file,
-                    meaning));
-  };
+    if (std::filesystem::exists(folder / file.name, error)) continue;
+    missing.push_back(fmt::format("{} ({})", file.name, file.meaning));
+  }
+  if (missing.empty()) return;
+  missing.insert(missing.end(), also_missing.begin(), also_missing.end());
+  throw InputError(
+      fmt::format("{}: holds no {}, expected {} in a camera log. See docs/file_formats.md.",
+                  folder.string(),
+                  fmt::join(missing, ", no "),
+                  missing.size() == 1 ? "it" : "them"));
+}
+
+CameraRig ReadCameraRig(const std::filesystem::path& folder) {
+  RequireRigFiles(folder);
   CameraRig rig;
-  rig.camera = ReadCameraFile(require("camera.yaml", "the camera's calibration"), &rig.remarks);
-  rig.map = ReadTagsFile(require("tags.yaml", "size and place of the markers"));
-  rig.body_from_camera = ReadMountFile(require("mount.yaml", "the camera's place on the vehicle"));
+  rig.camera = ReadCameraFile(folder / "camera.yaml", &rig.remarks);
+  rig.map = ReadTagsFile(folder / "tags.yaml");
+  rig.body_from_camera = ReadMountFile(folder / "mount.yaml");
   return rig;
 }
 

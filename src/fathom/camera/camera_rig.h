@@ -24,8 +24,13 @@ struct CameraRig {
   std::vector<std::string> remarks = {};
 };
 
-// Reads camera.yaml, tags.yaml and mount.yaml of a log folder. Throws InputError if one of them is
-// missing or cannot be used.
+// Throws InputError, naming all that are missing, if camera.yaml, tags.yaml or mount.yaml is; with
+// them what else the caller misses, a file and what it is: "frames.csv (the images)".
+void RequireRigFiles(const std::filesystem::path& folder,
+                     const std::vector<std::string>& also_missing = {});
+
+// Reads camera.yaml, tags.yaml and mount.yaml of a log folder. Throws InputError if some of them
+// are missing or cannot be used.
 CameraRig ReadCameraRig(const std::filesystem::path& folder);
 
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/log/log_text.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/log/hold_out.h"
 #include "fathom/log/log_clocks.h"
 #include "fathom/log/log_streams.h"
 #include "fathom/log/log_yaml.h"
@@ -37,26 +38,6 @@ CsvTable WithEachStampOnce(const CsvTable& table) {
   return stamps;
 }
 
-bool HoldsASample(const TimeInterval& interval, const std::optional<Stream>& stream) {
-  return stream && std::any_of(stream->time.begin(), stream->time.end(), [&](double t) {
-           return interval.Contains(t);
-         });
-}
-
-void RemarkOnEmptyHeldOut(Log* log) {
-  for (const TimeInterval& interval : log->held_out) {
-    if (HoldsASample(interval, log->velocity) || HoldsASample(interval, log->pose) ||
-        HoldsASample(interval, log->detections)) {
-      continue;
-    }
-    log->remarks.push_back(
-        {RemarkKind::kGeneral,
-         fmt::format("log.yaml: held_out [{}, {}] holds no sample of the motion.",
-                     interval.from,
-                     interval.to)});
-  }
-}
-
 }  // namespace
 
 Log ParseLog(const LogText& text) {
@@ -85,11 +66,14 @@ Log ParseLog(const LogText& text) {
     keep_motion(ParseDetections(text.detections->name, text.detections->text), &log.detections);
   }
   if (command) Keep(std::move(*command), &log.command, &log);
-  RemarkOnEmptyHeldOut(&log);
+  HoldOut(text.held_out, &log);
   return log;
 }
 
-Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof) {
+Log ParseSingleCsv(const std::string& name,
+                   const std::string& text,
+                   Dof dof,
+                   const std::vector<TimeInterval>& held_out) {
   CsvSpec spec;
   spec.required = {"tau", "v"};
   CsvTable table = ParseCsvTable(name, text, spec);
@@ -108,6 +92,7 @@ Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof) {
   log.velocity = Stream{.time = table.stream.time,
                         .columns = {std::string(VelocityColumn(dof))},
                         .values = {*table.stream.Find("v")}};
+  HoldOut(held_out, &log);
   return log;
 }
 

@@ -3,11 +3,13 @@
 
 #pragma once
 
+#include "fathom/base/time_interval.h"
 #include "fathom/log/log.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -23,14 +25,18 @@ struct LogText {
   std::optional<File> velocity;  // one of these three at least
   std::optional<File> pose;
   std::optional<File> detections;
-  std::optional<File> pose_yaml;  // what is to be said of `pose`
+  std::optional<File> pose_yaml;       // what is to be said of `pose`
+  std::vector<TimeInterval> held_out;  // for HoldOut()
 };
 
 // ReadLog for files that are in memory already. They throw InputError, naming file, line and
 // column.
 Log ParseLog(const LogText& text);
 
-// A single CSV `t,tau,v` of one DOF.
-Log ParseSingleCsv(const std::string& name, const std::string& text, Dof dof);
+// A single CSV `t,tau,v` of one DOF. `held_out`: for HoldOut().
+Log ParseSingleCsv(const std::string& name,
+                   const std::string& text,
+                   Dof dof,
+                   const std::vector<TimeInterval>& held_out = {});
 
 }  // namespace fathom

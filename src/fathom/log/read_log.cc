@@ -67,6 +67,7 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
 
   LogText text;
   text.path = folder;
+  text.held_out = options.held_out;
   text.log_yaml = ReadText(folder / "log.yaml");
   if (Exists(folder / "command.csv")) text.command = ReadText(folder / "command.csv");
   if (!options.velocity.empty()) {
@@ -123,7 +124,7 @@ Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
                     options.velocity.string(),
                     path.string()));
   }
-  return ParseSingleCsv(path.string(), text, *options.dof);
+  return ParseSingleCsv(path.string(), text, *options.dof, options.held_out);
 }
 
 }  // namespace fathom

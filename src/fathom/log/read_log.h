@@ -4,10 +4,12 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/base/time_interval.h"
 #include "fathom/log/log.h"
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace fathom {
 
@@ -17,6 +19,9 @@ struct ReadLogOptions {
 
   // Read this file as the velocity stream instead of the log's velocity.csv.
   std::filesystem::path velocity = {};
+
+  // Held out in place of what log.yaml says, as HoldOut() has it; empty: what that says.
+  std::vector<TimeInterval> held_out = {};
 
   // True: a folder with none of velocity.csv, pose.csv, detections.csv will do, for predictions and
   // for images.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +79,32 @@ std::string_view Mark(RowFlag flag) {
   return "  ";
 }
 
+// The last of the columns of the highest rank above 0; the number of columns if there is none.
+std::size_t HighestRank(const std::vector<TableColumn>& columns) {
+  std::size_t highest = columns.size();
+  int rank = 1;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].rank < rank) continue;
+    rank = columns[i].rank;
+    highest = i;
+  }
+  return highest;
+}
+
+void DropColumn(std::size_t column, Table* table) {
+  const auto at = static_cast<std::ptrdiff_t>(column);
+  table->columns.erase(table->columns.begin() + at);
+  for (TableRow& row : table->rows) row.cells.erase(row.cells.begin() + at);
+}
+
+// Of the widest line.
+std::size_t WidthOf(const Table& table) {
+  std::istringstream lines(FormatTable(table));
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, Width(line));
+  return widest;
+}
+
 }  // namespace
 
 std::string FormatTable(const Table& table) {
@@ -110,6 +138,25 @@ std::string FormatTable(const Table& table) {
   text += WithoutSpacesAtTheEnd(heading) + "\n" + rule + "\n";
   for (const std::string& line : lines) text += WithoutSpacesAtTheEnd(line) + "\n";
   return text;
+}
+
+Table Narrowed(Table table, std::size_t width, std::vector<std::string>* left_out) {
+  std::vector<std::string> headings;
+  for (const TableColumn& column : table.columns) headings.push_back(column.heading);
+  std::vector<bool> is_shown(headings.size(), true);
+  std::vector<std::size_t> places(headings.size());  // of the columns that are left
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  while (WidthOf(table) > width) {
+    const std::size_t dropped = HighestRank(table.columns);
+    if (dropped == table.columns.size()) break;
+    is_shown[places[dropped]] = false;
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(dropped));
+    DropColumn(dropped, &table);
+  }
+  for (std::size_t i = 0; left_out != nullptr && i < headings.size(); ++i) {
+    if (!is_shown[i]) left_out->push_back(headings[i]);
+  }
+  return table;
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ enum class RowFlag { kNone, kBest, kKept, kUnusable };
 struct TableColumn {
   std::string heading;
   bool is_number = false;  // aligned at the "±" where there is one, otherwise at the right
+  int rank = 0;            // 0: always shown; where room lacks, the highest is left out first
 };
 
 struct TableRow {
@@ -38,5 +40,10 @@ struct Table {
 //   * surge  output_error   890.3 ± 4.2
 //   ! surge  adaptive           -
 std::string FormatTable(const Table& table);
+
+// The table without the columns that FormatTable() has no room for in this width: those of the
+// highest rank first, of one rank the last. Wider than that if all that is left has rank 0.
+// `left_out`: their headings, from left to right; may be null.
+Table Narrowed(Table table, std::size_t width, std::vector<std::string>* left_out = nullptr);
 
 }  // namespace fathom

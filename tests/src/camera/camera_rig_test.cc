@@ -63,5 +63,25 @@ TEST(CameraRig, SaysWhatIsMissing) {
   }
 }
 
+TEST(CameraRig, NamesAllThatIsMissingAtOnce) {
+  const auto folder = FolderWithout("mount.yaml");
+  std::filesystem::remove(folder / "camera.yaml");
+  try {
+    RequireRigFiles(folder, {"images (frames.csv)"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              folder.string() +
+                  ": holds no camera.yaml (the camera's calibration), no mount.yaml (the camera's "
+                  "place on the vehicle), no images (frames.csv), expected them in a camera log. "
+                  "See docs/file_formats.md.");
+  }
+}
+
+// What else is missing is said by who misses it.
+TEST(CameraRig, IsNotMissedForImagesAlone) {
+  EXPECT_NO_THROW(RequireRigFiles(FolderWithout(""), {"images (frames.csv)"}));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -57,6 +57,33 @@ TEST(FormatTable, KeepsACellWithALineBreakOnItsLine) {
   EXPECT_THAT(FormatTable(table), HasSubstr("one two\n"));
 }
 
+// 5 + 2 + 5 + 2 + 5 + 2 + 5 = 26 columns in all.
+Table FourColumns() {
+  Table table;
+  table.columns = {{"name1"}, {"rank2", false, 2}, {"rank1", false, 1}, {"also2", false, 2}};
+  table.rows = {{{"a", "b", "c", "d"}}};
+  return table;
+}
+
+std::vector<std::string> HeadingsAt(std::size_t width, std::vector<std::string>* left_out) {
+  std::vector<std::string> headings;
+  for (const auto& column : Narrowed(FourColumns(), width, left_out).columns) {
+    headings.push_back(column.heading);
+  }
+  return headings;
+}
+
+TEST(Narrowed, LeavesOutTheHighestRankFirstAndOfOneRankTheLast) {
+  using Headings = std::vector<std::string>;
+  Headings left_out;
+  EXPECT_EQ(HeadingsAt(26, &left_out), (Headings{"name1", "rank2", "rank1", "also2"}));
+  EXPECT_TRUE(left_out.empty());
+  EXPECT_EQ(HeadingsAt(25, nullptr), (Headings{"name1", "rank2", "rank1"}));
+  EXPECT_EQ(HeadingsAt(18, nullptr), (Headings{"name1", "rank1"}));
+  EXPECT_EQ(HeadingsAt(1, &left_out), (Headings{"name1"}));
+  EXPECT_EQ(left_out, (Headings{"rank2", "rank1", "also2"}));
+}
+
 TEST(TableHtml, LabelsFlaggedRowsAndNoOther) {
   Table table;
   table.columns = {{"family"}};

@@ -8,6 +8,7 @@
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/marker_trajectory/open_log.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/tool.h"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_l
   ReadLogOptions options;
   options.dof = dof;
   options.velocity = FLAGS_velocity;
+  options.held_out = HeldOutFromFlag();
   options.may_lack_motion = may_lack_motion;
   Log log = OpenLog(path, options);
   PrintRemarks(log, 0);

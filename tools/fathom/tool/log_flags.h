@@ -31,7 +31,7 @@ std::vector<std::string> InputsFromFlags();
 // Throws InputError if two logs hold the same data, whatever their names.
 void RequireDifferentData(const std::vector<Log>& logs);
 
-// OpenLog() of a path of --log (with --velocity); prints the remarks to stderr.
+// OpenLog() of a path of --log (with --velocity and --held_out); prints the remarks to stderr.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 
 // The same of every log that --log names. Throws InputError if two hold the same data, whatever

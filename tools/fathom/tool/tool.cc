@@ -85,7 +85,9 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
   const std::vector<Flag> flags = OwnFlags();
   std::set<std::string> given;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
+    const bool has_name = arguments[i].starts_with("-") || info.positional_flag.empty();
+    const std::string argument =
+        has_name ? arguments[i] : "--" + info.positional_flag + "=" + arguments[i];
     const std::size_t dashes = argument.starts_with("--") ? 2 : argument.starts_with("-") ? 1 : 0;
     if (dashes == 0 || argument.size() == dashes) {
       throw InputError(fmt::format(

@@ -19,6 +19,9 @@ struct ToolInfo {
 
   // Text flags that may be given several times: RepeatedValues() takes their values apart.
   std::vector<std::string> repeatable_flags = {};
+
+  // The text flag that an argument without a name is the value of; empty: there is none.
+  std::string positional_flag = {};
 };
 
 // The frame of every tool: reads the flags that gflags knows from the tools' own files, calls
@@ -29,8 +32,8 @@ struct ToolInfo {
 // Flags are --name=value, --name value, and for a bool --name or --noname. --help, --version and
 // --flags (for completion: a line "--name=", or "--name" of a bool, for each flag) print to stdout
 // and return 0. Returns 1, with "<name>: <what is wrong>" on stderr, for an unknown, wrongly
-// repeated or malformed flag, an argument that is no flag and what ReportProblems() says. Warnings
-// go to stderr.
+// repeated or malformed flag, an argument that has no name (but for positional_flag) and what
+// ReportProblems() says. Warnings go to stderr.
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run);
 
 // How the running tool was called: its name and its arguments, those in quotes that a shell would

@@ -10,6 +10,7 @@
 #include "fathom/log/read_log.h"
 
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,18 +23,49 @@ std::unique_ptr<FrameSource> TrackInput::Frames() const {
       folder, {log.video, log.video_start}, rig.camera, (folder / "camera.yaml").string());
 }
 
-TrackInput ReadTrackInput(const fs::path& folder) {
+namespace {
+
+bool Exists(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(file, error);
+}
+
+// What is missing of what the camera saw, besides its calibration. `video`: of log.yaml.
+std::vector<std::string> MissingViews(const fs::path& folder,
+                                      const std::string& video,
+                                      bool from_images) {
+  if (!from_images) return {};
+  if (!video.empty() && !Exists(folder / video)) {
+    return {fmt::format("{} (the video, as log.yaml's key 'video' says)", video)};
+  }
+  if (!video.empty() || Exists(folder / "frames.csv")) return {};
+  return {"images (frames.csv, or a video that log.yaml's key 'video' names)"};
+}
+
+// Throws InputError, naming all that are missing, if log.yaml and more are.
+void RequireLogYaml(const fs::path& folder, bool from_images) {
+  if (Exists(folder / "log.yaml")) return;
+  std::vector<std::string> missing = MissingViews(folder, "", from_images);
+  missing.insert(missing.begin(), "log.yaml (name and dof of the log)");
+  RequireRigFiles(folder, missing);
+}
+
+}  // namespace
+
+TrackInput ReadTrackInput(const fs::path& folder, bool from_images) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throw InputError(
         fmt::format("--log={}: is no folder, expected a log folder.", folder.string()));
   }
+  RequireLogYaml(folder, from_images);
   TrackInput input;
   input.folder = folder;
   input.log = ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true});
   std::erase_if(input.log.remarks, [](const Remark& remark) {
     return remark.kind == RemarkKind::kPoses || remark.kind == RemarkKind::kLostMotion;
   });
+  RequireRigFiles(folder, MissingViews(folder, input.log.video, from_images));
   input.rig = ReadCameraRig(folder);
   for (const std::string& remark : input.rig.remarks) {
     input.log.remarks.push_back({RemarkKind::kGeneral, remark});

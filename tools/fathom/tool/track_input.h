@@ -31,9 +31,10 @@ struct TrackInput {
   std::unique_ptr<FrameSource> Frames() const;
 };
 
-// The log without detections yet, and without what was said of poses that are made anew now. Throws
-// InputError if log or calibration cannot be used.
-TrackInput ReadTrackInput(const std::filesystem::path& folder);
+// The log without detections yet, and without what was said of poses that are made anew now.
+// `from_images`: the detections are yet to be made of them. Throws InputError if log or calibration
+// cannot be used; one for all files that are missing.
+TrackInput ReadTrackInput(const std::filesystem::path& folder, bool from_images);
 
 // No output may take the place of what the log was filmed as: throws InputError, naming the flag.
 // `outputs`: flags and files; a file may be empty.

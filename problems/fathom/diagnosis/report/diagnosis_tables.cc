@@ -49,8 +49,8 @@ Table CauseTable(const Diagnosis& diagnosis) {
   table.columns = {{"cause"},
                    {"parameter"},
                    {"value"},
-                   {"p-value", true},
-                   {"evidence (BIC)", true},
+                   {"p-value", true, 2},
+                   {"evidence (BIC)", true, 1},
                    {"held-out gain", true},
                    {"looks like"}};
   for (const Cause& cause : diagnosis.causes) {
@@ -134,8 +134,8 @@ Table CandidateTable(const Diagnosis& diagnosis, std::size_t most) {
   Table table;
   table.columns = {{"candidate"},
                    {"score", true},
-                   {"p-value", true},
-                   {"gain, refitted", true},
+                   {"p-value", true, 1},
+                   {"gain, refitted", true, 2},
                    {"evidence (BIC)", true},
                    {"result"}};
   for (const Candidate& candidate : diagnosis.candidates) {

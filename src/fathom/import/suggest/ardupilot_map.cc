@@ -80,7 +80,8 @@ SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicl
   map.text =
       "# A log of ArduSub. The motion is its EKF's: without a DVL or a camera aiding it, position\n"
       "# and horizontal speed are not measured at all.\n";
-  if (!vehicle) map.text += "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n";
+  if (!vehicle)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string outputs = FirstChannelOf(contents, "RCOU");
   std::string ekf = FirstChannelOf(contents, "XKF1");
   if (ekf.empty()) ekf = FirstChannelOf(contents, "NKF1");

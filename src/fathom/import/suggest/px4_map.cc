@@ -116,7 +116,8 @@ SuggestedMap Px4Map(const Recording& recording, const std::optional<Vehicle>& ve
   map.text =
       "# A log of PX4. The motion is its EKF's: without a DVL or a camera aiding it, position and\n"
       "# horizontal speed are not measured at all.\n";
-  if (!vehicle) map.text += "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n";
+  if (!vehicle)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const Px4Outputs outputs = OutputsOf(recording);
   const std::string position = FirstChannelOf(contents, "vehicle_local_position");
   const std::string attitude = FirstChannelOf(contents, "vehicle_attitude");

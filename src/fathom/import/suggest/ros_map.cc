@@ -105,7 +105,7 @@ std::string PulsesText(const Recording& recording, const std::optional<Vehicle>&
     text += fmt::format("  thruster_{}: \"channels[{}]\"\n", i + 1, i);
   }
   return vehicle ? text
-                 : "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n" + text;
+                 : "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n" + text;
 }
 
 }  // namespace

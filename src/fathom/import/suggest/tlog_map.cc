@@ -68,7 +68,8 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
       "# autopilot's own log (.BIN, .ulg) is better where there is one. The motion is the EKF's:\n"
       "# without a DVL or a camera aiding it, position and horizontal speed are not measured at "
       "all.\n";
-  if (!vehicle) map.text += "vehicle: ROV.yaml  # of your vehicle; its thrusters in this order\n";
+  if (!vehicle)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string outputs = FirstChannelOf(contents, "SERVO_OUTPUT_RAW");
   const std::string position = FirstChannelOf(contents, "LOCAL_POSITION_NED");
   const std::string attitude = FirstChannelOf(contents, "ATTITUDE");

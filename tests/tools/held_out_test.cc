@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// --held_out says what log.yaml says with held_out, and says it of a single CSV too.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "expect_refusal.h"
+#include "run_tool.h"
+#include "small_log.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Path = std::filesystem::path;
+
+// The small log with this line more in its log.yaml.
+Path WriteLog(const Path& folder, const std::string& line) {
+  WriteSmallLog(folder);
+  WriteTestFile(folder / "log.yaml", "name: small\ndof: surge\n" + line);
+  return folder;
+}
+
+struct Asked {
+  std::string tool;
+  std::vector<std::string> flags;  // beside --log
+};
+
+std::vector<Asked> ToolsThatFitOrScore(const Path& folder) {
+  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  return {{"fathom_identify", {"--dof=surge"}},
+          {"fathom_compare", {"--dofs=surge"}},
+          {"fathom_diagnose", {"--dof=surge"}},
+          {"fathom_simulate", {"--model=" + model}},
+          {"fathom_check", {"--dof=surge"}}};
+}
+
+ToolRun RunOn(const Asked& asked, const Path& log, const std::string& held_out = "") {
+  std::vector<std::string> arguments = asked.flags;
+  arguments.push_back("--log=" + log.string());
+  if (!held_out.empty()) arguments.push_back("--held_out=" + held_out);
+  return RunToolBinary(asked.tool, arguments);
+}
+
+TEST(HeldOut, TakesThePlaceOfLogYamls) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteLog(folder / "log", "held_out: [[10, 20], [45, 60]]\n");
+  const Path other = WriteLog(folder / "other" / "log", "held_out: [0, 30]\n");
+  for (const Asked& asked : ToolsThatFitOrScore(folder)) {
+    const ToolRun expected = RunOn(asked, log);
+    const ToolRun run = RunOn(asked, other, "10:20,45:60");
+    EXPECT_EQ(run.exit_code, expected.exit_code) << asked.tool << run.err;
+    EXPECT_EQ(run.out, expected.out) << asked.tool;
+    if (asked.tool != "fathom_check") {
+      EXPECT_NE(RunOn(asked, other).out, expected.out) << asked.tool;
+    }
+  }
+}
+
+TEST(HeldOut, HoldsDataOutOfASingleCsv) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "small.csv", SmallSingleCsv());
+  const Path log = WriteLog(folder / "log", "held_out: [45, 60]\n");
+  const Asked identify = {"fathom_identify", {"--dof=surge"}};
+  const ToolRun run = RunOn(identify, csv, "45:60");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("held out"));
+  const std::string fit = RunOn(identify, log).out;
+  EXPECT_EQ(run.out.substr(run.out.find("inertia")), fit.substr(fit.find("inertia")));
+}
+
+TEST(HeldOut, SaysThatNothingIsThere) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteLog(folder / "log", "held_out: [45, 60]\n");
+  const ToolRun run = RunOn({"fathom_identify", {"--dof=surge"}}, log, "70:80");
+  EXPECT_THAT(run.err, HasSubstr("--held_out: [70, 80] holds no sample of the motion."));
+  EXPECT_THAT(run.out, Not(HasSubstr("held out")));
+}
+
+TEST(HeldOut, RefusesWhatIsNoInterval) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteLog(folder / "log", "");
+  std::vector<Asked> tools = ToolsThatFitOrScore(folder);
+  tools.push_back({"fathom_refine", {"--dof=surge"}});
+  for (const Asked& asked : tools) {
+    for (const std::string text : {"240", "300:240", "10:20,", "10-20"}) {
+      std::vector<std::string> arguments = asked.flags;
+      arguments.push_back("--log=" + log.string());
+      arguments.push_back("--held_out=" + text);
+      EXPECT_THAT(ExpectRefusal(asked.tool, arguments, folder),
+                  HasSubstr(": --held_out: holds '" + text.substr(text.find(',') + 1) +
+                            "', expected from:to in seconds, from before to, as 240:300.\n"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/wide_flag.h"
+
+#include "fathom/base/plural.h"
+
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_bool(wide, false, "Print all columns of the tables, not only those that fit into 100.");
+
+namespace fathom {
+
+std::string TableForTerminal(const Table& table) {
+  constexpr std::size_t kWidth = 100;
+  if (FLAGS_wide) return FormatTable(table);
+  std::vector<std::string> left_out;
+  const std::string text = FormatTable(Narrowed(table, kWidth, &left_out));
+  if (left_out.empty()) return text;
+  return text + fmt::format("({} more with --wide)\n", Plural(left_out.size(), "column"));
+}
+
+}  // namespace fathom
