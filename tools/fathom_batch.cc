@@ -15,6 +15,7 @@
 #include "fathom/comparison/family.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/programs_folder.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
@@ -29,7 +30,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(archive, "", "A folder with logs in it, at any depth. Nothing is written into it.");
@@ -135,7 +135,7 @@ BatchSummary RunBatchWithProgress(const BatchOptions& options) {
   });
 }
 
-int Run(const std::string& command) {
+int Run() {
   if (!FLAGS_survey.empty()) {
     fmt::print("{}", FormatSurvey(SurveyLog(FLAGS_survey, DofFromFlag())));
     return kExitUsable;
@@ -161,7 +161,8 @@ int Run(const std::string& command) {
   if (!FLAGS_csv.empty()) WriteFile(FLAGS_csv, FormatFitsCsv(ReadResults(options.results).fits));
   if (!FLAGS_report.empty()) {
     WriteFile(FLAGS_report,
-              RenderArchivePage(ReportOf(options, summary, ReadResults(options.results), command)));
+              RenderArchivePage(
+                  ReportOf(options, summary, ReadResults(options.results), OriginOfPage({}))));
   }
   const bool failed = std::ranges::any_of(
       summary.states, [](const auto& state) { return IsFailure(state.first) && state.second > 0; });
@@ -171,7 +172,4 @@ int Run(const std::string& command) {
 }  // namespace
 }  // namespace fathom
 
-int main(int argc, char** argv) {
-  const std::string command = fmt::format("{}", fmt::join(argv, argv + argc, " "));
-  return fathom::RunTool(argc, argv, fathom::kInfo, [&] { return fathom::Run(command); });
-}
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }

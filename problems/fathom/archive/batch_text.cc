@@ -6,9 +6,7 @@
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/report/archive_sentences.h"
 #include "fathom/base/plural.h"
-#include "fathom/base/utc_time.h"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -100,13 +98,11 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
 ArchiveReport ReportOf(const BatchOptions& options,
                        const BatchSummary& summary,
                        Tables tables,
-                       const std::string& command) {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
+                       PageOrigin origin) {
   ArchiveReport report;
   report.archive = PathText(options.archive);
-  report.version = options.version;
-  report.date = FormatUtc(std::floor(std::chrono::duration<double>(now).count()));
-  report.command = CleanText(command);
+  report.origin = std::move(origin);
+  report.origin.command = CleanText(report.origin.command);
   report.tables = std::move(tables);
   report.dives = summary.dives;
   report.other_files = summary.other_files;

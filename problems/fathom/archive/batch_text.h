@@ -20,11 +20,11 @@ std::string PaceText(const BatchProgress& progress, double seconds);
 // the reason.
 std::string FormatSummary(const BatchSummary& summary, const Tables& tables);
 
-// What the archive page shows, dated now. `command`: the command line.
+// What the archive page shows.
 ArchiveReport ReportOf(const BatchOptions& options,
                        const BatchSummary& summary,
                        Tables tables,
-                       const std::string& command);
+                       PageOrigin origin);
 
 // What a batch would do.
 std::string FormatPlan(const BatchPlan& plan, const std::string& version);

@@ -84,6 +84,13 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
   Page page;
   page.title = fmt::format("Check of {}", checkup.log.name);
   page.lead = {Verdict(checkup)};
+  const auto tell = [&](const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) {
+      if (finding.severity == Severity::kWarning) page.lead.push_back(finding.sentence);
+    }
+  };
+  tell(checkup.findings);
+  for (const DofCheckup& dof : checkup.dofs) tell(dof.findings);
   page.origin = origin;
   PageSection streams;
   streams.heading = "Files";
@@ -113,6 +120,8 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
     std::ranges::move(pictures, std::back_inserter(page.sections));
   }
   page.sections.push_back(std::move(streams));
+  std::ranges::stable_partition(
+      page.sections, [](const PageSection& section) { return !section.warnings.empty(); });
   return RenderPage(page);
 }
 

@@ -98,6 +98,7 @@ std::vector<std::string> SplitSentences(const std::vector<CheckedLog>& logs,
 ParameterPanel PanelOf(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof, int p) {
   ParameterPanel panel;
   panel.name = kParameterInfo[static_cast<std::size_t>(p)].name;
+  std::ranges::replace(panel.name, '_', ' ');
   panel.unit = UnitOf(logs, of_dof, p);
   for (const std::size_t i : of_dof.log_indices) {
     const FittedModel& fitted = ModelOf(logs, i, of_dof.dof);

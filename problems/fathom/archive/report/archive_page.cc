@@ -51,10 +51,9 @@ std::string HeaderHtml(const ArchiveReport& report) {
   }
   html += fmt::format("<p class=\"lead logs\">{}</p>\n", HtmlText(LogsSentence(report)));
   // The archive stands for its logs.
-  html += OriginHtml({"Fathom " + report.version,
-                      report.date,
-                      report.command,
-                      {{"Archive " + report.archive, "", ""}}});
+  PageOrigin origin = report.origin;
+  origin.logs = {{"Archive " + report.archive, "", ""}};
+  html += OriginHtml(origin);
   return html +
          "<nav><a href=\"#parameters\">Parameters</a><a href=\"#effects\">Effects</a>"
          "<a href=\"#dives\">Dives</a><a href=\"#comparison\">Two dives</a>"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/store/tables.h"
+#include "fathom/report/page_origin.h"
 
 #include <map>
 #include <string>
@@ -15,9 +16,7 @@ namespace fathom {
 // What the archive page shows.
 struct ArchiveReport {
   std::string archive;  // its folder, as it was named
-  std::string version;  // of Fathom
-  std::string date;     // ISO 8601
-  std::string command;  // the command line
+  PageOrigin origin;
   Tables tables;
   std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // files that are no logs, by their ending

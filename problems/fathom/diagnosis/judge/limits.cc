@@ -20,8 +20,9 @@ namespace {
 // Chi squared that a value must lose against the best one to be 95 % excluded, to one side and to
 // both.
 constexpr double kOneSided = 2.706, kTwoSided = 3.841;
-constexpr int kPerOctave = 32;        // of values, between the trials
-constexpr double kLeastLimit = 0.25;  // standard deviations
+constexpr int kPerOctave = 32;          // of values, between the trials
+constexpr double kShowsNothing = 1e-6;  // chi squared of the roundings of a limit out of reach
+constexpr double kLeastLimit = 0.25;    // standard deviations
 
 // One value that was tried, by how far it is from the null: the value less that, or one over it
 // where the null is infinite.
@@ -57,7 +58,8 @@ std::vector<double> DistancesAlong(const std::vector<Tried>& side) {
   for (double d = kSmallest * side.front().distance; d < side.back().distance; d *= factor) {
     distances.push_back(d);
   }
-  distances.push_back(side.back().distance);
+  for (const Tried& tried : side) distances.push_back(tried.distance);
+  std::sort(distances.begin(), distances.end());
   return distances;
 }
 
@@ -125,9 +127,17 @@ void LimitSize(const EffectParameter& parameter,
   const auto by_distance = [](const Tried& a, const Tried& b) { return a.distance < b.distance; };
   std::sort(above.begin(), above.end(), by_distance);
   std::sort(below.begin(), below.end(), by_distance);
-  const auto first = std::find_if(
-      above.begin(), above.end(), [](const Tried& tried) { return tried.response.squared > 0.0; });
+  const double nothing = std::isinf(parameter.null) ? kShowsNothing : 0.0;
+  auto first = std::find_if(above.begin(), above.end(), [&](const Tried& tried) {
+    return tried.response.squared > nothing;
+  });
   if (first == above.end()) return;
+  // A limit that the run does not reach changes nothing, wherever it is. So between the last one
+  // that shows nothing and the first that shows something none is excluded.
+  if (std::isinf(parameter.null)) {
+    constexpr double kJustBefore = 1.0 - 1e-6;
+    first = above.insert(first, {.distance = kJustBefore * first->distance, .response = {}}) + 1;
+  }
   const bool is_one_sided = below.empty();
   double best = std::max(BestGain(above), BestGain(below));
   double least = 0.0;

@@ -87,7 +87,7 @@ TEST_F(ArchiveInBrowser, FitsAPhone) {
 TEST_F(ArchiveInBrowser, FitsAPhoneWithNamesThatKnowNoEnd) {
   ArchiveReport report = ExampleArchive({20, 2});
   const std::string name(120, 'x');
-  report.archive = report.command = name;
+  report.archive = report.origin.command = name;
   report.dives.front() = name;
   for (LogRow& log : report.tables.logs) {
     if (log.dive == "dive-001") log.dive = log.message = name;

@@ -64,7 +64,8 @@ TEST(ArchivePage, BeginsWithWhereItComesFrom) {
 // Of an archive in which every text is `text`.
 std::string PageWith(const std::string& text) {
   ArchiveReport report;
-  report.archive = report.version = report.date = report.command = text;
+  report.archive = text;
+  report.origin = {text, text, text, {}};
   report.dives = {text, "b" + text};
   report.tables.outliers = {{text, text, text, text}};
   report.other_files = {{text, 2}};

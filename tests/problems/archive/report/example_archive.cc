@@ -197,10 +197,11 @@ void AddLogs(const ExampleArchiveOptions& options, std::mt19937* generator, Arch
 ArchiveReport ExampleArchive(const ExampleArchiveOptions& options) {
   ArchiveReport report;
   report.archive = "/data/pool_rov/2021-2026";
-  report.version = "0.1.0";
-  report.date = "2026-11-24T06:12:00Z";
-  report.command =
-      "fathom_batch --archive=/data/pool_rov/2021-2026 --results=results --jobs=8 --diagnose";
+  report.origin = {
+      "Fathom 0.1.0",
+      "2026-11-24T06:12:00Z",
+      "fathom_batch --archive=/data/pool_rov/2021-2026 --results=results --jobs=8 --diagnose",
+      {}};
   report.other_files = {{".mp4", 12}, {".txt", 3}, {"", 1}};
   for (int dive = 0; dive < options.num_dives; ++dive) report.dives.push_back(DiveName(dive));
   std::mt19937 generator(1);

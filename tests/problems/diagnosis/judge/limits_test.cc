@@ -80,6 +80,19 @@ TEST(LimitsOf, HoldSmallEffectsAsOftenAsTheySay) {
   EXPECT_LT(share, 0.97);
 }
 
+// A saturation that the command never reaches changes nothing, so that none is excluded.
+TEST(LimitsOf, ExcludeNoSaturationAboveTheLargestCommand) {
+  SurgeRun run;
+  run.input = Multisine(40.0);
+  const Log log = LogOf(run, 1);
+  const std::vector<double>* command = log.command->Find("tau_surge");
+  const auto [least, most] = std::minmax_element(command->begin(), command->end());
+  const ExclusionLimit limit = LimitsIn(run, 1).at("thrust_saturation");
+  EXPECT_TRUE(limit.is_told);
+  EXPECT_LE(limit.low, std::max(-*least, *most));
+  EXPECT_GT(limit.low, 0.5 * *most);
+}
+
 // A command of one level shows any thrust curve and any asymmetry as another scale.
 TEST(LimitsOf, SayWhatCouldNotHaveBeenSeen) {
   SurgeRun run;
