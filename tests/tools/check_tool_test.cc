@@ -18,6 +18,7 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include "sound_log.h"
+#include "synthesized_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -484,6 +485,20 @@ TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
     EXPECT_NEAR(logs[0]["share"].get<double>() + logs[1]["share"].get<double>(), 1.0, 1e-6);
     EXPECT_LT(logs[0]["share"], logs[1]["share"]);  // a third of the time
   }
+}
+
+TEST(CheckTool, SaysThatLogsOfOneVehicleDisagree) {
+  const Path folder = EmptyTestFolder();
+  const Path first = SmallLogWith(folder, "first", "", 1),
+             second = SmallLogWith(folder, "second", "", 2);
+  EXPECT_TRUE(CheckSeveral({first, second}, folder)["dofs"][0]["disagreements"].empty());
+  std::string heavier = SmallVehicleYaml();
+  heavier.replace(heavier.find("inertia: 40"), 11, "inertia: 48");
+  const Path loaded = SmallLogWith(folder, "loaded", "", 3, heavier);
+  const Json json = CheckSeveral({first, loaded}, folder);
+  EXPECT_THAT(json["verdict"].get<std::string>(), HasSubstr("but they disagree"));
+  EXPECT_THAT(json["dofs"][0]["disagreements"][0].get<std::string>(),
+              HasSubstr("disagree on the inertia in surge"));
 }
 
 // What it proposes to hold out of several logs leaves enough to identify.

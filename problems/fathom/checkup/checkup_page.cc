@@ -55,25 +55,33 @@ std::vector<PageSection> AddFindings(const std::vector<Finding>& findings,
 
 // Motion and command, with a gap between two segments.
 void AddCharts(const DofCheckup& dof, PageSection* section) {
+  std::vector<const Segment*> segments;
+  for (const Segment& segment : dof.signals->train) segments.push_back(&segment);
+  for (const Segment& segment : dof.signals->held_out) segments.push_back(&segment);
+  std::ranges::sort(segments, {}, [](const Segment* segment) { return segment->time.front(); });
   TimePanel motion;
   motion.quantity = fmt::format("{} velocity", Name(dof.dof));
   motion.unit = VelocityUnit(dof.dof);
   motion.has_residuals = false;
-  if (dof.excitation.held_out) motion.held_out = {*dof.excitation.held_out};
+  for (const Segment& segment : dof.signals->held_out) {
+    motion.held_out.push_back({segment.time.front(), segment.time.back()});
+  }
   Series measured = {"measured", {}};
   TimePanel command =
       HeldCurvePanel(fmt::format("{} command", Name(dof.dof)), dof.signals->force_unit);
-  for (const Segment& segment : dof.signals->train) {
-    motion.time.insert(motion.time.end(), segment.time.begin(), segment.time.end());
-    measured.values.insert(measured.values.end(), segment.velocity.begin(), segment.velocity.end());
-    motion.time.push_back(segment.time.back());
+  for (const Segment* const segment : segments) {
+    motion.time.insert(motion.time.end(), segment->time.begin(), segment->time.end());
+    measured.values.insert(
+        measured.values.end(), segment->velocity.begin(), segment->velocity.end());
+    motion.time.push_back(segment->time.back());
     measured.values.push_back(std::numeric_limits<double>::quiet_NaN());
     AppendHeldCurve(dof.command.time,
                     dof.command.value,
-                    {segment.time.front(), segment.time.back()},
+                    {segment->time.front(), segment->time.back()},
                     0.0,
                     &command);
   }
+  command.held_out = motion.held_out;
   motion.measured = std::move(measured);
   section->time_panels = {std::move(motion), std::move(command)};
 }

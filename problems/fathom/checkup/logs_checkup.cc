@@ -123,17 +123,23 @@ const DofCheckup* FindDof(const LogCheckup& checkup, Dof dof) {
 std::vector<DofOfLogs> CompareLogs(std::span<const CheckedLog> logs) {
   std::vector<DofOfLogs> dofs;
   for (const Dof dof : kAllDofs) {
-    DofOfLogs of_dof = {dof, {}, {}, {}};
+    DofOfLogs of_dof;
+    of_dof.dof = dof;
+    std::vector<RunEstimate> runs;
     std::vector<Eigen::MatrixXd> covariances;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       const DofCheckup* const checkup = FindDof(logs[i].checkup, dof);
       if (checkup == nullptr) continue;
       of_dof.log_indices.push_back(i);
-      covariances.emplace_back(checkup->model->fitted.covariance);
+      const FittedModel& fitted = checkup->model->fitted;
+      covariances.emplace_back(fitted.covariance);
+      runs.push_back(
+          {logs[i].path, true, ToVector(fitted.model), fitted.covariance.diagonal().cwiseSqrt()});
     }
     if (of_dof.log_indices.size() < 2) continue;
     RequireOneUnit(logs, of_dof);
     of_dof.information = ShareInformation(covariances);
+    of_dof.agreement = AgreementOf(std::move(runs));
     of_dof.held_out = ProposedSplit(logs, of_dof);
     dofs.push_back(std::move(of_dof));
   }

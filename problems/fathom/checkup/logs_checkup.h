@@ -5,6 +5,7 @@
 
 #include "fathom/check/information_share.h"
 #include "fathom/checkup/checkup_text.h"
+#include "fathom/comparison/run_agreement.h"
 
 #include <cstddef>
 #include <optional>
@@ -27,6 +28,8 @@ struct DofOfLogs {
   // Its logs are those of `log_indices`. Nothing where a log leaves a parameter without an
   // interval.
   std::optional<SharedInformation> information;
+
+  RunAgreement agreement;  // whether its logs say the same
 
   std::vector<LogHeldOut> held_out;  // proposed; empty where a log.yaml holds something out
 };

@@ -38,9 +38,38 @@ double StdOf(const Eigen::MatrixXd& covariance, int parameter) {
   return std::sqrt(covariance(parameter, parameter));
 }
 
-std::string Sentence(const std::vector<CheckedLog>& logs) {
+// A spread that chance gives once in a thousand archives of agreeing logs.
+bool IsApart(const Spread& spread) { return spread.freedom > 0 && spread.p_value < 1e-3; }
+
+std::vector<std::string> Disagreements(const DofOfLogs& of_dof) {
+  std::vector<std::string> sentences;
+  for (std::size_t p = 0; p < kNumParameters; ++p) {
+    const Spread& spread = of_dof.agreement.spreads[p];
+    if (!IsApart(spread)) continue;
+    std::string name(kParameterInfo[p].name);
+    std::ranges::replace(name, '_', ' ');
+    sentences.push_back(
+        fmt::format("The logs disagree on the {} in {}: it scatters {:.1f} times as far as the "
+                    "logs know it (chi-square {:.3g} of {}). They are not of one vehicle in one "
+                    "state, or a model of four numbers misses something.",
+                    name,
+                    Name(of_dof.dof),
+                    std::sqrt(spread.chi_squared / spread.freedom),
+                    spread.chi_squared,
+                    spread.freedom));
+  }
+  return sentences;
+}
+
+std::string Sentence(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
   const auto num_red =
       std::ranges::count_if(logs, [](const CheckedLog& log) { return HasRed(log.checkup); });
+  const bool agree = std::ranges::all_of(
+      dofs, [](const DofOfLogs& of_dof) { return Disagreements(of_dof).empty(); });
+  if (num_red == 0 && !agree) {
+    return fmt::format("Nothing speaks against each of these {} logs, but they disagree.",
+                       logs.size());
+  }
   if (num_red == 0) return fmt::format("Nothing speaks against these {} logs.", logs.size());
   return fmt::format("{} of {} logs {} red findings, which have to be explained first.",
                      num_red,
@@ -126,10 +155,11 @@ Json ParameterJson(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof,
 }  // namespace
 
 std::string FormatLogs(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
-  std::string text = Sentence(logs) + "\n\n" + FormatCheckedLogs(logs);
+  std::string text = Sentence(logs, dofs) + "\n\n" + FormatCheckedLogs(logs);
   for (const DofOfLogs& of_dof : dofs) {
     text += fmt::format(
         "\n{}\n{}\n{}", Name(of_dof.dof), kCaption, FormatTable(InformationTable(logs, of_dof)));
+    for (const std::string& sentence : Disagreements(of_dof)) text += sentence + "\n";
     for (const std::string& sentence : SplitSentences(logs, of_dof)) text += sentence + "\n";
   }
   return text;
@@ -153,10 +183,11 @@ std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const 
     }
     of_dofs.push_back({{"dof", Name(of_dof.dof)},
                        {"parameters", std::move(parameters)},
+                       {"disagreements", Disagreements(of_dof)},
                        {"held_out", std::move(held_out)}});
   }
   const Json json = {{"schema", "fathom-check-logs-1"},
-                     {"verdict", Sentence(logs)},
+                     {"verdict", Sentence(logs, dofs)},
                      {"logs", std::move(of_logs)},
                      {"dofs", std::move(of_dofs)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -167,7 +198,7 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
                            const PageOrigin& origin) {
   Page page;
   page.title = fmt::format("Check of {} logs", logs.size());
-  page.lead = {Sentence(logs)};
+  page.lead = {Sentence(logs, dofs)};
   page.origin = origin;
   PageSection findings;
   findings.heading = "Findings";
@@ -176,6 +207,7 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
   for (const DofOfLogs& of_dof : dofs) {
     PageSection section;
     section.heading = std::string(Name(of_dof.dof));
+    section.warnings = Disagreements(of_dof);
     section.text = SplitSentences(logs, of_dof);
     Table table = InformationTable(logs, of_dof);
     table.caption = kCaption;
