@@ -142,6 +142,7 @@ std::string RenderPage(const Page& page) {
       std::string(web::time_plot_js),
       std::string(web::legend_js),
       std::string(web::chart_keys_js),
+      std::string(web::chart_touch_js),
       std::string(web::csv_js),
       std::string(web::page_selftest_js),
       std::string(web::page_js)};
