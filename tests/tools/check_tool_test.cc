@@ -27,6 +27,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -548,6 +549,11 @@ TEST_F(CheckedRealLogs, TellACameraThatIsLate) {
   ASSERT_EQ(said.findings.size(), 1u) << said.text;
   EXPECT_EQ(said.findings[0]["code"], "camera_delay");
   EXPECT_THAT(said.findings[0]["sentence"].get<std::string>(), HasSubstr("2.30 s after"));
+  const Path page = folder / "check.html";
+  RunToolBinary("fathom_check", {"--log=" + log.string(), "--report=" + page.string()});
+  EXPECT_THAT(TextOf(page),
+              AllOf(HasSubstr("<b>correlation with w of velocity.csv</b>"),
+                    HasSubstr("the most, at 2.30 s")));
 }
 
 // Logs that others recorded and that are sound: none gets a red finding.

@@ -46,6 +46,21 @@ Match MatchAt(double delay, double duration, const std::vector<TwinMotion>& moti
   return match;
 }
 
+// What both streams cover, and how many steps of the delay are looked at either way.
+struct Reach {
+  double duration = 0.0;  // [s]
+  int num_steps = 0;
+};
+
+Reach ReachOf(const TwinMotion& motion) {
+  const auto& [pose, twist] = std::tie(motion.pose_time, motion.twist_time);
+  Reach reach;
+  reach.duration = std::min(pose.back(), twist.back()) - std::max(pose.front(), twist.front());
+  reach.num_steps =
+      static_cast<int>(std::min(kLongestDelay, kMostOfOverlap * reach.duration) / kDelayStep);
+  return reach;
+}
+
 // Whether another delay is as good as the one at `best`, beyond the valley between them.
 bool IsPeriodic(const std::vector<Match>& matches, std::size_t best) {
   const double top = matches[best].surely;
@@ -68,11 +83,7 @@ bool IsPeriodic(const std::vector<Match>& matches, std::size_t best) {
 std::optional<CameraDelay> FindCameraDelay(const Log& log) {
   const std::vector<TwinMotion> motions = TwinMotionsOf(log);
   if (motions.empty()) return std::nullopt;
-  const auto& [pose, twist] = std::tie(motions.front().pose_time, motions.front().twist_time);
-  const double duration =
-      std::min(pose.back(), twist.back()) - std::max(pose.front(), twist.front());
-  const int num_steps =
-      static_cast<int>(std::min(kLongestDelay, kMostOfOverlap * duration) / kDelayStep);
+  const auto [duration, num_steps] = ReachOf(motions.front());
   if (num_steps < 1) return std::nullopt;
   std::vector<Match> matches;
   for (int k = -num_steps; k <= num_steps; ++k) {
@@ -90,6 +101,19 @@ std::optional<CameraDelay> FindCameraDelay(const Log& log) {
   }
   if (IsPeriodic(matches, best)) return std::nullopt;
   return found;
+}
+
+std::vector<CameraDelayCurve> CameraDelayCurves(const Log& log) {
+  std::vector<CameraDelayCurve> curves;
+  for (const TwinMotion& motion : TwinMotionsOf(log)) {
+    auto& [column, curve] = curves.emplace_back(CameraDelayCurve{motion.column, {}});
+    const int num_steps = ReachOf(motion).num_steps;
+    for (int k = -num_steps; k <= num_steps; ++k) {
+      curve.delay.push_back(k * kDelayStep);
+      curve.correlation.push_back(LikenessAt(-k * kDelayStep, motion).correlation);
+    }
+  }
+  return curves;
 }
 
 std::optional<Finding> CheckCameraClock(const Log& log, const CameraDelay& found) {

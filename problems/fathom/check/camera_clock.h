@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include "fathom/check/command_clock.h"
 #include "fathom/check/finding.h"
 #include "fathom/log/log.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -28,6 +31,13 @@ struct CameraDelay {
 // as likely as none, and no other one is as good, as it is of a periodic motion. In these two
 // comparisons 1 - r^2 counts as 0.02 at least: noise and the steps blur it.
 std::optional<CameraDelay> FindCameraDelay(const Log& log);
+
+// What FindCameraDelay() compares: r_a over the delay, one curve for each DOF that moves.
+struct CameraDelayCurve {
+  std::string column;  // of velocity.csv
+  DelayCurve curve;
+};
+std::vector<CameraDelayCurve> CameraDelayCurves(const Log& log);
 
 // As a finding `camera_delay` of over 0.1 s and one sample; over a second it is a warning.
 std::optional<Finding> CheckCameraClock(const Log& log, const CameraDelay& found);

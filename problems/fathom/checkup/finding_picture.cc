@@ -3,8 +3,10 @@
 
 #include "fathom/checkup/finding_picture.h"
 
+#include "fathom/check/camera_clock.h"
 #include "fathom/check/command_clock.h"
 #include "fathom/check/values/pose_yaw.h"
+#include "fathom/marker_trajectory/open_log.h"
 #include "fathom/report/held_curve.h"
 
 #include <algorithm>
@@ -142,21 +144,32 @@ void AddTimePanels(const FindingPlace& where,
   section->time_panels.push_back(std::move(panel));
 }
 
-void AddDelayCurve(const DofCheckup& dof, PageSection* section) {
-  DelayCurve curve = CommandDelayCurve(dof.command, dof.signals->train);
+// A correlation over the delay, with its peak marked; nothing of an empty curve.
+void AddDelayCurve(const std::string& whose,
+                   const std::string& with,
+                   DelayCurve curve,
+                   PageSection* section) {
   if (curve.delay.empty()) return;
   const auto best = std::ranges::max_element(curve.correlation);
   const double delay =
       curve.delay[static_cast<std::size_t>(std::distance(curve.correlation.begin(), best))];
-  section->scatter_panels.push_back({.x_name = "delay of the motion",
-                                     .x_unit = "s",
-                                     .y_name = "correlation with the command",
-                                     .y_unit = "",
-                                     .x = std::move(curve.delay),
-                                     .y = std::move(curve.correlation),
-                                     .second_y = {},
-                                     .second_name = "",
-                                     .note = fmt::format("the most at {:.2f} s", delay)});
+  CurvePanel panel;
+  panel.x_name = "delay of the " + whose;
+  panel.x_unit = "s";
+  panel.y_name = "correlation with " + with;
+  panel.x = std::move(curve.delay);
+  panel.y = std::move(curve.correlation);
+  panel.marked = {delay, delay};
+  panel.marked_name = fmt::format("the most, at {:.2f} s", delay);
+  section->curve_panels.push_back(std::move(panel));
+}
+
+// Of the poses that the log holds, or else those of its markers.
+void AddCameraDelay(Log log, PageSection* section) {
+  if (!log.pose) TrackDetectionsIfUsable(&log);
+  for (auto& [column, curve] : CameraDelayCurves(log)) {
+    AddDelayCurve("camera", column + " of velocity.csv", std::move(curve), section);
+  }
 }
 
 }  // namespace
@@ -168,9 +181,12 @@ std::optional<PageSection> PictureOf(const Finding& finding,
   if (finding.where) {
     AddTimePanels(*finding.where, log, dof, &section);
   } else if (finding.code == "command_delay" && dof != nullptr && dof->signals) {
-    AddDelayCurve(*dof, &section);
+    AddDelayCurve(
+        "motion", "the command", CommandDelayCurve(dof->command, dof->signals->train), &section);
+  } else if (finding.code == "camera_delay") {
+    AddCameraDelay(log, &section);
   }
-  if (section.time_panels.empty() && section.scatter_panels.empty()) return std::nullopt;
+  if (section.time_panels.empty() && section.curve_panels.empty()) return std::nullopt;
   std::string what = finding.code;
   std::ranges::replace(what, '_', ' ');
   section.heading =

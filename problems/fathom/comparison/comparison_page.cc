@@ -6,6 +6,7 @@
 #include "fathom/base/interval95.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
+#include "fathom/comparison/remains_fold.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/simulate/free_run.h"
@@ -143,6 +144,9 @@ PageSection SectionOf(const DofComparison& comparison) {
   }
   for (const std::string& remark : comparison.remarks) section.notes.push_back(remark);
   section.time_panels = {ResponsePanel(comparison), CommandPanel(comparison)};
+  if (const Identification* taken = Recommend(comparison).taken) {
+    section.folds = {RemainsFold(*taken, comparison.scored)};
+  }
   section.parameter_panels = ParameterPanels(comparison);
   section.tables = TablesOf(comparison);
 

@@ -3,6 +3,7 @@
 
 #include "fathom/report/page.h"
 
+#include "fathom/report/curve_chart.h"
 #include "fathom/report/html_text.h"
 #include "fathom/report/page_frame.h"
 #include "fathom/report/palette.h"
@@ -38,6 +39,13 @@ std::string NotesHtml(const std::vector<std::string>& notes) {
   if (notes.empty()) return "";
   return "<details class=\"notes\"><summary>Data</summary>\n" + Paragraphs(notes, "text") +
          "</details>\n";
+}
+
+std::string FoldHtml(const PageFold& fold) {
+  std::string html = "<details class=\"more\"><summary>" + HtmlText(fold.summary) + "</summary>\n" +
+                     Paragraphs(fold.text, "text") + CurveChartsHtml(fold.curves);
+  for (const Table& table : fold.tables) html += TableHtml(table);
+  return html + "</details>\n";
 }
 
 std::string FactsHtml(const std::vector<Fact>& facts) {
@@ -101,6 +109,8 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   for (std::size_t i = 0; i < section.time_panels.size(); ++i) {
     html += TimeChartHtml(section.time_panels[i], index, i);
   }
+  html += CurveChartsHtml(section.curve_panels);
+  for (const PageFold& fold : section.folds) html += FoldHtml(fold);
   html += ScatterChartsHtml(section.scatter_panels, palette);
   html += ParameterChartsHtml(section.parameter_panels, palette);
   for (const Table& table : section.tables) html += TableHtml(table);
@@ -132,6 +142,7 @@ std::string RenderPage(const Page& page) {
       std::string(web::time_plot_js),
       std::string(web::legend_js),
       std::string(web::chart_keys_js),
+      std::string(web::chart_touch_js),
       std::string(web::csv_js),
       std::string(web::page_selftest_js),
       std::string(web::page_js)};

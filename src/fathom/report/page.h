@@ -17,6 +17,14 @@ struct Fact {
   std::string value;
 };
 
+// What is closed until a reader asks for it; on paper only if it stands open.
+struct PageFold {
+  std::string summary;            // the words to click on
+  std::vector<std::string> text;  // paragraphs
+  std::vector<CurvePanel> curves = {};
+  std::vector<Table> tables = {};
+};
+
 // One subject of a page, for example one DOF. Whatever is empty is left out. The time axes of all
 // panels of a section are linked: they zoom together and share the cursor.
 struct PageSection {
@@ -26,7 +34,9 @@ struct PageSection {
   std::vector<TimePanel> time_panels;
   std::vector<ParameterPanel> parameter_panels;
   std::vector<Table> tables;
-  std::vector<ScatterPanel> scatter_panels = {};  // below the charts over time
+  std::vector<CurvePanel> curve_panels = {};      // below the charts over time
+  std::vector<PageFold> folds = {};               // below these
+  std::vector<ScatterPanel> scatter_panels = {};  // below these
   std::vector<std::string> notes = {};            // routine, on the data; folded away below all
 };
 

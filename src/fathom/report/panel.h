@@ -78,4 +78,26 @@ struct ScatterPanel {
   std::string note;              // beside the name of x; may be empty
 };
 
+// A curve over anything, with a band that does not depend on it and a stretch of x marked.
+struct CurvePanel {
+  std::string x_name;  // "frequency"
+  std::string x_unit;  // "Hz"; may be empty
+  std::string y_name;
+  std::string y_unit = {};
+  std::vector<double> x;  // in its order; of a logarithmic axis above 0
+  std::vector<double> y;  // one for each x
+
+  // From `low` to `high`, one for each x; or both empty: no band.
+  std::vector<double> low = {};
+  std::vector<double> high = {};
+  std::string band_name = {};  // "white noise, 95 %"
+
+  std::optional<TimeInterval> marked = {};
+  std::string marked_name = {};
+
+  bool is_log_x = false;
+  bool is_log_y = false;
+  std::string note = {};  // beside the name of y
+};
+
 }  // namespace fathom

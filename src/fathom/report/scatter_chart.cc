@@ -3,9 +3,8 @@
 
 #include "fathom/report/scatter_chart.h"
 
-#include "fathom/report/format_value.h"
+#include "fathom/report/chart_frame.h"
 #include "fathom/report/html_text.h"
-#include "fathom/report/parameter_chart.h"
 #include "fathom/report/scatter_columns.h"
 
 #include <algorithm>
@@ -18,10 +17,6 @@
 
 namespace fathom {
 namespace {
-
-// Of the drawing [px]; the axes' labels stand left and below.
-constexpr double kWidth = 340.0, kHeight = 230.0;
-constexpr double kLeft = 52.0, kRight = 6.0, kTop = 6.0, kBottom = 38.0;
 
 constexpr int kNumBins = 24;
 constexpr std::size_t kFewestInBin = 5;
@@ -40,109 +35,49 @@ std::vector<Pair> FinitePairs(const std::vector<double>& x, const std::vector<do
   return pairs;
 }
 
-ChartRange RangeOfValues(double low, double high) {
-  const double margin = high > low ? 0.04 * (high - low) : low == 0.0 ? 1.0 : 0.1 * std::abs(low);
-  return {low - margin, high + margin};
-}
-
-// Between the axes.
-struct Frame {
-  ChartRange x, y;
-
-  double Left(double value) const {
-    return kLeft + (value - x.from) / (x.to - x.from) * (kWidth - kLeft - kRight);
-  }
-  double Top(double value) const {
-    return kHeight - kBottom - (value - y.from) / (y.to - y.from) * (kHeight - kTop - kBottom);
-  }
-};
-
-std::string Line(std::string_view kind, double x1, double y1, double x2, double y2) {
-  return fmt::format(R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}"/>)",
-                     kind,
-                     x1,
-                     y1,
-                     x2,
-                     y2);
-}
-
-std::string Label(double x, double y, std::string_view anchor, const std::string& text) {
-  return fmt::format(
-      R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)", x, y, anchor, HtmlText(text));
-}
-
-std::string AxesSvg(const Frame& frame) {
-  const double right = kWidth - kRight, bottom = kHeight - kBottom;
-  std::string svg;
-  const auto step_of = [](const std::vector<double>& ticks) {
-    return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-  };
-  const std::vector<double> x_ticks = TicksOf(frame.x), y_ticks = TicksOf(frame.y);
-  for (const double tick : x_ticks) {
-    const double at = frame.Left(tick);
-    svg += Line("grid", at, kTop, at, bottom);
-    svg += Label(at, bottom + 15.0, "middle", TickLabel(tick, step_of(x_ticks)));
-  }
-  for (const double tick : y_ticks) {
-    const double at = frame.Top(tick);
-    svg += Line("grid", kLeft, at, right, at);
-    svg += Label(kLeft - 6.0, at + 4.0, "end", TickLabel(tick, step_of(y_ticks)));
-  }
-  if (frame.x.from < 0.0 && frame.x.to > 0.0) {
-    svg += Line("zero", frame.Left(0.0), kTop, frame.Left(0.0), bottom);
-  }
-  if (frame.y.from < 0.0 && frame.y.to > 0.0) {
-    svg += Line("zero", kLeft, frame.Top(0.0), right, frame.Top(0.0));
-  }
-  return svg;
-}
-
 // Points are strokes without length and with round ends: a few bytes each.
-std::string PointsSvg(const Frame& frame, const std::vector<Pair>& pairs) {
+std::string PointsSvg(const ChartFrame& frame, const std::vector<Pair>& pairs) {
   const std::size_t every = DrawnEvery(pairs.size());
   std::string path;
   for (std::size_t i = 0; i < pairs.size(); i += every) {
-    if (pairs[i].y < frame.y.from || pairs[i].y > frame.y.to) continue;
+    if (pairs[i].y < frame.y.range.from || pairs[i].y > frame.y.range.to) continue;
     path += fmt::format("M{:.1f} {:.1f}h0", frame.Left(pairs[i].x), frame.Top(pairs[i].y));
   }
   return fmt::format(R"(<path class="points" d="{}"/>)", path);
 }
 
-std::string CurveSvg(const Frame& frame,
+std::string CurveSvg(const ChartFrame& frame,
                      const std::vector<BinMean>& means,
                      const char* kind,
                      std::string_view color) {
-  std::string path;
+  std::vector<double> x, y;
   for (const BinMean& mean : means) {
-    path += fmt::format(
-        "{}{:.1f} {:.1f}", path.empty() ? "M" : "L", frame.Left(mean.x), frame.Top(mean.y));
+    x.push_back(mean.x);
+    y.push_back(mean.y);
   }
-  return fmt::format(R"(<path class="{}" style="stroke:{}" d="{}"/>)", kind, color, path);
+  return fmt::format(
+      R"(<path class="{}" style="stroke:{}" d="{}"/>)", kind, color, frame.PathOf(x, y));
 }
 
 // Two standard errors about the means, as if a tenth of the bin's points were independent.
-std::string SpreadSvg(const Frame& frame,
+std::string SpreadSvg(const ChartFrame& frame,
                       const std::vector<BinMean>& means,
                       std::string_view color) {
-  std::string path;
-  const auto half = [](const BinMean& mean) {
-    return 2.0 * mean.spread / std::sqrt(std::max(0.1 * mean.num_points, 1.0));
-  };
-  const auto add = [&](const BinMean& mean, double y) {
-    path += fmt::format("{}{:.1f} {:.1f}",
-                        path.empty() ? "M" : "L",
-                        frame.Left(mean.x),
-                        frame.Top(std::clamp(y, frame.y.from, frame.y.to)));
-  };
-  for (const BinMean& mean : means) add(mean, mean.y + half(mean));
-  for (auto mean = means.rbegin(); mean != means.rend(); ++mean) add(*mean, mean->y - half(*mean));
-  return fmt::format(R"(<path class="spread" style="fill:{}" d="{}Z"/>)", color, path);
+  std::vector<double> x, low, high;
+  for (const BinMean& mean : means) {
+    const double half = 2.0 * mean.spread / std::sqrt(std::max(0.1 * mean.num_points, 1.0));
+    x.push_back(mean.x);
+    low.push_back(mean.y - half);
+    high.push_back(mean.y + half);
+  }
+  return fmt::format(
+      R"(<path class="spread" style="fill:{}" d="{}"/>)", color, frame.AreaOf(x, low, high));
 }
 
 // All but the outermost two in a thousand of the points, and every mean.
-ChartRange VerticalRange(const std::vector<Pair>& pairs,
-                         const std::vector<BinMean>& means,
-                         const std::vector<BinMean>& second) {
+ChartAxis VerticalAxis(const std::vector<Pair>& pairs,
+                       const std::vector<BinMean>& means,
+                       const std::vector<BinMean>& second) {
   std::vector<double> values;
   for (const Pair& pair : pairs) values.push_back(pair.y);
   std::ranges::sort(values);
@@ -154,11 +89,7 @@ ChartRange VerticalRange(const std::vector<Pair>& pairs,
       high = std::max(high, mean.y);
     }
   }
-  return RangeOfValues(low, high);
-}
-
-std::string WithUnit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} [{}]", name, UnitText(unit));
+  return AxisOver(low, high);
 }
 
 }  // namespace
@@ -224,25 +155,21 @@ std::string ScatterChartHtml(const ScatterPanel& panel, Palette& palette) {
   std::vector<BinMean> second;
   if (!panel.second_y.empty()) second = MeansByBins(panel.x, panel.second_y, kNumBins);
   const auto [least, most] = std::ranges::minmax_element(pairs, {}, &Pair::x);
-  const Frame frame = {RangeOfValues(least->x, most->x), VerticalRange(pairs, means, second)};
+  const ChartFrame frame = {AxisOver(least->x, most->x), VerticalAxis(pairs, means, second)};
 
-  html += fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">)",
-                      kWidth,
-                      kHeight,
-                      HtmlText(panel.y_name + " over " + panel.x_name));
-  html += AxesSvg(frame) + PointsSvg(frame, pairs);
+  std::string content = PointsSvg(frame, pairs);
   if (means.size() > 1) {
     const std::string_view color = palette.ColorOf(panel.y_name);
-    html += SpreadSvg(frame, means, color) + CurveSvg(frame, means, "means", color);
+    content += SpreadSvg(frame, means, color) + CurveSvg(frame, means, "means", color);
     if (second.size() > 1) {
-      html += CurveSvg(frame, second, "second", palette.ColorOf(panel.second_name));
+      content += CurveSvg(frame, second, "second", palette.ColorOf(panel.second_name));
     }
   }
-  html += Label(0.5 * (kLeft + kWidth - kRight),
-                kHeight - 6.0,
-                "middle",
-                WithUnit(panel.x_name, panel.x_unit));
-  return html + "</svg></figure>\n";
+  return html +
+         frame.Svg(panel.y_name + " over " + panel.x_name,
+                   NameWithUnit(panel.x_name, panel.x_unit),
+                   content) +
+         "</figure>\n";
 }
 
 std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& palette) {
@@ -252,7 +179,7 @@ std::string ScatterChartsHtml(const std::vector<ScatterPanel>& panels, Palette& 
       "<div class=\"scatter-key\"><span><i class=\"point\" style=\"color:{}\"></i>{}</span>"
       "<span><i style=\"color:{}\"></i>mean, with two standard errors</span>",
       kMeasuredColor,
-      HtmlText(WithUnit(first.y_name, first.y_unit)),
+      HtmlText(NameWithUnit(first.y_name, first.y_unit)),
       palette.ColorOf(first.y_name));
   const bool has_second = std::ranges::any_of(
       panels, [](const ScatterPanel& panel) { return !panel.second_y.empty(); });

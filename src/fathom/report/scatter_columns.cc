@@ -3,20 +3,15 @@
 
 #include "fathom/report/scatter_columns.h"
 
-#include "fathom/report/format_value.h"
-#include "fathom/report/seven_digits.h"
+#include "fathom/report/chart_columns.h"
+#include "fathom/report/chart_frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 namespace fathom {
 namespace {
-
-using nlohmann::json;
 
 // The points with both numbers, of these every k-th.
 std::vector<std::size_t> DrawnPoints(const ScatterPanel& panel) {
@@ -30,14 +25,13 @@ std::vector<std::size_t> DrawnPoints(const ScatterPanel& panel) {
   return drawn;
 }
 
-json ColumnJson(const std::string& name,
-                const std::string& unit,
-                const std::vector<double>& values,
-                const std::vector<std::size_t>& points) {
-  json shown = json::array();
-  for (const std::size_t point : points) shown.push_back(ToSevenDigits(values[point]));
-  return {{"name", unit.empty() ? name : fmt::format("{} [{}]", name, UnitText(unit))},
-          {"values", std::move(shown)}};
+ChartColumn ColumnOf(const std::string& name,
+                     const std::string& unit,
+                     const std::vector<double>& values,
+                     const std::vector<std::size_t>& points) {
+  ChartColumn column = {NameWithUnit(name, unit), {}};
+  for (const std::size_t point : points) column.values.push_back(values[point]);
+  return column;
 }
 
 }  // namespace
@@ -48,12 +42,12 @@ std::size_t DrawnEvery(std::size_t num_points) {
 
 std::string ScatterColumnsJson(const ScatterPanel& panel) {
   const std::vector<std::size_t> points = DrawnPoints(panel);
-  json columns = {ColumnJson(panel.x_name, panel.x_unit, panel.x, points),
-                  ColumnJson(panel.y_name, panel.y_unit, panel.y, points)};
+  std::vector<ChartColumn> columns = {ColumnOf(panel.x_name, panel.x_unit, panel.x, points),
+                                      ColumnOf(panel.y_name, panel.y_unit, panel.y, points)};
   if (!panel.second_y.empty()) {
-    columns.push_back(ColumnJson(panel.second_name, panel.y_unit, panel.second_y, points));
+    columns.push_back(ColumnOf(panel.second_name, panel.y_unit, panel.second_y, points));
   }
-  return columns.dump(-1, ' ', false, json::error_handler_t::replace);
+  return ColumnsJson(columns);
 }
 
 }  // namespace fathom

@@ -5,7 +5,9 @@
 
 #include "fathom/base/random_stream.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -63,6 +65,18 @@ TEST_P(CameraDelays, AreFound) {
 INSTANTIATE_TEST_SUITE_P(Seconds,
                          CameraDelays,
                          ::testing::Values(-8.0, -2.0, -0.25, 0.4, 3.0, 7.0));
+
+TEST(CameraClock, DrawsTheCorrelationWithItsPeakAtTheDelay) {
+  const auto curves = CameraDelayCurves(Filmed(Wandering(1), -2.0, 1));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].column, "u");
+  const auto& [delay, correlation] = curves[0].curve;
+  EXPECT_NEAR(delay.front(), -10.0, 1e-9);
+  EXPECT_NEAR(delay.back(), 10.0, 1e-9);
+  const auto best = std::ranges::max_element(correlation) - correlation.begin();
+  EXPECT_NEAR(delay[static_cast<std::size_t>(best)], -2.0, 0.051);
+  EXPECT_GT(correlation[static_cast<std::size_t>(best)], 0.95);
+}
 
 TEST(CameraClock, SaysNothingOfClocksThatAgree) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -98,5 +98,22 @@ TEST(Browser, RunsNoScriptThatATextSmugglesIn) {
   EXPECT_EQ(FindingsIn(dom)["charts_drawn"], "2");
 }
 
+// A low chart has 100 px for it.
+TEST(Browser, MakesTheNameOfAnAxisSmallerWhereItWouldBeCutOff) {
+  if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  auto findings = FindingsOf(RenderPage(ExamplePage()), "axis_name", R"(
+    const pen = document.createElement("canvas").getContext("2d");
+    const name = "a surge command of some length [N]";
+    pen.font = fontWithin(name, 100);
+    findings.fits = pen.measureText(name).width <= 100;
+    findings.is_used = pen.measureText(name).width > 75;
+    findings.short = fontWithin("x [m]", 100) === FONT;
+  )");
+  EXPECT_EQ(findings["errors"], "");
+  EXPECT_EQ(findings["fits"], "true");
+  EXPECT_EQ(findings["is_used"], "true");
+  EXPECT_EQ(findings["short"], "true");
+}
+
 }  // namespace
 }  // namespace fathom

@@ -62,5 +62,25 @@ TEST(Csv, HoldsThePointsOfAScatterChart) {
   EXPECT_EQ(findings["csv"], "command [N],missing [N],explained [N]|1,0.5,0.125|2,-0.25,");
 }
 
+TEST(Csv, HoldsTheCurveAndTheBandOfACurveChart) {
+  if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  Page page;
+  page.title = "pool 3";
+  CurvePanel& panel = page.sections.emplace_back().curve_panels.emplace_back();
+  panel.x_name = "lag";
+  panel.x_unit = "s";
+  panel.y_name = "agreement";
+  panel.x = {0.1, 0.2};
+  panel.y = {0.75, std::nan("")};
+  panel.low = {-0.5, -0.5};
+  panel.high = {0.5, 0.5};
+  panel.band_name = "white noise";
+  auto findings = FindingsOf(RenderPage(page), "curve_csv", kSave);
+  EXPECT_EQ(findings["errors"], "");
+  EXPECT_EQ(findings["csv"],
+            "lag [s],agreement,\"white noise, low\",\"white noise, high\"|0.1,0.75,-0.5,0.5");
+  EXPECT_EQ(findings["file"], "pool_3_agreement_over_lag_s_.csv");
+}
+
 }  // namespace
 }  // namespace fathom

@@ -148,5 +148,18 @@ TEST(Page, FoldsNotesOfRoutineAndTablesThatAreToBeAskedFor) {
   EXPECT_NE(html.find("<summary>Data</summary>\n<p class=\"text\">4 gaps</p>"), std::string::npos);
 }
 
+TEST(Page, KeepsAFoldClosedBelowTheChartsOverTime) {
+  Page page = PageOf("x");
+  CurvePanel curve;
+  curve.y_name = "agreement";
+  page.sections[0].folds = {{"What the model leaves", {"Nothing."}, {curve}}};
+  const std::string html = RenderPage(page);
+  const std::size_t at = html.find("<details class=\"more\"><summary>What the model leaves");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(html.find("class=\"chart\""), at);
+  EXPECT_LT(at, html.find("<p class=\"text\">Nothing.</p>"));
+  EXPECT_LT(html.find("Nothing."), html.find("<figure class=\"scatter curve\""));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -16,6 +16,7 @@ extern const std::string_view time_cuts_js;
 extern const std::string_view time_plot_js;
 extern const std::string_view legend_js;
 extern const std::string_view chart_keys_js;
+extern const std::string_view chart_touch_js;
 extern const std::string_view csv_js;
 extern const std::string_view page_selftest_js;
 extern const std::string_view page_js;

@@ -1,13 +1,16 @@
 "use strict";
 // The keys of a chart over time: + and - zoom about the middle, arrows move, 0 and Escape reset.
 
+// The stretch of this width about this middle, moved and cut so that it lies within the whole.
+const fittingStretch = (middle, width, [first, last]) => {
+  const fitting = Math.min(Math.max(width, 1e-4 * (last - first)), last - first);
+  const from = Math.min(Math.max(middle - fitting / 2, first), last - fitting);
+  return [from, from + fitting];
+};
+
 // The stretch that a key makes of the one that is shown, within the whole; null: it is no key of ours.
 const stretchAfter = (key, [min, max], [first, last]) => {
-  const stretch = (middle, width) => {
-    const fitting = Math.min(Math.max(width, 1e-4 * (last - first)), last - first);
-    const from = Math.min(Math.max(middle - fitting / 2, first), last - fitting);
-    return [from, from + fitting];
-  };
+  const stretch = (middle, width) => fittingStretch(middle, width, [first, last]);
   const middle = (min + max) / 2;
   const width = max - min;
   switch (key) {

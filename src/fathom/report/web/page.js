@@ -60,6 +60,7 @@ const drawn = [];
     for (const plot of plots) {
       plot.hooks.setCursor = [(self) => legend.update(self.cursor.left >= 0 ? self.cursor.idx : null)];
     }
+    for (const plot of plots) listenToFingers(plot, group);
     listenToKeys(frame, group, `${panel.quantity} over time`);
     frame.append(saveButton(`${panel.quantity} over time`, () => columnsOf(panel)));
     return {panel, curves, legend, plots};
@@ -76,7 +77,7 @@ const drawn = [];
         place.append(element("p", "hint", "Silences are cut out at the marks //; the times at the axis are true."));
       }
       place.append(element("p", "hint on-screen",
-        "Drag to zoom, double-click to reset; keys: + − zoom, ← → move, 0 resets. " +
+        "Drag to zoom, double-click to reset; fingers: pinch and drag; keys: + − zoom, ← → move, 0 resets. " +
         "A click on a name hides its curve or brings a pale one out."));
     }
     drawn.push({...one, group});

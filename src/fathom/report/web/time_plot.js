@@ -101,6 +101,14 @@ const repaint = (curve) => {
 // before the curves, as curves without ink, so that a band does not tint what lies over it.
 const edgesOf = (series) => series.flatMap((one) => (one.low ? [one.low, one.high] : []));
 
+// The font of a name that has so many px beside its axis: smaller where it would be cut off.
+const fontWithin = (name, length) => {
+  const pen = document.createElement("canvas").getContext("2d");
+  pen.font = FONT;
+  const size = Math.min(12, Math.floor((12 * length) / pen.measureText(name).width));
+  return FONT.replace("12px", `${size}px`);
+};
+
 const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
   const own = [panel.places[0], panel.places[panel.places.length - 1]];
   const ink = () => colorOf("muted");
@@ -132,7 +140,7 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     axes: [
       hasTimeLabel ? {...timeAxis, label: `time [s]${offset}`, labelSize: 20, size: 30}
                    : {...timeAxis, size: 10, values: (_, ticks) => ticks.map(() => "")},
-      {...axis, label, labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
+      {...axis, label, labelFont: fontWithin(label, height + 8 - (hasTimeLabel ? 50 : 10)), labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
     ],
     bands: series.flatMap((one, i) => {
       if (!one.low) return [];
