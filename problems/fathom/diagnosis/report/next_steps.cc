@@ -3,8 +3,13 @@
 
 #include "fathom/diagnosis/report/next_steps.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +20,23 @@ namespace {
 // What to do about each is told of no more alternatives than this: with many of them the
 // experiment comes first.
 constexpr std::size_t kMostAdvised = 4;
+
+// Of the damping of the model that is to be used, where its interval reaches down to 0.
+std::vector<std::string> OpenDamping(const Diagnosis& diagnosis) {
+  std::vector<std::string> open;
+  const ParameterVector values = ToVector(diagnosis.extended.model.baseline);
+  for (const int i : {kQuadraticDamping, kLinearDamping}) {
+    const double reach = kStdsOf95 * std::sqrt(diagnosis.extended.covariance(i, i));
+    if (!(reach >= values[i])) continue;
+    std::string name(kParameterInfo[i].name);
+    std::ranges::replace(name, '_', ' ');
+    open.push_back(fmt::format("{} (0 to {:.2g} {})",
+                               name,
+                               values[i] + reach,
+                               UnitText(ParameterUnit(i, diagnosis.dof, diagnosis.force_unit))));
+  }
+  return open;
+}
 
 }  // namespace
 
@@ -62,6 +84,12 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     steps.push_back(
         "Use the model within the speeds and commands of these data. They cannot show what they "
         "did not excite; test the model with another kind of experiment.");
+  }
+  if (const std::vector<std::string> open = OpenDamping(diagnosis); !open.empty()) {
+    steps.push_back(
+        fmt::format("These data leave open the {}. Drive at several steady speeds before the model "
+                    "is used at other speeds.",
+                    fmt::join(open, " and the ")));
   }
   return steps;
 }

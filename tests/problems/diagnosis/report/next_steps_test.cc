@@ -46,6 +46,16 @@ TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
   EXPECT_THAT(NextSteps(diagnosis), ElementsAre(HasSubstr("thrust_dead_zone: Look for")));
 }
 
+TEST(NextSteps, SayWhichDampingIsOpenAndHowToKnowIt) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.force_unit = "N";
+  diagnosis.extended.model.baseline.quadratic_damping = 3.0;
+  diagnosis.extended.covariance(kQuadraticDamping, kQuadraticDamping) = 4.0;
+  EXPECT_EQ(NextSteps(diagnosis).back(),
+            "These data leave open the quadratic damping (0 to 6.9 kg/m). Drive at several steady "
+            "speeds before the model is used at other speeds.");
+}
+
 // A group must not hide what can never be decided behind "To decide:".
 TEST(NextSteps, AdmitThatNoExperimentDecides) {
   Diagnosis diagnosis = AmbiguousDiagnosis();
