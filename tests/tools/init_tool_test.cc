@@ -118,9 +118,26 @@ TEST(InitTool, WritesAMapForACsvOfAnotherShapeThatImports) {
               EndsWith(RunToolBinary("fathom_import",
                                      {"--from=" + (folder / "pool.csv").string(), "--suggest"})
                            .out));
+  // Of 240 s.
+  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [[191.9, 239.9]]\n"));
+  EXPECT_THAT(run.out, HasSubstr(" --vehicle=" + (folder / "vehicle.yaml").string() + " --out="));
   const ToolRun next = RunNext(run.out);
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_THAT(ReadLog(folder / "pool").dofs, ElementsAre(Dof::kSurge));
+  EXPECT_THAT(next.out,
+              EndsWith("\nnext: fathom_check --log=" + (folder / "pool").string() + "\n"));
+}
+
+// A prediction holds no command: a map of it leads nowhere.
+TEST(InitTool, LeavesOutAPredictionOfFathomsOwn) {
+  const Path folder = EmptyTestFolder();
+  std::filesystem::copy(kRecordings / "pool.csv", folder / "pool.csv");
+  WriteTestFile(folder / "p.csv", "t,u\n0,0\n0.1,0.01\n");
+  const ToolRun run = Init(folder);
+  EXPECT_THAT(NamesIn(folder),
+              ElementsAre("p.csv", "pool.csv", "pool.csv.map.yaml", "vehicle.yaml"));
+  EXPECT_THAT(run.out,
+              HasSubstr("note: p.csv: left out: a program of Fathom writes such columns, t,u.\n"));
 }
 
 TEST(InitTool, WritesAMapForEachRecording) {
