@@ -128,6 +128,18 @@ TEST(InitTool, WritesAMapForACsvOfAnotherShapeThatImports) {
               EndsWith("\nnext: fathom_check --log=" + (folder / "pool").string() + "\n"));
 }
 
+// Its mass stands as a comment: nothing is checked, and that is told.
+TEST(InitTool, LeavesTheMassOfItsVehicleOpen) {
+  const Path log = WriteStreams(EmptyTestFolder() / "tank");
+  ASSERT_EQ(Init(log).exit_code, 0);
+  WriteTestFile(log / "log.yaml", "name: tank\ndof: surge\nvehicle: vehicle.yaml\n");
+  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.err,
+              HasSubstr((log / "vehicle.yaml").string() +
+                        " has no mass, so that no inertia is held against it."));
+}
+
 // A prediction holds no command: a map of it leads nowhere.
 TEST(InitTool, LeavesOutAPredictionOfFathomsOwn) {
   const Path folder = EmptyTestFolder();

@@ -4,8 +4,10 @@
 #include "fathom/starter/starter.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/time_interval.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
+#include "fathom/import/recording/recording.h"
 #include "fathom/import/suggest/suggest_map.h"
 #include "fathom/starter/folder_contents.h"
 #include "fathom/starter/starter_texts.h"
