@@ -118,6 +118,7 @@ int Run() {
                      "expected one DOF with it, for example --dofs=surge.");
   }
   Log log = ReadLogFromFlags(FLAGS_log, dof);
+  RequireTrainingData({&log, 1});
   AddCameraSourceIfWanted(options, &log);
   const Comparison comparison = Compare(log, options);
   for (const DofComparison& part : comparison.dofs) PrintWarnings(part.findings);

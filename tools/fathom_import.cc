@@ -220,6 +220,7 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
                surveyed.why_not.empty() ? "can be identified" : surveyed.why_not);
   }
   PrintNotes(findings);
+  fmt::print("next: fathom_check --log={}\n", folder.string());
   std::fflush(stdout);
   PrintWarnings(findings);
 }

@@ -143,6 +143,7 @@ int RunRefine() {
   const std::optional<Dof> given = DofFromFlag();
   // A log without poses is not tracked on the way in: PrepareMarkerLogs() does that.
   std::vector<Log> logs = ReadLogsFromFlags(given, /*may_lack_motion=*/true);
+  RequireTrainingData(logs);
   if (!FLAGS_trajectory.empty() && logs.size() > 1) {
     throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
   }

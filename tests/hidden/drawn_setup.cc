@@ -176,7 +176,7 @@ Setup DrawSetup(const Cast& cast, std::uint64_t seed) {
   }
   setup.vehicle.name = "hidden";
   setup.vehicle.mass = 300.0;
-  setup.vehicle.size = {1.0, 1.0, 1.0};
+  setup.vehicle.size = Eigen::Vector3d(1.0, 1.0, 1.0);
 
   std::string partners;
   for (const Dof dof : cast.partners) partners += fmt::format("+{}", Name(dof));

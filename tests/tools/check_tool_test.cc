@@ -28,6 +28,7 @@ namespace fathom {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -434,6 +435,16 @@ TEST(CheckTool, ListsAnArchive) {
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.out, HasSubstr("lost_values"));
   EXPECT_THAT(run.out, HasSubstr("not readable: "));
+  EXPECT_THAT(run.out, ContainsRegex("sound +surge +- +-\n"));
+}
+
+TEST(CheckTool, TellsHowToNameALog) {
+  const Path folder = EmptyTestFolder();
+  const ToolRun run = RunToolBinary("fathom_check", {folder.string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err,
+            "fathom_check: '" + folder.string() + "': is no flag, expected --log=" +
+                folder.string() + ". See fathom_check --help.\n");
 }
 
 // The rows of a log from one stamp up to another; the stamps stay.

@@ -83,6 +83,18 @@ TEST(HeldOut, SaysThatNothingIsThere) {
   EXPECT_THAT(run.out, Not(HasSubstr("held out")));
 }
 
+TEST(HeldOut, IsNamedWhereItLeavesNothingToTrainOn) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteLog(folder / "log", "");
+  for (const Asked& asked : ToolsThatFitOrScore(folder)) {
+    if (asked.tool == "fathom_simulate" || asked.tool == "fathom_check") continue;
+    const ToolRun run = RunOn(asked, log, "0:400");
+    EXPECT_EQ(run.exit_code, 1) << asked.tool;
+    EXPECT_EQ(run.err,
+              asked.tool + ": --held_out: takes all of the data, expected some to train on.\n");
+  }
+}
+
 TEST(HeldOut, RefusesWhatIsNoInterval) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteLog(folder / "log", "");

@@ -21,6 +21,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
@@ -109,6 +110,12 @@ TEST(ImportTool, MakesTheSameLogOfAMat) {
     EXPECT_DOUBLE_EQ(of_mat.velocity->values[0][i], of_csv.velocity->values[0][i]);
     EXPECT_DOUBLE_EQ(of_mat.command->values[0][i], of_csv.command->values[0][i]);
   }
+}
+
+TEST(ImportTool, SuggestsTheColumnOfTheStampsAsTheClock) {
+  const ToolRun run = RunToolBinary("fathom_import", {"--from=" + kPool, "--suggest"});
+  EXPECT_THAT(run.out, HasSubstr("\n# time: Time [ms]\n"));
+  EXPECT_THAT(run.out, Not(HasSubstr("not used")));
 }
 
 TEST(ImportTool, SaysHowToGetAMap) {

@@ -118,9 +118,38 @@ TEST(InitTool, WritesAMapForACsvOfAnotherShapeThatImports) {
               EndsWith(RunToolBinary("fathom_import",
                                      {"--from=" + (folder / "pool.csv").string(), "--suggest"})
                            .out));
+  // Of 240 s.
+  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [[191.9, 239.9]]\n"));
+  EXPECT_THAT(run.out, HasSubstr(" --vehicle=" + (folder / "vehicle.yaml").string() + " --out="));
   const ToolRun next = RunNext(run.out);
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_THAT(ReadLog(folder / "pool").dofs, ElementsAre(Dof::kSurge));
+  EXPECT_THAT(next.out,
+              EndsWith("\nnext: fathom_check --log=" + (folder / "pool").string() + "\n"));
+}
+
+// Its mass stands as a comment: nothing is checked, and that is told.
+TEST(InitTool, LeavesTheMassOfItsVehicleOpen) {
+  const Path log = WriteStreams(EmptyTestFolder() / "tank");
+  ASSERT_EQ(Init(log).exit_code, 0);
+  WriteTestFile(log / "log.yaml", "name: tank\ndof: surge\nvehicle: vehicle.yaml\n");
+  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string()});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.err,
+              HasSubstr((log / "vehicle.yaml").string() +
+                        " has no mass, so that no inertia is held against it."));
+}
+
+// A prediction holds no command: a map of it leads nowhere.
+TEST(InitTool, LeavesOutAPredictionOfFathomsOwn) {
+  const Path folder = EmptyTestFolder();
+  std::filesystem::copy(kRecordings / "pool.csv", folder / "pool.csv");
+  WriteTestFile(folder / "p.csv", "t,u\n0,0\n0.1,0.01\n");
+  const ToolRun run = Init(folder);
+  EXPECT_THAT(NamesIn(folder),
+              ElementsAre("p.csv", "pool.csv", "pool.csv.map.yaml", "vehicle.yaml"));
+  EXPECT_THAT(run.out,
+              HasSubstr("note: p.csv: left out: a program of Fathom writes such columns, t,u.\n"));
 }
 
 TEST(InitTool, WritesAMapForEachRecording) {

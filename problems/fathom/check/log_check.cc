@@ -35,13 +35,14 @@ std::vector<Finding> OfLog(const Log& log, std::size_t num_logs, std::vector<Fin
   return findings;
 }
 
-// Length, width and height of the vehicle [m], where the log names a vehicle file that is there.
+// Length, width and height of the vehicle [m], where the log names a vehicle file that knows them.
 std::optional<std::array<double, 3>> SizeOf(const Log& log) {
   const std::filesystem::path file = log.path / log.vehicle;
   std::error_code error;
   if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return std::nullopt;
-  const Eigen::Vector3d size = ReadVehicleFile(file).size;
-  return std::array{size.x(), size.y(), size.z()};
+  const std::optional<Eigen::Vector3d> size = ReadVehicleFile(file).size;
+  if (!size) return std::nullopt;
+  return std::array{size->x(), size->y(), size->z()};
 }
 
 }  // namespace

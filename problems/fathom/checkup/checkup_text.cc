@@ -34,6 +34,11 @@ std::string Listed(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(all_but_last, ", "), names.back());
 }
 
+// "inertia passivity", or "-" where there is none.
+std::string WordsOrDash(const std::set<std::string>& words) {
+  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
+}
+
 // How well the interval leaves a value known.
 std::string_view HowWellKnown(double value, double std) {
   constexpr double kWell = 0.2, kRoughly = 1.0;
@@ -162,7 +167,10 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     text += FindingLines(dof.findings);
     if (dof.findings.empty() && dof.why_not.empty()) text += "green   nothing found\n";
     if (const Table table = DeterminedTable(dof); !table.rows.empty()) {
-      text += "\n" + FormatTable(table);
+      text +=
+          "\n" + FormatTable(table) +
+          "known: the 95 % interval is within 20 % of the value (well), within 100 % (roughly) or "
+          "wider (not)\n";
     }
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
@@ -220,7 +228,7 @@ Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
   table.columns = {{"log"}, {"DOFs"}, {"red"}, {"yellow"}};
   for (const CheckedLog& log : logs) {
     if (!log.message.empty()) {
-      table.rows.push_back({{log.path, "-", "not readable: " + log.message, ""}});
+      table.rows.push_back({{log.path, "-", "not readable: " + log.message, "-"}});
       continue;
     }
     std::vector<std::string> usable;
@@ -233,8 +241,8 @@ Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
     }
     table.rows.push_back({{log.path,
                            usable.empty() ? "-" : fmt::format("{}", fmt::join(usable, " ")),
-                           fmt::format("{}", fmt::join(red, " ")),
-                           fmt::format("{}", fmt::join(yellow, " "))}});
+                           WordsOrDash(red),
+                           WordsOrDash(yellow)}});
   }
   return table;
 }

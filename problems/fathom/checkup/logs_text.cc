@@ -21,9 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kCaption =
-    "The standard deviation that each log leaves alone (its share of what all know together). All "
-    "together counts logs of one vehicle that agree; fathom_identify of them all says whether they "
-    "do.";
+    "Standard deviation from each log alone; in brackets its share of the information. All "
+    "together "
+    "counts logs of one vehicle that agree.";
 
 const FittedModel& ModelOf(const std::vector<CheckedLog>& logs, std::size_t log_index, Dof dof) {
   return FindDof(logs[log_index].checkup, dof)->model->fitted;
@@ -129,6 +129,7 @@ ParameterPanel PanelOf(const std::vector<CheckedLog>& logs, const DofOfLogs& of_
   panel.name = kParameterInfo[static_cast<std::size_t>(p)].name;
   std::ranges::replace(panel.name, '_', ' ');
   panel.unit = UnitOf(logs, of_dof, p);
+  panel.lower_bound = kParameterInfo[static_cast<std::size_t>(p)].lower_bound;
   for (const std::size_t i : of_dof.log_indices) {
     const FittedModel& fitted = ModelOf(logs, i, of_dof.dof);
     panel.estimates.push_back(

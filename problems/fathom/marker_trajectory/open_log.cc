@@ -41,6 +41,11 @@ void UseVehicleFile(Log* log) {
   }
   const Vehicle vehicle = ReadVehicleFile(file);
   if (!log->mass) log->mass = vehicle.mass;
+  if (!log->mass) {
+    log->remarks.push_back({RemarkKind::kGeneral,
+                            fmt::format("{} has no mass, so that no inertia is held against it.",
+                                        file.lexically_normal().string())});
+  }
   if (HasThrusterSpeeds(*log)) log->command = ForcesFromThrusters(*log->command, vehicle);
 }
 

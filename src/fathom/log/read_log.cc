@@ -40,15 +40,12 @@ std::filesystem::path FindVelocity(const std::filesystem::path& folder,
 }
 
 Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
-  const auto require = [&](const char* file, const char* meaning) {
-    if (Exists(folder / file)) return;
+  if (!Exists(folder / "log.yaml")) {
     throw InputError(
-        fmt::format("{}: holds no {} ({}), expected a log folder. See docs/file_formats.md.",
-                    folder.string(),
-                    file,
-                    meaning));
-  };
-  require("log.yaml", "name and dof of the log");
+        fmt::format("{0}: holds no log.yaml (name and dof of the log), expected a log folder. "
+                    "fathom init {0} writes what it lacks. See docs/file_formats.md.",
+                    folder.string()));
+  }
   if (!options.may_lack_command && !Exists(folder / "command.csv")) {
     throw InputError(
         fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track "
@@ -90,18 +87,24 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   return log;
 }
 
-// A file that is neither a folder nor a single CSV may be what another program wrote.
+// A file that is neither a folder nor a single CSV may be what another program wrote, or a single
+// CSV with a mistake in its first line.
 [[noreturn]] void RefuseForeignFile(const std::filesystem::path& path, const std::string& text) {
   const std::string import = fmt::format(
       "fathom_import makes a log of what other programs write: fathom_import --from={} --suggest > "
       "map.yaml",
       path.string());
-  try {
-    ParseSingleCsv(path.string(), text, Dof::kSurge);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{} {}", error.what(), import));
+  if (text.empty() || IsMeantAsSingleCsvLog(text)) {
+    try {
+      ParseSingleCsv(path.string(), text, Dof::kSurge);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{} {}", error.what(), import));
+    }
   }
-  throw InputError(fmt::format("{}: is no log. {}", path.string(), import));
+  throw InputError(
+      fmt::format("{}: is no log, expected a log folder or a CSV with columns t, tau, v. {}",
+                  path.string(),
+                  import));
 }
 
 }  // namespace

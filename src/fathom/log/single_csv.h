@@ -11,4 +11,8 @@ namespace fathom {
 // else.
 bool IsSingleCsvLog(std::string_view text);
 
+// Whether it names two of them at least, perhaps with units or behind a byte order mark: one with a
+// mistake rather than another program's file.
+bool IsMeantAsSingleCsvLog(std::string_view text);
+
 }  // namespace fathom

@@ -54,10 +54,21 @@ bool IsStream(const std::string& name) {
          name == "detections.csv";
 }
 
-bool IsSingleCsv(const fs::path& file) {
+// Empty where there is none.
+std::string FirstLineOf(const fs::path& file) {
   std::ifstream stream(file);
   std::string line;
-  return std::getline(stream, line) && IsSingleCsvLog(line);
+  std::getline(stream, line);
+  return line;
+}
+
+// The header of what fathom_simulate (t,u) or fathom_refine (a trajectory with its standard
+// deviations) writes. Neither holds a command, so that no log can come of it.
+bool IsOwnOutput(const std::string& header) {
+  return header == "t,x,y,z,qx,qy,qz,qw,sx,sy,sz,sroll,spitch,syaw" ||
+         std::ranges::any_of(kAllDofs, [&](const Dof dof) {
+           return header == fmt::format("t,{}", VelocityColumn(dof));
+         });
 }
 
 CsvTable ParseStream(const std::string& name, const std::string& text) {
@@ -128,8 +139,12 @@ FolderContents LookInto(const fs::path& folder) {
     } else if (EndsAs(name, {".mp4", ".avi", ".mkv", ".mov", ".m4v", ".webm"})) {
       contents.videos.push_back(name);
     } else if (EndsAs(name, {".csv", ".tsv"})) {
-      if (IsSingleCsv(file)) {
+      const std::string header = FirstLineOf(file);
+      if (IsSingleCsvLog(header)) {
         contents.single_csvs.push_back(name);
+      } else if (IsOwnOutput(header)) {
+        contents.remarks.push_back(fmt::format(
+            "{}: left out: a program of Fathom writes such columns, {}.", name, header));
       } else if (contents.streams.empty()) {
         contents.recordings.push_back(name);
       }

@@ -32,10 +32,12 @@ struct FolderContents {
   std::vector<Dof> dofs;             // that are commanded and, with a velocity.csv, measured
   std::size_t num_thrusters = 0;     // that command.csv holds the speeds of
   std::optional<TimeInterval> span;  // of the motion
-  std::vector<std::string> remarks;  // on streams that cannot be read, a sentence each
+  std::vector<std::string>
+      remarks;  // on files that cannot be read or are left out, a sentence each
 };
 
-// A CSV is a recording only where the folder holds no stream of a log. Throws InputError for a
+// A CSV is a recording only where the folder holds no stream of a log, and where it is not what a
+// program of Fathom wrote. Throws InputError for a
 // folder that cannot be read.
 FolderContents LookInto(const std::filesystem::path& folder);
 

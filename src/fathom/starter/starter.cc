@@ -4,8 +4,10 @@
 #include "fathom/starter/starter.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/time_interval.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
+#include "fathom/import/recording/recording.h"
 #include "fathom/import/suggest/suggest_map.h"
 #include "fathom/starter/folder_contents.h"
 #include "fathom/starter/starter_texts.h"
@@ -87,10 +89,23 @@ void AddLog(const fs::path& folder, const FolderContents& contents, Starter* sta
       "{} --log={}", !has_motion && has_film ? "fathom_track" : "fathom_check", folder.string()));
 }
 
+// From the first stamp of its channels to the last; nothing without stamps.
+std::optional<TimeInterval> SpanOf(const Contents& contents) {
+  std::optional<TimeInterval> span;
+  for (const Channel& channel : contents.channels) {
+    if (!channel.first || !channel.last) continue;
+    span = {.from = std::min(span ? span->from : *channel.first, *channel.first),
+            .to = std::max(span ? span->to : *channel.last, *channel.last)};
+  }
+  return span;
+}
+
 // Empty where the recording's names do not tell of any stream: a map needs one to be read.
 std::string MapOf(const fs::path& recording, const std::optional<Vehicle>& vehicle) {
-  const SuggestedMap suggested = SuggestMap(*OpenRecording(recording), vehicle);
-  const std::string text = StarterMapYaml(recording.stem().string(), suggested.text);
+  const auto opened = OpenRecording(recording);
+  const SuggestedMap suggested = SuggestMap(*opened, vehicle);
+  const std::string text =
+      StarterMapYaml(recording.stem().string(), SpanOf(opened->contents()), suggested.text);
   try {
     ParseImportMap("the suggested map", text);
   } catch (const InputError&) {
@@ -123,12 +138,11 @@ void AddRecording(const fs::path& folder,
     return;
   }
   Add(folder, map_file, map, starter);
-  const std::string vehicle =
-      contents.vehicle ? " --vehicle=" + (folder / contents.vehicle_file).string() : "";
-  starter->commands.push_back(fmt::format("fathom_import --from={} --map={}{} --out={}",
+  const std::string vehicle_file = contents.vehicle ? contents.vehicle_file : kVehicleFile;
+  starter->commands.push_back(fmt::format("fathom_import --from={} --map={} --vehicle={} --out={}",
                                           file.string(),
                                           (folder / map_file).string(),
-                                          vehicle,
+                                          (folder / vehicle_file).string(),
                                           (folder / fs::path(name).stem()).string()));
 }
 

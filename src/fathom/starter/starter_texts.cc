@@ -51,7 +51,7 @@ std::string StarterLogYaml(const KnownOfLog& known) {
          fmt::format(
              "# Of the vehicle, dry [kg], in place of the vehicle file's.\n"
              "#mass: 10\n"
-             "# Log time not to be trained on, to score the model with [s].\n"
+             "# Log time not to be trained on, [from, to], to score the model with [s].\n"
              "#held_out: [[{:.1f}, {:.1f}]]\n"
              "# Where commands are not N and N m. Only ratios of parameters then mean anything.\n"
              "#command_unit: A\n"
@@ -71,10 +71,10 @@ std::string StarterVehicleYaml(const std::string& name, std::size_t num_thruster
   std::string text = fmt::format(
       "# What a vehicle is: docs/file_formats.md. To use a key below, remove the # before it.\n"
       "name: {}\n"
-      "# Dry [kg]. Replace it.\n"
-      "mass: 10\n"
-      "# Length, width, height [m]. Replace them.\n"
-      "size: [0.5, 0.4, 0.3]\n"
+      "# Dry [kg]. The inertia is checked against it.\n"
+      "#mass: 10\n"
+      "# Length, width, height [m]. They say how much water moves with the vehicle.\n"
+      "#size: [0.5, 0.4, 0.3]\n"
       "\n"
       "# Thrust over command, from the maker's data or a test. Commands are pulse widths (us) or\n"
       "# shares of full command (1). A row: command, thrust at each supply voltage [N].\n"
@@ -103,17 +103,22 @@ std::string StarterVehicleYaml(const std::string& name, std::size_t num_thruster
   return text;
 }
 
-std::string StarterMapYaml(const std::string& name, const std::string& suggested) {
+std::string StarterMapYaml(const std::string& name,
+                           const std::optional<TimeInterval>& span,
+                           const std::string& suggested) {
+  const TimeInterval held_out = LastFifth(span);
   return fmt::format(
       "# What a map is: docs/import.md. To use a key below, remove the # before it.\n"
       "name: {}\n"
       "# Of the vehicle, dry [kg], in place of the vehicle file's.\n"
       "#mass: 10\n"
-      "# Time of the log not to be trained on, to score the model with [s].\n"
-      "#held_out: [[240, 300]]\n"
+      "# Log time not to be trained on, [from, to], to score the model with [s].\n"
+      "#held_out: [[{:.1f}, {:.1f}]]\n"
       "\n"
       "{}",
       InDoubleQuotes(name),
+      held_out.from,
+      held_out.to,
       suggested);
 }
 

@@ -26,12 +26,14 @@ struct KnownOfLog {
 // a line that says what it does; docs/file_formats.md.
 std::string StarterLogYaml(const KnownOfLog& known);
 
-// A vehicle file that can be read as it is, with mass and size to be replaced; thrusters and their
-// table stand as comments. `num_thrusters`: 2 where it is not known.
+// A vehicle file that can be read as it is; mass, size, thrusters and their table stand as
+// comments. `num_thrusters`: 2 where it is not known.
 std::string StarterVehicleYaml(const std::string& name, std::size_t num_thrusters);
 
 // A map with the text `suggested` of a SuggestedMap; docs/import.md. It can be read as it is where
-// that names a stream.
-std::string StarterMapYaml(const std::string& name, const std::string& suggested);
+// that names a stream. `span`: of the recording's stamps, where it has any.
+std::string StarterMapYaml(const std::string& name,
+                           const std::optional<TimeInterval>& span,
+                           const std::string& suggested);
 
 }  // namespace fathom

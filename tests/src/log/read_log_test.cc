@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
@@ -198,9 +199,10 @@ TEST(ReadLog, RefusesAPathThatIsNotThere) {
 }
 
 TEST(ReadLog, RefusesAFolderThatLacksAFile) {
-  EXPECT_EQ(Error({{"log.yaml", "-"}}),
-            ": holds no log.yaml (name and dof of the log), expected a log folder. See "
-            "docs/file_formats.md.");
+  EXPECT_THAT(Error({{"log.yaml", "-"}}),
+              AllOf(StartsWith(": holds no log.yaml (name and dof of the log), expected a log "
+                               "folder. fathom init "),
+                    EndsWith(" writes what it lacks. See docs/file_formats.md.")));
   EXPECT_EQ(Error({{"command.csv", "-"}}),
             ": holds no command.csv, expected the commanded forces: only fathom_track does without "
             "them. See docs/file_formats.md.");
@@ -428,6 +430,38 @@ TEST(ReadLog, NamesTheMissingColumnOfASingleCsv) {
                   ":1: column 'v' is missing, found t, tau, u; expected t, tau, v. fathom_import "
                   "makes a log of what other programs write: fathom_import --from=" +
                   file.string() + " --suggest > map.yaml");
+  }
+}
+
+// What is wrong with it as a single CSV leads nowhere.
+TEST(ReadLog, NamesOnlyTheImportForACsvOfAnotherShape) {
+  for (const char* text :
+       {"Pool test 7\r\nTime;Thrust\r\n0;1\r\n", "Time,Thrust,Speed\r\n0,1,2\r\n"}) {
+    const auto file = Folder({{"run.csv", text}}) / "run.csv";
+    try {
+      ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
+      ADD_FAILURE() << "no error";
+    } catch (const InputError& error) {
+      EXPECT_EQ(
+          error.what(),
+          file.string() +
+              ": is no log, expected a log folder or a CSV with columns t, tau, v. "
+              "fathom_import makes a log of what other programs write: fathom_import --from=" +
+              file.string() + " --suggest > map.yaml");
+    }
+  }
+}
+
+TEST(ReadLog, NamesTheMistakeInTheFirstLineOfASingleCsv) {
+  for (const auto& [text, mistake] : {std::pair{"\xef\xbb\xbft,tau,v\n0,1,2\n", "byte order mark"},
+                                      {"t,tau [N],v\n0,1,2\n", "with a unit"}}) {
+    const auto file = Folder({{"run.csv", text}}) / "run.csv";
+    try {
+      ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
+      ADD_FAILURE() << "no error";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(mistake));
+    }
   }
 }
 

@@ -69,23 +69,30 @@ TEST(StarterTexts, WhatIsKnownOfALogIsNoComment) {
 TEST(StarterTexts, AVehicleFileReadsAsItIs) {
   const Vehicle vehicle = ParseVehicleFile("vehicle.yaml", StarterVehicleYaml("rov", 4));
   EXPECT_EQ(vehicle.name, "rov");
+  EXPECT_FALSE(vehicle.mass);
+  EXPECT_FALSE(vehicle.size);
   EXPECT_TRUE(vehicle.thrusters.empty());
 }
 
 TEST(StarterTexts, EveryCommentedKeyOfAVehicleFileIsOneOfTheFormat) {
   const Vehicle vehicle =
       ParseVehicleFile("vehicle.yaml", WithEveryKey(StarterVehicleYaml("rov", 4)));
+  EXPECT_EQ(vehicle.mass, 10.0);
+  EXPECT_TRUE(vehicle.size);
   ASSERT_EQ(vehicle.thrusters.size(), 4U);
   EXPECT_EQ(vehicle.thrusters[3].thrust_table, "my_thruster");
   EXPECT_EQ(vehicle.thrust_tables.size(), 1U);
 }
 
 TEST(StarterTexts, AMapReadsAsItIsAndWithEveryKey) {
-  const std::string text = StarterMapYaml("dive", "velocity: {u: Speed}\n");
+  const std::string text =
+      StarterMapYaml("dive", TimeInterval{.from = 10.0, .to = 110.0}, "velocity: {u: Speed}\n");
   EXPECT_EQ(ParseImportMap("map.yaml", text).name, "dive");
   const ImportMap map = ParseImportMap("map.yaml", WithEveryKey(text));
   EXPECT_EQ(map.mass, 10.0);
-  EXPECT_EQ(map.held_out.size(), 1U);
+  ASSERT_EQ(map.held_out.size(), 1U);
+  EXPECT_EQ(map.held_out[0].from, 90.0);
+  EXPECT_EQ(map.held_out[0].to, 110.0);
 }
 
 }  // namespace

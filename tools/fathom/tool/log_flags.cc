@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -35,7 +36,27 @@ void PrintRemarks(const Log& log, std::size_t first) {
   }
 }
 
+bool IsHeldOut(const Log& log, double t) {
+  return std::ranges::any_of(log.held_out,
+                             [&](const TimeInterval& interval) { return interval.Contains(t); });
+}
+
+bool LeavesNothing(const Log& log) {
+  for (const auto* stream : {&log.velocity, &log.pose, &log.detections}) {
+    if (!*stream) continue;
+    if (!std::ranges::all_of((*stream)->time, [&](double t) { return IsHeldOut(log, t); })) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+void RequireTrainingData(std::span<const Log> logs) {
+  if (HeldOutFromFlag().empty() || !std::ranges::all_of(logs, LeavesNothing)) return;
+  throw InputError("--held_out: takes all of the data, expected some to train on.");
+}
 
 void RequireDifferentData(const std::vector<Log>& logs) {
   if (logs.size() < 2) return;
@@ -92,6 +113,7 @@ std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion)
     logs.push_back(ReadLogFromFlags(path, dof, may_lack_motion));
   }
   RequireDifferentData(logs);
+  if (!may_lack_motion) RequireTrainingData(logs);
   return logs;
 }
 

@@ -9,6 +9,7 @@
 #include "fathom/tool/flag_values.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,15 @@ std::vector<std::string> InputsFromFlags();
 // Throws InputError if two logs hold the same data, whatever their names.
 void RequireDifferentData(const std::vector<Log>& logs);
 
+// Throws InputError if --held_out leaves no sample of the motion of any log to train on.
+void RequireTrainingData(std::span<const Log> logs);
+
 // OpenLog() of a path of --log (with --velocity and --held_out); prints the remarks to stderr.
 Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion = false);
 
 // The same of every log that --log names. Throws InputError if two hold the same data, whatever
 // their names (a copy, or a log and what fathom_track made of it), or if there are several and
-// --velocity, which belongs to one.
+// --velocity, which belongs to one; and where they need motion, as RequireTrainingData() does.
 std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion = false);
 
 // Makes the source `camera` of a log that holds detections but no poses, and prints what was lost

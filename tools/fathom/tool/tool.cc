@@ -21,6 +21,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,6 +81,12 @@ std::string Suggestion(const std::vector<Flag>& flags, const std::string& name) 
   return nearest.empty() ? "" : fmt::format(", did you mean --{}?", nearest);
 }
 
+// Whether a word that is no flag names what --log takes.
+bool IsALog(const std::vector<Flag>& flags, const std::string& word) {
+  std::error_code error;
+  return Find(flags, "log") != nullptr && std::filesystem::exists(word, error);
+}
+
 void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
   const std::string& tool = info.name;
   const std::vector<Flag> flags = OwnFlags();
@@ -90,8 +97,10 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
         has_name ? arguments[i] : "--" + info.positional_flag + "=" + arguments[i];
     const std::size_t dashes = argument.starts_with("--") ? 2 : argument.starts_with("-") ? 1 : 0;
     if (dashes == 0 || argument.size() == dashes) {
-      throw InputError(fmt::format(
-          "{}: is no flag, expected --name=value. See {} --help.", Quoted(argument), tool));
+      throw InputError(fmt::format("{}: is no flag, expected {}. See {} --help.",
+                                   Quoted(argument),
+                                   IsALog(flags, argument) ? "--log=" + argument : "--name=value",
+                                   tool));
     }
     const std::size_t equals = argument.find('=');
     const std::string name =

@@ -29,6 +29,7 @@ struct Channel {
   std::uint64_t count = 0;
   std::optional<double> first;  // smallest and largest stamp [s]; nothing without stamps
   std::optional<double> last;
+  std::optional<Field> clock = {};  // the column of the stamps, where they are a column
 };
 
 // What a recording holds, and how much of it could be read.

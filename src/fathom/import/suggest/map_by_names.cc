@@ -186,6 +186,20 @@ std::string StreamText(const char* stream,
   return text;
 }
 
+// "# time: Time [ms]", of each channel whose stamps are a column.
+std::string ClocksText(const std::vector<NamedChannel>& channels, bool names_channel) {
+  std::string text;
+  for (const NamedChannel& named : channels) {
+    const std::optional<Field>& clock = named.channel.clock;
+    if (!clock) continue;
+    text += fmt::format("# time: {}{}{}\n",
+                        names_channel ? Printable(named.channel.name) + " " : "",
+                        Printable(clock->name),
+                        clock->unit.empty() ? "" : fmt::format(" [{}]", Printable(clock->unit)));
+  }
+  return text;
+}
+
 // The fields of one channel for one stream, if they make one.
 struct StreamGuess {
   const NamedChannel* channel = nullptr;
@@ -208,8 +222,10 @@ SuggestedMap MapByNames(const Contents& contents) {
         if (found.size() > guess->found.size()) *guess = {&channel, std::move(found)};
       };
   const std::vector<NamedChannel> channels = NamedChannels(contents);
+  map.text += ClocksText(channels, names_channel);
   for (const NamedChannel& channel : channels) {
     std::vector<std::string> taken;
+    if (channel.channel.clock) taken.push_back(channel.channel.clock->name);
     keep_better(channel, FindByNames(CommandNames(), channel, &taken), &command);
     std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
     const bool is_pose =

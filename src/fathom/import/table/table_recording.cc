@@ -130,6 +130,7 @@ void TableRecording::List() {
   channel.name = path_.stem().string();
   channel.type = "table";
   channel_stamps.WriteTo(&channel);
+  if (stamps_.column >= 0) channel.clock = layout_.columns[stamps_.column];
   if (!stamps_.remark.empty()) contents_.remarks.push_back(stamps_.remark);
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     const Field& field = layout_.columns[i];

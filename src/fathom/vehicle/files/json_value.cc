@@ -29,6 +29,12 @@ std::string Below(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
+// Whether a text begins as a JSON file of ours does.
+bool MayBeJson(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
 [[noreturn]] void Refuse(const std::string& file,
                          const std::string& path,
                          const std::string& problem) {
@@ -124,7 +130,13 @@ JsonValue JsonValue::Parse(const std::string& name, std::string_view text) {
     const auto file = std::make_shared<const File>(File{name, Json::parse(text, see)});
     return JsonValue(std::make_shared<const Place>(Place{file, file->root, ""}));
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is not JSON: {}.", name, error.what()));
+    if (!MayBeJson(text)) {
+      throw InputError(
+          fmt::format("{}: is no model, expected the JSON of fathom_identify --model.", name));
+    }
+    // Without the parser's own name for it, "[json.exception.parse_error.101] ".
+    const std::string_view what = error.what();
+    throw InputError(fmt::format("{}: is not JSON: {}.", name, what.substr(what.find("] ") + 2)));
   }
 }
 

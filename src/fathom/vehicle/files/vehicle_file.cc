@@ -37,6 +37,14 @@ Eigen::Vector3d Vector(const YamlMap& map, std::string_view key) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+Eigen::Vector3d ReadSize(const YamlMap& map) {
+  Eigen::Vector3d size = Vector(map, "size");
+  if (!(size.minCoeff() > 0.0)) {
+    map.Fail("size", "holds a number that is not above 0, expected length, width, height.");
+  }
+  return size;
+}
+
 void RequireIncreasing(const YamlMap& map,
                        std::string_view key,
                        const std::vector<double>& numbers) {
@@ -166,11 +174,8 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   Vehicle vehicle;
   vehicle.name = file.String("name");
-  vehicle.mass = NumberAbove0(file, "mass");
-  vehicle.size = Vector(file, "size");
-  if (!(vehicle.size.minCoeff() > 0.0)) {
-    file.Fail("size", "holds a number that is not above 0, expected length, width, height.");
-  }
+  if (file.Has("mass")) vehicle.mass = NumberAbove0(file, "mass");
+  if (file.Has("size")) vehicle.size = ReadSize(file);
   for (const YamlMap& map : file.OptionalMaps("thrust_tables")) {
     vehicle.thrust_tables.push_back(ReadThrustTable(map));
   }

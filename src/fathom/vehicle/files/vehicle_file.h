@@ -23,10 +23,10 @@ namespace fathom {
 // What a vehicle file tells about a vehicle; docs/file_formats.md.
 struct Vehicle {
   std::string name;
-  double mass = 0.0;                               // dry [kg], above 0
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // length, width, height [m], above 0
-  std::vector<Thruster> thrusters;                 // may be empty: commands are then forces
-  std::vector<ThrustTable> thrust_tables;          // that thrusters name
+  std::optional<double> mass;              // dry [kg], above 0
+  std::optional<Eigen::Vector3d> size;     // length, width, height [m], above 0
+  std::vector<Thruster> thrusters;         // may be empty: commands are then forces
+  std::vector<ThrustTable> thrust_tables;  // that thrusters name
 
   // Its motion where that is known, by Index(Dof); what fathom_synthesize makes logs from.
   std::array<std::optional<UncoupledModel<double>>, 6> models;

@@ -17,6 +17,7 @@ namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 FittedModel Example() {
   FittedModel fitted;
@@ -133,7 +134,9 @@ TEST(ModelFile, ReadsTheExtendedModelOfAVerdict) {
 }
 
 TEST(ModelFile, SaysWhatIsWrong) {
-  EXPECT_THAT(ErrorFrom("{\"schema\": "), HasSubstr("m.json: is not JSON"));
+  EXPECT_THAT(ErrorFrom("{\"schema\": "), StartsWith("m.json: is not JSON: parse error at line 1"));
+  EXPECT_EQ(ErrorFrom("t,u\n0,1\n"),
+            "m.json: is no model, expected the JSON of fathom_identify --model.");
   EXPECT_THAT(ErrorFrom("[]"), HasSubstr("'schema' is missing"));
   EXPECT_THAT(ErrorAfter("fathom-model-1", "other"), HasSubstr("'schema' is 'other', expected"));
   EXPECT_THAT(ErrorAfter("\"heave\"", "\"up\""), HasSubstr("'dof' is not one of"));

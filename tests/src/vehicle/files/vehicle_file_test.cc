@@ -71,6 +71,12 @@ TEST(VehicleFile, NeedsNeitherThrustersNorModels) {
   for (const auto& model : vehicle.models) EXPECT_FALSE(model.has_value());
 }
 
+TEST(VehicleFile, LeavesMassAndSizeOpenWhereItDoesNotKnowThem) {
+  const Vehicle vehicle = ParseVehicleFile("v.yaml", "name: rov\n");
+  EXPECT_FALSE(vehicle.mass);
+  EXPECT_FALSE(vehicle.size);
+}
+
 TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
   EXPECT_EQ(Error("name: a\nmass: -2\nsize: [1, 1, 1]\n"),
             "v.yaml:2: key 'mass' is -2, expected a number above 0.");
@@ -79,8 +85,6 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
       "v.yaml:3: key 'size' holds a number that is not above 0, expected length, width, height.");
   EXPECT_EQ(Error("name: a\nmass: 2\nsize: [1, 1]\n"),
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
-  EXPECT_EQ(Error("name: a\nsize: [1, 1, 1]\n"),
-            "v.yaml:1: key 'mass' is missing, expected a finite number.");
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
             "thrust_tables, thrusters, "
