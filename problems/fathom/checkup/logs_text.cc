@@ -38,7 +38,7 @@ double StdOf(const Eigen::MatrixXd& covariance, int parameter) {
   return std::sqrt(covariance(parameter, parameter));
 }
 
-// A spread that chance gives once in a thousand archives of agreeing logs.
+// A spread that logs that agree show once in a thousand times.
 bool IsApart(const Spread& spread) { return spread.freedom > 0 && spread.p_value < 1e-3; }
 
 std::vector<std::string> Disagreements(const DofOfLogs& of_dof) {

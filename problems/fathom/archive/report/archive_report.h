@@ -16,7 +16,7 @@ namespace fathom {
 // What the archive page shows.
 struct ArchiveReport {
   std::string archive;  // its folder, as it was named
-  PageOrigin origin;
+  PageOrigin origin;    // without logs: the archive stands for them
   Tables tables;
   std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // files that are no logs, by their ending
