@@ -443,8 +443,8 @@ TEST(CheckTool, TellsHowToNameALog) {
   const ToolRun run = RunToolBinary("fathom_check", {folder.string()});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err,
-            "fathom_check: '" + folder.string() + "': is no flag, expected --log=" +
-                folder.string() + ". See fathom_check --help.\n");
+            "fathom_check: a log needs its flag, expected --log=" + folder.string() +
+                ". See fathom_check --help.\n");
 }
 
 // The rows of a log from one stamp up to another; the stamps stay.

@@ -97,10 +97,13 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
         has_name ? arguments[i] : "--" + info.positional_flag + "=" + arguments[i];
     const std::size_t dashes = argument.starts_with("--") ? 2 : argument.starts_with("-") ? 1 : 0;
     if (dashes == 0 || argument.size() == dashes) {
-      throw InputError(fmt::format("{}: is no flag, expected {}. See {} --help.",
-                                   Quoted(argument),
-                                   IsALog(flags, argument) ? "--log=" + argument : "--name=value",
-                                   tool));
+      throw InputError(IsALog(flags, argument)
+                           ? fmt::format("a log needs its flag, expected --log={}. See {} --help.",
+                                         argument,
+                                         tool)
+                           : fmt::format("{}: is no flag, expected --name=value. See {} --help.",
+                                         Quoted(argument),
+                                         tool));
     }
     const std::size_t equals = argument.find('=');
     const std::string name =
