@@ -16,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -77,24 +78,34 @@ std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std:
   return list;
 }
 
-// The model of one dive on one log of the next.
-struct Forecast {
-  std::size_t model = 0;  // which fit
-  std::size_t target = 0;
-  DiveLog log;
-  double nmae = std::nan("");
+// The logs of the next dive of this vehicle and DOF; none if there is no next one.
+std::vector<DiveLog> NextLogs(const std::vector<Fit>& fits, std::size_t i) {
+  if (i + 1 == fits.size()) return {};
+  const DiveTask &task = fits[i].task, &next = fits[i + 1].task;
+  const bool follows = task.vehicle == next.vehicle && task.dof == next.dof;
+  return follows ? next.logs : std::vector<DiveLog>();
+}
+
+// What the programs said of one dive and DOF.
+struct FittedTask {
+  DiveOutcome outcome;
+  std::vector<PredictionRow> predictions;  // of the next dive
 };
 
-std::vector<Forecast> ForecastsOf(const std::vector<Fit>& fits,
-                                  const std::vector<DiveOutcome>& outcomes) {
-  std::vector<Forecast> forecasts;
-  for (std::size_t i = 0; i + 1 < fits.size(); ++i) {
-    const DiveTask &task = fits[i].task, &next = fits[i + 1].task;
-    const bool follows = task.vehicle == next.vehicle && task.dof == next.dof;
-    if (!follows || !outcomes[i].identify || !IsUsable(*outcomes[i].identify)) continue;
-    for (const DiveLog& log : next.logs) forecasts.push_back({i, i + 1, log});
+FittedTask RunFit(const DiveTask& task,
+                  const std::vector<DiveLog>& next_logs,
+                  const ProgramSettings& programs,
+                  const RunBook& book) {
+  FittedTask fitted = {.outcome = RunDiveJobs(task, programs, book), .predictions = {}};
+  const std::optional<RunRecord>& identify = fitted.outcome.identify;
+  if (!identify || !IsUsable(*identify)) return fitted;
+  for (const DiveLog& log : next_logs) {
+    fitted.predictions.push_back({task.dive,
+                                  log.path,
+                                  std::string(Name(task.dof)),
+                                  PredictionNmae(identify->output, log, programs, book)});
   }
-  return forecasts;
+  return fitted;
 }
 
 }  // namespace
@@ -110,40 +121,24 @@ DiveBatch RunDives(const std::vector<DoneLog>& logs,
   std::mutex mutex;
   UnfinishedRuns unfinished;
   const RunBook book = unfinished.Watch(BookOf(store, &mutex));
-  const auto tell = [&](const char* noun, std::size_t* done, std::size_t total) {
-    const std::lock_guard lock(mutex);
-    ++*done;
-    if (show) show({.noun = noun, .done = *done, .total = total, .last_failure = ""});
-  };
-
-  std::vector<DiveOutcome> outcomes(fits.size());
-  std::size_t done = 0;
+  BatchProgress progress = {
+      .noun = "dive fit", .done = 0, .total = fits.size(), .last_failure = ""};
+  std::vector<FittedTask> fitted_tasks(fits.size());
   RunInParallel(at_a_time, fits.size(), [&](std::size_t i) {
-    outcomes[i] = RunDiveJobs(fits[i].task, options.programs, book);
-    tell("dive fit", &done, fits.size());
+    fitted_tasks[i] = RunFit(fits[i].task, NextLogs(fits, i), options.programs, book);
+    const std::lock_guard lock(mutex);
+    ++progress.done;
+    if (show) show(progress);
   });
   std::vector<FittedDive> fitted;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const DiveTask& task = fits[i].task;
-    std::ranges::move(RowsOfDive(task, outcomes[i], fits[i].excluded),
+    const DiveOutcome& outcome = fitted_tasks[i].outcome;
+    std::ranges::move(RowsOfDive(task, outcome, fits[i].excluded),
                       std::back_inserter(batch.tables.dive_fits));
-    if (!outcomes[i].identify || !IsUsable(*outcomes[i].identify)) continue;
-    fitted.push_back({task.vehicle, fits[i].place, task.dof, outcomes[i].identify->output});
-  }
-
-  std::vector<Forecast> forecasts = ForecastsOf(fits, outcomes);
-  done = 0;
-  RunInParallel(at_a_time, forecasts.size(), [&](std::size_t i) {
-    Forecast& forecast = forecasts[i];
-    forecast.nmae = PredictionNmae(
-        outcomes[forecast.model].identify->output, forecast.log, options.programs, book);
-    tell("prediction", &done, forecasts.size());
-  });
-  for (const Forecast& forecast : forecasts) {
-    batch.tables.predictions.push_back({fits[forecast.model].task.dive,
-                                        forecast.log.path,
-                                        std::string(Name(fits[forecast.model].task.dof)),
-                                        forecast.nmae});
+    std::ranges::move(fitted_tasks[i].predictions, std::back_inserter(batch.tables.predictions));
+    if (!outcome.identify || !IsUsable(*outcome.identify)) continue;
+    fitted.push_back({task.vehicle, fits[i].place, task.dof, outcome.identify->output});
   }
 
   batch.is_final = unfinished.IsEmpty() &&
