@@ -7,6 +7,7 @@
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/comparison_file.h"
 #include "fathom/comparison/comparison_page.h"
+#include "fathom/comparison/comparison_panels.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/origin_of_page.h"
@@ -18,11 +19,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(dofs, "", "Comma-separated. Default: the DOFs in log.yaml.");
+DEFINE_string(dofs, "", "Comma-separated. Default: the DOFs that log.yaml names, of every log.");
 DEFINE_string(
     families,
     "",
@@ -31,7 +35,7 @@ DEFINE_string(
 DEFINE_string(sources,
               "",
               "Comma-separated: pose_estimator (velocity.csv), camera (poses). Default: all that "
-              "the log has.");
+              "every log has.");
 DEFINE_string(json, "", "Write the rows to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_string(figures,
@@ -43,15 +47,17 @@ namespace {
 
 const ToolInfo kInfo = {
     "fathom_compare",
-    "Compares identifier families and sources on one log, scored by simulating from the command "
-    "alone.",
-    "--log=LOG [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] [--report=FILE]",
+    "Compares identifier families and sources on one log, or on several together, scored by "
+    "simulating from the command alone.",
+    "--log=LOG [--log=LOG ...] [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] "
+    "[--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
     "The row to take is marked *: of those whose held-out velocity NMAE is the least within "
     "chance, the one whose parameters are determined best (docs/comparison.md). A row without a "
     "usable model is marked !. The family joint needs "
     "detections.csv, camera.yaml, tags.yaml and mount.yaml. Exit code 2: a DOF has no usable "
-    "model."};
+    "model.",
+    {"log"}};
 
 // What a flag lists, each once.
 template <typename T>
@@ -61,7 +67,7 @@ std::vector<T> ListFromFlag(const char* flag,
   std::vector<T> list;
   for (const std::string& name : SplitAtCommas(value)) {
     const T one = ParseFlag(flag, name, parse);
-    if (std::find(list.begin(), list.end(), one) != list.end()) {
+    if (std::ranges::find(list, one) != list.end()) {
       throw InputError(fmt::format("--{}: names {} twice, expected each once.", flag, name));
     }
     list.push_back(one);
@@ -93,51 +99,51 @@ void WriteFigures(const DofComparison& dof, const std::string& folder) {
   }
 }
 
-// Makes the source `camera` of a log with detections where it is asked for, or where all sources
+// Makes the source `camera` of logs with detections where it is asked for, or where all sources
 // are; in the latter case a calibration that is missing or unusable only costs that source.
-void AddCameraSourceIfWanted(const ComparisonOptions& options, Log* log) {
+void AddCameraSourceIfWanted(const ComparisonOptions& options, std::vector<Log>* logs) {
   const auto& sources = options.sources;
-  if (!sources.empty()) {
-    if (std::find(sources.begin(), sources.end(), Source::kCamera) != sources.end()) {
-      AddCameraSource(log);
-    }
-    return;
+  const bool is_asked_for = std::ranges::find(sources, Source::kCamera) != sources.end();
+  for (Log& log : *logs) {
+    if (is_asked_for) AddCameraSource(&log);
+    if (sources.empty()) AddCameraSourceIfUsable(&log);
   }
-  AddCameraSourceIfUsable(log);
+}
+
+// The one DOF that --dofs names, if it is one. Throws InputError if a log is a CSV file and there
+// is none.
+std::optional<Dof> OnlyDof(const std::vector<Dof>& dofs) {
+  if (dofs.size() == 1) return dofs.front();
+  for (const std::string& path : LogPathsFromFlags()) {
+    if (!std::filesystem::is_regular_file(path)) continue;
+    throw InputError(path +
+                     ": a single CSV (t,tau,v) does not say whose force and speed it holds, "
+                     "expected one DOF with it, for example --dofs=surge.");
+  }
+  return std::nullopt;
 }
 
 int Run() {
   const ComparisonOptions options = OptionsFromFlags();
-  RequireOnePath("log", RequireFlag("log", FLAGS_log, "a log folder or a CSV file"));
-  RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, {FLAGS_log, FLAGS_velocity});
-  std::optional<Dof> dof;
-  if (options.dofs.size() == 1) dof = options.dofs.front();
-  if (!dof && std::filesystem::is_regular_file(FLAGS_log)) {
-    throw InputError(FLAGS_log +
-                     ": a single CSV (t,tau,v) does not say whose force and speed it holds, "
-                     "expected one DOF with it, for example --dofs=surge.");
-  }
-  Log log = ReadLogFromFlags(FLAGS_log, dof);
-  RequireTrainingData({&log, 1});
-  AddCameraSourceIfWanted(options, &log);
-  const Comparison comparison = Compare(log, options);
+  RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, InputsFromFlags());
+  std::vector<Log> logs = ReadLogsFromFlags(OnlyDof(options.dofs));
+  AddCameraSourceIfWanted(options, &logs);
+  const Comparison comparison = Compare(logs, options);
   for (const DofComparison& part : comparison.dofs) PrintWarnings(part.findings);
   for (const DofComparison& part : comparison.dofs) Print(part);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatComparison(comparison));
   if (!FLAGS_report.empty()) {
     Page page = ComparisonPage(comparison);
-    page.origin = OriginOfPage({log});
+    page.origin = OriginOfPage(logs);
     WriteFile(FLAGS_report, RenderPage(page));
   }
   if (!FLAGS_figures.empty()) {
     for (const DofComparison& part : comparison.dofs) WriteFigures(part, FLAGS_figures);
   }
-  const bool all_usable =
-      std::all_of(comparison.dofs.begin(), comparison.dofs.end(), [](const DofComparison& part) {
-        return std::any_of(part.rows.begin(), part.rows.end(), [](const Identification& row) {
-          return row.is_usable;
-        });
-      });
+  const bool all_usable = std::ranges::all_of(comparison.dofs, [](const DofComparison& part) {
+    return std::ranges::any_of(part.rows, [](const Identification& row) { return row.is_usable; });
+  });
   return all_usable ? 0 : 2;
 }
 

@@ -10,6 +10,7 @@
 #include "real_data.h"
 #include "run_tool.h"
 #include "saved_files.h"
+#include "synthesized_log.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -22,13 +23,14 @@ struct Scores {
   double identify = 0.0, compare = 0.0, diagnose = 0.0, simulate = 0.0;
 };
 
-Scores ScoresOf(const std::string& log, const std::string& dof, const Path& folder) {
+// `logs`: with commas between them.
+Scores ScoresOf(const std::string& logs, const std::string& dof, const Path& folder) {
   const auto file = [&](const char* name) { return (folder / name).string(); };
   const auto run = [](const std::string& tool, const std::vector<std::string>& arguments) {
     const ToolRun run = RunToolBinary(tool, arguments);
     EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
   };
-  const std::string of_log = "--log=" + log, of_dof = "--dof=" + dof;
+  const std::string of_log = "--log=" + logs, of_dof = "--dof=" + dof;
   run("fathom_identify", {of_log, of_dof, "--model=" + file("model.json")});
   run("fathom_compare",
       {of_log, "--dofs=" + dof, "--families=output_error", "--json=" + file("comparison.json")});
@@ -56,6 +58,38 @@ TEST_P(OneScore, OfTheBundledLog) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dofs, OneScore, ::testing::Values("surge", "heave", "yaw"));
+
+// fathom_simulate scores each of several logs alone.
+TEST(OneScoreOfLogs, FittedTogether) {
+  const Path folder = EmptyTestFolder();
+  std::string logs;
+  for (const int seed : {1, 2, 3}) {
+    const std::string name = "run_" + std::to_string(seed);
+    const Path log = SmallLogWith(folder, name, "", seed);
+    WriteTestFile(log / "log.yaml", "name: " + name + "\ndof: surge\nheld_out: [70, 90]\n");
+    logs += (logs.empty() ? "" : ",") + log.string();
+  }
+  const std::string of_logs = "--log=" + logs;
+  const auto file = [&](const char* name) { return (folder / name).string(); };
+  const auto run = [&](const std::string& tool, const std::vector<std::string>& arguments) {
+    const ToolRun run = RunToolBinary(tool, arguments);
+    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
+  };
+  run("fathom_identify", {of_logs, "--model=" + file("model.json")});
+  run("fathom_compare", {of_logs, "--families=output_error", "--json=" + file("comparison.json")});
+  run("fathom_diagnose", {of_logs, "--verdict=" + file("verdict.json")});
+  const auto model = JsonOf(file("model.json"));
+  const auto row = JsonOf(file("comparison.json"))["rows"][0];
+  const double score = model["held_out"]["nmae"];
+  EXPECT_GT(score, 0.0);
+  EXPECT_NEAR(row["heldout_nmae"].get<double>(), score, 1e-10 * score);
+  EXPECT_NEAR(
+      JsonOf(file("verdict.json"))["baseline"]["heldout_nmae"].get<double>(), score, 1e-10 * score);
+  for (const char* parameter : {"inertia", "quadratic_damping", "linear_damping", "buoyancy"}) {
+    const double std = model["parameters"][parameter]["std"];
+    EXPECT_NEAR(row["parameters"][parameter]["std"].get<double>(), std, 1e-6 * std) << parameter;
+  }
+}
 
 using OneScoreOnRealData = OnRealData;
 

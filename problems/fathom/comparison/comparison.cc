@@ -7,6 +7,8 @@
 #include "fathom/check/log_check.h"
 #include "fathom/comparison/check_rows.h"
 #include "fathom/comparison/joint_identification.h"
+#include "fathom/comparison/log_agreement.h"
+#include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
 
@@ -26,11 +28,15 @@ bool IsAmong(const std::vector<T>& wanted, T value) {
 }
 
 // Its remarks are told from those on the signals by its name.
-void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison* result) {
+void AddJointRow(std::span<const Log> logs,
+                 const ComparisonOptions& options,
+                 DofComparison* result) {
   if (!IsAmong(options.families, Family::kJoint)) return;
   const bool is_default = options.families.empty();
   const bool has_camera = IsAmong(options.sources, Source::kCamera);
-  if (is_default && (!has_camera || !log.detections || !log.pose)) return;
+  const bool have_corners = std::ranges::all_of(
+      logs, [](const Log& log) { return log.detections.has_value() && log.pose.has_value(); });
+  if (is_default && (!has_camera || !have_corners)) return;
   if (!has_camera) {
     throw InputError(
         "the family joint takes the corners that a camera saw, expected the source camera with "
@@ -38,8 +44,8 @@ void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison
   }
   std::vector<std::string> remarks;
   try {
-    result->rows.push_back(
-        IdentifyJointly({log}, result->scored, options.identification, &remarks));
+    result->rows.push_back(IdentifyJointly(
+        {logs.begin(), logs.end()}, result->scored, options.identification, &remarks));
   } catch (const InputError& error) {
     if (!is_default) throw;
     remarks = {std::string("left out: ") + error.what()};
@@ -47,7 +53,7 @@ void AddJointRow(const Log& log, const ComparisonOptions& options, DofComparison
   for (const std::string& remark : remarks) result->remarks.push_back("Joint, camera: " + remark);
 }
 
-// The sources that a log has for `dof`, the best one first. Throws InputError if there is none.
+// Throws InputError if there is none.
 std::vector<Source> RequireSources(const Log& log, Dof dof) {
   std::vector<Source> available = SourcesOf(log, dof);
   if (available.empty()) {
@@ -61,47 +67,92 @@ std::vector<Source> RequireSources(const Log& log, Dof dof) {
   return available;
 }
 
-DofComparison CompareAlong(Dof dof, const Log& log, const ComparisonOptions& options) {
-  const std::vector<Source> available = RequireSources(log, dof);
+// Keeps in `values` what `others` has too.
+template <typename T>
+void KeepCommon(const std::vector<T>& others, std::vector<T>* values) {
+  std::erase_if(*values, [&](T value) { return std::ranges::find(others, value) == others.end(); });
+}
+
+// The sources that all logs have for `dof`, the best one first. Throws InputError if there is none.
+std::vector<Source> CommonSources(std::span<const Log> logs, Dof dof) {
+  std::vector<Source> common = RequireSources(logs.front(), dof);
+  for (const Log& log : logs) KeepCommon(RequireSources(log, dof), &common);
+  if (common.empty()) {
+    throw InputError(
+        fmt::format("{} and the logs beside it have no source of {} in common: some have it in "
+                    "velocity.csv alone, others in pose.csv.",
+                    logs.front().path.string(),
+                    Name(dof)));
+  }
+  return common;
+}
+
+// The DOFs that every log names. Throws InputError if there is none.
+std::vector<Dof> CommonDofs(std::span<const Log> logs) {
+  std::vector<Dof> common = logs.front().dofs;
+  for (const Log& log : logs) {
+    if (log.dofs.empty()) {
+      throw InputError(
+          fmt::format("{}: log.yaml names no dof; say which with --dofs.", log.path.string()));
+    }
+    KeepCommon(log.dofs, &common);
+  }
+  if (common.empty()) {
+    throw InputError(
+        fmt::format("{} and the logs beside it name no dof in common; say which with --dofs.",
+                    logs.front().path.string()));
+  }
+  return common;
+}
+
+DofComparison CompareAlong(Dof dof, std::span<const Log> logs, const ComparisonOptions& options) {
+  const std::vector<Source> available = CommonSources(logs, dof);
+  std::vector<std::string> names;
+  for (const Log& log : logs) names.push_back(log.path.filename().string());
+  const JoinedSignals scored = JoinSignals(logs, dof, available.front());
   DofComparison result;
   result.dof = dof;
-  result.scored = SignalsOf(log, dof, {.source = available.front()});
-  result.findings = CheckLogs({&log, 1}, result.scored);
+  result.scored = scored.all;
+  result.log_of_train = scored.log_of_train;
+  result.log_of_held_out = scored.log_of_held_out;
+  result.findings = CheckLogs(logs, result.scored);
   result.remarks = result.scored.remarks;
   bool is_all_held_out = true;
   for (const Source source : options.sources.empty() ? available : options.sources) {
-    Signals signals = result.scored;
+    JoinedSignals signals = scored;
     if (source != available.front()) {
-      signals = SignalsOf(log, dof, {.source = source});
-      result.remarks.insert(result.remarks.end(), signals.remarks.begin(), signals.remarks.end());
+      signals = JoinSignals(logs, dof, source);
+      std::ranges::copy(signals.all.remarks, std::back_inserter(result.remarks));
     }
-    is_all_held_out = is_all_held_out && IsAllHeldOut(signals);
+    is_all_held_out = is_all_held_out && IsAllHeldOut(signals.all);
     for (const Family family : kSignalFamilies) {
       if (!IsAmong(options.families, family)) continue;
-      result.rows.push_back(Identify(signals, result.scored, family, options.identification));
+      Identification& row = result.rows.emplace_back(
+          Identify(signals.all, result.scored, family, options.identification));
+      if (logs.size() > 1) WidenByAgreement(names, signals, options.identification, &row);
     }
   }
   if (is_all_held_out) {
-    throw InputError(fmt::format("{}: {}", FileOf(log, "log.yaml"), kAllIsHeldOut));
+    throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
-  AddJointRow(log, options, &result);
-  std::ranges::move(CheckRows(result.rows, BodyOf({&log, 1})), std::back_inserter(result.findings));
+  AddJointRow(logs, options, &result);
+  std::ranges::move(CheckRows(result.rows, BodyOf(logs)), std::back_inserter(result.findings));
   result.findings = WarningsFirst(std::move(result.findings));
   return result;
 }
 
 }  // namespace
 
-Comparison Compare(const Log& log, const ComparisonOptions& options) {
+Comparison Compare(std::span<const Log> logs, const ComparisonOptions& options) {
+  if (logs.empty()) throw InputError("A comparison needs at least one log.");
   Comparison comparison;
-  comparison.log_name = log.name;
-  comparison.remarks = TextsOf(log.remarks);
-  const std::vector<Dof>& dofs = options.dofs.empty() ? log.dofs : options.dofs;
-  if (dofs.empty()) {
-    throw InputError(
-        fmt::format("{}: log.yaml names no dof; say which with --dofs.", log.path.string()));
+  for (const Log& log : logs) {
+    comparison.log_name += (comparison.log_name.empty() ? "" : ", ") + log.name;
+    std::ranges::move(TextsOf(log.remarks), std::back_inserter(comparison.remarks));
   }
-  for (const Dof dof : dofs) comparison.dofs.push_back(CompareAlong(dof, log, options));
+  for (const Dof dof : options.dofs.empty() ? CommonDofs(logs) : options.dofs) {
+    comparison.dofs.push_back(CompareAlong(dof, logs, options));
+  }
   return comparison;
 }
 

@@ -8,15 +8,16 @@
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace fathom {
 
 struct ComparisonOptions {
-  std::vector<Dof> dofs = {};         // empty: the log's
+  std::vector<Dof> dofs = {};         // empty: those that every log names
   std::vector<Family> families = {};  // empty: all that the log allows
-  std::vector<Source> sources = {};   // empty: every source the log has
+  std::vector<Source> sources = {};   // empty: every source that all logs have
   IdentificationOptions identification = {};
 };
 
@@ -33,19 +34,25 @@ struct DofComparison {
   std::vector<Finding> findings;
   std::vector<std::string> remarks;
   std::vector<Identification> rows;
+
+  bool HasHeldOut() const { return !scored.held_out.empty(); }
 };
 
-// Families x sources x DOFs on one log: the paper's Table II and Fig. 5, with held-out figures and
-// intervals. The joint refinement has one row more, the last: its source is the corners in
-// detections.csv, whatever pose.csv holds.
+// Families x sources x DOFs on one log or several: the paper's Table II and Fig. 5, with held-out
+// figures and intervals. The joint refinement has one row more, the last: its source is the corners
+// in detections.csv, whatever pose.csv holds.
 struct Comparison {
-  std::string log_name;
-  std::vector<std::string> remarks;  // of the log's reader
+  std::string log_name;              // of several: "a, b"
+  std::vector<std::string> remarks;  // of the logs' reader
   std::vector<DofComparison> dofs;
 };
 
-// Throws InputError if the log lacks what is asked for or holds out all of it. Where no family is
-// asked for and the corners do not serve the joint refinement, a remark says why.
-Comparison Compare(const Log& log, const ComparisonOptions& options = {});
+// Fits every family to all logs together, each with an initial state of its own. Intervals are
+// widened by what the logs differ by more than by noise, as by IdentifyFromLogs().
+//
+// Throws InputError if there is no log, if one lacks what is asked for, if they differ in command
+// unit, or if they hold out all of their data. Where no family is asked for and the corners do not
+// serve the joint refinement, a remark says why.
+Comparison Compare(std::span<const Log> logs, const ComparisonOptions& options = {});
 
 }  // namespace fathom

@@ -4,19 +4,17 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/comparison/remains_fold.h"
 #include "fathom/report/format_value.h"
-#include "fathom/report/held_curve.h"
-#include "fathom/simulate/free_run.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,52 +25,8 @@ namespace {
 
 constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
-bool HasHeldOut(const DofComparison& comparison) { return !comparison.scored.held_out.empty(); }
-
 std::string Figure(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
-}
-
-// A scored segment on the time axis of a panel.
-struct PlacedSegment {
-  const Segment* segment;
-  bool is_held_out;
-  size_t log;
-  double shift = 0.0;  // from the log's clock to the panel's [s]
-
-  double from() const { return segment->time.front() + shift; }
-  double to() const { return segment->time.back() + shift; }
-};
-
-// The scored segments, held out or not, in the order of time, which begins at 0. Logs come one
-// behind the other: their clocks may start anew.
-std::vector<PlacedSegment> InOrderOfTime(const DofComparison& comparison) {
-  std::vector<PlacedSegment> placed;
-  const auto add =
-      [&](const std::vector<Segment>& segments, const std::vector<size_t>& logs, bool is_held_out) {
-        for (size_t i = 0; i < segments.size(); ++i) {
-          placed.push_back({&segments[i], is_held_out, logs.empty() ? 0 : logs[i]});
-        }
-      };
-  add(comparison.scored.train, comparison.log_of_train, false);
-  add(comparison.scored.held_out, comparison.log_of_held_out, true);
-  std::sort(placed.begin(), placed.end(), [](const PlacedSegment& a, const PlacedSegment& b) {
-    return std::pair(a.log, a.from()) < std::pair(b.log, b.from());
-  });
-  constexpr double kBetweenLogs = 1.0;  // [s]
-  for (size_t i = 0; i < placed.size(); ++i) {
-    const bool is_new_log = i == 0 || placed[i].log != placed[i - 1].log;
-    const double begin = i == 0 ? 0.0 : placed[i - 1].to() + kBetweenLogs;
-    placed[i].shift = is_new_log ? begin - placed[i].from() : placed[i - 1].shift;
-  }
-  return placed;
-}
-
-// How many logs the segments are of.
-size_t NumLogs(const std::vector<PlacedSegment>& placed) {
-  std::set<size_t> logs;
-  for (const PlacedSegment& segment : placed) logs.insert(segment.log);
-  return logs.size();
 }
 
 std::string Capitalised(std::string text) {
@@ -103,8 +57,8 @@ std::string Sentence(const DofComparison& comparison) {
       dof,
       ModelName(taken),
       100.0 * ScoreOf(comparison, taken),
-      HasHeldOut(comparison) ? "on held-out data"
-                             : "on the data that it was fitted to (no data are held out)",
+      comparison.HasHeldOut() ? "on held-out data"
+                              : "on the data that it was fitted to (no data are held out)",
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
       FormatValue(taken.fitted.model.inertia,
                   kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
@@ -127,12 +81,12 @@ Table WithColumns(const Table& table, const std::vector<size_t>& columns) {
 std::vector<Table> TablesOf(const DofComparison& comparison) {
   const Table all = ParameterTable(comparison);
   const size_t held_out = all.columns.size() - 1, trained = held_out - 2;
-  const size_t score = HasHeldOut(comparison) ? held_out : trained;
+  const size_t score = comparison.HasHeldOut() ? held_out : trained;
   Table shown = WithColumns(all, {1, score, 2, 3, 4, 5});
   Table others = WithColumns(all, {1, held_out, held_out - 1, trained, trained - 1});
-  if (!HasHeldOut(comparison)) others = WithColumns(all, {1, trained, trained - 1});
-  others.fold = HasHeldOut(comparison) ? "More figures: MAE, and errors on the training data"
-                                       : "More figures: MAE";
+  if (!comparison.HasHeldOut()) others = WithColumns(all, {1, trained, trained - 1});
+  others.fold = comparison.HasHeldOut() ? "More figures: MAE, and errors on the training data"
+                                        : "More figures: MAE";
   return {std::move(shown), std::move(others)};
 }
 
@@ -187,7 +141,7 @@ Table ParameterTable(const DofComparison& comparison) {
   };
   const std::string_view speed_unit = VelocityUnit(comparison.dof);
   // What decides stays: the held-out NMAE, or that of the training data where nothing is held out.
-  const int train_rank = HasHeldOut(comparison) ? 3 : 0, held_out_rank = 3 - train_rank;
+  const int train_rank = comparison.HasHeldOut() ? 3 : 0, held_out_rank = 3 - train_rank;
   Table table;
   table.columns = {{"DOF"},
                    {"model"},
@@ -218,83 +172,6 @@ Table ParameterTable(const DofComparison& comparison) {
     table.rows.push_back(std::move(line));
   }
   return table;
-}
-
-TimePanel ResponsePanel(const DofComparison& comparison) {
-  TimePanel panel;
-  panel.quantity = fmt::format("{} velocity", Name(comparison.dof));
-  panel.unit = VelocityUnit(comparison.dof);
-  panel.measured = Series{"measured", {}, ""};
-  const Identification* const taken = Recommend(comparison).taken;
-  for (const Identification& row : comparison.rows) {
-    if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
-    Series& response = panel.responses.emplace_back();
-    response.name = ModelName(row);
-    response.note = fmt::format("{}velocity NMAE {:.3f}",
-                                HasHeldOut(comparison) ? "held-out " : "",
-                                ScoreOf(comparison, row));
-    response.is_faded = taken != nullptr && &row != taken;
-  }
-  const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);
-  if (const size_t num_logs = NumLogs(placed); num_logs > 1) {
-    panel.title = fmt::format("{} logs, one behind the other", num_logs);
-  }
-  for (const PlacedSegment& place : placed) {
-    const Segment* const segment = place.segment;
-    if (place.is_held_out) panel.held_out.push_back({place.from(), place.to()});
-    for (const double t : segment->time) panel.time.push_back(t + place.shift);
-    panel.time.push_back(place.to());  // a gap before the next segment
-    auto& measured = panel.measured->values;
-    measured.insert(measured.end(), segment->velocity.begin(), segment->velocity.end());
-    measured.push_back(kNotComputed);
-    size_t response = 0;
-    for (const Identification& row : comparison.rows) {
-      if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
-      auto& values = panel.responses[response++].values;
-      const auto run = FreeRunOver(*segment, {row.fitted.model});
-      if (run) {
-        values.insert(values.end(), run->predicted.begin(), run->predicted.end());
-      } else {
-        values.insert(values.end(), segment->time.size(), kNotComputed);
-      }
-      values.push_back(kNotComputed);
-    }
-  }
-  return panel;
-}
-
-TimePanel CommandPanel(const DofComparison& comparison) {
-  TimePanel panel =
-      HeldCurvePanel(IsAngular(comparison.dof) ? "moment" : "force",
-                     ParameterUnit(kBuoyancy, comparison.dof, comparison.scored.force_unit));
-  for (const PlacedSegment& place : InOrderOfTime(comparison)) {
-    const Segment& segment = *place.segment;
-    AppendHeldCurve(segment.command.time,
-                    segment.command.value,
-                    {segment.time.front(), segment.time.back()},
-                    place.shift,
-                    &panel);
-    if (place.is_held_out) panel.held_out.push_back({place.from(), place.to()});
-  }
-  return panel;
-}
-
-std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison) {
-  std::vector<ParameterPanel> panels;
-  for (int i = 0; i < kNumParameters; ++i) {
-    ParameterPanel panel;
-    panel.name = kParameterInfo[i].name;
-    std::replace(panel.name.begin(), panel.name.end(), '_', ' ');
-    panel.unit = ParameterUnit(i, comparison.dof, comparison.scored.force_unit);
-    panel.lower_bound = kParameterInfo[i].lower_bound;
-    for (const Identification& row : comparison.rows) {
-      if (!row.is_usable) continue;
-      panel.estimates.push_back(
-          {ModelName(row), ToVector(row.fitted.model)[i], std::sqrt(row.fitted.covariance(i, i))});
-    }
-    panels.push_back(std::move(panel));
-  }
-  return panels;
 }
 
 Page ComparisonPage(const Comparison& comparison) {

@@ -5,7 +5,6 @@
 
 #include "fathom/comparison/comparison.h"
 #include "fathom/report/page.h"
-#include "fathom/report/panel.h"
 #include "fathom/report/table.h"
 
 #include <string>
@@ -21,16 +20,6 @@ Table ParameterTable(const DofComparison& comparison);
 // What is to be said beside that table, a line each: notes on the data, why a row is
 // unusable, and what the usable ones do not cover.
 std::vector<std::string> CommentsOn(const DofComparison& comparison);
-
-// The paper's Fig. 5 for one DOF: what was measured against each usable model's free run, over the
-// whole log, in seconds since its first sample. All models but the recommended one are faded.
-TimePanel ResponsePanel(const DofComparison& comparison);
-
-// The command over the same time.
-TimePanel CommandPanel(const DofComparison& comparison);
-
-// One small plot per parameter: each usable model's value with its interval.
-std::vector<ParameterPanel> ParameterPanels(const DofComparison& comparison);
 
 // All of it on one page.
 Page ComparisonPage(const Comparison& comparison);

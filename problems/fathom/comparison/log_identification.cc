@@ -7,7 +7,7 @@
 #include "fathom/check/inertia_check.h"
 #include "fathom/check/log_check.h"
 #include "fathom/comparison/joint_identification.h"
-#include "fathom/comparison/run_agreement_text.h"
+#include "fathom/comparison/log_agreement.h"
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/simulate/free_run.h"
@@ -22,54 +22,11 @@
 namespace fathom {
 namespace {
 
-// The training segments of one log.
-Signals OfLog(std::size_t log, const std::vector<std::size_t>& log_of_train, const Signals& all) {
-  Signals own;
-  own.dof = all.dof;
-  own.source = all.source;
-  own.force_unit = all.force_unit;
-  for (std::size_t k = 0; k < all.train.size(); ++k) {
-    if (log_of_train[k] == log) own.train.push_back(all.train[k]);
-  }
-  return own;
-}
-
-// Fits each log alone, and widens the intervals of all together by what these differ by.
-void CompareRuns(const std::vector<std::string>& names,
-                 const std::vector<std::size_t>& log_of_train,
-                 const LogIdentificationOptions& options,
-                 LogIdentification* identified) {
-  IdentificationOptions alone_options = options.identification;
-  alone_options.output_error.offsets = {};
-  std::vector<RunEstimate> runs;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const Signals own = OfLog(k, log_of_train, identified->signals);
-    const Identification alone = Identify(own, own, options.family, alone_options);
-    RunEstimate& run = runs.emplace_back();
-    run.log = names[k];
-    run.is_usable = alone.is_usable;
-    if (!run.is_usable) continue;
-    run.value = ToVector(alone.fitted.model);
-    run.std = alone.fitted.covariance.topLeftCorner<kNumParameters, kNumParameters>()
-                  .diagonal()
-                  .cwiseSqrt();
-  }
-  RunAgreement agreement = AgreementOf(std::move(runs));
-  FittedModel& fitted = identified->result.fitted;
-  if (identified->result.is_usable) {
-    ParameterVector widening;
-    for (int i = 0; i < kNumParameters; ++i) widening[i] = agreement.spreads[i].widening;
-    fitted.covariance = widening.asDiagonal() * fitted.covariance * widening.asDiagonal();
-    for (std::string& remark : RemarksOn(agreement)) fitted.caveats.push_back(std::move(remark));
-  }
-  identified->agreement = std::move(agreement);
-}
-
 // The offsets of the fit by log, of those that have training data.
 std::vector<LogOffset> OffsetsOf(const Identification& result,
                                  const std::vector<std::string>& names,
-                                 const std::vector<std::size_t>& log_of_train,
-                                 const Signals& signals) {
+                                 const JoinedSignals& joined) {
+  const std::vector<std::size_t>& log_of_train = joined.log_of_train;
   const OffsetSharing sharing = OneOffsetPerLog(log_of_train);
   std::vector<LogOffset> offsets;
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -78,7 +35,7 @@ std::vector<LogOffset> OffsetsOf(const Identification& result,
     const auto& [value, std] = result.offsets[sharing.At(first - log_of_train.begin())];
     UncoupledModel<double> model = result.fitted.model;
     model.buoyancy = value;
-    const Signals own = OfLog(k, log_of_train, signals);
+    const Signals own = TrainingOf(k, joined);
     offsets.push_back({names[k], value, std, FiguresOf({model}, own.train)});
   }
   return offsets;
@@ -110,8 +67,7 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   LogIdentification identified;
   JoinedSignals joined =
       JoinSignals(logs, options.dof, is_joint ? Source::kCamera : options.source);
-  identified.signals = std::move(joined.all);
-  const Signals& signals = identified.signals;
+  const Signals& signals = joined.all;
   if (IsAllHeldOut(signals)) {
     throw InputError(fmt::format("{}: {}", FileOf(logs.front(), "log.yaml"), kAllIsHeldOut));
   }
@@ -131,12 +87,16 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
     Identification& result = identified.result;
     result = Identify(signals, signals, options.family, identification);
     if (has_own_offsets && result.is_usable) {
-      identified.offsets = OffsetsOf(result, names, joined.log_of_train, signals);
+      identified.offsets = OffsetsOf(result, names, joined);
       std::string remark = RemarkOnOffsets(identified.offsets, result.fitted.force_unit);
       if (!remark.empty()) result.fitted.caveats.push_back(std::move(remark));
     }
-    if (names.size() > 1) CompareRuns(names, joined.log_of_train, options, &identified);
+    if (names.size() > 1) {
+      identified.agreement =
+          WidenByAgreement(names, joined, options.identification, &identified.result);
+    }
   }
+  identified.signals = std::move(joined.all);
   if (!identified.result.is_usable) return identified;
   if (auto finding = CheckInertia(identified.result.fitted, body)) {
     identified.findings.push_back(*std::move(finding));

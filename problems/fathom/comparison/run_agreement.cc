@@ -55,7 +55,9 @@ Spread SpreadOf(std::span<const Value> values) {
   Spread spread;
   if (values.size() < 2) return spread;
   spread.freedom = static_cast<int>(values.size()) - 1;
-  spread.chi_squared = PoolOf(values).chi_squared;
+  const Pooled pooled = PoolOf(values);
+  spread.chi_squared = pooled.chi_squared;
+  spread.mean_std = std::sqrt(pooled.variance);
   spread.p_value = ChiSquareTail(spread.chi_squared, spread.freedom);
   spread.widening = std::max(1.0, std::sqrt(spread.chi_squared / spread.freedom));
   return spread;
@@ -72,6 +74,11 @@ double DistanceFromOthers(std::span<const Value> values, std::size_t index) {
 }
 
 }  // namespace
+
+double Spread::WideningOf(double std) const {
+  if (freedom == 0 || !(std > 0.0)) return 1.0;
+  return std::clamp(widening * mean_std / std, 1.0, widening);
+}
 
 RunAgreement AgreementOf(std::vector<RunEstimate> runs) {
   RunAgreement agreement;

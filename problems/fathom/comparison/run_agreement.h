@@ -27,9 +27,15 @@ struct Spread {
   int freedom = 0;           // runs less one
   double p_value = 1.0;      // of such a spread, if the runs differ by noise alone
 
-  // What the standard deviation of a fit to all of them is to be multiplied by, at least 1: the
-  // ratio of what they scatter by to what their own deviations say (Birge 1932).
+  // The standard deviation of their weighted mean by what their own deviations say, and what that
+  // is to be multiplied by, at least 1: the ratio of what they scatter by to it (Birge 1932).
+  double mean_std = std::numeric_limits<double>::quiet_NaN();
   double widening = 1.0;
+
+  // What the standard deviation `std` of a fit to all of them is to be multiplied by, so that it is
+  // not below that of the mean, widened. From 1 to `widening`: where the runs differ, so does the
+  // residual of the fit, which has widened `std` by a part of that already.
+  double WideningOf(double std) const;
 };
 
 struct RunAgreement {

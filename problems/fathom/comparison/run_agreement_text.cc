@@ -50,13 +50,12 @@ Table RunTable(const RunAgreement& agreement, Dof dof, const std::string& force_
   return table;
 }
 
-std::vector<std::string> RemarksOn(const RunAgreement& agreement) {
+std::vector<std::string> RemarksOn(const RunAgreement& agreement, const ParameterVector& widening) {
   std::vector<std::string> remarks;
   std::vector<std::string> widened;
   for (int i = 0; i < kNumParameters; ++i) {
-    const double widening = agreement.spreads[i].widening;
-    if (widening >= kWorthTelling) {
-      widened.push_back(fmt::format("{} by {:.1f}", NameOf(i), widening));
+    if (widening[i] >= kWorthTelling) {
+      widened.push_back(fmt::format("{} by {:.1f}", NameOf(i), widening[i]));
     }
   }
   if (!widened.empty()) {

@@ -6,6 +6,7 @@
 #include "fathom/base/dof.h"
 #include "fathom/comparison/run_agreement.h"
 #include "fathom/report/table.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace fathom {
 Table RunTable(const RunAgreement& agreement, Dof dof, const std::string& force_unit);
 
 // What is to be said of it, a sentence each: which parameters' intervals were widened and by how
-// much, and which run stands apart. Empty where the runs agree.
-std::vector<std::string> RemarksOn(const RunAgreement& agreement);
+// much (`widening`), and which run stands apart. Empty where the runs agree.
+std::vector<std::string> RemarksOn(const RunAgreement& agreement, const ParameterVector& widening);
 
 }  // namespace fathom

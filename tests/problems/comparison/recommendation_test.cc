@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 // Yaw: 0.1330 to 0.1330 on a last minute of noise.
 TEST(Recommend, PassesOverALeadThatIsChance) {
   const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
-  const Comparison comparison = Compare(log, {.dofs = {Dof::kYaw}});
+  const Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kYaw}});
   const DofComparison& dof = comparison.dofs.front();
   const Recommendation recommendation = Recommend(dof);
   ASSERT_NE(recommendation.taken, nullptr);
@@ -32,7 +32,7 @@ TEST(Recommend, PassesOverALeadThatIsChance) {
 // A model of twice the inertia is worse by far more than chance, whatever its family.
 TEST(Recommend, DoesNotCallAWorseModelAsGood) {
   const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
-  Comparison comparison = Compare(log, {.dofs = {Dof::kSurge}});
+  Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kSurge}});
   DofComparison& dof = comparison.dofs.front();
   for (Identification& row : dof.rows) {
     if (row.family != Family::kOutputError) continue;
@@ -49,7 +49,7 @@ TEST(Recommend, DoesNotCallAWorseModelAsGood) {
 // %.
 TEST(Recommend, DoesNotTakeTheAdaptiveLawForALeadThatIsChance) {
   const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
-  Comparison comparison = Compare(log, {.dofs = {Dof::kYaw}});
+  Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kYaw}});
   DofComparison& dof = comparison.dofs.front();
   for (Identification& row : dof.rows) {
     if (row.family == Family::kAdaptive)
@@ -60,7 +60,7 @@ TEST(Recommend, DoesNotTakeTheAdaptiveLawForALeadThatIsChance) {
 
 TEST(Recommend, NeverTakesAnUnusableModel) {
   const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
-  Comparison comparison = Compare(log, {.dofs = {Dof::kSurge}});
+  Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kSurge}});
   DofComparison& dof = comparison.dofs.front();
   for (Identification& row : dof.rows) row.is_usable = row.family == Family::kAdaptive;
   EXPECT_EQ(Recommend(dof).taken->family, Family::kAdaptive);

@@ -46,13 +46,13 @@ TEST(AgreementOf, NamesTheRunThatStandsApart) {
   std::vector<RunEstimate> runs;
   for (int k = 0; k < 6; ++k) runs.push_back(RunOf("run_" + std::to_string(k), 100.0 + k % 2, 1.0));
   EXPECT_THAT(AgreementOf(runs).stands_apart, IsEmpty());
-  EXPECT_THAT(RemarksOn(AgreementOf(runs)), IsEmpty());
+  EXPECT_THAT(RemarksOn(AgreementOf(runs), ParameterVector::Ones()), IsEmpty());
   runs[3].value[kInertia] = 120.0;
   const RunAgreement agreement = AgreementOf(runs);
   EXPECT_EQ(agreement.stands_apart, "run_3");
   EXPECT_EQ(agreement.parameter_apart, kInertia);
-  EXPECT_THAT(RemarksOn(agreement),
-              ElementsAre(HasSubstr("widened: inertia by "), HasSubstr("run_3 stands apart")));
+  EXPECT_THAT(RemarksOn(agreement, {7.0, 1.0, 1.1, 1.0}),
+              ElementsAre(HasSubstr("widened: inertia by 7.0."), HasSubstr("run_3 stands apart")));
 }
 
 TEST(AgreementOf, PassesOverRunsThatDetermineNothing) {
@@ -70,7 +70,7 @@ TEST(AgreementOf, PassesOverRunsThatDetermineNothing) {
 TEST(AgreementOf, WidensIntervalsToWhatTheyPromise) {
   std::mt19937 generator(7);
   std::normal_distribution<double> normal;
-  int num_held = 0, num_held_as_told = 0;
+  int num_held = 0, num_held_as_told = 0, num_held_twice_as_wide = 0;
   const int num_trials = 2000;
   for (int trial = 0; trial < num_trials; ++trial) {
     std::vector<RunEstimate> runs;
@@ -80,12 +80,28 @@ TEST(AgreementOf, WidensIntervalsToWhatTheyPromise) {
       sum += runs.back().value[kInertia];
     }
     const double error = std::abs(sum / 8.0 - 328.0), told = 1.96 * 10.0 / std::sqrt(8.0);
+    const Spread spread = AgreementOf(std::move(runs)).spreads[kInertia];
     num_held_as_told += error < told;
-    num_held += error < told * AgreementOf(std::move(runs)).spreads[kInertia].widening;
+    num_held += error < told * spread.WideningOf(told / 1.96);
+    // The residual of a fit to all has a part of the differences in it.
+    num_held_twice_as_wide += error < 2.0 * told * spread.WideningOf(2.0 * told / 1.96);
   }
   EXPECT_LT(num_held_as_told, 0.65 * num_trials);
   EXPECT_GT(num_held, 0.90 * num_trials);
   EXPECT_LT(num_held, 0.97 * num_trials);
+  EXPECT_GE(num_held_twice_as_wide, num_held);
+  EXPECT_LT(num_held_twice_as_wide, 0.97 * num_trials);
+}
+
+TEST(AgreementOf, WidensNoFitByMoreThanTheRunsDiffer) {
+  // 50 apart, each known to 10: the mean to 7.1, and to 25 by its scatter.
+  const Spread spread =
+      AgreementOf({RunOf("a", 300.0, 10.0), RunOf("b", 350.0, 10.0)}).spreads[kInertia];
+  EXPECT_NEAR(spread.mean_std, 10.0 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(spread.mean_std * spread.widening, 25.0, 1e-12);
+  EXPECT_NEAR(spread.WideningOf(10.0), 2.5, 1e-12);
+  EXPECT_EQ(spread.WideningOf(40.0), 1.0);
+  EXPECT_EQ(spread.WideningOf(1.0), spread.widening);
 }
 
 }  // namespace
