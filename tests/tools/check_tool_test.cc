@@ -309,6 +309,32 @@ std::vector<Mistake> Table() {
        "red",
        "pose_jump",
        "yaw jumps once"},
+      {"HeadingFlips",
+       Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i == 700 || i == 701 ? 1.6 : 0.0; }),
+       "yellow",
+       "pose_flip",
+       "turns away and back once, first by 92°"},
+      {"VelocitiesOverGround",
+       [](Dive* dive) {
+         dive->has_pose = true;
+         const std::vector<double>& time = dive->numbers.time;
+         const std::vector<double>& speed = dive->numbers.speed;
+         double x = 0.0, y = 0.0;
+         for (std::size_t i = 0; i < time.size(); ++i) {
+           const double step = i > 0 ? time[i] - time[i - 1] : 0.0;
+           dive->yaw[i] = 0.1 * time[i];
+           x += step * speed[i] * std::cos(dive->yaw[i]);
+           y += step * speed[i] * std::sin(dive->yaw[i]);
+           dive->x[i] = x;
+           dive->y[i] = y;
+         }
+         for (std::size_t i = 0; i < time.size(); ++i) {
+           dive->numbers.speed[i] *= std::cos(dive->yaw[i]);
+         }
+       },
+       "red",
+       "pose_twist_frame",
+       "u is along the axes of the world"},
   };
 }
 
@@ -422,6 +448,18 @@ TEST(CheckTool, DrawsAFindingAtItsPlace) {
   EXPECT_THAT(html, HasSubstr("\"name\":\"what is meant\""));
   EXPECT_THAT(html, HasSubstr("<h2>surge: command delay</h2>"));
   EXPECT_THAT(html, HasSubstr("correlation with the command"));
+}
+
+TEST(CheckTool, DrawsTwoMotionsThatAreNotOne) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Pose([](Dive* dive, std::size_t i) { dive->x[i] *= 2.0; })(&dive);
+  const Path page = folder / "check.html";
+  RunToolBinary("fathom_check",
+                {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+  const std::string html = TextOf(page);
+  EXPECT_THAT(html, HasSubstr("<h2>log: pose twist scale</h2>"));
+  EXPECT_THAT(html, HasSubstr("from pose.csv, along the vehicle"));
 }
 
 TEST(CheckTool, ListsAnArchive) {

@@ -70,6 +70,11 @@ constexpr Entry kAdvice[] = {
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "
       "and "
       "both clocks."}},
+    {"pose_flip",
+     {"Speeds from these poses are wrong there, and a heading that is unwrapped through it gains a "
+      "turn.",
+      "Leave these rows of pose.csv out, and set the markers so that they look alike from one side "
+      "only."}},
     {"pose_jump",
      {"The speed from the poses has a peak there, which no thrust explains.",
       "Cut the log in two at the jump, or take the poses of an estimator that is not realigned. Of "
@@ -80,6 +85,11 @@ constexpr Entry kAdvice[] = {
     {"pose_twist_delay",
      {"Models from the two sources differ in their dynamics.",
       "Put the clocks of both sensors together."}},
+    {"pose_twist_frame",
+     {"A vehicle that turns gets the velocity of another axis.",
+      "Turn velocity.csv by the attitude in pose.csv into the axes of the vehicle, or leave it "
+      "away: "
+      "the poses do."}},
     {"pose_twist_scale",
      {"Models from the two sources differ by this factor.",
       "Check the units of both, and the size of the markers."}},

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -24,6 +25,11 @@ constexpr double kSurelyOne = 0.8;      // correlation from which on two motions
 constexpr double kHardlyOne = 0.4;      // below it, they are not
 constexpr double kLargestScale = 1.25;  // told beyond it
 
+// Velocities are in the world if what they miss of the pose's is along the vehicle more than a
+// hundredth of their squares, and along the world less than a quarter of that.
+constexpr double kLeastMisfit = 0.002;
+constexpr double kInWorld = 0.25;
+
 // A curve that only grows is like itself at any delay: a delay counts if it takes away a fifth of
 // what the two do not share, and lies within what is looked at.
 bool IsDelayed(const Likeness& as_is, const Likeness& delayed, double delay) {
@@ -35,12 +41,46 @@ Finding FindingOf(const TwinMotion& motion,
                   Severity severity,
                   const char* code,
                   const std::string& text) {
-  return {severity,
-          code,
-          fmt::format("velocity.csv: {} and the {} velocity that pose.csv gives {}",
-                      motion.column,
-                      Name(motion.dof),
-                      text)};
+  return {
+      severity,
+      code,
+      fmt::format("velocity.csv: {} and the {} velocity that pose.csv gives {}",
+                  motion.column,
+                  Name(motion.dof),
+                  text),
+      FindingPlace{
+          "velocity.csv", motion.column, {motion.twist_time.front(), motion.twist_time.back()}}};
+}
+
+std::optional<Finding> CheckFrame(const std::vector<TwinMotion>& motions) {
+  double squares = 0.0, of_vehicle = 0.0, of_world = 0.0;
+  std::vector<std::string> columns;
+  const TwinMotion* worst = nullptr;
+  double most = 0.0;
+  for (const TwinMotion& motion : motions) {
+    if (motion.in_world.empty()) continue;
+    const Misfit vehicle = MisfitTo(motion.from_pose, motion);
+    squares += vehicle.twist;
+    of_vehicle += vehicle.difference;
+    of_world += MisfitTo(motion.in_world, motion).difference;
+    columns.push_back(motion.column);
+    if (!(vehicle.difference > most)) continue;
+    most = vehicle.difference;
+    worst = &motion;
+  }
+  if (!(of_vehicle > kLeastMisfit * squares) || !(of_world < kInWorld * of_vehicle)) {
+    return std::nullopt;
+  }
+  const auto percent = [&](double misfit) { return 100.0 * std::sqrt(misfit / squares); };
+  Finding finding = FindingOf(*worst, Severity::kWarning, "pose_twist_frame", "");
+  finding.sentence = fmt::format(
+      "velocity.csv: {} {} along the axes of the world, not of the vehicle: off the velocity that "
+      "pose.csv gives by {:.1f} % there, by {:.0f} % along the vehicle.",
+      fmt::join(columns, ", "),
+      columns.size() == 1 ? "is" : "are",
+      percent(of_world),
+      percent(of_vehicle));
+  return finding;
 }
 
 std::optional<Finding> CheckAxis(const TwinMotion& motion) {
@@ -106,7 +146,11 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion) {
 
 std::vector<Finding> CheckPoseAgainstTwist(const Log& log) {
   std::vector<Finding> findings;
-  for (const TwinMotion& motion : TwinMotionsOf(log)) {
+  const std::vector<TwinMotion> motions = TwinMotionsOf(log);
+  const auto frame = CheckFrame(motions);
+  if (frame) findings.push_back(*frame);
+  for (const TwinMotion& motion : motions) {
+    if (frame && !IsAngular(motion.dof)) continue;
     if (auto finding = CheckAxis(motion)) findings.push_back(*std::move(finding));
   }
   return findings;

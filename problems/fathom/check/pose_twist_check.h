@@ -14,6 +14,8 @@ namespace fathom {
 // velocity that pose.csv gives; docs/checks.md. A wrong axis, sign or unit of either shows here,
 // before any model. All are warnings but the delay.
 //
+//   pose_twist_frame  the linear columns are along the axes of the world, not of the vehicle; the
+//                     others then say nothing of them
 //   pose_twist_sign   they have opposite signs
 //   pose_twist_scale  one is over 1.25 times the other
 //   pose_twist_apart  both move, and not together

@@ -61,23 +61,51 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
     return std::max(kWindow, 6.0 * MedianStep(time));
   };
   options.window = std::max(window_of(pose.time), window_of(velocity.time));
-  const BodyVelocity from_pose = VelocityOf(PosesOf(pose), options);
+  const Poses poses = PosesOf(pose);
+  const BodyVelocity from_pose = VelocityOf(poses, options);
   std::vector<TwinMotion> motions;
   for (const Dof dof : kAllDofs) {
     const std::string column(VelocityColumn(dof));
     const std::vector<double>* twist = velocity.Find(column);
     if (twist == nullptr) continue;
-    std::vector<double> along(from_pose.velocity.size());
+    std::vector<double> along(from_pose.velocity.size(), kNan), in_world;
+    if (!IsAngular(dof)) in_world = along;
     for (std::size_t i = 0; i < along.size(); ++i) {
-      along[i] = from_pose.is_centred[i] ? from_pose.velocity[i][Index(dof)] : kNan;
+      if (!from_pose.is_centred[i]) continue;
+      along[i] = from_pose.velocity[i][Index(dof)];
+      if (in_world.empty()) continue;
+      in_world[i] = (poses.world_from_body[i] * from_pose.velocity[i].head<3>())[Index(dof)];
     }
     // Smoothed as the poses are, so that noise counts alike in both.
     std::vector<double> smooth = SavitzkyGolay(velocity.time, *twist, 0, options);
     const double least = IsAngular(dof) ? kLeastRate : kLeastSpeed;
     if (Spread(along) < least || Spread(smooth) < least) continue;
-    motions.push_back({dof, column, pose.time, std::move(along), velocity.time, std::move(smooth)});
+    motions.push_back({dof,
+                       column,
+                       pose.time,
+                       std::move(along),
+                       std::move(in_world),
+                       velocity.time,
+                       std::move(smooth)});
   }
   return motions;
+}
+
+std::vector<double> AtPoses(const TwinMotion& motion) {
+  std::vector<double> twist;
+  for (const double t : motion.pose_time) twist.push_back(At(motion.twist_time, motion.twist, t));
+  return twist;
+}
+
+Misfit MisfitTo(const std::vector<double>& at_poses, const TwinMotion& motion) {
+  const std::vector<double> twist = AtPoses(motion);
+  Misfit misfit;
+  for (std::size_t i = 0; i < twist.size(); ++i) {
+    if (!std::isfinite(twist[i]) || !std::isfinite(at_poses[i])) continue;
+    misfit.twist += twist[i] * twist[i];
+    misfit.difference += (twist[i] - at_poses[i]) * (twist[i] - at_poses[i]);
+  }
+  return misfit;
 }
 
 Likeness LikenessAt(double delay, const TwinMotion& motion) {

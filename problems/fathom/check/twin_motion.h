@@ -19,6 +19,8 @@ struct TwinMotion {
   std::string column;              // of velocity.csv
   std::vector<double> pose_time;   // [s]
   std::vector<double> from_pose;   // [m/s] or [rad/s]; NaN near the ends
+  std::vector<double> in_world;    // the same along the world's axis of this name [m/s]; empty for
+                                   // an angular DOF
   std::vector<double> twist_time;  // [s]
   std::vector<double> twist;       // [m/s] or [rad/s]
 
@@ -36,6 +38,16 @@ struct Likeness {
                                                            // both about their means
   double size = std::numeric_limits<double>::quiet_NaN();  // of their root mean squares
 };
+
+// The twist at the stamps of the poses; NaN beyond its ends.
+std::vector<double> AtPoses(const TwinMotion& motion);
+
+// The sum of the twist's squares at the stamps of the poses, and of its difference from another
+// curve there, where both are known.
+struct Misfit {
+  double twist = 0.0, difference = 0.0;
+};
+Misfit MisfitTo(const std::vector<double>& at_poses, const TwinMotion& motion);
 
 // Of the pose's velocity at its stamps and the twist `delay` [s] later.
 Likeness LikenessAt(double delay, const TwinMotion& motion);

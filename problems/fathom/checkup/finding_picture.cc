@@ -5,6 +5,7 @@
 
 #include "fathom/check/camera_clock.h"
 #include "fathom/check/command_clock.h"
+#include "fathom/check/twin_motion.h"
 #include "fathom/check/values/pose_yaw.h"
 #include "fathom/marker_trajectory/open_log.h"
 #include "fathom/report/held_curve.h"
@@ -144,6 +145,25 @@ void AddTimePanels(const FindingPlace& where,
   section->time_panels.push_back(std::move(panel));
 }
 
+// One motion as the log holds it twice; nothing if the log has no such column.
+void AddTwinPanel(const std::string& column, const Log& log, PageSection* section) {
+  for (const TwinMotion& motion : TwinMotionsOf(log)) {
+    if (motion.column != column) continue;
+    TimePanel panel;
+    panel.quantity = column;
+    panel.unit = VelocityUnit(motion.dof);
+    panel.has_residuals = false;
+    panel.time = motion.pose_time;
+    panel.measured = Series{"velocity.csv", AtPoses(motion)};
+    panel.responses.push_back({"from pose.csv, along the vehicle", motion.from_pose});
+    if (!motion.in_world.empty()) {
+      panel.responses.push_back({"from pose.csv, along the world", motion.in_world});
+      panel.responses.back().is_faded = true;
+    }
+    section->time_panels.push_back(std::move(panel));
+  }
+}
+
 // A correlation over the delay, with its peak marked; nothing of an empty curve.
 void AddDelayCurve(const std::string& whose,
                    const std::string& with,
@@ -178,7 +198,9 @@ std::optional<PageSection> PictureOf(const Finding& finding,
                                      const Log& log,
                                      const DofCheckup* dof) {
   PageSection section;
-  if (finding.where) {
+  if (finding.code.starts_with("pose_twist_")) {
+    AddTwinPanel(finding.where->axis, log, &section);
+  } else if (finding.where) {
     AddTimePanels(*finding.where, log, dof, &section);
   } else if (finding.code == "command_delay" && dof != nullptr && dof->signals) {
     AddDelayCurve(

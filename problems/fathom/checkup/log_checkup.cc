@@ -11,6 +11,7 @@
 #include "fathom/check/command_clock.h"
 #include "fathom/check/log_check.h"
 #include "fathom/check/motion_check.h"
+#include "fathom/check/pose_flips.h"
 #include "fathom/check/pose_jumps.h"
 #include "fathom/check/pose_twist_check.h"
 #include "fathom/comparison/log_identification.h"
@@ -114,6 +115,7 @@ LogCheckup CheckUp(const std::filesystem::path& path,
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
+  if (auto finding = CheckPoseFlips(log)) checkup.findings.push_back(*std::move(finding));
   // Where velocity.csv is the source, no DOF looks at the poses.
   if (log.velocity) {
     for (const Dof dof : {Dof::kSurge, Dof::kYaw}) {
