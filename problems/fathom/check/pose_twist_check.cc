@@ -74,12 +74,12 @@ std::optional<Finding> CheckFrame(const std::vector<TwinMotion>& motions) {
   const auto percent = [&](double misfit) { return 100.0 * std::sqrt(misfit / squares); };
   Finding finding = FindingOf(*worst, Severity::kWarning, "pose_twist_frame", "");
   finding.sentence = fmt::format(
-      "velocity.csv: {} {} along the axes of the world, not of the vehicle: off the velocity that "
-      "pose.csv gives by {:.1f} % there, by {:.0f} % along the vehicle.",
+      "velocity.csv: {} {} along the axes of the world, not of the vehicle: {:.0f} % off the "
+      "velocity that pose.csv gives along the vehicle, {:.1f} % off along the world.",
       fmt::join(columns, ", "),
       columns.size() == 1 ? "is" : "are",
-      percent(of_world),
-      percent(of_vehicle));
+      percent(of_vehicle),
+      percent(of_world));
   return finding;
 }
 

@@ -50,15 +50,27 @@ std::string Sentence(const DofComparison& comparison) {
   for (const Identification* row : recommendation.as_good) {
     as_good.push_back(WithScore(comparison, *row));
   }
+  const double score = ScoreOf(comparison, taken);
+  const std::string on = comparison.HasHeldOut()
+                             ? "on held-out data"
+                             : "on the data that it was fitted to (no data are held out)";
+  if (!(score < kScoreAtRest)) {
+    return fmt::format(
+        "{}: take none. Simulated from the command alone, the best one, {}, misses {:.0f} % of the "
+        "speed {}; a model that stands still misses 100 %.",
+        dof,
+        ModelName(taken),
+        100.0 * score,
+        on);
+  }
   return fmt::format(
-      "{}: take {}. Simulated from the command alone, it misses {:.1f} % of the speed {}. "
-      "{}Inertia "
-      "{} {} (95 %).",
+      "{}: take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}. "
+      "{}Inertia {} {} (95 %).",
       dof,
       ModelName(taken),
-      100.0 * ScoreOf(comparison, taken),
-      comparison.HasHeldOut() ? "on held-out data"
-                              : "on the data that it was fitted to (no data are held out)",
+      score > kPoorFit ? ", though it fits poorly" : "",
+      100.0 * score,
+      on,
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
       FormatValue(taken.fitted.model.inertia,
                   kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
@@ -153,7 +165,8 @@ Table ParameterTable(const DofComparison& comparison) {
                    {"velocity NMAE", true, train_rank},
                    {"velocity MAE, held out", true, 4},
                    {"velocity NMAE, held out", true, held_out_rank}};
-  const Identification* const taken = Recommend(comparison).taken;
+  const Identification* taken = Recommend(comparison).taken;
+  if (taken != nullptr && !(ScoreOf(comparison, *taken) < kScoreAtRest)) taken = nullptr;
   for (const Identification& row : comparison.rows) {
     TableRow line;
     line.cells = {std::string(Name(comparison.dof)), ModelName(row)};

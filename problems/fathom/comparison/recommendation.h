@@ -9,6 +9,9 @@
 
 namespace fathom {
 
+// The NMAE of a model that stands still. One with more is not to be taken.
+inline constexpr double kScoreAtRest = 1.0;
+
 // Which model to take, of the usable ones that can be simulated. They are judged by their NMAE on
 // held-out data, if any were held out.
 struct Recommendation {

@@ -32,6 +32,11 @@ TEST(ParameterTable, MarksTheRowToTake) {
   EXPECT_EQ(table.rows[2].flag, RowFlag::kBest);
 }
 
+TEST(ParameterTable, MarksNoModelThatIsWorseThanStandingStill) {
+  const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 1.01)}));
+  EXPECT_EQ(table.rows.at(0).flag, RowFlag::kNone);
+}
+
 TEST(ParameterTable, GoesByTheTrainingDataWhereNoneAreHeldOut) {
   DofComparison comparison = HandmadeDof(
       {HandmadeRow(Family::kLeastSquares, 0.01, kNan), HandmadeRow(Family::kAdaptive, 0.03, kNan)});
@@ -117,6 +122,21 @@ TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
   EXPECT_EQ(page.sections[1].heading, "Yaw");
   ASSERT_EQ(page.facts.size(), 2u);
   EXPECT_EQ(page.facts[0].value, "5 s training data, 2 s held out");
+}
+
+// A model that stands still has an NMAE of 1.
+TEST(ComparisonPage, SaysHowFarTheModelToTakeCanBeTrusted) {
+  const auto lead = [](double nmae) {
+    Comparison comparison;
+    comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, nmae)})};
+    return ComparisonPage(comparison).lead.at(0);
+  };
+  EXPECT_THAT(lead(0.29), HasSubstr("take Output error, velocity.csv. Simulated"));
+  EXPECT_THAT(lead(0.31), HasSubstr("take Output error, velocity.csv, though it fits poorly."));
+  EXPECT_THAT(lead(3.38),
+              HasSubstr("take none. Simulated from the command alone, the best one, Output error, "
+                        "velocity.csv, misses 338 % of the speed on held-out data; a model that "
+                        "stands still misses 100 %."));
 }
 
 TEST(ComparisonPage, SaysWhereNothingIsHeldOut) {

@@ -84,8 +84,9 @@ TEST_P(HeadlineShare, IsTheShareThatTheTrueModelRemoves) {
   EXPECT_NEAR(true_share, hidden.share_near, 0.1);
   EXPECT_NEAR(share, true_share, 0.1);
   EXPECT_THAT(VerdictSentence(diagnosis),
-              StartsWith(fmt::format("{:.0f} % of the error of your surge model comes from",
-                                     100.0 * share)));
+              StartsWith(fmt::format(
+                  "{:.0f} % of the error of your surge model that is not noise comes from",
+                  100.0 * share)));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfOneAndTwoSources,

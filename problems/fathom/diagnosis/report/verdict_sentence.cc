@@ -24,10 +24,13 @@ constexpr double kMuchMoreThanScatter = 3.0;  // at which an error without a cau
 
 constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
 
-// "38 %"; "Part" where no share is known.
-std::string Percent(double share) {
-  if (!(share >= 0.005)) return "Part";
-  return fmt::format("{:.0f} %", 100.0 * share);
+// "38 % of the error of your surge model that is not noise"; "Part of the error of your surge
+// model" where no share is known.
+std::string ShareOfError(const Diagnosis& diagnosis) {
+  const std::string of_error = fmt::format("of the error of your {} model", Name(diagnosis.dof));
+  const double share = diagnosis.explained_share;
+  if (!(share >= 0.005)) return "Part " + of_error;
+  return fmt::format("{:.0f} % {} that is not noise", 100.0 * share, of_error);
 }
 
 // "this log" or "these 3 logs".
@@ -50,9 +53,7 @@ std::string WithDigits(double value, int digits) {
 
 // Why the error is there, all causes together.
 std::string WhyItMisses(const Diagnosis& diagnosis) {
-  const std::string share = Percent(diagnosis.explained_share);
-  const std::string subject =
-      fmt::format("{} of the error of your {} model", share, Name(diagnosis.dof));
+  const std::string subject = ShareOfError(diagnosis);
   if (diagnosis.causes.size() == 1) {
     return fmt::format(
         "{} comes from {}.", subject, ReasonText(diagnosis, diagnosis.causes.front(), "from "));

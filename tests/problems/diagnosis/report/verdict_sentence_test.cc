@@ -31,7 +31,7 @@ TEST(VerdictSentence, OfAConsistentLog) {
 TEST(VerdictSentence, OfAnExplainedLog) {
   EXPECT_EQ(
       VerdictSentence(ExplainedDiagnosis()),
-      "70 % of the error of your surge model comes from a thruster dead zone "
+      "70 % of the error of your surge model that is not noise comes from a thruster dead zone "
       "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N). With it in the model, the velocity NMAE on "
       "held-out data falls from 0.12 to 0.080 (a gain of 32 %; 95 % interval 23 to 37 %), "
       "and the inertia changes from 1086 to 852 kg.");
@@ -41,7 +41,8 @@ TEST(VerdictSentence, OfAnExplainedLog) {
 TEST(VerdictSentence, OfAnAmbiguousLog) {
   EXPECT_EQ(
       VerdictSentence(AmbiguousDiagnosis()),
-      "70 % of the error of your surge model comes from a lag of the velocity measurement, "
+      "70 % of the error of your surge model that is not noise comes from a lag of the velocity "
+      "measurement, "
       "as smoothing causes it (sensor_lag), time constant 0.496 s (0.481 to 0.511 s), or "
       "from a lag of the thrusters (thruster_lag). This log cannot tell sensor_lag from "
       "thruster_lag. To decide: large steps, to speeds where quadratic drag matters (in "
@@ -139,11 +140,11 @@ TEST(VerdictSentence, CountsLogsAndCauses) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.logs = {"tank_07", "tank_08"};
   AddCause("steady_current", {0.05}, {0.002}, &diagnosis);
-  EXPECT_THAT(
-      VerdictSentence(diagnosis),
-      StartsWith("70 % of the error of your surge model has two causes: a thruster dead zone "
-                 "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); a steady current "
-                 "(steady_current), "));
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              StartsWith("70 % of the error of your surge model that is not noise has two causes: "
+                         "a thruster dead zone "
+                         "(thrust_dead_zone), width 8.0 N (7.7 to 8.3 N); a steady current "
+                         "(steady_current), "));
   EXPECT_THAT(VerdictSentence(diagnosis), HasSubstr("With them in the model, the velocity NMAE"));
   diagnosis.causes[0].alternatives = AlternativesNamed({"thrust_curve"});
   EXPECT_THAT(VerdictSentence(diagnosis),
