@@ -4,10 +4,13 @@
 // Bags of ROS 1 that are listed by their index.
 
 #include "fathom/base/random_stream.h"
+#include "fathom/import/convert/import_log.h"
+#include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "bag_writer.h"
@@ -138,6 +141,18 @@ TEST_P(ClosedBagsOf, ThisCompressionTellWhatIsNotAsListed) {
       }
     });
   }
+}
+
+TEST(ClosedBag, TellsItsDamageInTheLogThatIsMadeOfIt) {
+  ClosedBag damaged("lz4");
+  damaged.chunks[2].back() = '\x01';  // of the mark of the frame's end
+  const auto path = ScratchFile("a.bag", damaged.Bytes());
+  const ImportMap map =
+      ParseImportMap("map",
+                     "command: {channel: /depth, frame: FRD, tau_surge: {field: data, unit: N}}\n"
+                     "velocity: {channel: /depth, frame: FRD, u: {field: data, unit: m/s}}\n");
+  const ImportedLog imported = ImportLog(path, *OpenRecording(path), map, std::nullopt);
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("cut or damaged at byte")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions, ClosedBagsOf, ::testing::Values("none", "bz2", "lz4"));
