@@ -69,7 +69,8 @@ TEST(JoinedRecording, PartsOfAChannelFollowEachOtherInTime) {
       contents_.channels = {{"s", "T", std::move(fields), 2, first, first + 1.0}};
     }
     const Contents& contents() const override { return contents_; }
-    void Read(std::span<const Selection> selections, const SampleSink& sink) const override {
+    std::vector<std::string> Read(std::span<const Selection> selections,
+                                  const SampleSink& sink) const override {
       for (std::size_t i = 0; i < selections.size(); ++i) {
         for (const double time : {first_, first_ + 1.0}) {
           std::vector<double> values;
@@ -79,6 +80,7 @@ TEST(JoinedRecording, PartsOfAChannelFollowEachOtherInTime) {
           sink(i, time, values);
         }
       }
+      return {"is damaged."};
     }
 
    private:
@@ -97,6 +99,7 @@ TEST(JoinedRecording, PartsOfAChannelFollowEachOtherInTime) {
   EXPECT_THAT(read.time, ElementsAre(10.0, 11.0, 12.0, 13.0));
   EXPECT_TRUE(std::isnan(read.rows[0][0]));
   EXPECT_THAT(read.rows[3], ElementsAre(-13.0, 13.0));
+  EXPECT_THAT(read.remarks, ElementsAre("dive_9: is damaged.", "dive_10: is damaged."));
 }
 
 TEST(JoinedRecording, AFolderWithoutRecordingsAndALogAreRefused) {

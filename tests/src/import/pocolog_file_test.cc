@@ -291,7 +291,9 @@ TEST(RockMap, TakesSixEffortsAndTheState) {
    public:
     explicit Empty(Contents contents) : contents_(std::move(contents)) {}
     const Contents& contents() const override { return contents_; }
-    void Read(std::span<const Selection>, const SampleSink&) const override {}
+    std::vector<std::string> Read(std::span<const Selection>, const SampleSink&) const override {
+      return {};
+    }
 
    private:
     Contents contents_;

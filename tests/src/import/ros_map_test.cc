@@ -25,10 +25,12 @@ class ConstantRecording final : public Recording {
   ConstantRecording(Contents contents, double value)
       : contents_(std::move(contents)), value_(value) {}
   const Contents& contents() const override { return contents_; }
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override {
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override {
     for (std::size_t i = 0; i < selections.size(); ++i) {
       sink(i, 0.0, std::vector<double>(selections[i].fields.size(), value_));
     }
+    return {};
   }
 
  private:

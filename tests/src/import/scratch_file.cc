@@ -32,10 +32,11 @@ std::string ErrorFrom(const std::function<void()>& action) {
 
 ReadSamples ReadAll(const Recording& recording, const Selection& selection) {
   ReadSamples samples;
-  recording.Read({&selection, 1}, [&](std::size_t, double time, std::span<const double> values) {
+  const auto take = [&](std::size_t, double time, std::span<const double> values) {
     samples.time.push_back(time);
     samples.rows.emplace_back(values.begin(), values.end());
-  });
+  };
+  samples.remarks = recording.Read({&selection, 1}, take);
   return samples;
 }
 

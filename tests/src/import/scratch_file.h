@@ -22,6 +22,7 @@ std::string ErrorFrom(const std::function<void()>& action);
 struct ReadSamples {
   std::vector<double> time;
   std::vector<std::vector<double>> rows;
+  std::vector<std::string> remarks;
 };
 
 ReadSamples ReadAll(const Recording& recording, const Selection& selection);

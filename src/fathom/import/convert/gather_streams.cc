@@ -262,11 +262,14 @@ GatheredStreams GatherStreams(const std::filesystem::path& file,
     selections.push_back(part->other_time->selection);
     part_of_stamps.push_back(part);
   }
-  recording.Read(selections, [&](std::size_t i, double time, std::span<const double> values) {
+  const auto take = [&](std::size_t i, double time, std::span<const double> values) {
     if (i < part_of.size()) return part_of[i]->Take(time, values);
     ChannelPart* part = part_of_stamps[i - part_of.size()];
     part->other_stamps.push_back(part->other_time->InSi(values.front()));
-  });
+  };
+  for (std::string& remark : recording.Read(selections, take)) {
+    gathered.remarks.push_back(std::move(remark));
+  }
   for (ChannelPart* part : part_of_stamps) TakeOtherStamps(file, part);
 
   for (StreamRequest& request : requests) {

@@ -98,7 +98,8 @@ class DataflashRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   void List(ByteFile* file);
@@ -164,7 +165,8 @@ void DataflashRecording::List(ByteFile* file) {
   }
 }
 
-void DataflashRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> DataflashRecording::Read(std::span<const Selection> selections,
+                                                  const SampleSink& sink) const {
   struct Wanted {
     std::size_t selection;
     std::optional<int> instance;
@@ -198,6 +200,7 @@ void DataflashRecording::Read(std::span<const Selection> selections, const Sampl
       sink(entry.selection, StampOf(common, message), entry.values);
     }
   });
+  return {};
 }
 
 }  // namespace

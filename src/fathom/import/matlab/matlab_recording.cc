@@ -55,7 +55,8 @@ class MatlabRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   void AddArray(const MatlabArray& array);
@@ -147,7 +148,8 @@ void MatlabRecording::Add(Channel channel, MatlabSource source) {
   contents_.channels.push_back(std::move(channel));
 }
 
-void MatlabRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> MatlabRecording::Read(std::span<const Selection> selections,
+                                               const SampleSink& sink) const {
   std::map<std::string, std::vector<std::size_t>> wanted;  // selections by channel
   for (std::size_t i = 0; i < selections.size(); ++i) {
     wanted[FindChannel(contents_, path_, selections[i]).name].push_back(i);
@@ -183,6 +185,7 @@ void MatlabRecording::Read(std::span<const Selection> selections, const SampleSi
       }
     }
   }
+  return {};
 }
 
 }  // namespace

@@ -44,6 +44,13 @@ class MessageContainer {
   // first message.
   virtual ContainerWalk Walk(std::vector<MessageChannel>* channels,
                              const MessageSink& take) const = 0;
+
+  // The same for a list of what the file holds: of a channel's messages but the first there may be
+  // only the times, by an index of the file, in any order and without bytes. What is damaged behind
+  // an index, Walk finds.
+  virtual ContainerWalk List(std::vector<MessageChannel>* channels, const MessageSink& take) const {
+    return Walk(channels, take);
+  }
 };
 
 }  // namespace fathom

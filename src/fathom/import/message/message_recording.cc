@@ -32,7 +32,8 @@ class MessageRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   // The channel of a recording that a stream of the file belongs to: connections of one topic and
@@ -49,6 +50,9 @@ class MessageRecording final : public Recording {
                       MessageEncoding encoding,
                       const std::string& message,
                       double log_time);
+
+  // What a walk over all of the file found, `count` messages, that its list does not tell.
+  std::vector<std::string> NewIn(const ContainerWalk& walk, std::uint64_t count) const;
 
   std::filesystem::path path_;
   std::unique_ptr<MessageContainer> container_;
@@ -71,7 +75,7 @@ MessageRecording::MessageRecording(const std::filesystem::path& path,
   std::vector<MessageChannel> streams;
   std::vector<StreamFacts> facts;
   const ContainerWalk walk =
-      container_->Walk(&streams, [&](std::size_t stream, double time, std::string_view message) {
+      container_->List(&streams, [&](std::size_t stream, double time, std::string_view message) {
         facts.resize(streams.size());
         facts[stream].stamps.Add(time);
         if (facts[stream].first_message) return;
@@ -148,7 +152,8 @@ void MessageRecording::TellOtherClock(const Channel& channel,
                   own->name));
 }
 
-void MessageRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> MessageRecording::Read(std::span<const Selection> selections,
+                                                const SampleSink& sink) const {
   struct Wanted {
     std::size_t selection;
     MessageDecoder decoder;
@@ -157,7 +162,9 @@ void MessageRecording::Read(std::span<const Selection> selections, const SampleS
   std::vector<MessageChannel> streams;
   std::vector<std::vector<Wanted>> wanted;  // by stream
   std::vector<double> values;
-  container_->Walk(&streams, [&](std::size_t stream, double time, std::string_view message) {
+  std::uint64_t count = 0;
+  const auto take = [&](std::size_t stream, double time, std::string_view message) {
+    ++count;
     while (wanted.size() < streams.size()) {
       const MessageChannel& added = streams[wanted.size()];
       std::vector<Wanted>& of_stream = wanted.emplace_back();
@@ -174,7 +181,24 @@ void MessageRecording::Read(std::span<const Selection> selections, const SampleS
       entry.decoder.Decode(message, &values);
       sink(entry.selection, time, values);
     }
-  });
+  };
+  const ContainerWalk walk = container_->Walk(&streams, take);
+  return NewIn(walk, count);
+}
+
+std::vector<std::string> MessageRecording::NewIn(const ContainerWalk& walk,
+                                                 std::uint64_t count) const {
+  std::vector<std::string> remarks;
+  const auto& known = contents_.remarks;
+  for (const std::string& remark : walk.remarks) {
+    if (std::find(known.begin(), known.end(), remark) == known.end()) remarks.push_back(remark);
+  }
+  std::uint64_t listed = 0;
+  for (const Channel& channel : contents_.channels) listed += channel.count;
+  if (count != listed) {
+    remarks.push_back(fmt::format("the index lists {} messages, {} are read.", listed, count));
+  }
+  return remarks;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "fathom/import/recording/decompress.h"
 
+#include "fathom/import/recording/little_endian.h"
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -10,6 +12,7 @@
 
 #include <bzlib.h>
 #include <lz4frame.h>
+#include <xxhash.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -49,6 +52,14 @@ std::string_view FromBzip2(std::string_view data, std::size_t size, std::string*
   });
 }
 
+// The number whose bytes end where these begin.
+XXH32_hash_t SumBefore(std::string_view bytes) {
+  constexpr std::size_t kSize = sizeof(XXH32_hash_t);
+  return LittleEndian<XXH32_hash_t>(std::string_view(bytes.data() - kSize, kSize), 0);
+}
+
+// The check sum is XXH32 of all that comes out. It takes most of the time, half of it with xxhash's
+// own function; a frame whose blocks have sums too leaves all of them to LZ4.
 std::string_view FromLz4(std::string_view data, std::size_t size, std::string* buffer) {
   LZ4F_dctx* context = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) {
@@ -56,24 +67,36 @@ std::string_view FromLz4(std::string_view data, std::size_t size, std::string* b
   }
   const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> guard(
       context, LZ4F_freeDecompressionContext);
-  // What came out before stays where it is, and so need not be kept twice, unless the buffer moves.
+  LZ4F_frameInfo_t frame = {};
+  std::size_t head = data.size();
+  if (LZ4F_isError(LZ4F_getFrameInfo(context, &frame, data.data(), &head)) != 0) return {};
+  data.remove_prefix(head);
   LZ4F_decompressOptions_t options = {};
+  // What came out before stays where it is, and so need not be kept twice, unless the buffer moves.
   options.stableDst = size <= kStep || size <= buffer->size() ? 1 : 0;
-  return Grow(size, buffer, [&](char* out, std::size_t room, bool* goes_on) {
-    std::size_t written = 0;
-    while (written < room) {
-      std::size_t taken = data.size();
-      std::size_t given = room - written;
-      const std::size_t result =
-          LZ4F_decompress(context, out + written, &given, data.data(), &taken, &options);
-      if (LZ4F_isError(result) != 0) return written;
-      written += given;
-      data.remove_prefix(taken);
-      if (result == 0 || (taken == 0 && given == 0)) return written;
-    }
-    *goes_on = true;
-    return written;
-  });
+  options.skipChecksums = frame.blockChecksumFlag == LZ4F_noBlockChecksum ? 1 : 0;
+  bool is_ended = false;
+  const std::string_view plain =
+      Grow(size, buffer, [&](char* out, std::size_t room, bool* goes_on) {
+        std::size_t written = 0;
+        while (written < room) {
+          std::size_t taken = data.size();
+          std::size_t given = room - written;
+          const std::size_t result =
+              LZ4F_decompress(context, out + written, &given, data.data(), &taken, &options);
+          if (LZ4F_isError(result) != 0) return written;
+          written += given;
+          data.remove_prefix(taken);
+          is_ended = result == 0;
+          if (is_ended || (taken == 0 && given == 0)) return written;
+        }
+        *goes_on = true;
+        return written;
+      });
+  const bool is_checked = is_ended && frame.contentChecksumFlag == LZ4F_contentChecksumEnabled;
+  // The sum is the last that was taken.
+  if (is_checked && XXH32(plain.data(), plain.size(), 0) != SumBefore(data)) return {};
+  return plain;
 }
 
 std::string_view FromZlib(std::string_view data, std::size_t size, std::string* buffer) {

@@ -50,7 +50,8 @@ class JoinedRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   // What a part's channel is called here.
@@ -113,8 +114,10 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
   for (auto& [name, channel] : channels) contents_.channels.push_back(std::move(channel));
 }
 
-void JoinedRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> JoinedRecording::Read(std::span<const Selection> selections,
+                                               const SampleSink& sink) const {
   for (const Selection& selection : selections) FindChannel(contents_, folder_, selection);
+  std::vector<std::string> remarks;
   for (const RecordingPart& part : parts_) {
     std::vector<Selection> of_part;
     // By selection of the part: which of ours it is, and the places of its fields in that.
@@ -141,14 +144,16 @@ void JoinedRecording::Read(std::span<const Selection> selections, const SampleSi
     }
     if (of_part.empty()) continue;
     std::vector<double> all;
-    part.recording->Read(
+    const auto found = part.recording->Read(
         of_part, [&](std::size_t selection, double time, std::span<const double> values) {
           const auto& [index, places] = ours[selection];
           all.assign(selections[index].fields.size(), std::numeric_limits<double>::quiet_NaN());
           for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = values[k];
           sink(index, time, all);
         });
+    for (const std::string& remark : found) remarks.push_back(part.file + ": " + remark);
   }
+  return remarks;
 }
 
 }  // namespace

@@ -64,9 +64,11 @@ class Recording {
 
   virtual const Contents& contents() const = 0;
 
-  // Hands on every sample of the selected channels, in the order of the file. Throws InputError for
-  // a channel or field that there is none of.
-  virtual void Read(std::span<const Selection> selections, const SampleSink& sink) const = 0;
+  // Hands on every sample of the selected channels, in the order of the file. Gives what is wrong
+  // with the file that the contents do not tell, a sentence each: a list may be by an index. Throws
+  // InputError for a channel or field that there is none of.
+  virtual std::vector<std::string> Read(std::span<const Selection> selections,
+                                        const SampleSink& sink) const = 0;
 };
 
 }  // namespace fathom

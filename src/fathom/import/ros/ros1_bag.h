@@ -15,7 +15,8 @@ namespace fathom {
 bool LooksLikeRos1Bag(std::string_view first_bytes);
 
 // A bag of ROS 1, version 2.0, with chunks that are plain, bz2 or lz4. It is read from its first
-// byte to its last, so that its index may be missing. Throws InputError for another version.
+// byte to its last, so that its index may be missing; where it has one, that lists it. Throws
+// InputError for another version.
 std::unique_ptr<MessageContainer> OpenRos1Bag(const std::filesystem::path& path);
 
 }  // namespace fathom

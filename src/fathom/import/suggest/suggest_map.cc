@@ -8,6 +8,7 @@
 #include "fathom/import/suggest/px4_map.h"
 #include "fathom/import/suggest/rock_map.h"
 #include "fathom/import/suggest/ros_map.h"
+#include "fathom/import/suggest/simlab_map.h"
 #include "fathom/import/suggest/tlog_map.h"
 
 #include <string>
@@ -23,6 +24,7 @@ SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>
     return RosMap(recording, vehicle);
   }
   if (format == "pocolog") return RockMap(recording.contents());
+  if (const auto map = SimlabMap(recording.contents())) return *map;
   return MapByNames(recording.contents());
 }
 

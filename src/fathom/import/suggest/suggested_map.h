@@ -12,7 +12,7 @@ struct SuggestedMap {
   std::string text;  // of a map file, with comments for the one who edits it
 
   // Whether a program may use it unseen: the format itself says what its channels are. The names in
-  // a table do not.
+  // a table do not, but those of a known program.
   bool is_ready = false;
 
   // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.

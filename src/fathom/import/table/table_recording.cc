@@ -43,7 +43,8 @@ class TableRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   PassedOver ForEachRow(const TakeRow& take) const;
@@ -167,7 +168,8 @@ void TableRecording::List() {
   }
 }
 
-void TableRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> TableRecording::Read(std::span<const Selection> selections,
+                                              const SampleSink& sink) const {
   std::vector<std::vector<int>> columns;
   for (const Selection& selection : selections) {
     FindChannel(contents_, path_, selection);
@@ -189,6 +191,7 @@ void TableRecording::Read(std::span<const Selection> selections, const SampleSin
       sink(i, time.value_or(NAN), values);
     }
   });
+  return {};
 }
 
 }  // namespace

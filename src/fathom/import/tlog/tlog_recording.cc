@@ -57,7 +57,8 @@ class TlogRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   void TellUnknown(const std::map<std::uint32_t, std::uint64_t>& counts, std::uint64_t num_others);
@@ -157,7 +158,8 @@ void TlogRecording::TellUnknown(const std::map<std::uint32_t, std::uint64_t>& co
   contents_.remarks.push_back("not read, by the numbers of MAVLink: " + text + ".");
 }
 
-void TlogRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> TlogRecording::Read(std::span<const Selection> selections,
+                                             const SampleSink& sink) const {
   struct TlogWanted {
     std::size_t selection;
     std::vector<const PackedNumber*> fields;
@@ -188,6 +190,7 @@ void TlogRecording::Read(std::span<const Selection> selections, const SampleSink
       sink(entry.selection, packet.time, entry.values);
     }
   });
+  return {};
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ class UlogRecording final : public Recording {
 
   const Contents& contents() const override { return contents_; }
 
-  void Read(std::span<const Selection> selections, const SampleSink& sink) const override;
+  std::vector<std::string> Read(std::span<const Selection> selections,
+                                const SampleSink& sink) const override;
 
  private:
   // What is known of a channel.
@@ -248,7 +249,8 @@ void UlogRecording::TellCounts(const UlogCounts& counts) {
   }
 }
 
-void UlogRecording::Read(std::span<const Selection> selections, const SampleSink& sink) const {
+std::vector<std::string> UlogRecording::Read(std::span<const Selection> selections,
+                                             const SampleSink& sink) const {
   struct UlogWanted {
     std::size_t selection;
     std::vector<const PackedNumber*> fields;
@@ -294,6 +296,7 @@ void UlogRecording::Read(std::span<const Selection> selections, const SampleSink
       sink(wanted.selection, stamp, wanted.values);
     }
   });
+  return {};
 }
 
 }  // namespace
