@@ -101,10 +101,8 @@ Logs LogsFromFlags() {
   logs.all = ReadLogsFromFlags(dof);
   logs.dof = DofOfAll(logs.all, dof);
   logs.origin = OriginOfPage(logs.all);
-  for (Log& log : logs.all) {
-    logs.fingerprints.push_back(FingerprintOf(log));
-    log = WithSourceFromFlag(std::move(log));
-  }
+  logs.fingerprints = FingerprintsOf(logs.all);
+  for (Log& log : logs.all) log = WithSourceFromFlag(std::move(log));
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
     RefineFaceOnPoses(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });

@@ -8,6 +8,7 @@
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/log_identification.h"
 #include "fathom/comparison/run_agreement_text.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
@@ -21,6 +22,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -132,7 +134,9 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
-  LogIdentification identified = IdentifyFromLogs(LogsFromFlags(options), options);
+  std::vector<Log> logs = LogsFromFlags(options);
+  std::vector<std::string> fingerprints = FingerprintsOf(logs);
+  LogIdentification identified = IdentifyFromLogs(std::move(logs), options);
   Print(identified);
   Identification& result = identified.result;
   if (!result.is_usable) {
@@ -141,6 +145,7 @@ int Run() {
   }
   if (!FLAGS_model.empty()) {
     result.fitted.provenance = ProvenanceOf(result);
+    result.fitted.log_fingerprints = std::move(fingerprints);
     WriteFile(FLAGS_model, FormatModel(result.fitted));
   }
   return 0;
