@@ -7,6 +7,7 @@
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/legend.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -115,12 +116,15 @@ void Print(const Diagnosis& diagnosis) {
               std::string(Name(diagnosis.dof)).c_str(),
               std::string(Name(diagnosis.verdict)).c_str(),
               VerdictSentence(diagnosis).c_str());
-  const auto print = [](const Table& table) {
+  std::string tables;
+  const auto print = [&](const Table& table) {
+    tables += TableForTerminal(table);
     std::printf("\n%s", TableForTerminal(table).c_str());
   };
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
   if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
+  std::printf("%s", LegendOf(tables).c_str());
   if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));
   std::printf("\n");
   for (const std::string& step : NextSteps(diagnosis)) std::printf("next: %s\n", step.c_str());

@@ -66,6 +66,7 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nevidence (BIC): what the fit gains, "));
 
   const auto json = JsonOf(verdict);
   EXPECT_EQ(json["schema"], "fathom-verdict-1");

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/diagnosis/report/legend.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords = {{
+    {"score", "twice the log-likelihood that the effect gains alone, by a quick estimate"},
+    {"p-value", "how often noise alone would score as well if nothing were missing"},
+    {"gain, refitted", "the same, fitted in full"},
+    {"evidence (BIC)", "what the fit gains, less a price for each parameter; above 10 is strong"},
+}};
+
+}  // namespace
+
+std::string LegendOf(std::string_view tables) {
+  std::string legend;
+  for (const auto& [heading, words] : kWords) {
+    if (tables.find(heading) == std::string_view::npos) continue;
+    legend += fmt::format("{}: {}\n", heading, words);
+  }
+  return legend;
+}
+
+}  // namespace fathom
