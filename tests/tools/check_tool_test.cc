@@ -538,6 +538,24 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
 
 using CheckedRealLogs = OnRealData;
 
+// A log whose noise wanders, so that learned weights are taken: plain ones promise too much.
+TEST_F(CheckedRealLogs, AreKnownAsWellAsFathomIdentifyKnowsThem) {
+  const Path folder = EmptyTestFolder();
+  const std::string log = "--log=" + (Path(folder_) / "kingfisher_runs/run_20").string();
+  const Path json = folder / "check.json", model = folder / "model.json";
+  RunToolBinary("fathom_check", {log, "--dof=surge", "--json=" + json.string()});
+  RunToolBinary("fathom_identify", {log, "--dof=surge", "--model=" + model.string()});
+  const Json identified = JsonOf(model);
+  ASSERT_EQ(identified["provenance"]["weighting"], "learned");
+  const Json checked = JsonOf(json)["dofs"][0]["parameters"];
+  ASSERT_EQ(checked.size(), 4u);
+  for (const Json& parameter : checked) {
+    const Json& same = identified["parameters"][parameter["name"].get<std::string>()];
+    EXPECT_EQ(parameter["value"], same["value"]) << parameter;
+    EXPECT_EQ(parameter["std"], same["std"]) << parameter;
+  }
+}
+
 // A camera whose stamps are wrong is told once, and no axis for it.
 TEST_F(CheckedRealLogs, TellACameraThatIsLate) {
   const Path folder = EmptyTestFolder();
