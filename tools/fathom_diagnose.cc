@@ -21,6 +21,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
@@ -112,10 +113,11 @@ Logs LogsFromFlags() {
 }
 
 void Print(const Diagnosis& diagnosis) {
-  std::printf("%s: %s\n%s\n",
-              std::string(Name(diagnosis.dof)).c_str(),
-              std::string(Name(diagnosis.verdict)).c_str(),
-              VerdictSentence(diagnosis).c_str());
+  PrintText(stdout,
+            fmt::format("{}: {}\n{}\n",
+                        Name(diagnosis.dof),
+                        Name(diagnosis.verdict),
+                        VerdictSentence(diagnosis)));
   std::string tables;
   const auto print = [&](const Table& table) {
     tables += TableForTerminal(table);
@@ -127,8 +129,8 @@ void Print(const Diagnosis& diagnosis) {
   std::printf("%s", LegendOf(tables).c_str());
   if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));
   std::printf("\n");
-  for (const std::string& step : NextSteps(diagnosis)) std::printf("next: %s\n", step.c_str());
-  for (const std::string& remark : diagnosis.remarks) std::printf("note: %s\n", remark.c_str());
+  for (const std::string& step : NextSteps(diagnosis)) PrintText(stdout, "next: " + step + "\n");
+  for (const std::string& remark : diagnosis.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
 void WritePage(Page page, const Logs& logs) {

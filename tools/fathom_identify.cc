@@ -13,6 +13,7 @@
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -95,11 +96,11 @@ std::string VelocityFiles() {
 void Print(const LogIdentification& identified) {
   PrintWarnings(identified.findings);
   for (const std::string& remark : identified.signals.remarks) {
-    std::printf("note: %s\n", remark.c_str());
+    PrintText(stdout, "note: " + remark + "\n");
   }
   PrintNotes(identified.findings);
-  for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
-  std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
+  for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
+  PrintText(stdout, FormatIdentification(identified.result, VelocityFiles()));
   const FittedModel& fitted = identified.result.fitted;
   if (!identified.offsets.empty()) {
     const Table offsets = OffsetTable(identified.offsets, fitted.dof, fitted.force_unit);

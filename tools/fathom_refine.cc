@@ -20,6 +20,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
@@ -104,9 +105,9 @@ void Print(const ImageComparison& images) {
   if (images.joint.IsUsable())
     std::printf("%s\n", TableForTerminal(RefinementTable(images)).c_str());
   for (const std::string& remark : images.comparison.remarks) {
-    std::printf("note: %s\n", remark.c_str());
+    PrintText(stdout, "note: " + remark + "\n");
   }
-  for (const std::string& line : CommentsOn(dof)) std::printf("%s\n", line.c_str());
+  for (const std::string& line : CommentsOn(dof)) PrintText(stdout, line + "\n");
 }
 
 void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {

@@ -19,6 +19,7 @@
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -164,7 +165,7 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
     return;
   }
   PrintFigures(*score.prediction, log, model.dof, score.is_trained_on_it);
-  for (const std::string& remark : score.remarks) fmt::print("note: {}\n", remark);
+  for (const std::string& remark : score.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
 Json FormatFigures(const FitFigures& figures) {
