@@ -125,6 +125,7 @@ void Print(const Diagnosis& diagnosis) {
   };
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
+  std::printf("%s", NoiseFloorText(diagnosis).c_str());
   if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
   std::printf("%s", LegendOf(tables).c_str());
   if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));

@@ -3,7 +3,10 @@
 
 #include "fathom/diagnosis/report/legend.h"
 
+#include "fathom/diagnosis/report/verdict_sentence.h"
+
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +30,14 @@ std::string LegendOf(std::string_view tables) {
     legend += fmt::format("{}: {}\n", heading, words);
   }
   return legend;
+}
+
+std::string NoiseFloorText(const Diagnosis& diagnosis) {
+  if (!std::isfinite(diagnosis.noise_nmae)) return "";
+  return fmt::format(
+      "noise alone (the scatter from sample to sample) gives a {} NMAE of {:.4f} or more\n",
+      FittedQuantity(diagnosis),
+      diagnosis.noise_nmae);
 }
 
 }  // namespace fathom

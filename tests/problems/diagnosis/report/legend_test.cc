@@ -17,5 +17,15 @@ TEST(LegendOf, ExplainsWhatIsShownAndNothingElse) {
               testing::MatchesRegex("p-value: .*\nevidence \\(BIC\\): .*above 10 is strong\n"));
 }
 
+TEST(NoiseFloorText, SaysWhatNoModelFallsBelow) {
+  Diagnosis diagnosis;
+  EXPECT_EQ(NoiseFloorText(diagnosis), "");
+  diagnosis.has_velocity = true;
+  diagnosis.noise_nmae = 0.0591;
+  EXPECT_EQ(
+      NoiseFloorText(diagnosis),
+      "noise alone (the scatter from sample to sample) gives a velocity NMAE of 0.0591 or more\n");
+}
+
 }  // namespace
 }  // namespace fathom
