@@ -19,9 +19,12 @@
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
+#include "fathom/tool/wide_flag.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -63,7 +66,7 @@ int CheckLogs(const std::vector<std::string>& paths) {
   }
   RequireDifferentData(logs);
   const std::vector<DofOfLogs> dofs = CompareLogs(checked);
-  fmt::print("{}", FormatLogs(checked, dofs));
+  PrintText(stdout, FormatLogs(checked, dofs, TableForTerminal));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatLogsJson(checked, dofs));
   if (!FLAGS_report.empty()) {
     WriteFile(FLAGS_report, RenderLogsPage(checked, dofs, OriginOfPage(logs)));
@@ -76,7 +79,7 @@ int CheckLog() {
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
   if (paths.size() > 1) return CheckLogs(paths);
   const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag());
-  fmt::print("{}", FormatCheckup(checkup));
+  PrintText(stdout, FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {
     WriteFile(FLAGS_report, RenderCheckupPage(checkup, OriginOfPage({checkup.log})));
@@ -110,7 +113,7 @@ int CheckArchive() {
     for (DofCheckup& dof : one.checkup.dofs) dof.signals.reset();
     checked.push_back(std::move(one));
   }
-  fmt::print("{}", FormatCheckedLogs(checked));
+  PrintText(stdout, FormatCheckedLogs(checked, TableForTerminal));
   return has_red ? kExitNoFit : kExitUsable;
 }
 

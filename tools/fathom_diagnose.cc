@@ -7,6 +7,7 @@
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/legend.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -20,6 +21,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
@@ -101,10 +103,8 @@ Logs LogsFromFlags() {
   logs.all = ReadLogsFromFlags(dof);
   logs.dof = DofOfAll(logs.all, dof);
   logs.origin = OriginOfPage(logs.all);
-  for (Log& log : logs.all) {
-    logs.fingerprints.push_back(FingerprintOf(log));
-    log = WithSourceFromFlag(std::move(log));
-  }
+  logs.fingerprints = FingerprintsOf(logs.all);
+  for (Log& log : logs.all) log = WithSourceFromFlag(std::move(log));
   Progress progress("round of refining the poses");
   for (Log& log : logs.all) {
     RefineFaceOnPoses(logs.dof, &log, [&](int round, int most) { progress.Show(round, most); });
@@ -113,20 +113,25 @@ Logs LogsFromFlags() {
 }
 
 void Print(const Diagnosis& diagnosis) {
-  std::printf("%s: %s\n%s\n",
-              std::string(Name(diagnosis.dof)).c_str(),
-              std::string(Name(diagnosis.verdict)).c_str(),
-              VerdictSentence(diagnosis).c_str());
-  const auto print = [](const Table& table) {
+  PrintText(stdout,
+            fmt::format("{}: {}\n{}\n",
+                        Name(diagnosis.dof),
+                        Name(diagnosis.verdict),
+                        VerdictSentence(diagnosis)));
+  std::string tables;
+  const auto print = [&](const Table& table) {
+    tables += TableForTerminal(table);
     std::printf("\n%s", TableForTerminal(table).c_str());
   };
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
+  std::printf("%s", NoiseFloorText(diagnosis).c_str());
   if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
+  std::printf("%s", LegendOf(tables).c_str());
   if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));
   std::printf("\n");
-  for (const std::string& step : NextSteps(diagnosis)) std::printf("next: %s\n", step.c_str());
-  for (const std::string& remark : diagnosis.remarks) std::printf("note: %s\n", remark.c_str());
+  for (const std::string& step : NextSteps(diagnosis)) PrintText(stdout, "next: " + step + "\n");
+  for (const std::string& remark : diagnosis.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
 void WritePage(Page page, const Logs& logs) {

@@ -8,10 +8,12 @@
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/log_identification.h"
 #include "fathom/comparison/run_agreement_text.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -21,6 +23,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -93,11 +96,11 @@ std::string VelocityFiles() {
 void Print(const LogIdentification& identified) {
   PrintWarnings(identified.findings);
   for (const std::string& remark : identified.signals.remarks) {
-    std::printf("note: %s\n", remark.c_str());
+    PrintText(stdout, "note: " + remark + "\n");
   }
   PrintNotes(identified.findings);
-  for (const std::string& remark : identified.remarks) std::printf("note: %s\n", remark.c_str());
-  std::printf("%s", FormatIdentification(identified.result, VelocityFiles()).c_str());
+  for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
+  PrintText(stdout, FormatIdentification(identified.result, VelocityFiles()));
   const FittedModel& fitted = identified.result.fitted;
   if (!identified.offsets.empty()) {
     const Table offsets = OffsetTable(identified.offsets, fitted.dof, fitted.force_unit);
@@ -132,7 +135,9 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
-  LogIdentification identified = IdentifyFromLogs(LogsFromFlags(options), options);
+  std::vector<Log> logs = LogsFromFlags(options);
+  std::vector<std::string> fingerprints = FingerprintsOf(logs);
+  LogIdentification identified = IdentifyFromLogs(std::move(logs), options);
   Print(identified);
   Identification& result = identified.result;
   if (!result.is_usable) {
@@ -141,6 +146,7 @@ int Run() {
   }
   if (!FLAGS_model.empty()) {
     result.fitted.provenance = ProvenanceOf(result);
+    result.fitted.log_fingerprints = std::move(fingerprints);
     WriteFile(FLAGS_model, FormatModel(result.fitted));
   }
   return 0;

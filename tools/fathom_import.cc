@@ -20,6 +20,7 @@
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/output_folder.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -121,7 +122,7 @@ void PrintContents(const std::filesystem::path& file, const Contents& contents) 
           FieldsText(channel)}});
   }
   fmt::print("{}", TableForTerminal(table));
-  for (const std::string& remark : contents.remarks) fmt::print("note: {}\n", remark);
+  for (const std::string& remark : contents.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
 // How --map says a table is to be read.
@@ -264,7 +265,7 @@ int Run() {
   PrintStream("command.csv", log.command);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
-  for (const std::string& remark : imported.remarks) fmt::print("note: {}\n", remark);
+  for (const std::string& remark : imported.remarks) PrintText(stdout, "note: " + remark + "\n");
   PrintFirstLook(folder, log);
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/starter/starter.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 
 #include <filesystem>
@@ -40,7 +41,7 @@ int Run() {
     WriteFile(folder / file.name, file.text);
     fmt::print("wrote  {}\n", (folder / file.name).string());
   }
-  for (const std::string& remark : starter.remarks) fmt::print("note: {}\n", remark);
+  for (const std::string& remark : starter.remarks) PrintText(stdout, "note: " + remark + "\n");
   if (starter.commands.empty()) return 0;
   fmt::print("\n{}, type:\n\n", starter.files.empty() ? "Next" : "Fill in what was written. Then");
   for (const std::string& command : starter.commands) fmt::print("  {}\n", command);

@@ -12,6 +12,7 @@
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
 #include "fathom/geometry/stamped_pose.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/log/write_log.h"
 #include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/dof_flag.h"
@@ -19,6 +20,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
@@ -28,6 +30,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -102,9 +105,9 @@ void Print(const ImageComparison& images) {
   if (images.joint.IsUsable())
     std::printf("%s\n", TableForTerminal(RefinementTable(images)).c_str());
   for (const std::string& remark : images.comparison.remarks) {
-    std::printf("note: %s\n", remark.c_str());
+    PrintText(stdout, "note: " + remark + "\n");
   }
-  for (const std::string& line : CommentsOn(dof)) std::printf("%s\n", line.c_str());
+  for (const std::string& line : CommentsOn(dof)) PrintText(stdout, line + "\n");
 }
 
 void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {
@@ -148,6 +151,7 @@ int RunRefine() {
     throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
   }
   const Dof dof = DofOfAll(logs, given);
+  std::vector<std::string> fingerprints = FingerprintsOf(logs);
   const MarkerLogs markers = PrepareMarkerLogs(std::move(logs), dof);
   std::optional<Progress> progress(std::in_place, "round");
   options.identification.joint.on_round = [&](int round, int most) { progress->Show(round, most); };
@@ -156,6 +160,7 @@ int RunRefine() {
 
   Identification& row = images.comparison.dofs.front().rows.back();
   row.fitted.provenance = Provenance();
+  row.fitted.log_fingerprints = std::move(fingerprints);
   PrintWarnings(images.comparison.dofs.front().findings);
   Print(images);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatImageComparison(images));

@@ -19,6 +19,7 @@
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -89,7 +90,7 @@ void PrintFigures(const char* part, const FitFigures& figures, Dof dof) {
              figures.duration);
 }
 
-void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof) {
+void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof, bool is_trained_on_it) {
   if (!std::isfinite(prediction.figures.mae)) {
     fmt::print(
         "{}: predicted from rest. The log has no column '{}' and no pose to score the "
@@ -103,7 +104,7 @@ void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof) {
     PrintFigures("", prediction.figures, dof);
     return;
   }
-  PrintFigures(", training data", prediction.train, dof);
+  PrintFigures(is_trained_on_it ? ", training data" : ", not held out", prediction.train, dof);
   PrintFigures(", held out", prediction.held_out, dof);
 }
 
@@ -113,6 +114,7 @@ struct LogScore {
   std::vector<Finding> findings;
   std::optional<LogPrediction> prediction;  // nothing if the simulation diverges
   std::vector<std::string> remarks;
+  bool is_trained_on_it = false;  // the model
 };
 
 // What every tool checks, where the log measures the motion; the model against the vehicle, and the
@@ -132,8 +134,9 @@ std::vector<Finding> FindingsOn(const Log& log,
 }
 
 LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
-  const auto [model, left_out] = RestrictToLog(fitted, log, FLAGS_keep_run_effects);
-  LogScore score = {log.name, {}, PredictLog(model, log), {}};
+  const auto [model, left_out, is_trained_on_it] =
+      RestrictToLog(fitted, log, FLAGS_keep_run_effects);
+  LogScore score = {log.name, {}, PredictLog(model, log), {}, is_trained_on_it};
   score.findings = FindingsOn(log, model, score.prediction);
   if (!score.prediction) return score;
   score.remarks = RemarksOn(model, *score.prediction);
@@ -161,8 +164,8 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
                model.model.linear_damping);
     return;
   }
-  PrintFigures(*score.prediction, log, model.dof);
-  for (const std::string& remark : score.remarks) fmt::print("note: {}\n", remark);
+  PrintFigures(*score.prediction, log, model.dof, score.is_trained_on_it);
+  for (const std::string& remark : score.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
 Json FormatFigures(const FitFigures& figures) {

@@ -472,7 +472,7 @@ TEST(CheckTool, ListsAnArchive) {
   const ToolRun run = RunToolBinary("fathom_check", {"--archive=" + (folder / "archive").string()});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.out, HasSubstr("lost_values"));
-  EXPECT_THAT(run.out, HasSubstr("not readable: "));
+  EXPECT_THAT(run.out, ContainsRegex("\nbroken is not readable: .*log.yaml:2: "));
   EXPECT_THAT(run.out, ContainsRegex("sound +surge +- +-\n"));
 }
 
@@ -575,6 +575,24 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
 }
 
 using CheckedRealLogs = OnRealData;
+
+// A log whose noise wanders, so that learned weights are taken: plain ones promise too much.
+TEST_F(CheckedRealLogs, AreKnownAsWellAsFathomIdentifyKnowsThem) {
+  const Path folder = EmptyTestFolder();
+  const std::string log = "--log=" + (Path(folder_) / "kingfisher_runs/run_20").string();
+  const Path json = folder / "check.json", model = folder / "model.json";
+  RunToolBinary("fathom_check", {log, "--dof=surge", "--json=" + json.string()});
+  RunToolBinary("fathom_identify", {log, "--dof=surge", "--model=" + model.string()});
+  const Json identified = JsonOf(model);
+  ASSERT_EQ(identified["provenance"]["weighting"], "learned");
+  const Json checked = JsonOf(json)["dofs"][0]["parameters"];
+  ASSERT_EQ(checked.size(), 4u);
+  for (const Json& parameter : checked) {
+    const Json& same = identified["parameters"][parameter["name"].get<std::string>()];
+    EXPECT_EQ(parameter["value"], same["value"]) << parameter;
+    EXPECT_EQ(parameter["std"], same["std"]) << parameter;
+  }
+}
 
 // A camera whose stamps are wrong is told once, and no axis for it.
 TEST_F(CheckedRealLogs, TellACameraThatIsLate) {

@@ -66,6 +66,7 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nevidence (BIC): what the fit gains, "));
 
   const auto json = JsonOf(verdict);
   EXPECT_EQ(json["schema"], "fathom-verdict-1");
@@ -196,6 +197,11 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
               StartsWith("surge: consistent\nThis log shows no error of your surge model beyond "
                          "noise."));
   EXPECT_EQ(JsonOf(verdict)["causes"], nlohmann::json::array());
+  // Noise of 5 mm/s is all that is left, so its NMAE is that of the model, to the chance in 200
+  // samples.
+  const double nmae = JsonOf(verdict)["baseline"]["heldout_nmae"];
+  EXPECT_NEAR(JsonOf(verdict)["noise_nmae"].get<double>(), nmae, 0.2 * nmae);
+  EXPECT_THAT(run.out, HasSubstr("\nnoise alone (the scatter from sample to sample) gives a "));
   const ToolRun simulated =
       RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;

@@ -60,6 +60,36 @@ TEST(SimulateTool, PredictsTheLogThatTheModelWasIdentifiedFrom) {
   }
 }
 
+// A copy of the small log with a row more: the same data twice are refused.
+Path WriteSecondLog(const Path& folder) {
+  WriteSmallLog(folder);
+  WriteTestFile(folder / "log.yaml", "name: second\ndof: surge\n");
+  WriteTestFile(folder / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
+  return folder;
+}
+
+// The copy has another path and the same data; the second log has other data.
+TEST(SimulateTool, CallsTrainingDataOnlyWhatTheModelWasIdentifiedFrom) {
+  const Path folder = EmptyTestFolder();
+  const Path log = WriteSmallLog(folder / "log");
+  const Path copy = WriteSmallLog(folder / "copy");
+  const Path second = WriteSecondLog(folder / "second");
+  const std::string model = (folder / "model.json").string();
+  const std::string held_out = "--held_out=40:60";
+  const ToolRun identified = RunToolBinary(
+      "fathom_identify", {"--log=" + log.string(), "--dof=surge", held_out, "--model=" + model});
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  for (const Path& scored : {copy, second}) {
+    const ToolRun run = RunToolBinary("fathom_simulate",
+                                      {"--model=" + model, "--log=" + scored.string(), held_out});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out,
+                HasSubstr(scored == copy ? "surge, training data: velocity MAE "
+                                         : "surge, not held out: velocity MAE "));
+    EXPECT_THAT(run.out, HasSubstr("surge, held out: velocity MAE "));
+  }
+}
+
 TEST(SimulateTool, WritesTheScoreThatItPrints) {
   const Path folder = EmptyTestFolder();
   const Path json = folder / "score.json";
@@ -120,14 +150,6 @@ TEST(SimulateTool, TheRangeOfAnIdentifiedModelReachesItsFile) {
       RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, ::testing::Not(HasSubstr("note: ")));
-}
-
-// A copy of the small log with a row more: the same data twice are refused.
-Path WriteSecondLog(const Path& folder) {
-  WriteSmallLog(folder);
-  WriteTestFile(folder / "log.yaml", "name: second\ndof: surge\n");
-  WriteTestFile(folder / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
-  return folder;
 }
 
 TEST(SimulateTool, ScoresSeveralLogsOneByOne) {

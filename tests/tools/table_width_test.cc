@@ -76,6 +76,16 @@ TEST(TableWidth, IsAtMost100ForSeveralRuns) {
   ExpectTablesThatFit("fathom_identify", arguments);
 }
 
+TEST(TableWidth, LeavesOutColumnsOfSeveralCheckedLogs) {
+  const std::string small =
+      "--log=" + WriteSmallLog(EmptyTestFolder() / "run_with_a_long_name_of_its_own").string();
+  const std::string out = RunToolBinary("fathom_check", {kFlatfish, small, "--dof=surge"}).out;
+  EXPECT_THAT(out, AllOf(HasSubstr("quadratic_damping [kg/m]\n"), HasSubstr("more with --wide")));
+  const std::string all =
+      RunToolBinary("fathom_check", {kFlatfish, small, "--dof=surge", "--wide"}).out;
+  EXPECT_THAT(all, AllOf(HasSubstr("buoyancy [N]\n"), Not(HasSubstr("more with --wide"))));
+}
+
 TEST(TableWidth, LeavesOutNoHeldOutScore) {
   const std::string out = RunToolBinary("fathom_compare", {kFlatfish, "--dofs=yaw"}).out;
   EXPECT_THAT(out, HasSubstr("velocity NMAE, held out\n"));

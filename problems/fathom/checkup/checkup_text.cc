@@ -225,10 +225,10 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
 
 Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
   Table table;
-  table.columns = {{"log"}, {"DOFs"}, {"red"}, {"yellow"}};
+  table.columns = {{"log"}, {"DOFs"}, {"red"}, {"yellow", false, 1}};
   for (const CheckedLog& log : logs) {
     if (!log.message.empty()) {
-      table.rows.push_back({{log.path, "-", "not readable: " + log.message, "-"}});
+      table.rows.push_back({{log.path, "-", "not readable", "-"}});
       continue;
     }
     std::vector<std::string> usable;
@@ -247,8 +247,13 @@ Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
   return table;
 }
 
-std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs) {
-  return FormatTable(CheckedLogsTable(logs));
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs, TableFormat format) {
+  std::string text = format(CheckedLogsTable(logs));
+  for (const CheckedLog& log : logs) {
+    if (!log.message.empty())
+      text += fmt::format("{} is not readable: {}\n", log.path, log.message);
+  }
+  return text;
 }
 
 }  // namespace fathom

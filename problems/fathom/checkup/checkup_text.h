@@ -34,7 +34,10 @@ struct CheckedLog {
   std::string message;  // why it could not be checked; empty: it was
   LogCheckup checkup;
 };
+
 Table CheckedLogsTable(const std::vector<CheckedLog>& logs);
-std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs);
+
+// The table, and below it why logs could not be read.
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs, TableFormat format);
 
 }  // namespace fathom

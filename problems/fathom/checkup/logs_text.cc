@@ -84,7 +84,8 @@ Table InformationTable(const std::vector<CheckedLog>& logs, const DofOfLogs& of_
     table.columns.push_back(
         {fmt::format(
              "{} [{}]", kParameterInfo[static_cast<std::size_t>(p)].name, UnitOf(logs, of_dof, p)),
-         true});
+         true,
+         std::max(0, p - kQuadraticDamping)});
   }
   for (std::size_t k = 0; k < of_dof.log_indices.size(); ++k) {
     const std::size_t i = of_dof.log_indices[k];
@@ -155,11 +156,13 @@ Json ParameterJson(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof,
 
 }  // namespace
 
-std::string FormatLogs(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
-  std::string text = Sentence(logs, dofs) + "\n\n" + FormatCheckedLogs(logs);
+std::string FormatLogs(const std::vector<CheckedLog>& logs,
+                       std::span<const DofOfLogs> dofs,
+                       TableFormat format) {
+  std::string text = Sentence(logs, dofs) + "\n\n" + FormatCheckedLogs(logs, format);
   for (const DofOfLogs& of_dof : dofs) {
     text += fmt::format(
-        "\n{}\n{}\n{}", Name(of_dof.dof), kCaption, FormatTable(InformationTable(logs, of_dof)));
+        "\n{}\n{}\n{}", Name(of_dof.dof), kCaption, format(InformationTable(logs, of_dof)));
     for (const std::string& sentence : Disagreements(of_dof)) text += sentence + "\n";
     for (const std::string& sentence : SplitSentences(logs, of_dof)) text += sentence + "\n";
   }

@@ -5,6 +5,7 @@
 
 #include "fathom/checkup/logs_checkup.h"
 #include "fathom/report/page_origin.h"
+#include "fathom/report/table.h"
 
 #include <span>
 #include <string>
@@ -14,7 +15,9 @@ namespace fathom {
 // Several logs for a terminal: a row for each (FormatCheckedLogs), and for each DOF the standard
 // deviation that each log alone leaves its parameters, its share of what all know, and what to hold
 // out.
-std::string FormatLogs(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs);
+std::string FormatLogs(const std::vector<CheckedLog>& logs,
+                       std::span<const DofOfLogs> dofs,
+                       TableFormat format);
 
 // The same as JSON, schema "fathom-check-logs-1"; docs/check.md.
 std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs);

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/judge/explained_share.h"
 #include "fathom/diagnosis/judge/limits.h"
 #include "fathom/diagnosis/judge/missing_force.h"
+#include "fathom/diagnosis/judge/noise_floor.h"
 #include "fathom/diagnosis/judge/ranking.h"
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/simulate/data_range.h"
@@ -158,6 +159,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   if (is_noise && !judgement.evidence.IsNegligible()) {
     diagnosis.wander_ratio = WanderRatio(prepared.data, users.residual);
   }
+  diagnosis.noise_nmae = NmaeOfScatter(unseen.after);
   diagnosis.coincidence = judgement.coincidence;
   diagnosis.remaining_p_value = judgement.remaining.p_value;
   diagnosis.held_out_gain = gain.value;

@@ -194,6 +194,10 @@ struct Diagnosis {
   // or the share is not known.
   double explained_share = std::numeric_limits<double>::quiet_NaN();
 
+  // The NMAE that the scatter of the measurement from sample to sample gives alone, on data that no
+  // fit has seen: no model falls below it.
+  double noise_nmae = std::numeric_limits<double>::quiet_NaN();
+
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
   // named and the rest passes for noise that wanders; else 0.
   double wander_ratio = 0.0;

@@ -59,4 +59,10 @@ std::string FingerprintOf(const Log& log) {
   return fmt::format("{:016x}", hash.value());
 }
 
+std::vector<std::string> FingerprintsOf(std::span<const Log> logs) {
+  std::vector<std::string> fingerprints;
+  for (const Log& log : logs) fingerprints.push_back(FingerprintOf(log));
+  return fingerprints;
+}
+
 }  // namespace fathom

@@ -5,7 +5,9 @@
 
 #include "fathom/log/log.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace fathom {
 
@@ -13,5 +15,8 @@ namespace fathom {
 // every stamp and value of its command, velocity, pose and detections (FNV-1a, 64 bits). Poses
 // count only without detections, from which a tool may make them. Not for security.
 std::string FingerprintOf(const Log& log);
+
+// Of each log, in their order.
+std::vector<std::string> FingerprintsOf(std::span<const Log> logs);
 
 }  // namespace fathom

@@ -41,6 +41,9 @@ struct Table {
 //   ! surge  adaptive           -
 std::string FormatTable(const Table& table);
 
+// How a table becomes text: FormatTable(), or something narrower.
+using TableFormat = std::string (*)(const Table&);
+
 // The table without the columns that FormatTable() has no room for in this width: those of the
 // highest rank first, of one rank the last. Wider than that if all that is left has rank 0.
 // `left_out`: their headings, from left to right; may be null.

@@ -18,6 +18,7 @@ ModelForLog RestrictToLog(FittedModel model, const Log& log, bool keep_run_effec
   const bool is_known = own < std::ssize(known);
   const std::string name = is_known && own < std::ssize(model.logs) ? model.logs[own] : "";
   ModelForLog restricted;
+  restricted.is_trained_on_it = is_known;
   std::erase_if(model.effects, [&](const ActiveEffect& active) {
     const EffectInfo& info = active.effect->info();
     if (info.scope != Scope::kRun || keep_run_effects) return false;

@@ -15,11 +15,11 @@ namespace fathom {
 struct ModelForLog {
   FittedModel model;
   std::vector<std::string> left_out;  // effects, by LabelOf()
+  bool is_trained_on_it = false;      // the model was identified from this log
 };
 
 // Leaves out the effects that belong to another run of the vehicle than the log's, as a current or
-// a bias does (Scope::kRun), unless `keep_run_effects`. Those of the log itself are known by its
-// fingerprint.
+// a bias does (Scope::kRun), unless `keep_run_effects`. The log itself is known by its fingerprint.
 ModelForLog RestrictToLog(FittedModel model, const Log& log, bool keep_run_effects);
 
 }  // namespace fathom

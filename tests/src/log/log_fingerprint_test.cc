@@ -60,5 +60,13 @@ TEST(LogFingerprint, ChangesWithEveryPieceOfTheData) {
   EXPECT_EQ(fingerprints.size(), 7u);
 }
 
+TEST(FingerprintsOf, AreThoseOfTheLogsInTheirOrder) {
+  Log other = SmallLog();
+  other.velocity->time[0] = 0.4;
+  const std::vector<Log> logs = {other, SmallLog()};
+  EXPECT_EQ(FingerprintsOf(logs),
+            (std::vector<std::string>{FingerprintOf(other), FingerprintOf(SmallLog())}));
+}
+
 }  // namespace
 }  // namespace fathom

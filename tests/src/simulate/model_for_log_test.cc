@@ -50,5 +50,12 @@ TEST(RestrictToLog, KeepsAllWhereItIsAskedTo) {
   EXPECT_THAT(kept.left_out, IsEmpty());
 }
 
+TEST(RestrictToLog, KnowsTheLogsThatTheModelWasIdentifiedFrom) {
+  for (const double force : {1.0, 2.0, 3.0}) {
+    const ModelForLog own = RestrictToLog(ModelOfTwoLogs(), LogWithCommand(force), false);
+    EXPECT_EQ(own.is_trained_on_it, force < 3.0) << force;
+  }
+}
+
 }  // namespace
 }  // namespace fathom

@@ -9,6 +9,7 @@
 #include "fathom/marker_trajectory/open_log.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/held_out_flag.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ namespace {
 // To stderr, from the remark `first` on.
 void PrintRemarks(const Log& log, std::size_t first) {
   for (std::size_t i = first; i < log.remarks.size(); ++i) {
-    std::fprintf(stderr, "%s\n", log.remarks[i].text.c_str());
+    PrintText(stderr, log.remarks[i].text + "\n");
   }
 }
 

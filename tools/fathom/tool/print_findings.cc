@@ -3,6 +3,8 @@
 
 #include "fathom/tool/print_findings.h"
 
+#include "fathom/tool/print_text.h"
+
 #include <cstdio>
 
 namespace fathom {
@@ -10,14 +12,14 @@ namespace fathom {
 void PrintWarnings(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::kWarning) continue;
-    std::fprintf(stderr, "WARNING: %s\n", finding.sentence.c_str());
+    PrintText(stderr, "WARNING: " + finding.sentence + "\n");
   }
 }
 
 void PrintNotes(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::kNote) continue;
-    std::printf("note: %s\n", finding.sentence.c_str());
+    PrintText(stdout, "note: " + finding.sentence + "\n");
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/judge/explained_share.h"
 
-#include "fathom/base/median.h"
+#include "fathom/diagnosis/judge/noise_floor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,21 +26,6 @@ double SquaredError(std::span<const FreeRun> runs) {
     }
   }
   return sum;
-}
-
-// The variance of what scatters from sample to sample, by the median size of second differences,
-// whose variance is six times that of white noise. NaN for fewer than three samples in a row.
-double ScatterVariance(std::span<const FreeRun> runs) {
-  std::vector<double> sizes;
-  for (const FreeRun& run : runs) {
-    const auto miss = [&](std::size_t i) { return run.measured[i] - run.predicted[i]; };
-    for (std::size_t i = 1; i + 1 < run.time.size(); ++i) {
-      sizes.push_back(std::abs(miss(i - 1) - 2.0 * miss(i) + miss(i + 1)));
-    }
-  }
-  if (sizes.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double std = 1.4826 * Median(std::move(sizes));
-  return std * std / 6.0;
 }
 
 double NumSamples(std::span<const FreeRun> runs) {

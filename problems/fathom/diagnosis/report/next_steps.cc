@@ -38,14 +38,25 @@ std::vector<std::string> OpenDamping(const Diagnosis& diagnosis) {
   return open;
 }
 
+// Nothing was named, or nothing was held out: there is nothing to confirm.
+bool IsRefusedByUnseenData(const Diagnosis& diagnosis) {
+  return !diagnosis.causes.empty() &&
+         (diagnosis.held_out_gain_low <= 0.0 || diagnosis.held_out_gain < 0.0);
+}
+
 }  // namespace
 
 std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   std::vector<std::string> steps;
-  if (!diagnosis.causes.empty() && diagnosis.held_out_gain_low <= 0.0) {
+  const bool is_open = IsRefusedByUnseenData(diagnosis);
+  if (is_open) {
+    const bool is_one = diagnosis.causes.size() == 1;
     steps.push_back(
-        "The held-out data do not confirm this cause. Check whether another log names it too "
-        "before you act on it.");
+        fmt::format("The held-out data do not confirm {}: use the model without {} (that of "
+                    "fathom_identify) until another log names {} too.",
+                    is_one ? "this cause" : "these causes",
+                    is_one ? "it" : "them",
+                    is_one ? "it" : "them"));
   }
   for (const Cause& cause : diagnosis.causes) {
     const ActiveEffect& active = EffectOfCause(diagnosis, cause);
@@ -53,7 +64,10 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
     const std::string label = LabelOf(info, active.setting);
     const std::vector<Alternative> alternatives = AlternativesOf(cause);
     if (alternatives.empty()) {
-      steps.push_back(fmt::format("{}: {}", label, AdviceText(diagnosis, cause)));
+      steps.push_back(
+          fmt::format(fmt::runtime(is_open ? "If another log names {} too: {}" : "{}: {}"),
+                      label,
+                      AdviceText(diagnosis, cause)));
     } else {
       steps.push_back(fmt::format("First find out whether the cause is {} or {}. {}",
                                   label,

@@ -14,8 +14,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kLossWorthAWord = 0.02;  // of held-out NMAE
-
 // A clause.
 std::string WhyRefused(const Refusal& refusal) {
   switch (refusal.reason) {
@@ -134,11 +132,6 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has
   const bool has_causes = judgement.choice.chosen != 0;
   for (std::string& remark : RemarksOnEvidence(judgement.evidence, has_velocity, has_causes)) {
     remarks.push_back(std::move(remark));
-  }
-  if (has_causes && judgement.runs.gain.value < -kLossWorthAWord) {
-    remarks.push_back(
-        "The held-out data do not confirm this cause: their error grows. Do not rely on it "
-        "before another log confirms it.");
   }
   return remarks;
 }

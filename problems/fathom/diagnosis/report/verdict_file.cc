@@ -154,6 +154,7 @@ std::string FormatVerdict(const Diagnosis& diagnosis,
                      {"causes", causes},
                      {"extended", FormatDiagnosedModel(diagnosis, diagnosis.extended)},
                      {"explained_share", diagnosis.explained_share},
+                     {"noise_nmae", diagnosis.noise_nmae},
                      {"coincidence",
                       diagnosis.coincidence ? Json{{"cause", diagnosis.coincidence->label},
                                                    {"input", diagnosis.coincidence->input}}

@@ -38,28 +38,13 @@ const std::vector<std::string> kKeysOfModel = {"schema",
 const std::vector<std::string> kKeysOfFigures = {"mae", "nmae", "n", "duration"};
 const std::vector<std::string> kKeysOfFit = {
     "mae", "nmae", "n", "duration", "speed_range", "force_range"};
-const std::vector<std::string> kKeysOfVerdict = {"schema",
-                                                 "log",
-                                                 "dof",
-                                                 "verdict",
-                                                 "sentence",
-                                                 "force_unit",
-                                                 "figures_of",
-                                                 "has_baseline",
-                                                 "baseline",
-                                                 "causes",
-                                                 "extended",
-                                                 "findings",
-                                                 "structure_share",  // of older files
-                                                 "explained_share",
-                                                 "coincidence",
-                                                 "remaining_p_value",
-                                                 "heldout_gain",
-                                                 "candidates",
-                                                 "limits",
-                                                 "logs",
-                                                 "log_fingerprints",
-                                                 "remarks"};
+const std::vector<std::string> kKeysOfVerdict = {
+    "schema",          "log",        "dof",          "verdict",           "sentence",
+    "force_unit",      "figures_of", "has_baseline", "baseline",          "causes",
+    "extended",        "findings",
+    "structure_share",  // of older files
+    "explained_share", "noise_nmae", "coincidence",  "remaining_p_value", "heldout_gain",
+    "candidates",      "limits",     "logs",         "log_fingerprints",  "remarks"};
 const std::vector<std::string> kKeysOfDiagnosedModel = {"parameters",
                                                         "mae",
                                                         "nmae",

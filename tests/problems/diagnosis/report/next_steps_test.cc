@@ -16,6 +16,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST(NextSteps, SayWhatToDoAboutACertainCause) {
   EXPECT_THAT(NextSteps(ExplainedDiagnosis()),
@@ -35,15 +36,29 @@ TEST(NextSteps, AskForTheDecidingExperimentFirst) {
                   "of the command."));
 }
 
-TEST(NextSteps, CautionWhereTheHeldOutDataDoNotConfirm) {
+// One way to go: nothing asks to act on the cause before another log names it.
+TEST(NextSteps, WaitForAnotherLogWhereTheHeldOutDataDoNotConfirm) {
   Diagnosis diagnosis = ExplainedDiagnosis();
   diagnosis.held_out_gain_low = -0.01;
   EXPECT_THAT(NextSteps(diagnosis),
-              ElementsAre("The held-out data do not confirm this cause. Check whether another "
-                          "log names it too before you act on it.",
-                          HasSubstr("thrust_dead_zone: Look for")));
-  diagnosis.held_out_gain_low = std::numeric_limits<double>::quiet_NaN();  // none were held out
-  EXPECT_THAT(NextSteps(diagnosis), ElementsAre(HasSubstr("thrust_dead_zone: Look for")));
+              ElementsAre("The held-out data do not confirm this cause: use the model without it "
+                          "(that of fathom_identify) until another log names it too.",
+                          HasSubstr("If another log names thrust_dead_zone too: Look for")));
+  AddCause("thruster_lag", {0.4}, {0.01}, &diagnosis);
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre("The held-out data do not confirm these causes: use the model without "
+                          "them (that of fathom_identify) until another log names them too.",
+                          HasSubstr("If another log names thrust_dead_zone too: "),
+                          HasSubstr("If another log names thruster_lag too: ")));
+}
+
+TEST(NextSteps, ActOnACauseWhereNothingWasHeldOut) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.held_out_gain = std::numeric_limits<double>::quiet_NaN();
+  diagnosis.held_out_gain_low = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(NextSteps(diagnosis), ElementsAre(StartsWith("thrust_dead_zone: Look for")));
+  diagnosis.held_out_gain = -0.01;  // its interval is not known
+  EXPECT_THAT(NextSteps(diagnosis), Contains(HasSubstr("do not confirm this cause")));
 }
 
 TEST(NextSteps, SayWhichDampingIsOpenAndHowToKnowIt) {

@@ -74,15 +74,6 @@ TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {
   EXPECT_THAT(RemarksOn(judgement), ElementsAre(HasSubstr("misses 0.04 % of the motion")));
 }
 
-TEST(RemarksOnJudgement, WarnWhereUnseenDataDoNotBearOutWhatIsNamed) {
-  Judgement judgement = Plain();
-  judgement.runs.gain.value = -0.03;
-  EXPECT_THAT(RemarksOn(judgement), IsEmpty());
-  judgement.choice.chosen = 1;
-  EXPECT_THAT(RemarksOn(judgement),
-              ElementsAre(StartsWith("The held-out data do not confirm this cause")));
-}
-
 TEST(RemarksOnData, CountTheSamplesLeftOut) {
   MeasuredSegments segments;
   segments.remarks = {"first"};

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/simulate/free_run.h"
+
+#include <span>
+
+namespace fathom {
+
+// The variance of what scatters from sample to sample in the misses e of free runs, by the median
+// size of second differences, whose variance is six times that of white noise:
+//
+//   sigma = 1.4826 median |e_(i-1) - 2 e_i + e_(i+1)| / sqrt(6)                docs/diagnosis.md
+//   (13)
+//
+// Noise that wanders, as that of a filtered sensor, counts less than it is. NaN for fewer than
+// three samples in a row.
+double ScatterVariance(std::span<const FreeRun> runs);
+
+// The NMAE that this scatter alone gives, which no model falls below:
+//
+//   sqrt(2 / pi) sigma / mean |measured|                                       docs/diagnosis.md
+//   (14)
+//
+// White noise of normal distribution is assumed. NaN where nothing was measured.
+double NmaeOfScatter(std::span<const FreeRun> runs);
+
+}  // namespace fathom

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/diagnosis/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+// What the columns of the tables mean that need a word: a line each of those whose heading stands
+// in `tables`, the printed text; empty where there are none.
+std::string LegendOf(std::string_view tables);
+
+// The line below the NMAE of the models that says what noise alone gives; empty where that is not
+// known.
+std::string NoiseFloorText(const Diagnosis& diagnosis);
+
+}  // namespace fathom

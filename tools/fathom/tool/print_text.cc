@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/print_text.h"
+
+#include "fathom/tool/broken_lines.h"
+
+#include <unistd.h>
+
+namespace fathom {
+
+void PrintText(std::FILE* stream, const std::string& text) {
+  constexpr std::size_t kWidth = 100;
+  const bool is_terminal = isatty(fileno(stream)) == 1;
+  std::fputs((is_terminal ? BrokenLines(text, kWidth) : text).c_str(), stream);
+}
+
+}  // namespace fathom
