@@ -13,6 +13,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 
@@ -86,7 +87,7 @@ ComparisonOptions OptionsFromFlags() {
 
 void Print(const DofComparison& dof) {
   std::printf("%s", TableForTerminal(ParameterTable(dof)).c_str());
-  for (const std::string& line : CommentsOn(dof)) std::printf("%s\n", line.c_str());
+  for (const std::string& line : CommentsOn(dof)) PrintText(stdout, line + "\n");
   std::printf("\n");
 }
 

@@ -4,6 +4,7 @@
 #include "fathom/comparison/comparison_file.h"
 
 #include "fathom/check/finding_json.h"
+#include "fathom/comparison/recommendation.h"
 
 #include <cmath>
 #include <limits>
@@ -46,8 +47,9 @@ Json FormatRow(const Identification& row) {
 }  // namespace
 
 std::string FormatComparison(const Comparison& comparison) {
-  Json rows = Json::array(), findings = Json::array();
+  Json rows = Json::array(), findings = Json::array(), noise = Json::object();
   for (const DofComparison& dof : comparison.dofs) {
+    noise[Name(dof.dof)] = NoiseNmae(dof);
     for (const Identification& row : dof.rows) rows.push_back(FormatRow(row));
     for (Json& finding : JsonOf<Json>(dof.findings)) {
       Json of_dof = {{"dof", Name(dof.dof)}};
@@ -57,6 +59,7 @@ std::string FormatComparison(const Comparison& comparison) {
   }
   const Json json = {{"schema", "fathom-comparison-1"},
                      {"log", comparison.log_name},
+                     {"noise_nmae", noise},
                      {"rows", rows},
                      {"findings", findings}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -39,6 +39,12 @@ std::string WithScore(const DofComparison& comparison, const Identification& row
   return fmt::format("{} ({:.1f} %)", ModelName(row), 100.0 * ScoreOf(comparison, row));
 }
 
+std::string NoiseText(double nmae) {
+  return fmt::format(
+      "noise alone (the scatter from sample to sample) gives a velocity NMAE of {:#.3g} or more",
+      nmae);
+}
+
 std::string Sentence(const DofComparison& comparison) {
   const std::string dof = Capitalised(std::string(Name(comparison.dof)));
   const Recommendation recommendation = Recommend(comparison);
@@ -133,6 +139,9 @@ PageSection SectionOf(const DofComparison& comparison) {
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
+  if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
+    lines.push_back(NoiseText(noise) + ".");
+  }
   for (const Finding& finding : comparison.findings) {
     if (finding.severity == Severity::kNote) lines.push_back("note: " + finding.sentence);
   }
@@ -207,10 +216,11 @@ Page ComparisonPage(const Comparison& comparison) {
       for (const Segment& segment : segments) sum += segment.time.back() - segment.time.front();
       return sum;
     };
-    page.facts.push_back({std::string(Name(dof.dof)),
-                          fmt::format("{:.0f} s training data, {:.0f} s held out",
-                                      duration(dof.scored.train),
-                                      duration(dof.scored.held_out))});
+    std::string data = fmt::format("{:.0f} s training data, {:.0f} s held out",
+                                   duration(dof.scored.train),
+                                   duration(dof.scored.held_out));
+    if (const double noise = NoiseNmae(dof); std::isfinite(noise)) data += "; " + NoiseText(noise);
+    page.facts.push_back({std::string(Name(dof.dof)), std::move(data)});
     page.sections.push_back(SectionOf(dof));
   }
   // Of the whole log: no warnings.

@@ -4,10 +4,12 @@
 #include "fathom/comparison/recommendation.h"
 
 #include "fathom/simulate/free_run.h"
+#include "fathom/simulate/noise_floor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -67,6 +69,12 @@ Recommendation Recommend(const DofComparison& comparison) {
     if (row != recommendation.taken) recommendation.as_good.push_back(row);
   }
   return recommendation;
+}
+
+double NoiseNmae(const DofComparison& comparison) {
+  const Identification* taken = Recommend(comparison).taken;
+  return taken == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                          : NmaeOfScatter(RunsOf(comparison, *taken));
 }
 
 }  // namespace fathom

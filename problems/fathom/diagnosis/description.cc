@@ -6,10 +6,10 @@
 #include "fathom/diagnosis/judge/explained_share.h"
 #include "fathom/diagnosis/judge/limits.h"
 #include "fathom/diagnosis/judge/missing_force.h"
-#include "fathom/diagnosis/judge/noise_floor.h"
 #include "fathom/diagnosis/judge/ranking.h"
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/simulate/data_range.h"
+#include "fathom/simulate/noise_floor.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,10 @@
 #include "fathom/comparison/comparison.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/comparison/recommendation.h"
 
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <string>
 #include <vector>
@@ -130,6 +132,23 @@ TEST(Compare, ScoresAllSourcesOnTheVelocity) {
     EXPECT_NEAR(row.fitted.held_out.mae, noise, 0.0015) << Name(row.source);
     EXPECT_EQ(row.fitted.held_out.num_samples + row.fitted.train.num_samples, 2001);
   }
+}
+
+// White noise of 0.01 m/s over the mean speed held out: known from 500 samples to 4 %.
+TEST(Compare, KnowsWhatNoiseAloneGives) {
+  const Log log = KnownRun();
+  const Comparison comparison = Compare({&log, 1}, Only(Family::kOutputError));
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < log.velocity->time.size(); ++i) {
+    if (!log.held_out.front().Contains(log.velocity->time[i])) continue;
+    sum += std::abs(log.velocity->values[0][i]);
+    ++count;
+  }
+  const double noise = 0.01 * std::sqrt(2.0 / M_PI) / (sum / count);
+  EXPECT_NEAR(NoiseNmae(comparison.dofs.at(0)), noise, 0.12 * noise);
+  EXPECT_LT(NoiseNmae(comparison.dofs[0]),
+            1.1 * ScoreOf(comparison.dofs[0], comparison.dofs[0].rows[0]));
 }
 
 TEST(Compare, TakesTheFamiliesSourcesAndDofsItIsAskedFor) {

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/judge/explained_share.h"
 
-#include "fathom/diagnosis/judge/noise_floor.h"
+#include "fathom/simulate/noise_floor.h"
 
 #include <algorithm>
 #include <cmath>

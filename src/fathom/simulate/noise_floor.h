@@ -10,19 +10,18 @@
 namespace fathom {
 
 // The variance of what scatters from sample to sample in the misses e of free runs, by the median
-// size of second differences, whose variance is six times that of white noise:
+// size of second differences, whose variance is six times that of white noise; docs/diagnosis.md
+// (13):
 //
-//   sigma = 1.4826 median |e_(i-1) - 2 e_i + e_(i+1)| / sqrt(6)                docs/diagnosis.md
-//   (13)
+//   sigma = 1.4826 median |e_(i-1) - 2 e_i + e_(i+1)| / sqrt(6)
 //
 // Noise that wanders, as that of a filtered sensor, counts less than it is. NaN for fewer than
 // three samples in a row.
 double ScatterVariance(std::span<const FreeRun> runs);
 
-// The NMAE that this scatter alone gives, which no model falls below:
+// The NMAE that this scatter alone gives, which no model falls below; docs/diagnosis.md (14):
 //
-//   sqrt(2 / pi) sigma / mean |measured|                                       docs/diagnosis.md
-//   (14)
+//   sqrt(2 / pi) sigma / mean |measured|
 //
 // White noise of normal distribution is assumed. NaN where nothing was measured.
 double NmaeOfScatter(std::span<const FreeRun> runs);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/judge/noise_floor.h"
+#include "fathom/simulate/noise_floor.h"
 
 #include <cmath>
 #include <random>
