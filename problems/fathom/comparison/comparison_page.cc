@@ -39,12 +39,6 @@ std::string WithScore(const DofComparison& comparison, const Identification& row
   return fmt::format("{} ({:.1f} %)", ModelName(row), 100.0 * ScoreOf(comparison, row));
 }
 
-std::string NoiseText(double nmae) {
-  return fmt::format(
-      "noise alone (the scatter from sample to sample) gives a velocity NMAE of {:#.3g} or more",
-      nmae);
-}
-
 std::string Sentence(const DofComparison& comparison) {
   const std::string dof = Capitalised(std::string(Name(comparison.dof)));
   const Recommendation recommendation = Recommend(comparison);
@@ -56,7 +50,7 @@ std::string Sentence(const DofComparison& comparison) {
   for (const Identification* row : recommendation.as_good) {
     as_good.push_back(WithScore(comparison, *row));
   }
-  const double score = ScoreOf(comparison, taken);
+  const double score = ScoreOf(comparison, taken), noise = NoiseNmae(comparison);
   const std::string on = comparison.HasHeldOut()
                              ? "on held-out data"
                              : "on the data that it was fitted to (no data are held out)";
@@ -70,13 +64,14 @@ std::string Sentence(const DofComparison& comparison) {
         on);
   }
   return fmt::format(
-      "{}: take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}. "
+      "{}: take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
       "{}Inertia {} {} (95 %).",
       dof,
       ModelName(taken),
       score > kPoorFit ? ", though it fits poorly" : "",
       100.0 * score,
       on,
+      std::isfinite(noise) ? fmt::format("; noise alone gives {:.1f} %", 100.0 * noise) : "",
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
       FormatValue(taken.fitted.model.inertia,
                   kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
@@ -140,7 +135,10 @@ PageSection SectionOf(const DofComparison& comparison) {
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
-    lines.push_back(NoiseText(noise) + ".");
+    lines.push_back(
+        fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "
+                    "{:#.3g} or more",
+                    noise));
   }
   for (const Finding& finding : comparison.findings) {
     if (finding.severity == Severity::kNote) lines.push_back("note: " + finding.sentence);
@@ -216,11 +214,10 @@ Page ComparisonPage(const Comparison& comparison) {
       for (const Segment& segment : segments) sum += segment.time.back() - segment.time.front();
       return sum;
     };
-    std::string data = fmt::format("{:.0f} s training data, {:.0f} s held out",
-                                   duration(dof.scored.train),
-                                   duration(dof.scored.held_out));
-    if (const double noise = NoiseNmae(dof); std::isfinite(noise)) data += "; " + NoiseText(noise);
-    page.facts.push_back({std::string(Name(dof.dof)), std::move(data)});
+    page.facts.push_back({std::string(Name(dof.dof)),
+                          fmt::format("{:.0f} s training data, {:.0f} s held out",
+                                      duration(dof.scored.train),
+                                      duration(dof.scored.held_out))});
     page.sections.push_back(SectionOf(dof));
   }
   // Of the whole log: no warnings.
