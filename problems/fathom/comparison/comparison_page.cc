@@ -71,7 +71,7 @@ std::string Sentence(const DofComparison& comparison) {
       score > kPoorFit ? ", though it fits poorly" : "",
       100.0 * score,
       on,
-      std::isfinite(noise) ? fmt::format("; noise alone gives {:.1f} %", 100.0 * noise) : "",
+      std::isfinite(noise) ? fmt::format("; noise alone gives about {:.2g} %", 100.0 * noise) : "",
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
       FormatValue(taken.fitted.model.inertia,
                   kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
@@ -137,7 +137,7 @@ std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
         fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "
-                    "{:#.3g} or more",
+                    "about {:.2g}",
                     noise));
   }
   for (const Finding& finding : comparison.findings) {

@@ -32,8 +32,8 @@ Recommendation Recommend(const DofComparison& comparison);
 // What a model is judged by. NaN: it cannot predict these data.
 double ScoreOf(const DofComparison& comparison, const Identification& row);
 
-// The NMAE that the scatter from sample to sample alone gives on the data that decide, by the
-// recommended row; no model falls below it (noise_floor.h). NaN where there is no such row.
+// The NMAE that scatter from sample to sample alone gives on the data that decide, by the
+// recommended row (noise_floor.h). NaN where there is no such row.
 double NoiseNmae(const DofComparison& comparison);
 
 }  // namespace fathom

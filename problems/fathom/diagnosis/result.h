@@ -195,7 +195,7 @@ struct Diagnosis {
   double explained_share = std::numeric_limits<double>::quiet_NaN();
 
   // The NMAE that the scatter of the measurement from sample to sample gives alone, on data that no
-  // fit has seen: no model falls below it.
+  // fit has seen: noise_floor.h.
   double noise_nmae = std::numeric_limits<double>::quiet_NaN();
 
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is

@@ -8,13 +8,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace fathom {
+namespace {
 
-double ScatterVariance(std::span<const FreeRun> runs) {
+// Of the misses, without their signs.
+std::vector<double> SecondDifferences(std::span<const FreeRun> runs) {
   std::vector<double> sizes;
   for (const FreeRun& run : runs) {
     const auto miss = [&](std::size_t i) { return run.measured[i] - run.predicted[i]; };
@@ -22,19 +24,30 @@ double ScatterVariance(std::span<const FreeRun> runs) {
       sizes.push_back(std::abs(miss(i - 1) - 2.0 * miss(i) + miss(i + 1)));
     }
   }
+  return sizes;
+}
+
+double MeanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+double ScatterVariance(std::span<const FreeRun> runs) {
+  std::vector<double> sizes = SecondDifferences(runs);
   if (sizes.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double std = 1.4826 * Median(std::move(sizes));
   return std * std / 6.0;
 }
 
 double NmaeOfScatter(std::span<const FreeRun> runs) {
-  double sum = 0.0, num_samples = 0.0;
+  const std::vector<double> sizes = SecondDifferences(runs);
+  std::vector<double> measured;
   for (const FreeRun& run : runs) {
-    for (const double measured : run.measured) sum += std::abs(measured);
-    num_samples += static_cast<double>(run.measured.size());
+    for (const double value : run.measured) measured.push_back(std::abs(value));
   }
-  if (!(sum > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  return std::sqrt(2.0 / std::numbers::pi * ScatterVariance(runs)) * num_samples / sum;
+  if (sizes.empty() || !(MeanOf(measured) > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  return MeanOf(sizes) / std::sqrt(6.0) / MeanOf(measured);
 }
 
 }  // namespace fathom

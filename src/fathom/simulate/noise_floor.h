@@ -19,11 +19,12 @@ namespace fathom {
 // three samples in a row.
 double ScatterVariance(std::span<const FreeRun> runs);
 
-// The NMAE that this scatter alone gives, which no model falls below; docs/diagnosis.md (14):
+// The NMAE that scatter from sample to sample alone gives, as an estimate; docs/diagnosis.md (14):
 //
-//   sqrt(2 / pi) sigma / mean |measured|
+//   mean |e_(i-1) - 2 e_i + e_(i+1)| / (sqrt(6) mean |measured|)
 //
-// White noise of normal distribution is assumed. NaN where nothing was measured.
+// White noise of normal distribution is assumed. NaN where nothing was measured, or fewer than
+// three samples in a row.
 double NmaeOfScatter(std::span<const FreeRun> runs);
 
 }  // namespace fathom

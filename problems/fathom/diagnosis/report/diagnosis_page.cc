@@ -163,6 +163,9 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
     facts.push_back({NameOfNmae(diagnosis),
                      diagnosis.ComparesTwoModels() ? fmt::format("{:.3f} → {:.3f}", before, after)
                                                    : fmt::format("{:.3f}", after)});
+    if (std::isfinite(diagnosis.noise_nmae)) {
+      facts.push_back({"noise alone gives", fmt::format("about {:.2g}", diagnosis.noise_nmae)});
+    }
   }
   return facts;
 }

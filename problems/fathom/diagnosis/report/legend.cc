@@ -35,7 +35,7 @@ std::string LegendOf(std::string_view tables) {
 std::string NoiseFloorText(const Diagnosis& diagnosis) {
   if (!std::isfinite(diagnosis.noise_nmae)) return "";
   return fmt::format(
-      "noise alone (the scatter from sample to sample) gives a {} NMAE of {:.4f} or more\n",
+      "noise alone (the scatter from sample to sample) gives a {} NMAE of about {:.2g}\n",
       FittedQuantity(diagnosis),
       diagnosis.noise_nmae);
 }

@@ -121,10 +121,13 @@ TEST(DiagnosisPage, BreaksCurvesWhereNothingWasMeasured) {
 }
 
 TEST(DiagnosisPage, StatesTheFigures) {
-  auto facts = FactsOf(DiagnosisPage(AmbiguousDiagnosis()));
+  Diagnosis ambiguous = AmbiguousDiagnosis();
+  ambiguous.noise_nmae = 0.0712;
+  auto facts = FactsOf(DiagnosisPage(ambiguous));
   EXPECT_EQ(facts["cause"], "sensor_lag or thruster_lag");
   EXPECT_EQ(facts["squared error beyond scatter, explained"], "70 %");
   EXPECT_EQ(facts["velocity NMAE on held-out data"], "0.117 → 0.080");
+  EXPECT_EQ(facts["noise alone gives"], "about 0.071");
   facts = FactsOf(DiagnosisPage(ConsistentDiagnosis()));
   EXPECT_EQ(facts.count("cause"), 0u);
   EXPECT_EQ(facts["velocity NMAE on held-out data"], "0.117");

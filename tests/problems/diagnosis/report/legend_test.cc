@@ -24,7 +24,7 @@ TEST(NoiseFloorText, SaysWhatNoModelFallsBelow) {
   diagnosis.noise_nmae = 0.0591;
   EXPECT_EQ(
       NoiseFloorText(diagnosis),
-      "noise alone (the scatter from sample to sample) gives a velocity NMAE of 0.0591 or more\n");
+      "noise alone (the scatter from sample to sample) gives a velocity NMAE of about 0.059\n");
 }
 
 }  // namespace
