@@ -15,6 +15,7 @@
 #include "fathom/import/open_recording.h"
 #include "fathom/import/recording/contents_json.h"
 #include "fathom/import/suggest/suggest_map.h"
+#include "fathom/log/read_log.h"
 #include "fathom/log/write_log.h"
 #include "fathom/report/table.h"
 #include "fathom/tool/output_flags.h"
@@ -226,6 +227,15 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
   PrintWarnings(findings);
 }
 
+// What the log that is replaced holds out; nothing where there is no such log.
+std::vector<TimeInterval> HeldOutBefore(const std::filesystem::path& folder) {
+  try {
+    return ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true}).held_out;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 int Run() {
   const std::filesystem::path file = RequireFlag("from", FLAGS_from, "the recording to read");
   if (FLAGS_list) return List(file);
@@ -251,6 +261,13 @@ int Run() {
   Log& log = imported.log;
   log.origin = {NameOf(file), ContentOfRecording(file), "map.yaml"};
   if (vehicle) log.vehicle = vehicle_file.filename().string();
+
+  if (log.held_out.empty()) {
+    log.held_out = HeldOutBefore(folder);
+    if (!log.held_out.empty()) {
+      imported.remarks.emplace_back("held_out is kept from the log.yaml before; the map has none.");
+    }
+  }
 
   const Temporary made(folder);
   WriteLog(made.path(), log);

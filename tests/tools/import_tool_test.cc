@@ -114,7 +114,7 @@ TEST(ImportTool, MakesTheSameLogOfAMat) {
 
 TEST(ImportTool, SuggestsTheColumnOfTheStampsAsTheClock) {
   const ToolRun run = RunToolBinary("fathom_import", {"--from=" + kPool, "--suggest"});
-  EXPECT_THAT(run.out, HasSubstr("\n# time: Time [ms]\n"));
+  EXPECT_THAT(run.out, HasSubstr("\n# The stamps are the column Time [ms].\n"));
   EXPECT_THAT(run.out, Not(HasSubstr("not used")));
 }
 
@@ -148,6 +148,29 @@ TEST(ImportTool, ReplacesALogOnlyIfAsked) {
   std::vector<std::string> overwriting = arguments;
   overwriting.emplace_back("--overwrite");
   EXPECT_EQ(Import(overwriting).exit_code, 0);
+}
+
+// A user holds out what fathom_check proposes, then mends the map.
+TEST(ImportTool, KeepsWhatTheLogBeforeHoldsOut) {
+  const Path folder = EmptyTestFolder();
+  std::string map = TextOf(kPoolMap);
+  const auto line = map.find("held_out");
+  ASSERT_NE(line, std::string::npos);
+  map.erase(line, map.find('\n', line) - line);
+  WriteTestFile(folder / "map.yaml", map);
+  const std::vector<std::string> arguments = {"--from=" + kPool,
+                                              "--map=" + (folder / "map.yaml").string(),
+                                              "--out=" + (folder / "pool").string(),
+                                              "--overwrite"};
+  ASSERT_EQ(Import(arguments).exit_code, 0);
+  std::string log = TextOf(folder / "pool/log.yaml");
+  WriteTestFile(folder / "pool/log.yaml", log + "held_out: [100, 120]\n");
+  const ToolRun run = Import(arguments);
+  EXPECT_THAT(run.out, HasSubstr("note: held_out is kept from the log.yaml before"));
+  const Log again = ReadLog(folder / "pool");
+  ASSERT_EQ(again.held_out.size(), 1U);
+  EXPECT_EQ(again.held_out[0].from, 100.0);
+  EXPECT_EQ(again.held_out[0].to, 120.0);
 }
 
 class ImportToolOnRealLogs : public OnRealData {};

@@ -61,11 +61,13 @@ TEST(InitTool, MakesALogOfStreamsThatIdentifies) {
                     HasSubstr("\n  fathom_check --log=" + log.string() + "\n")));
   EXPECT_EQ(ReadLog(log).name, "tank");
   EXPECT_THAT(ReadLog(log).dofs, ElementsAre(Dof::kSurge));
-  EXPECT_THAT(TextOf(log / "log.yaml"), HasSubstr("#held_out: [[48.0, 60.0]]"));
+  EXPECT_THAT(TextOf(log / "log.yaml"), HasSubstr("#held_out: [48.0, 60.1]"));
   const ToolRun identified =
       RunToolBinary("fathom_identify", {"--log=" + log.string(), "--dof=surge"});
   EXPECT_EQ(identified.exit_code, 0) << identified.err;
-  EXPECT_EQ(identified.err, "");
+  EXPECT_EQ(
+      identified.err,
+      (log / "vehicle.yaml").string() + " has no mass, so that no inertia is held against it.\n");
 }
 
 TEST(InitTool, OverwritesNothing) {
@@ -119,20 +121,23 @@ TEST(InitTool, WritesAMapForACsvOfAnotherShapeThatImports) {
                                      {"--from=" + (folder / "pool.csv").string(), "--suggest"})
                            .out));
   // Of 240 s.
-  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [[191.9, 239.9]]\n"));
+  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [191.9, 240.0]\n"));
   EXPECT_THAT(run.out, HasSubstr(" --vehicle=" + (folder / "vehicle.yaml").string() + " --out="));
   const ToolRun next = RunNext(run.out);
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_THAT(ReadLog(folder / "pool").dofs, ElementsAre(Dof::kSurge));
   EXPECT_THAT(next.out,
               EndsWith("\nnext: fathom_check --log=" + (folder / "pool").string() + "\n"));
+
+  // What was imported is not to be imported again.
+  EXPECT_THAT(Init(folder).out,
+              EndsWith("\n  fathom_check --log=" + (folder / "pool").string() + "\n"));
 }
 
 // Its mass stands as a comment: nothing is checked, and that is told.
 TEST(InitTool, LeavesTheMassOfItsVehicleOpen) {
   const Path log = WriteStreams(EmptyTestFolder() / "tank");
   ASSERT_EQ(Init(log).exit_code, 0);
-  WriteTestFile(log / "log.yaml", "name: tank\ndof: surge\nvehicle: vehicle.yaml\n");
   const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string()});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.err,

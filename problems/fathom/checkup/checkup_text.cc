@@ -127,6 +127,35 @@ Table DeterminedTable(const DofCheckup& dof) {
   return table;
 }
 
+namespace {
+
+// What tells a parameter.
+std::string_view ToKnow(int parameter) {
+  switch (parameter) {
+    case kInertia:
+      return "Fast changes of the command tell it: a square wave with a period of 10 to 20 s.";
+    default:
+      return "Steady runs at several speeds up to the highest tell it.";
+  }
+}
+
+// But the buoyancy, of which a small value is known well enough.
+std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
+  std::vector<std::string> sentences;
+  if (!dof.model || !dof.model->is_usable) return sentences;
+  const FittedModel& fitted = dof.model->fitted;
+  const ParameterVector values = ToVector(fitted.model);
+  for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
+    if (HowWellKnown(values[i], StdOf(fitted, i)) != "not") continue;
+    std::string name = kParameterInfo[static_cast<std::size_t>(i)].name;
+    std::ranges::replace(name, '_', ' ');
+    sentences.push_back(fmt::format("This log leaves the {} unknown. {}", name, ToKnow(i)));
+  }
+  return sentences;
+}
+
+}  // namespace
+
 std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof) {
   std::vector<std::string> sentences;
   if (!dof.signals) return sentences;
@@ -147,12 +176,15 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
                                     excitation.duration,
                                     fmt::join(stretches, ", ")));
   }
+  for (std::string& sentence : UnknownParameters(dof)) sentences.push_back(std::move(sentence));
   if (checkup.log.held_out.empty() && excitation.held_out) {
+    const TimeInterval held_out = OutToTenths(*excitation.held_out);
     sentences.push_back(
-        fmt::format("To judge the model on data that it has not seen, add to log.yaml: held_out: "
+        fmt::format("To judge the model on data that it has not seen, add to {}: held_out: "
                     "[{:.1f}, {:.1f}]",
-                    excitation.held_out->from,
-                    excitation.held_out->to));
+                    checkup.log.origin ? "the map of the import" : "log.yaml",
+                    held_out.from,
+                    held_out.to));
   }
   return sentences;
 }

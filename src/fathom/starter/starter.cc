@@ -44,7 +44,8 @@ KnownOfLog KnownFrom(const fs::path& folder, const FolderContents& contents) {
   KnownOfLog known;
   known.name = NameOf(folder);
   known.dofs = contents.dofs.empty() ? std::vector{Dof::kSurge} : contents.dofs;
-  known.vehicle = contents.vehicle_file;
+  known.vehicle =
+      contents.vehicle ? contents.vehicle_file : kVehicleFile;  // AddVehicle() writes it
   if (!contents.has_images && !contents.videos.empty()) known.video = contents.videos.front();
   known.span = contents.span;
   return known;
@@ -71,10 +72,8 @@ void RemarkOnMissingStreams(const FolderContents& contents, Starter* starter) {
         "missing: velocity.csv or pose.csv, the motion; or a video or frames.csv of markers.");
   }
   if (contents.num_thrusters > 0 && !contents.vehicle) {
-    starter->remarks.push_back(
-        fmt::format("command.csv holds the speeds of thrusters: give their places in {}, and name "
-                    "it in log.yaml.",
-                    kVehicleFile));
+    starter->remarks.push_back(fmt::format(
+        "command.csv holds the speeds of thrusters: give their places in {}.", kVehicleFile));
   }
 }
 
@@ -138,12 +137,18 @@ void AddRecording(const fs::path& folder,
     return;
   }
   Add(folder, map_file, map, starter);
+  const fs::path log = folder / fs::path(name).stem();
+  std::error_code error;
+  if (fs::exists(log / "log.yaml", error)) {
+    starter->commands.push_back(fmt::format("fathom_check --log={}", log.string()));
+    return;
+  }
   const std::string vehicle_file = contents.vehicle ? contents.vehicle_file : kVehicleFile;
   starter->commands.push_back(fmt::format("fathom_import --from={} --map={} --vehicle={} --out={}",
                                           file.string(),
                                           (folder / map_file).string(),
                                           (folder / vehicle_file).string(),
-                                          (folder / fs::path(name).stem()).string()));
+                                          log.string()));
 }
 
 }  // namespace

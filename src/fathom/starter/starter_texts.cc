@@ -31,7 +31,7 @@ std::string KnownOr(const char* key, const std::string& value, const char* examp
 // The last fifth of the motion, for an example.
 TimeInterval LastFifth(const std::optional<TimeInterval>& span) {
   if (!span) return {.from = 240.0, .to = 300.0};
-  return {.from = span->to - 0.2 * (span->to - span->from), .to = span->to};
+  return OutToTenths({.from = span->to - 0.2 * (span->to - span->from), .to = span->to});
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::string StarterLogYaml(const KnownOfLog& known) {
              "# Of the vehicle, dry [kg], in place of the vehicle file's.\n"
              "#mass: 10\n"
              "# Log time not to be trained on, [from, to], to score the model with [s].\n"
-             "#held_out: [[{:.1f}, {:.1f}]]\n"
+             "#held_out: [{:.1f}, {:.1f}]\n"
              "# Where commands are not N and N m. Only ratios of parameters then mean anything.\n"
              "#command_unit: A\n"
              "# Which logs of an archive belong together.\n"
@@ -113,7 +113,7 @@ std::string StarterMapYaml(const std::string& name,
       "# Of the vehicle, dry [kg], in place of the vehicle file's.\n"
       "#mass: 10\n"
       "# Log time not to be trained on, [from, to], to score the model with [s].\n"
-      "#held_out: [[{:.1f}, {:.1f}]]\n"
+      "#held_out: [{:.1f}, {:.1f}]\n"
       "\n"
       "{}",
       InDoubleQuotes(name),

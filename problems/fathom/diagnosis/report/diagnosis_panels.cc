@@ -47,7 +47,12 @@ double LongestStep(const std::vector<double>& time) {
   return std::max(5.0, 20.0 * Median(std::move(steps)));
 }
 
-std::string NmaeNote(const DiagnosedModel& model) {
+std::string NmaeNote(const Diagnosis& diagnosis, const DiagnosedModel& model) {
+  if (std::isfinite(model.held_out.nmae)) {
+    return fmt::format("{} NMAE {:.3f}",
+                       diagnosis.by_left_out_blocks ? "cross-validated" : "held-out",
+                       model.held_out.nmae);
+  }
   return std::isfinite(model.train.nmae) ? fmt::format("NMAE {:.3f}", model.train.nmae) : "";
 }
 
@@ -135,8 +140,8 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
   return PanelsOf(diagnosis,
                   diagnosis.traces,
                   diagnosis.has_velocity,
-                  NmaeNote(diagnosis.baseline),
-                  NmaeNote(diagnosis.extended));
+                  NmaeNote(diagnosis, diagnosis.baseline),
+                  NmaeNote(diagnosis, diagnosis.extended));
 }
 
 std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis) {

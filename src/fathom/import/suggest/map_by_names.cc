@@ -186,14 +186,14 @@ std::string StreamText(const char* stream,
   return text;
 }
 
-// "# time: Time [ms]", of each channel whose stamps are a column.
+// "# The stamps are the column Time [ms].", of each channel whose stamps are one.
 std::string ClocksText(const std::vector<NamedChannel>& channels, bool names_channel) {
   std::string text;
   for (const NamedChannel& named : channels) {
     const std::optional<Field>& clock = named.channel.clock;
     if (!clock) continue;
-    text += fmt::format("# time: {}{}{}\n",
-                        names_channel ? Printable(named.channel.name) + " " : "",
+    text += fmt::format("# The stamps{} are the column {}{}.\n",
+                        names_channel ? " of " + Printable(named.channel.name) : "",
                         Printable(clock->name),
                         clock->unit.empty() ? "" : fmt::format(" [{}]", Printable(clock->unit)));
   }

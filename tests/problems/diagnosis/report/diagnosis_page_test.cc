@@ -185,9 +185,9 @@ TEST(FreeRunPanels, ShowWhatWasMeasuredBeforeAndAfter) {
   EXPECT_EQ(panels[0].unit, "m/s");
   ASSERT_EQ(panels[0].responses.size(), 2u);
   EXPECT_EQ(panels[0].responses[0].name, "before");
-  EXPECT_EQ(panels[0].responses[0].note, "NMAE 0.115");
+  EXPECT_EQ(panels[0].responses[0].note, "held-out NMAE 0.117");
   EXPECT_EQ(panels[0].responses[1].name, "after");
-  EXPECT_EQ(panels[0].responses[1].note, "NMAE 0.081");
+  EXPECT_EQ(panels[0].responses[1].note, "held-out NMAE 0.080");
   // Six samples, a gap, six held out.
   ASSERT_EQ(panels[0].time.size(), 13u);
   EXPECT_EQ(panels[0].responses[0].values[2], 0.32);
