@@ -88,8 +88,8 @@ constexpr Entry kAdvice[] = {
     {"pose_twist_frame",
      {"A vehicle that turns gets the velocity of another axis.",
       "Turn velocity.csv by the attitude in pose.csv into the axes of the vehicle, or leave it "
-      "away: "
-      "the poses do."}},
+      "out: "
+      "the poses suffice."}},
     {"pose_twist_scale",
      {"Models from the two sources differ by this factor.",
       "Check the units of both, and the size of the markers."}},

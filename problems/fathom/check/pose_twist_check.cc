@@ -25,8 +25,8 @@ constexpr double kSurelyOne = 0.8;      // correlation from which on two motions
 constexpr double kHardlyOne = 0.4;      // below it, they are not
 constexpr double kLargestScale = 1.25;  // told beyond it
 
-// Velocities are in the world if what they miss of the pose's is along the vehicle more than a
-// hundredth of their squares, and along the world less than a quarter of that.
+// Velocities are along the world if what they miss of the pose's along the vehicle is more than
+// this part of their squares, and what they miss along the world less than that part of it.
 constexpr double kLeastMisfit = 0.002;
 constexpr double kInWorld = 0.25;
 

@@ -72,6 +72,31 @@ std::string IntervalText(const TimeInterval& interval) {
 
 Json JsonOf(const TimeInterval& interval) { return Json::array({interval.from, interval.to}); }
 
+// What tells a parameter.
+std::string_view ToKnow(int parameter) {
+  switch (parameter) {
+    case kInertia:
+      return "Fast changes of the command tell it: a square wave with a period of 10 to 20 s.";
+    default:
+      return "Steady runs at several speeds up to the highest tell it.";
+  }
+}
+
+// But the buoyancy, of which a small value is known well enough.
+std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
+  std::vector<std::string> sentences;
+  if (!dof.model || !dof.model->is_usable) return sentences;
+  const FittedModel& fitted = dof.model->fitted;
+  const ParameterVector values = ToVector(fitted.model);
+  for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
+    if (HowWellKnown(values[i], StdOf(fitted, i)) != "not") continue;
+    std::string name = kParameterInfo[static_cast<std::size_t>(i)].name;
+    std::ranges::replace(name, '_', ' ');
+    sentences.push_back(fmt::format("This log leaves the {} unknown. {}", name, ToKnow(i)));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::string Verdict(const LogCheckup& checkup) {
@@ -126,35 +151,6 @@ Table DeterminedTable(const DofCheckup& dof) {
   }
   return table;
 }
-
-namespace {
-
-// What tells a parameter.
-std::string_view ToKnow(int parameter) {
-  switch (parameter) {
-    case kInertia:
-      return "Fast changes of the command tell it: a square wave with a period of 10 to 20 s.";
-    default:
-      return "Steady runs at several speeds up to the highest tell it.";
-  }
-}
-
-// But the buoyancy, of which a small value is known well enough.
-std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
-  std::vector<std::string> sentences;
-  if (!dof.model || !dof.model->is_usable) return sentences;
-  const FittedModel& fitted = dof.model->fitted;
-  const ParameterVector values = ToVector(fitted.model);
-  for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
-    if (HowWellKnown(values[i], StdOf(fitted, i)) != "not") continue;
-    std::string name = kParameterInfo[static_cast<std::size_t>(i)].name;
-    std::ranges::replace(name, '_', ' ');
-    sentences.push_back(fmt::format("This log leaves the {} unknown. {}", name, ToKnow(i)));
-  }
-  return sentences;
-}
-
-}  // namespace
 
 std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof) {
   std::vector<std::string> sentences;
