@@ -25,8 +25,9 @@ ChildResult RunShell(const std::string& script, const ChildLimits& limits = {}) 
 bool IsAlive(pid_t pid) {
   if (kill(pid, 0) != 0) return false;
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
-  std::string text((std::istreambuf_iterator<char>(stat)), {});
-  return !text.empty() && text.find(") Z") == std::string::npos;
+  std::string line;  // Stays empty where the process ends before it is read.
+  std::getline(stat, line);
+  return !line.empty() && line.find(") Z") == std::string::npos;
 }
 
 bool DiesWithin(double seconds, pid_t pid) {
