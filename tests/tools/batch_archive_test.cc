@@ -183,6 +183,42 @@ TEST(Batch, IsTheOnlyOneThatWritesItsResults) {
   EXPECT_THAT(StatesOf(results).at("hang"), StartsWith("timed_out: "));
 }
 
+// A program in place of a tool: the lines, then the tool itself.
+void WriteWrappedTool(const Path& tools, const std::string& name, const std::string& lines) {
+  const Path file = WriteTestFile(
+      tools / name,
+      fmt::format("#!/bin/sh\n{}\nexec '{}/tools/{}' \"$@\"\n", lines, FATHOM_BUILD_DIR, name));
+  fs::permissions(file, fs::perms::owner_all);
+}
+
+// The last log does not end before the first dive is fitted.
+TEST(Batch, FitsADiveWhileALogOfALaterOneIsRunning) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = folder / "archive", results = folder / "r.sqlite", tools = folder / "tools";
+  for (int i = 1; i <= 3; ++i) WriteLog(archive / fmt::format("dive {}/run", i), i);
+  const Path fitted = folder / "fitted", in_vain = folder / "in vain";
+  WriteWrappedTool(tools, "fathom_batch", "");
+  WriteWrappedTool(tools, "fathom_simulate", "");
+  WriteWrappedTool(tools, "fathom_identify", fmt::format("touch '{}'", fitted.string()));
+  WriteWrappedTool(tools,
+                   "fathom_compare",
+                   fmt::format("case \"$*\" in *'dive 3'*)\n"
+                               "  for i in $(seq 200); do [ -e '{0}' ] || sleep 0.1; done\n"
+                               "  [ -e '{0}' ] || touch '{1}';;\n"
+                               "esac",
+                               fitted.string(),
+                               in_vain.string()));
+  const ToolRun run = RunBatch(archive, results, {"--jobs=2", "--tools=" + tools.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(fitted));
+  EXPECT_FALSE(fs::exists(in_vain));
+  EXPECT_THAT(
+      Query("SELECT dive FROM dive_fits WHERE parameter = 'inertia' ORDER BY dive", results),
+      ElementsAre("dive 1", "dive 2", "dive 3"));
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
 TEST(Batch, IsStrictWhereAskedTo) {
   const Path folder = EmptyTestFolder();
   const Path archive = WriteArchive(folder / "archive");

@@ -205,12 +205,20 @@ BatchSummary RunBatch(const BatchOptions& options,
     return summary;
   }
 
-  LogBatch logs = RunLogs(all, batch.of_logs, options.jobs, &store, show);
+  BatchSession session = {.store = &store, .show = show, .mutex = {}};
+  DiveRuns dive_runs;
+  Followers followers;
+  if (!options.shard) {
+    followers = [&](const std::vector<BatchLog>& logs) {
+      return NewDiveJobs(logs, batch.of_logs, &dive_runs, &session);
+    };
+  }
+  LogBatch logs = RunLogs(all, batch.of_logs, options.jobs, followers, &session);
   summary.num_run = logs.num_run;
-  for (const DoneLog& log : logs.logs) ++summary.states[log.state];
+  for (const BatchLog& log : logs.logs) ++summary.states[log.state];
   summary.pages = std::move(logs.pages);
   if (options.shard) return summary;
-  DiveBatch dives = RunDives(logs.logs, batch.of_logs, options.jobs, &store, show);
+  DiveBatch dives = BatchOfDives(logs.logs, dive_runs);
   store.ReplaceDives(dives.tables, dives.is_final ? digest : "");
   summary.dives = std::move(dives.dives);
   return summary;

@@ -5,19 +5,17 @@
 
 #include "fathom/archive/changes_of_dives.h"
 #include "fathom/archive/dives/dive_order.h"
-#include "fathom/archive/jobs/run_in_parallel.h"
-#include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/utc_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <tuple>
+#include <set>
 #include <utility>
 
 namespace fathom {
@@ -34,9 +32,9 @@ std::vector<std::string> InOrder(const std::map<std::string, double>& starts) {
   return InOrder(std::move(dives));
 }
 
-std::vector<std::string> DivesOf(const std::vector<DoneLog>& logs) {
+std::vector<std::string> DivesOf(const std::vector<BatchLog>& logs) {
   std::map<std::string, double> starts;
-  for (const DoneLog& log : logs) {
+  for (const BatchLog& log : logs) {
     auto& start = starts.try_emplace(log.dive, std::nan("")).first->second;
     TakeEarlier(log.start, &start);
   }
@@ -47,24 +45,27 @@ std::vector<std::string> DivesOf(const std::vector<DoneLog>& logs) {
 struct Fit {
   DiveTask task;
   std::vector<LeftOutLog> excluded;
-  int place = 0;  // of the dive in the order of all dives
 };
 
-// By vehicle, DOF and the order of dives.
-std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std::string>& dives) {
+using Fits = std::map<FitKey, Fit>;
+
+std::map<std::string, int> PlacesOf(const std::vector<std::string>& dives) {
   std::map<std::string, int> place_of;
   for (const std::string& dive : dives) {
     place_of.emplace(dive, static_cast<int>(place_of.size()));
   }
-  std::map<std::tuple<std::string, Dof, int>, Fit> fits;
-  for (const DoneLog& log : logs) {
-    for (const DoneDof& dof : log.dofs) {
-      const int place = place_of.at(log.dive);
-      Fit& fit = fits[{log.vehicle, dof.dof, place}];
+  return place_of;
+}
+
+// By vehicle, DOF and the order of dives.
+Fits FitsOf(const std::vector<BatchLog>& logs, const std::map<std::string, int>& place_of) {
+  Fits fits;
+  for (const BatchLog& log : logs) {
+    for (const BatchDof& dof : log.dofs) {
+      Fit& fit = fits[{log.vehicle, dof.dof, place_of.at(log.dive)}];
       fit.task.vehicle = log.vehicle;
       fit.task.dive = log.dive;
       fit.task.dof = dof.dof;
-      fit.place = place;
       if (dof.why_left_out.empty()) {
         fit.task.logs.push_back(log.log);
         fit.task.logs.back().own_nmae = dof.own_nmae;
@@ -73,79 +74,130 @@ std::vector<Fit> FitsOf(const std::vector<DoneLog>& logs, const std::vector<std:
       }
     }
   }
-  std::vector<Fit> list;
-  for (auto& [key, fit] : fits) list.push_back(std::move(fit));
-  return list;
+  return fits;
 }
 
-// The logs of the next dive of this vehicle and DOF; none if there is no next one.
-std::vector<DiveLog> NextLogs(const std::vector<Fit>& fits, std::size_t i) {
-  if (i + 1 == fits.size()) return {};
-  const DiveTask &task = fits[i].task, &next = fits[i + 1].task;
-  const bool follows = task.vehicle == next.vehicle && task.dof == next.dof;
-  return follows ? next.logs : std::vector<DiveLog>();
+// The fit of the next dive of the same vehicle and DOF; the end if there is none.
+Fits::const_iterator NextDive(const Fits& fits, Fits::const_iterator fit) {
+  const auto next = std::next(fit);
+  if (next == fits.end()) return next;
+  const auto& [vehicle, dof, place] = fit->first;
+  const auto& [next_vehicle, next_dof, next_place] = next->first;
+  return next_vehicle == vehicle && next_dof == dof ? next : fits.end();
 }
 
-// What the programs said of one dive and DOF.
-struct FittedTask {
-  DiveOutcome outcome;
-  std::vector<PredictionRow> predictions;  // of the next dive
-};
+// Places of the dives of each vehicle with logs that are not done.
+using OpenPlaces = std::map<std::string, std::set<int>>;
 
-FittedTask RunFit(const DiveTask& task,
-                  const std::vector<DiveLog>& next_logs,
-                  const ProgramSettings& programs,
-                  const RunBook& book) {
-  FittedTask fitted = {.outcome = RunDiveJobs(task, programs, book), .predictions = {}};
-  const std::optional<RunRecord>& identify = fitted.outcome.identify;
-  if (!identify || !IsUsable(*identify)) return fitted;
-  for (const DiveLog& log : next_logs) {
-    fitted.predictions.push_back({task.dive,
-                                  log.path,
-                                  std::string(Name(task.dof)),
-                                  PredictionNmae(identify->output, log, programs, book)});
+OpenPlaces OpenPlacesOf(const std::vector<BatchLog>& logs,
+                        const std::map<std::string, int>& place_of) {
+  OpenPlaces places;
+  for (const BatchLog& log : logs) {
+    if (!log.is_done) places[log.vehicle].insert(place_of.at(log.dive));
   }
-  return fitted;
+  return places;
+}
+
+// Whether no log of this dive is open, nor of the next one: one in between may make a dive the
+// next.
+bool MayBegin(const Fits& fits,
+              Fits::const_iterator fit,
+              Fits::const_iterator next,
+              const OpenPlaces& open_places) {
+  const auto& [vehicle, dof, place] = fit->first;
+  const auto open = open_places.find(vehicle);
+  if (open == open_places.end()) return true;
+  const auto first = open->second.lower_bound(place);
+  if (first == open->second.end()) return true;
+  return next != fits.end() && *first > std::get<int>(next->first);
+}
+
+// Lets the model of a fit predict the logs of the next dive.
+std::vector<Job> PredictionJobs(const DiveTask& task,
+                                const std::vector<DiveLog>& next_logs,
+                                const LogBatchOptions& options,
+                                FittedTask* fitted,
+                                DiveRuns* runs,
+                                BatchSession* session) {
+  std::vector<Job> jobs;
+  for (const DiveLog& log : next_logs) {
+    PredictionRow& row = fitted->predictions.emplace_back();
+    row = {task.dive, log.path, std::string(Name(task.dof)), std::nan("")};
+    jobs.push_back({[=, &options, &row]() -> std::vector<Job> {
+      const RunBook book = runs->unfinished.Watch(BookOf(session));
+      row.nmae = PredictionNmae(fitted->outcome.identify->output, log, options.programs, book);
+      return {};
+    }});
+  }
+  return jobs;
+}
+
+// Runs a fit.
+std::vector<Job> RunFit(const DiveTask& task,
+                        const std::vector<DiveLog>& next_logs,
+                        const LogBatchOptions& options,
+                        FittedTask* fitted,
+                        DiveRuns* runs,
+                        BatchSession* session) {
+  const RunBook book = runs->unfinished.Watch(BookOf(session));
+  fitted->outcome = RunDiveJobs(task, options.programs, book);
+  const std::optional<RunRecord>& identify = fitted->outcome.identify;
+  const std::lock_guard lock(session->mutex);
+  ++runs->num_done;
+  if (session->show && runs->are_shown) {
+    session->show({.noun = "dive fit",
+                   .done = runs->num_done,
+                   .total = runs->fits.size(),
+                   .last_failure = ""});
+  }
+  if (!identify || !IsUsable(*identify)) return {};
+  fitted->predictions.reserve(next_logs.size());  // The jobs keep where each one lies.
+  return PredictionJobs(task, next_logs, options, fitted, runs, session);
 }
 
 }  // namespace
 
-DiveBatch RunDives(const std::vector<DoneLog>& logs,
-                   const LogBatchOptions& options,
-                   int at_a_time,
-                   Store* store,
-                   const std::function<void(const BatchProgress&)>& show) {
+std::vector<Job> NewDiveJobs(const std::vector<BatchLog>& logs,
+                             const LogBatchOptions& options,
+                             DiveRuns* runs,
+                             BatchSession* session) {
+  const auto place_of = PlacesOf(DivesOf(logs));
+  const Fits fits = FitsOf(logs, place_of);
+  const OpenPlaces open_places = OpenPlacesOf(logs, place_of);
+  runs->are_shown = open_places.empty();
+  std::vector<Job> jobs;
+  for (auto fit = fits.begin(); fit != fits.end(); ++fit) {
+    const auto next = NextDive(fits, fit);
+    if (!MayBegin(fits, fit, next, open_places)) continue;
+    const auto [fitted, is_new] = runs->fits.try_emplace(fit->first);
+    if (!is_new) continue;
+    const auto next_logs = next == fits.end() ? std::vector<DiveLog>() : next->second.task.logs;
+    jobs.push_back({[=, task = fit->second.task, fitted = &fitted->second, &options] {
+      return RunFit(task, next_logs, options, fitted, runs, session);
+    }});
+  }
+  return jobs;
+}
+
+DiveBatch BatchOfDives(const std::vector<BatchLog>& logs, const DiveRuns& runs) {
   DiveBatch batch;
   batch.dives = DivesOf(logs);
-  const std::vector<Fit> fits = FitsOf(logs, batch.dives);
-  std::mutex mutex;
-  UnfinishedRuns unfinished;
-  const RunBook book = unfinished.Watch(BookOf(store, &mutex));
-  BatchProgress progress = {
-      .noun = "dive fit", .done = 0, .total = fits.size(), .last_failure = ""};
-  std::vector<FittedTask> fitted_tasks(fits.size());
-  RunInParallel(at_a_time, fits.size(), [&](std::size_t i) {
-    fitted_tasks[i] = RunFit(fits[i].task, NextLogs(fits, i), options.programs, book);
-    const std::lock_guard lock(mutex);
-    ++progress.done;
-    if (show) show(progress);
-  });
   std::vector<FittedDive> fitted;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const DiveTask& task = fits[i].task;
-    const DiveOutcome& outcome = fitted_tasks[i].outcome;
-    std::ranges::move(RowsOfDive(task, outcome, fits[i].excluded),
+  for (const auto& [key, fit] : FitsOf(logs, PlacesOf(batch.dives))) {
+    const FittedTask& run = runs.fits.at(key);
+    std::ranges::move(RowsOfDive(fit.task, run.outcome, fit.excluded),
                       std::back_inserter(batch.tables.dive_fits));
-    std::ranges::move(fitted_tasks[i].predictions, std::back_inserter(batch.tables.predictions));
-    if (!outcome.identify || !IsUsable(*outcome.identify)) continue;
-    fitted.push_back({task.vehicle, fits[i].place, task.dof, outcome.identify->output});
+    std::ranges::copy(run.predictions, std::back_inserter(batch.tables.predictions));
+    const std::optional<RunRecord>& identify = run.outcome.identify;
+    if (!identify || !IsUsable(*identify)) continue;
+    fitted.push_back({fit.task.vehicle, std::get<int>(key), fit.task.dof, identify->output});
   }
 
-  batch.is_final = unfinished.IsEmpty() &&
-                   std::ranges::all_of(logs, [](const DoneLog& log) { return log.is_final; });
+  batch.is_final = runs.unfinished.IsEmpty() &&
+                   std::ranges::all_of(logs, [](const BatchLog& log) { return log.is_final; });
 
   std::map<std::string, std::filesystem::path> vehicle_files;
-  for (const DoneLog& log : logs) vehicle_files.try_emplace(log.vehicle, log.vehicle_file);
+  for (const BatchLog& log : logs) vehicle_files.try_emplace(log.vehicle, log.vehicle_file);
   AddChangesOfDives(fitted, batch.dives, vehicle_files, &batch.tables);
   return batch;
 }

@@ -4,7 +4,6 @@
 #include "fathom/archive/log_batch.h"
 
 #include "fathom/archive/dives/path_text.h"
-#include "fathom/archive/jobs/run_in_parallel.h"
 #include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/exit_code.h"
@@ -15,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <system_error>
 
@@ -73,7 +74,7 @@ double OwnNmae(Dof dof, const std::vector<ScoreRow>& scores) {
   return least;
 }
 
-LogRow RowOf(const LogOutcome& outcome, const DoneLog& log, const std::string& version) {
+LogRow RowOf(const LogOutcome& outcome, const BatchLog& log, const std::string& version) {
   return {.path = outcome.path,
           .dive = log.dive,
           .start = std::isfinite(log.start) ? FormatUtc(std::floor(log.start)) : "",
@@ -106,35 +107,36 @@ std::optional<LogOutcome> OutcomeWithoutRuns(const HashedLog& log) {
   return std::nullopt;
 }
 
-DoneLog DoneLogOf(const HashedLog& hashed,
+// What its survey says.
+BatchLog Surveyed(const HashedLog& hashed,
                   const LogOutcome& outcome,
-                  const Tables& rows,
                   const ArchiveSettings& settings) {
-  DoneLog done;
-  done.log = {.path = outcome.path, .place = outcome.place, .content = outcome.place_content};
-  done.dive = DiveOfPath(hashed.log.path, settings);
-  done.state = outcome.state;
+  BatchLog log;
+  log.log = {.path = outcome.path, .place = outcome.place, .content = outcome.place_content};
+  log.dive = DiveOfPath(hashed.log.path, settings);
   const std::string vehicle = outcome.survey ? outcome.survey->vehicle : "";
   // An import copies the vehicle file into the log.
   const fs::path place = hashed.log.is_recording ? outcome.place : fs::path(hashed.log.place);
   VehicleOfLog vehicle_of_log = VehicleOf(vehicle, place, settings);
-  done.vehicle = std::move(vehicle_of_log.name);
-  done.vehicle_file = std::move(vehicle_of_log.file);
+  log.vehicle = std::move(vehicle_of_log.name);
+  log.vehicle_file = std::move(vehicle_of_log.file);
   if (outcome.survey) {
-    if (!outcome.survey->dive.empty()) done.dive = CleanText(outcome.survey->dive);
-    done.start = outcome.survey->start;
+    if (!outcome.survey->dive.empty()) log.dive = CleanText(outcome.survey->dive);
+    log.start = outcome.survey->start;
   }
+  return log;
+}
+
+std::vector<BatchDof> DofsOf(const LogOutcome& outcome, const Tables& rows) {
+  std::vector<BatchDof> dofs;
   for (const DofRuns& runs : outcome.dofs) {
-    done.dofs.push_back(
-        {runs.dof, WhyLeftOut(runs, rows.findings), OwnNmae(runs.dof, rows.scores)});
+    dofs.push_back({runs.dof, WhyLeftOut(runs, rows.findings), OwnNmae(runs.dof, rows.scores)});
   }
-  if (outcome.survey) {
-    for (const SurveyedDof& dof : outcome.survey->dofs) {
-      if (!dof.why_not.empty() && dof.may_help)
-        done.dofs.push_back({.dof = dof.dof, .why_left_out = ""});
-    }
+  if (!outcome.survey) return dofs;
+  for (const SurveyedDof& dof : outcome.survey->dofs) {
+    if (!dof.why_not.empty() && dof.may_help) dofs.push_back({.dof = dof.dof, .why_left_out = ""});
   }
-  return done;
+  return dofs;
 }
 
 void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch* batch) {
@@ -146,6 +148,123 @@ void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch*
     batch->pages[{outcome.path, std::string(Name(runs.dof))}] = page;
   }
 }
+
+// The work on one log, which two jobs do: the second one runs the programs on it.
+struct LogWork {
+  UnfinishedRuns unfinished;
+  bool has_run = false;
+  RunBook book;
+  LogOutcome outcome;
+};
+
+// The work on all logs. The jobs that it gives must not outlive it.
+class Work {
+ public:
+  Work(const std::vector<HashedLog>& logs,
+       const LogBatchOptions& options,
+       const Followers& followers,
+       BatchSession* session)
+      : logs_(logs),
+        options_(options),
+        followers_(followers),
+        session_(*session),
+        stored_(session->store->DoneLogs()) {
+    batch_.logs.resize(logs.size());
+  }
+
+  // The first job of log i.
+  std::vector<Job> Prepare(std::size_t i) {
+    const HashedLog& log = logs_[i];
+    const auto work = std::make_shared<LogWork>();
+    work->book = work->unfinished.Watch(BookOf(&session_));
+    work->book.keep = [work = work.get(), keep = work->book.keep](const RunRecord& run) {
+      work->has_run = true;
+      keep(run);
+    };
+    const std::optional<LogOutcome> known = OutcomeWithoutRuns(log);
+    work->outcome =
+        known ? *known
+              : PrepareLog(log.log, log.content, options_.jobs, options_.programs, work->book);
+    BatchLog surveyed = Surveyed(log, work->outcome, options_.settings);
+    const bool goes_on = work->outcome.state == LogState::kOk;
+
+    const std::lock_guard lock(session_.mutex);
+    batch_.logs[i] = std::move(surveyed);
+    ++num_surveyed_;
+    if (!goes_on) return Finish(i, *work);
+    std::vector<Job> jobs = FollowersNow();
+    jobs.insert(jobs.begin(), Job{[this, i, work] { return RunProgramsOn(i, *work); }});
+    return jobs;
+  }
+
+  LogBatch Result() {
+    session_.store->ReplaceLogs(pending_);
+    pending_.clear();
+    return std::move(batch_);
+  }
+
+ private:
+  std::vector<Job> RunProgramsOn(std::size_t i, LogWork& work) {
+    work.outcome =
+        RunPrograms(std::move(work.outcome), options_.jobs, options_.programs, work.book);
+    const std::lock_guard lock(session_.mutex);
+    return Finish(i, work);
+  }
+
+  // Under the mutex.
+  std::vector<Job> Finish(std::size_t i, const LogWork& work) {
+    constexpr std::size_t kMostPending = 200;
+    const HashedLog& hashed = logs_[i];
+    const LogOutcome& outcome = work.outcome;
+    const Tables rows = RowsOfLog(outcome);
+    BatchLog& log = batch_.logs[i];
+    log.state = outcome.state;
+    log.dofs = DofsOf(outcome, rows);
+    log.is_final = work.unfinished.IsEmpty();
+    log.is_done = true;
+
+    const std::string digest = DoneDigest(hashed, options_);
+    const auto before = stored_.find(hashed.path);
+    if (work.has_run || before == stored_.end() || before->second != digest) {
+      pending_.push_back(
+          {RowOf(outcome, log, options_.programs.version), rows, log.is_final ? digest : ""});
+    }
+    // What was run is written at once. What was known goes together: each time takes a disk's wait.
+    if (work.has_run || pending_.size() >= kMostPending) {
+      session_.store->ReplaceLogs(pending_);
+      pending_.clear();
+    }
+    AddPages(outcome, options_.jobs, &batch_);
+    if (work.has_run) ++batch_.num_run;
+    ShowProgress(outcome);
+    return FollowersNow();
+  }
+
+  void ShowProgress(const LogOutcome& outcome) {
+    if (IsFailure(outcome.state)) {
+      last_failure_ = fmt::format("{}: {}", outcome.path, Name(outcome.state));
+    }
+    ++num_done_;
+    if (!session_.show) return;
+    session_.show(
+        {.noun = "log", .done = num_done_, .total = logs_.size(), .last_failure = last_failure_});
+  }
+
+  std::vector<Job> FollowersNow() const {
+    if (!followers_ || num_surveyed_ < logs_.size()) return {};
+    return followers_(batch_.logs);
+  }
+
+  const std::vector<HashedLog>& logs_;
+  const LogBatchOptions& options_;
+  const Followers& followers_;
+  BatchSession& session_;
+  const std::map<std::string, std::string> stored_;
+  LogBatch batch_;
+  std::vector<StoredLog> pending_;
+  std::size_t num_surveyed_ = 0, num_done_ = 0;
+  std::string last_failure_;
+};
 
 }  // namespace
 
@@ -167,69 +286,18 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
   return DigestOf(texts);
 }
 
-RunBook BookOf(Store* store, std::mutex* mutex) {
-  return {.find =
-              [store, mutex](const std::string& key) {
-                const std::lock_guard lock(*mutex);
-                return store->FindRun(key);
-              },
-          .keep =
-              [store, mutex](const RunRecord& run) {
-                const std::lock_guard lock(*mutex);
-                store->KeepRun(run);
-              }};
-}
-
 LogBatch RunLogs(const std::vector<HashedLog>& logs,
                  const LogBatchOptions& options,
                  int at_a_time,
-                 Store* store,
-                 const std::function<void(const BatchProgress&)>& show) {
-  LogBatch batch;
-  batch.logs.resize(logs.size());
-  const auto stored = store->DoneLogs();
-  constexpr std::size_t kMostPending = 200;
-  std::mutex mutex;  // of the store and what follows it
-  std::vector<StoredLog> pending;
-  BatchProgress progress = {.noun = "log", .done = 0, .total = logs.size(), .last_failure = ""};
-  RunInParallel(at_a_time, logs.size(), [&](std::size_t i) {
-    const HashedLog& log = logs[i];
-    bool has_run = false;
-    UnfinishedRuns unfinished;
-    RunBook book = unfinished.Watch(BookOf(store, &mutex));
-    book.keep = [&, keep = book.keep](const RunRecord& run) {
-      has_run = true;
-      keep(run);
-    };
-    std::optional<LogOutcome> outcome = OutcomeWithoutRuns(log);
-    if (!outcome) outcome = RunLogJobs(log.log, log.content, options.jobs, options.programs, book);
-    const Tables rows = RowsOfLog(*outcome);
-    DoneLog done = DoneLogOf(log, *outcome, rows, options.settings);
-    done.is_final = unfinished.IsEmpty();
-
-    const std::lock_guard lock(mutex);
-    const std::string digest = DoneDigest(log, options);
-    const auto before = stored.find(log.path);
-    if (has_run || before == stored.end() || before->second != digest) {
-      pending.push_back(
-          {RowOf(*outcome, done, options.programs.version), rows, done.is_final ? digest : ""});
-    }
-    // What was run is written at once. What was known goes together: each time takes a disk's wait.
-    if (has_run || pending.size() >= kMostPending) {
-      store->ReplaceLogs(pending);
-      pending.clear();
-    }
-    AddPages(*outcome, options.jobs, &batch);
-    if (has_run) ++batch.num_run;
-    if (IsFailure(outcome->state)) {
-      progress.last_failure = fmt::format("{}: {}", outcome->path, Name(outcome->state));
-    }
-    batch.logs[i] = std::move(done);
-    ++progress.done;
-    if (show) show(progress);
-  });
-  store->ReplaceLogs(pending);
-  return batch;
+                 const Followers& followers,
+                 BatchSession* session) {
+  Work work(logs, options, followers, session);
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    jobs.push_back({[&work, i] { return work.Prepare(i); }});
+  }
+  RunInParallel(at_a_time, std::move(jobs));
+  return work.Result();
 }
 
 }  // namespace fathom

@@ -3,19 +3,18 @@
 
 #pragma once
 
-#include "fathom/archive/batch_progress.h"
+#include "fathom/archive/batch_session.h"
 #include "fathom/archive/dives/archive_settings.h"
 #include "fathom/archive/jobs/dive_jobs.h"
 #include "fathom/archive/jobs/log_jobs.h"
+#include "fathom/archive/jobs/run_in_parallel.h"
 #include "fathom/archive/log_contents.h"
-#include "fathom/archive/store/store.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,25 +30,28 @@ struct LogBatchOptions {
 };
 
 // One DOF of a log, for the joint fit of its dive.
-struct DoneDof {
+struct BatchDof {
   Dof dof = Dof::kSurge;
   std::string why_left_out;  // empty: it is to be fitted with the others
   double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };
 
 // What the work on whole dives has to know of a log.
-struct DoneLog {
+struct BatchLog {
   DiveLog log;
   std::string dive, vehicle;
   std::filesystem::path vehicle_file;  // empty: none
   double start = std::numeric_limits<double>::quiet_NaN();
+
+  // Known once the programs have run on it.
+  bool is_done = false;
   LogState state = LogState::kOk;
-  std::vector<DoneDof> dofs;  // that it can identify, alone or with others
-  bool is_final = true;       // false: a later batch has to run it again
+  std::vector<BatchDof> dofs;  // that it can identify, alone or with others
+  bool is_final = true;        // false: a later batch has to run it again
 };
 
 struct LogBatch {
-  std::vector<DoneLog> logs;
+  std::vector<BatchLog> logs;
   std::size_t num_run = 0;  // logs that something was run for
   std::map<std::pair<std::string, std::string>, std::string> pages;  // by log and DOF
 };
@@ -57,15 +59,16 @@ struct LogBatch {
 // What the rows of a log are made of, as a digest: its content, place, version and options.
 std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options);
 
-// Runs the programs on every log, so many at a time, and writes the rows of each into the store as
-// it is done.
+// What may begin now, given all logs: asked under the mutex, when the last of them is surveyed and
+// at each one that is done from then on.
+using Followers = std::function<std::vector<Job>(const std::vector<BatchLog>&)>;
+
+// Runs the programs on every log, so many at a time, and what follows from that. Writes the rows of
+// each log into the store as it is done.
 LogBatch RunLogs(const std::vector<HashedLog>& logs,
                  const LogBatchOptions& options,
                  int at_a_time,
-                 Store* store,
-                 const std::function<void(const BatchProgress&)>& show);
-
-// The store as a book of runs, for several threads.
-RunBook BookOf(Store* store, std::mutex* mutex);
+                 const Followers& followers,
+                 BatchSession* session);
 
 }  // namespace fathom

@@ -293,7 +293,7 @@ std::string PageNameOf(const std::string& path, Dof dof) {
       "{}_{}_{}.html", name.substr(0, kLongest), Name(dof), DigestOf(path).substr(0, 8));
 }
 
-LogOutcome RunLogJobs(const FoundLog& log,
+LogOutcome PrepareLog(const FoundLog& log,
                       const std::string& content,
                       const LogJobOptions& options,
                       const ProgramSettings& settings,
@@ -313,7 +313,13 @@ LogOutcome RunLogJobs(const FoundLog& log,
       outcome.survey->start = of_images.start;
     }
   }
-  if (!outcome.survey) return outcome;
+  return outcome;
+}
+
+LogOutcome RunPrograms(LogOutcome outcome,
+                       const LogJobOptions& options,
+                       const ProgramSettings& settings,
+                       const RunBook& book) {
   for (const SurveyedDof& dof : outcome.survey->dofs) {
     if (!dof.why_not.empty()) continue;
     outcome.dofs.push_back(RunOnDof(dof.dof, options, settings, book, &outcome));

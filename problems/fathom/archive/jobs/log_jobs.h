@@ -49,12 +49,19 @@ struct LogOutcome {
 // "dive_1_run_3_surge_1f0e9c2a.html".
 std::string PageNameOf(const std::string& path, Dof dof);
 
-// Runs the programs on one log, one after the other: a survey, fathom_track where there are only
-// images, and for each DOF that the log can identify fathom_compare and fathom_diagnose.
-LogOutcome RunLogJobs(const FoundLog& log,
+// Makes a log of a recording (fathom_import) or of images (fathom_track), and surveys it. Where the
+// state is kOk, RunPrograms() can go on.
+LogOutcome PrepareLog(const FoundLog& log,
                       const std::string& content,
                       const LogJobOptions& options,
                       const ProgramSettings& settings,
                       const RunBook& book);
+
+// Runs fathom_compare and fathom_diagnose on a log that is prepared, for each DOF that it can
+// identify, one after the other.
+LogOutcome RunPrograms(LogOutcome prepared,
+                       const LogJobOptions& options,
+                       const ProgramSettings& settings,
+                       const RunBook& book);
 
 }  // namespace fathom

@@ -4,34 +4,67 @@
 #include "fathom/archive/jobs/run_in_parallel.h"
 
 #include <algorithm>
-#include <atomic>
+#include <condition_variable>
+#include <deque>
 #include <exception>
+#include <iterator>
 #include <mutex>
 #include <thread>
-#include <vector>
+#include <utility>
 
 namespace fathom {
+namespace {
 
-void RunInParallel(int at_a_time, std::size_t count, const std::function<void(std::size_t)>& job) {
-  std::atomic<std::size_t> next = 0;
+// What the threads share.
+struct Queue {
   std::mutex mutex;
+  std::condition_variable changed;
+  std::deque<Job> waiting;
+  int num_running = 0;
   std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < count;) {
-      try {
-        job(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
+};
+
+// Runs jobs until none waits and none runs that others may follow from.
+void Work(Queue* queue) {
+  std::unique_lock lock(queue->mutex);
+  while (true) {
+    queue->changed.wait(lock, [&] { return !queue->waiting.empty() || queue->num_running == 0; });
+    if (queue->waiting.empty()) return;
+    Job job = std::move(queue->waiting.front());
+    queue->waiting.pop_front();
+    ++queue->num_running;
+    lock.unlock();
+    std::vector<Job> followers;
+    std::exception_ptr failure;
+    try {
+      followers = job.run();
+    } catch (...) {
+      failure = std::current_exception();
     }
-  };
+    job = {};
+    lock.lock();
+    --queue->num_running;
+    if (failure && !queue->failure) queue->failure = failure;
+    if (queue->failure) {
+      queue->waiting.clear();
+    } else {
+      queue->waiting.insert(queue->waiting.begin(),
+                            std::make_move_iterator(followers.begin()),
+                            std::make_move_iterator(followers.end()));
+    }
+    queue->changed.notify_all();
+  }
+}
+
+}  // namespace
+
+void RunInParallel(int at_a_time, std::vector<Job> jobs) {
+  Queue queue;
+  std::ranges::move(jobs, std::back_inserter(queue.waiting));
   std::vector<std::thread> threads;
-  const std::size_t num_threads = std::min(static_cast<std::size_t>(std::max(at_a_time, 1)), count);
-  for (std::size_t i = 0; i < num_threads; ++i) threads.emplace_back(work);
+  for (int i = 0; i < std::max(at_a_time, 1); ++i) threads.emplace_back(Work, &queue);
   for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  if (queue.failure) std::rethrow_exception(queue.failure);
 }
 
 }  // namespace fathom

@@ -3,13 +3,18 @@
 
 #pragma once
 
-#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace fathom {
 
-// Calls job(0), ..., job(count - 1), so many at a time, in about this order. An exception out of
-// one ends the rest and is thrown on.
-void RunInParallel(int at_a_time, std::size_t count, const std::function<void(std::size_t)>& job);
+// A piece of work. It gives back the jobs that may begin once it is through.
+struct Job {
+  std::function<std::vector<Job>()> run;
+};
+
+// Runs the jobs and those that follow from them, so many at a time: in this order, what follows a
+// job before what still waits. An exception out of one ends the rest and is thrown on.
+void RunInParallel(int at_a_time, std::vector<Job> jobs);
 
 }  // namespace fathom
