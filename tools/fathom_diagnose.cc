@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/diagnosis/diagnosis.h"
+#include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 #include "fathom/diagnosis/report/legend.h"
@@ -27,6 +28,7 @@
 #include "fathom/tool/wide_flag.h"
 
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -112,23 +114,37 @@ Logs LogsFromFlags() {
   return logs;
 }
 
+// A sentence where nothing is missing: the table then only tells noise from noise.
+void PrintCandidates(const Diagnosis& diagnosis, const std::function<void(const Table&)>& print) {
+  if (diagnosis.candidates.empty()) return;
+  if (diagnosis.verdict != Verdict::kConsistent) {
+    print(CandidateTable(diagnosis, kMostCandidates));
+    return;
+  }
+  PrintText(stdout,
+            fmt::format("\n{} --verdict and --report list them all.\n", NonePassesText(diagnosis)));
+}
+
 void Print(const Diagnosis& diagnosis) {
   PrintText(stdout,
             fmt::format("{}: {}\n{}\n",
                         Name(diagnosis.dof),
                         Name(diagnosis.verdict),
                         VerdictSentence(diagnosis)));
-  std::string tables;
+  std::vector<Table> shown;
   const auto print = [&](const Table& table) {
-    tables += TableForTerminal(table);
+    shown.push_back(ShownInTerminal(table));
     std::printf("\n%s", TableForTerminal(table).c_str());
   };
   if (!diagnosis.causes.empty()) print(CauseTable(diagnosis));
   print(BeforeAndAfterTable(diagnosis));
   std::printf("%s", NoiseFloorText(diagnosis).c_str());
-  if (!diagnosis.candidates.empty()) print(CandidateTable(diagnosis, kMostCandidates));
-  std::printf("%s", LegendOf(tables).c_str());
-  if (diagnosis.causes.empty() && !diagnosis.limits.empty()) print(LimitTable(diagnosis));
+  PrintCandidates(diagnosis, print);
+  std::printf("%s", LegendOf(shown).c_str());
+  if (diagnosis.causes.empty() && !diagnosis.limits.empty()) {
+    PrintText(stdout, fmt::format("\n{}\n", kHowToReadLimits));
+    std::printf("%s", TableForTerminal(LimitTable(diagnosis)).c_str());
+  }
   std::printf("\n");
   for (const std::string& step : NextSteps(diagnosis)) PrintText(stdout, "next: " + step + "\n");
   for (const std::string& remark : diagnosis.remarks) PrintText(stdout, "note: " + remark + "\n");

@@ -69,14 +69,17 @@ const ToolInfo kInfo = {
     "is left out or assumed is told, a line each. A file that is cut or damaged is read as far as "
     "it is sound."};
 
-// "dive.BIN: dataflash, 288 kB, 39 channels"
+// "dive.BIN: dataflash, 288 kB, 39 channels, 402 fields"
 std::string Heading(const std::filesystem::path& file, const Contents& contents) {
   const double kilobytes = static_cast<double>(contents.size_bytes) / 1e3;
-  std::string text = fmt::format("{}: {}, {:.0f} kB, {}",
+  std::size_t num_fields = 0;
+  for (const Channel& channel : contents.channels) num_fields += channel.fields.size();
+  std::string text = fmt::format("{}: {}, {:.0f} kB, {}, {}",
                                  file.string(),
                                  contents.format,
                                  kilobytes,
-                                 Plural(contents.channels.size(), "channel"));
+                                 Plural(contents.channels.size(), "channel"),
+                                 Plural(num_fields, "field"));
   if (contents.IsComplete()) return text;
   const double share =
       static_cast<double>(contents.read_bytes) / static_cast<double>(contents.size_bytes);

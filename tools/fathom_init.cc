@@ -21,14 +21,14 @@ namespace {
 const ToolInfo kInfo = {
     .name = "fathom_init",
     .summary = "Writes the files that a folder lacks to be a log, for you to fill in.",
-    .usage = "[--folder=FOLDER]",
+    .usage = "[FOLDER | --folder=FOLDER]",
     .example =
         "mkdir -p my_dive && cp data/recordings/pool.csv my_dive\n"
-        "  fathom_init --folder=my_dive",
+        "  fathom_init my_dive",
     .details =
         "Of a log: log.yaml and a vehicle file. Of recordings of other programs: a map for "
         "each, as fathom_import --suggest gives it, and a vehicle file. Nothing is "
-        "overwritten. The folder may stand without --folder=, as in fathom init my_dive.",
+        "overwritten.",
     .positional_flag = "folder"};
 
 int Run() {

@@ -77,7 +77,7 @@ std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
   return csv;
 }
 
-// `part`: ", held out" of a log, or nothing.
+// `part`: ", held out" of a log, ", another log", or nothing.
 void PrintFigures(const char* part, const FitFigures& figures, Dof dof) {
   if (figures.num_samples == 0) return;
   fmt::print("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
@@ -90,7 +90,13 @@ void PrintFigures(const char* part, const FitFigures& figures, Dof dof) {
              figures.duration);
 }
 
-void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof, bool is_trained_on_it) {
+// Another log than the model's is not split: the model has seen nothing of it. A model that does
+// not name its logs leaves open which one this is.
+void PrintFigures(const LogPrediction& prediction,
+                  const Log& log,
+                  const FittedModel& model,
+                  bool is_trained_on_it) {
+  const Dof dof = model.dof;
   if (!std::isfinite(prediction.figures.mae)) {
     fmt::print(
         "{}: predicted from rest. The log has no column '{}' and no pose to score the "
@@ -100,8 +106,9 @@ void PrintFigures(const LogPrediction& prediction, const Log& log, Dof dof, bool
         log.detections ? ". fathom_track makes poses from its detections.csv." : "");
     return;
   }
-  if (log.held_out.empty()) {
-    PrintFigures("", prediction.figures, dof);
+  const bool is_another = !is_trained_on_it && !model.log_fingerprints.empty();
+  if (is_another || log.held_out.empty()) {
+    PrintFigures(is_another ? ", another log" : "", prediction.figures, dof);
     return;
   }
   PrintFigures(is_trained_on_it ? ", training data" : ", not held out", prediction.train, dof);
@@ -152,6 +159,19 @@ LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
   return score;
 }
 
+// What the model file says of the model, which holds for every log.
+std::vector<std::string> RemarksOfFile(const FittedModel& model) {
+  std::vector<std::string> remarks;
+  for (const std::string& caveat : model.caveats) {
+    remarks.push_back("Said when the model was fitted: " + caveat);
+  }
+  return remarks;
+}
+
+void PrintRemarks(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) PrintText(stdout, "note: " + remark + "\n");
+}
+
 void Print(const LogScore& score, const Log& log, const FittedModel& model) {
   if (!score.prediction) {
     std::fflush(stdout);
@@ -164,8 +184,8 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
                model.model.linear_damping);
     return;
   }
-  PrintFigures(*score.prediction, log, model.dof, score.is_trained_on_it);
-  for (const std::string& remark : score.remarks) PrintText(stdout, "note: " + remark + "\n");
+  PrintFigures(*score.prediction, log, model, score.is_trained_on_it);
+  PrintRemarks(score.remarks);
 }
 
 Json FormatFigures(const FitFigures& figures) {
@@ -176,12 +196,14 @@ Json FormatFigures(const FitFigures& figures) {
 }
 
 // Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
-Json FormatScore(const LogScore& score, Dof dof) {
+Json FormatScore(const LogScore& score, const FittedModel& model) {
+  std::vector<std::string> remarks = score.remarks;
+  std::ranges::move(RemarksOfFile(model), std::back_inserter(remarks));
   const LogPrediction prediction = score.prediction.value_or(LogPrediction());
   const FitFigures& figures = prediction.figures;
   return {{"schema", "fathom-score-1"},
           {"log", score.log},
-          {"dof", Name(dof)},
+          {"dof", Name(model.dof)},
           {"mae", figures.mae},
           {"nmae", figures.nmae},
           {"n", figures.num_samples},
@@ -189,17 +211,17 @@ Json FormatScore(const LogScore& score, Dof dof) {
           {"train", FormatFigures(prediction.train)},
           {"held_out", FormatFigures(prediction.held_out)},
           {"findings", JsonOf<Json>(score.findings)},
-          {"remarks", score.remarks}};
+          {"remarks", remarks}};
 }
 
 // Of one log its score; of several "fathom-scores-1".
-std::string FormatScores(const std::vector<LogScore>& scores, Dof dof) {
+std::string FormatScores(const std::vector<LogScore>& scores, const FittedModel& model) {
   Json json;
   if (scores.size() == 1) {
-    json = FormatScore(scores.front(), dof);
+    json = FormatScore(scores.front(), model);
   } else {
     json = {{"schema", "fathom-scores-1"}, {"scores", Json::array()}};
-    for (const LogScore& score : scores) json["scores"].push_back(FormatScore(score, dof));
+    for (const LogScore& score : scores) json["scores"].push_back(FormatScore(score, model));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -234,10 +256,11 @@ int Run() {
     if (logs.size() > 1) fmt::print("{}\n", log.path.string());
     Print(score, log, fitted);
   }
+  PrintRemarks(RemarksOfFile(fitted));
   const auto num_failed = std::count_if(
       scores.begin(), scores.end(), [](const LogScore& score) { return !score.prediction; });
   const bool is_usable = num_failed < std::ssize(scores);
-  if (is_usable && !FLAGS_json.empty()) WriteFile(FLAGS_json, FormatScores(scores, fitted.dof));
+  if (is_usable && !FLAGS_json.empty()) WriteFile(FLAGS_json, FormatScores(scores, fitted));
   if (is_usable && !FLAGS_out.empty()) {
     WriteFile(FLAGS_out, FormatPrediction(*scores.front().prediction, fitted.dof));
   }

@@ -106,7 +106,8 @@ TEST_F(DiagnoseRefusals, TheSameLogTwice) {
 TEST_F(DiagnoseRefusals, TheSecondOfTwoLogs) {
   const Path second = folder_ / "second";
   EXPECT_EQ(Refused({"--log=" + second.string()}),
-            "fathom_diagnose: " + second.string() + ": there is no such file. Check the path.\n");
+            "fathom_diagnose: " + second.string() +
+                ": there is no such log folder or CSV file. Check the path.\n");
 }
 
 TEST_F(DiagnoseRefusals, LogsWhoseForcesHaveDifferentUnits) {

@@ -27,6 +27,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
@@ -202,6 +203,10 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   const double nmae = JsonOf(verdict)["baseline"]["heldout_nmae"];
   EXPECT_NEAR(JsonOf(verdict)["noise_nmae"].get<double>(), nmae, 0.2 * nmae);
   EXPECT_THAT(run.out, HasSubstr("\nnoise alone (the scatter from sample to sample) gives a "));
+  // The candidates in a sentence, the limits in a table with one.
+  EXPECT_THAT(run.out, HasSubstr("\n\nNo candidate passes, of "));
+  EXPECT_THAT(run.out, Not(HasSubstr("\np-value: ")));
+  EXPECT_THAT(run.out, HasSubstr("or a higher saturation.\neffect not named "));
   const ToolRun simulated =
       RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;

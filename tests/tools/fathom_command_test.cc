@@ -39,7 +39,7 @@ TEST(FathomCommand, RunsTheProgramOfTheSubCommand) {
 
 TEST(FathomCommand, KeepsTheNameAndExitCodeOfTheProgram) {
   EXPECT_EQ(ExpectRefusal("fathom", {"identify", "--log=a b", "--dof=surge"}, EmptyTestFolder()),
-            "fathom_identify: a b: there is no such file. Check the path.\n");
+            "fathom_identify: a b: there is no such log folder or CSV file. Check the path.\n");
 }
 
 // Its process is the program's own: a signal to it ends that.

@@ -45,8 +45,9 @@ TEST(ImportTool, MakesALogOfASpreadsheet) {
   const ToolRun run =
       Import({"--from=" + kPool, "--map=" + kPoolMap, "--out=" + (folder / "pool").string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out,
-              AllOf(HasSubstr("csv, 119 kB, 1 channel"), HasSubstr("surge: can be identified")));
+  EXPECT_THAT(
+      run.out,
+      AllOf(HasSubstr("csv, 119 kB, 1 channel, 3 fields"), HasSubstr("surge: can be identified")));
   const Log log = ReadLog(folder / "pool");
   EXPECT_EQ(log.name, "pool");
   EXPECT_EQ(*log.mass, 274.0);

@@ -214,8 +214,14 @@ TEST(InitTool, RefusesAFolderThatIsNotThereOrTwo) {
   EXPECT_EQ(
       ExpectRefusal("fathom_init", {"--folder=" + (folder / "no").string()}, folder),
       "fathom_init: " + (folder / "no").string() + ": there is no such folder. Check the path.\n");
-  EXPECT_THAT(ExpectRefusal("fathom_init", {folder.string(), folder.string()}, folder),
-              HasSubstr("--folder: is given twice, expected once."));
+  for (const std::vector<std::string>& given : {std::vector<std::string>{"own", "extra"},
+                                                {"--folder=own", "extra"},
+                                                {"--folder", "own", "extra"}}) {
+    EXPECT_EQ(
+        ExpectRefusal("fathom_init", given, folder),
+        "fathom_init: --folder: is given twice, 'own' and 'extra', expected once. A word that "
+        "belongs to no flag is the folder too.\n");
+  }
 }
 
 class InitToolOnRealRecordings : public OnRealData {};

@@ -86,8 +86,9 @@ TEST_P(LogTools, RefusesAMissingLogFlag) {
 TEST_P(LogTools, RefusesALogThatIsNotThere) {
   const Inputs inputs;
   const std::string log = (inputs.folder / "lgo").string();
-  EXPECT_EQ(ExpectRefusal(GetParam(), ArgumentsOf(GetParam(), inputs.folder, log), inputs.folder),
-            GetParam() + ": " + log + ": there is no such file. Check the path.\n");
+  EXPECT_EQ(
+      ExpectRefusal(GetParam(), ArgumentsOf(GetParam(), inputs.folder, log), inputs.folder),
+      GetParam() + ": " + log + ": there is no such log folder or CSV file. Check the path.\n");
 }
 
 TEST_P(LogTools, RefusesAnUnknownFlag) {

@@ -81,6 +81,18 @@ Table ParameterTable(const Identification& identification) {
   return table;
 }
 
+// The condition number is of columns of length 1: Belsley, Kuh and Welsch call 30 and more harmful
+// (docs/signal.md).
+std::string WhatTheColumnsSay(const Identification& identification) {
+  std::string text = "±: one standard deviation";
+  if (!std::isfinite(identification.condition_number)) return text + "\n";
+  text += "; unique effect: the part that no other parameter can imitate\n";
+  return text + fmt::format(
+                    "condition number {:.1f} (1: the parameters act unlike each other; above 30: "
+                    "some act almost alike)\n",
+                    identification.condition_number);
+}
+
 }  // namespace
 
 std::string ModelName(const Identification& identification) {
@@ -123,11 +135,7 @@ std::string FormatIdentification(const Identification& identification,
         ForceUnit(fitted.dof),
         fitted.force_unit);
   }
-  if (std::isfinite(identification.condition_number)) {
-    text += fmt::format(
-        "condition number {:.1f}; unique effect: the part that no other parameter can imitate\n",
-        identification.condition_number);
-  }
+  text += WhatTheColumnsSay(identification);
   if (!identification.weighting_reason.empty()) {
     text += fmt::format(
         "weighting: {} ({}). {}\n",

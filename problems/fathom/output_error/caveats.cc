@@ -4,11 +4,13 @@
 #include "fathom/output_error/caveats.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/report/format_value.h"
 #include "fathom/signal/filters/dominant_tone.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,8 +20,8 @@ namespace {
 // A command whose strongest line carries this share of its variance is a single sine to the fit.
 constexpr double kSingleTone = 0.8;
 
-// Below this share the other parameters imitate a parameter almost wholly.
-constexpr double kSmallShare = 0.3;
+// An inertia that an unknown delay leaves so well known is not mistaken for one.
+constexpr double kStillKnown = 0.01;
 
 double HalfWidth(const ParameterCovariance& covariance, int index) {
   return kStdsOf95 * std::sqrt(covariance(index, index));
@@ -47,12 +49,11 @@ const char* ExperimentFor(int index) {
 }
 
 void DescribeDamping(int index, OutputErrorSummary* summary) {
-  const double half_width = HalfWidth(summary->covariance, index);
-  const std::string caveat =
-      summary->on_bound[index]
-          ? CaveatOnBound(index, half_width)
-          : CaveatOnDamping(
-                index, ToVector(summary->model)[index], half_width, summary->evidence.share[index]);
+  const std::string caveat = summary->on_bound[index]
+                                 ? CaveatOnBound(index, HalfWidth(summary->covariance, index))
+                                 : CaveatOnDamping(index,
+                                                   ToVector(summary->model)[index],
+                                                   std::sqrt(summary->covariance(index, index)));
   if (!caveat.empty()) summary->caveats.push_back(caveat);
 }
 
@@ -65,35 +66,38 @@ void DescribeDelay(std::span<const Segment> segments, OutputErrorSummary* summar
       std::max_element(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) {
         return a.time.back() - a.time.front() < b.time.back() - b.time.front();
       });
-  summary->caveats.push_back(CaveatOnDelay(
+  std::string caveat = CaveatOnDelay(
       longest->command.Between(longest->time.front(), longest->time.back()),
-      {.inertia_per_second = evidence.change_per_second_of_offset[kInertia],
+      {.inertia = summary->model.inertia,
+       .inertia_per_second = evidence.change_per_second_of_offset[kInertia],
        .linear_damping_per_second = evidence.change_per_second_of_offset[kLinearDamping],
        .half_width = HalfWidth(summary->covariance, kInertia),
-       .half_width_with_delay = HalfWidth(evidence.covariance_with_time_offset, kInertia)}));
+       .half_width_with_delay = HalfWidth(evidence.covariance_with_time_offset, kInertia)});
+  if (!caveat.empty()) summary->caveats.push_back(std::move(caveat));
 }
 
 }  // namespace
 
-std::string CaveatOnDamping(int parameter, double value, double half_width, double share) {
-  if (!(half_width > value)) return "";
-  const std::string reason = share < kSmallShare
-                                 ? fmt::format("its unique effect is {:.0f} %", 100.0 * share)
-                                 : std::string("its effect is below the noise");
-  return fmt::format("This log does not determine {}: {:.3g} ± {:.2g} (95 %), because {}. {}",
+std::string CaveatOnDamping(int parameter, double value, double std) {
+  if (!(kStdsOf95 * std > value)) return "";
+  const std::string interval =
+      std::isfinite(std)
+          ? fmt::format("its 95 % interval, {}, is wider than ± 100 % of its value",
+                        FormatInterval(value, std, kParameterInfo[parameter].lower_bound))
+          : std::string("any value fits");
+  return fmt::format("This log does not determine {}: {}. {}",
                      Spaced(kParameterInfo[parameter].name),
-                     value,
-                     half_width,
-                     reason,
+                     interval,
                      ExperimentFor(parameter));
 }
 
 std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
   const Tone tone = DominantTone(command);
+  const bool is_sine = tone.share >= kSingleTone;
+  if (!is_sine && doubt.half_width_with_delay < kStillKnown * doubt.inertia) return "";
   const std::string input =
-      tone.share >= kSingleTone
-          ? fmt::format("its command is a single sine of {:.2g} rad/s", tone.frequency)
-          : std::string("its command is slow");
+      is_sine ? fmt::format("its command is a single sine of {:.2g} rad/s", tone.frequency)
+              : std::string("its command is slow");
   const std::string known = std::isfinite(doubt.half_width_with_delay)
                                 ? fmt::format("is known to ± {:.2g} and not to ± {:.2g} (95 %)",
                                               doubt.half_width_with_delay,

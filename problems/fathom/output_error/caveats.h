@@ -16,12 +16,15 @@ namespace fathom {
 // and on_bound; fills determined, message and caveats.
 void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary);
 
-// That the data hardly tell a damping, where its 95 % interval, value +- half_width, holds 0; empty
-// where it does not. `share`: what of its signature the other parameters cannot imitate.
-std::string CaveatOnDamping(int parameter, double value, double half_width, double share);
+// That the data hardly tell a damping, where half its 95 % interval is more than its value; empty
+// where it is not. `std`: its standard deviation.
+std::string CaveatOnDamping(int parameter, double value, double std);
 
-// That inertia, damping and a delay of the command cannot be told apart.
+// That inertia, damping and a delay of the command cannot be told apart. Empty where the command is
+// more than a single sine and the inertia stays known to 1 % with the delay unknown: such a log
+// tells the delay as well.
 struct DelayDoubt {
+  double inertia = 0.0;             // found without a delay [kg] or [kg m^2]
   double inertia_per_second = 0.0;  // what a delay of a second would change [kg/s] or [kg m^2/s]
   double linear_damping_per_second = 0.0;  // likewise
   double half_width = 0.0;                 // of the inertia's 95 % interval where there is no delay

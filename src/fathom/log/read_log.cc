@@ -112,6 +112,9 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
 Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return ReadFolder(path, options);
+  if (!Exists(path)) {
+    throw InputError(path.string() + ": there is no such log folder or CSV file. Check the path.");
+  }
   const std::string text = ReadFile(path);
   if (!IsSingleCsvLog(text)) RefuseForeignFile(path, text);
   if (!options.dof) {

@@ -52,7 +52,7 @@ void AddIfItLeaves(std::string_view what,
 
 std::vector<std::string> RemarksOn(const FittedModel& model, const LogPrediction& prediction) {
   std::vector<std::string> remarks;
-  if (model.train.nmae > kPoorFit) {
+  if (model.caveats.empty() && model.train.nmae > kPoorFit) {
     remarks.push_back(
         fmt::format("The model is a poor fit: its NMAE on the data that it was fitted to is "
                     "{:.2f}, above {}.",

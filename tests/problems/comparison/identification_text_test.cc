@@ -4,6 +4,7 @@
 #include "fathom/comparison/identification_text.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -115,6 +116,19 @@ TEST(FormatIdentification, NamesTheFileAndShowsUnitsWithRaisedFigures) {
               AllOf(HasSubstr("yaw by output error from run.csv: "),
                     HasSubstr(" kg m²/s "),
                     Not(HasSubstr("^"))));
+}
+
+TEST(FormatIdentification, SaysBelowTheTableWhatItsFiguresMean) {
+  auto row = HandmadeRow(Family::kOutputError, 0.02, 0.03);
+  row.condition_number = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(FormatIdentification(row),
+              AllOf(HasSubstr("\n±: one standard deviation\n"), Not(HasSubstr("condition"))));
+  row.condition_number = 10.0;
+  EXPECT_THAT(
+      FormatIdentification(row),
+      HasSubstr("±: one standard deviation; unique effect: the part that no other parameter can "
+                "imitate\ncondition number 10.0 (1: the parameters act unlike each other; above "
+                "30: some act almost alike)\n"));
 }
 
 TEST(FormatIdentification, AnUnusableResultShowsTheReasonAndNoNumbers) {

@@ -191,7 +191,8 @@ TEST(ReadLog, RefusesAPathThatIsNotThere) {
         try {
           ReadLog("no/such/log");
         } catch (const InputError& error) {
-          EXPECT_STREQ(error.what(), "no/such/log: there is no such file. Check the path.");
+          EXPECT_STREQ(error.what(),
+                       "no/such/log: there is no such log folder or CSV file. Check the path.");
           throw;
         }
       },

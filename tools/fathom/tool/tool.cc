@@ -87,6 +87,21 @@ bool IsALog(const std::vector<Flag>& flags, const std::string& word) {
   return Find(flags, "log") != nullptr && std::filesystem::exists(word, error);
 }
 
+[[noreturn]] void RefuseSecond(const Flag& flag,
+                               const std::string& before,
+                               const std::string& value,
+                               const ToolInfo& info) {
+  if (flag.name != info.positional_flag) {
+    throw InputError(fmt::format("--{}: is given twice, expected once.", flag.name));
+  }
+  throw InputError(fmt::format(
+      "--{0}: is given twice, {1} and {2}, expected once. A word that belongs to no flag "
+      "is the {0} too.",
+      flag.name,
+      Quoted(before),
+      Quoted(value)));
+}
+
 void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) {
   const std::string& tool = info.name;
   const std::vector<Flag> flags = OwnFlags();
@@ -133,11 +148,10 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
     const bool may_repeat = std::ranges::count(info.repeatable_flags, flag->name) > 0;
     if (!given.insert(flag->name).second) {
       std::string before;
-      if (may_repeat && gflags::GetCommandLineOption(flag->name.c_str(), &before)) {
-        SetFlag(*flag, before + kBetweenValues + value);
-        continue;
-      }
-      throw InputError(fmt::format("--{}: is given twice, expected once.", flag->name));
+      gflags::GetCommandLineOption(flag->name.c_str(), &before);
+      if (!may_repeat) RefuseSecond(*flag, before, value, info);
+      SetFlag(*flag, before + kBetweenValues + value);
+      continue;
     }
     SetFlag(*flag, value);
   }

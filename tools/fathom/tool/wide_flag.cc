@@ -6,7 +6,6 @@
 #include "fathom/base/plural.h"
 
 #include <cstddef>
-#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -15,11 +14,14 @@ DEFINE_bool(wide, false, "Print all columns of the tables, not only those that f
 
 namespace fathom {
 
-std::string TableForTerminal(const Table& table) {
+Table ShownInTerminal(const Table& table, std::vector<std::string>* left_out) {
   constexpr std::size_t kWidth = 100;
-  if (FLAGS_wide) return FormatTable(table);
+  return FLAGS_wide ? table : Narrowed(table, kWidth, left_out);
+}
+
+std::string TableForTerminal(const Table& table) {
   std::vector<std::string> left_out;
-  const std::string text = FormatTable(Narrowed(table, kWidth, &left_out));
+  const std::string text = FormatTable(ShownInTerminal(table, &left_out));
   if (left_out.empty()) return text;
   return text + fmt::format("({} more with --wide)\n", Plural(left_out.size(), "column"));
 }

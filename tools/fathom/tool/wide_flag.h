@@ -6,11 +6,15 @@
 #include "fathom/report/table.h"
 
 #include <string>
+#include <vector>
 
 namespace fathom {
 
-// The table as a tool prints it: at most 100 columns wide where it can be, all of it with --wide. A
-// line below counts the columns left out.
+// What a tool prints of a table: no wider than 100 where it can be, all of it with --wide.
+// `left_out`: the headings of what is not printed; may be null.
+Table ShownInTerminal(const Table& table, std::vector<std::string>* left_out = nullptr);
+
+// That as text. A line below counts the columns left out.
 std::string TableForTerminal(const Table& table);
 
 }  // namespace fathom

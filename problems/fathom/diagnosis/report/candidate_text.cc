@@ -46,4 +46,13 @@ std::string WhyText(const Candidate& candidate) {
   return "";
 }
 
+std::string NonePassesText(const Diagnosis& diagnosis) {
+  if (diagnosis.candidates.empty() || !diagnosis.causes.empty()) return "";
+  const Candidate& best = diagnosis.candidates.front();
+  return fmt::format("No candidate passes, of {} tried. The best is {} ({}).",
+                     diagnosis.candidates.size(),
+                     best.label,
+                     WhyText(best));
+}
+
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/diagnosis_page.h"
 
+#include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
@@ -114,6 +115,9 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
       "The score is twice the log-likelihood that an effect gains over the model without causes, "
       "by a linear screen. The p-value is the probability of such a score among all candidates "
       "if nothing is missing. The candidates that matter were refitted."};
+  if (std::string text = NonePassesText(diagnosis); !text.empty()) {
+    section.text.insert(section.text.begin(), std::move(text));
+  }
   section.tables.push_back(CandidateTable(diagnosis));
   return section;
 }
@@ -121,9 +125,7 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
 PageSection LimitSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = "What these logs rule out";
-  section.text = {
-      "Values of effects that are not named, 95 % excluded each. An effect smaller than that may "
-      "be there."};
+  section.text = {kHowToReadLimits};
   section.tables.push_back(LimitTable(diagnosis));
   return section;
 }

@@ -5,8 +5,10 @@
 
 #include "fathom/diagnosis/report/verdict_sentence.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,12 +23,19 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords = 
     {"evidence (BIC)", "what the fit gains, less a price for each parameter; above 10 is strong"},
 }};
 
+bool Has(const Table& table, std::string_view heading) {
+  return std::ranges::any_of(table.columns,
+                             [&](const TableColumn& column) { return column.heading == heading; });
+}
+
 }  // namespace
 
-std::string LegendOf(std::string_view tables) {
+std::string LegendOf(std::span<const Table> tables) {
   std::string legend;
   for (const auto& [heading, words] : kWords) {
-    if (tables.find(heading) == std::string_view::npos) continue;
+    if (!std::ranges::any_of(tables, [&](const Table& table) { return Has(table, heading); })) {
+      continue;
+    }
     legend += fmt::format("{}: {}\n", heading, words);
   }
   return legend;

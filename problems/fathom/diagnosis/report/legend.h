@@ -4,15 +4,15 @@
 #pragma once
 
 #include "fathom/diagnosis/result.h"
+#include "fathom/report/table.h"
 
+#include <span>
 #include <string>
-#include <string_view>
 
 namespace fathom {
 
-// What the columns of the tables mean that need a word: a line each of those whose heading stands
-// in `tables`, the printed text; empty where there are none.
-std::string LegendOf(std::string_view tables);
+// What the columns of the tables mean that need a word, a line each; empty where there are none.
+std::string LegendOf(std::span<const Table> tables);
 
 // The line below the NMAE of the models that says what noise alone gives; empty where that is not
 // known.

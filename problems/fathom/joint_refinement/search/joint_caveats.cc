@@ -13,7 +13,6 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -55,12 +54,9 @@ std::string CaveatOnAxis(Dof dof, const JointStart& at, const JointSummary& summ
 }
 
 std::string CaveatOn(int damping, const JointSummary& summary) {
-  const double half_width = HalfWidth(summary.covariance(damping, damping));
-  if (summary.on_bound[damping]) return CaveatOnBound(damping, half_width);
-  const ParameterCovariance information = summary.covariance.inverse();
-  const double share =
-      1.0 / std::sqrt(information(damping, damping) * summary.covariance(damping, damping));
-  return CaveatOnDamping(damping, ToVector(summary.model)[damping], half_width, share);
+  const double variance = summary.covariance(damping, damping);
+  if (summary.on_bound[damping]) return CaveatOnBound(damping, HalfWidth(variance));
+  return CaveatOnDamping(damping, ToVector(summary.model)[damping], std::sqrt(variance));
 }
 
 // The linear problem about the search's end with the camera's clock free in these segments.
@@ -87,7 +83,8 @@ std::string CaveatOnDelayOf(const JointInput& input,
                             const JointSummary& summary) {
   if (options.clock_offset_std > 0.0) return "";  // the intervals have it in them
   const double inertia = summary.model.inertia;   // the column is of its logarithm
-  DelayDoubt doubt = {.half_width = HalfWidth(summary.covariance(kInertia, kInertia)),
+  DelayDoubt doubt = {.inertia = inertia,
+                      .half_width = HalfWidth(summary.covariance(kInertia, kInertia)),
                       .half_width_with_delay = std::numeric_limits<double>::infinity()};
   if (const auto all = WithClockFree(options, at, end, linear, 0, linear.size()); all.is_usable()) {
     doubt.half_width_with_delay = inertia * HalfWidth(all.covariance(0)(kInertia, kInertia));

@@ -38,5 +38,21 @@ TEST(WhyText, SaysWithItsNumbersWhyACandidateWasKeptOrDropped) {
             "dropped: gain 60, but the noise learned without it takes it up");
 }
 
+TEST(NonePassesText, SaysWhatBecameOfTheBest) {
+  Diagnosis diagnosis;
+  EXPECT_EQ(NonePassesText(diagnosis), "");
+  diagnosis.candidates.resize(2);
+  Candidate& best = diagnosis.candidates.front();
+  best.label = "thruster_lag";
+  best.gain = 3.04;
+  best.noise_reach = 8.1;
+  best.outcome = CandidateOutcome::kGainWithinNoise;
+  EXPECT_EQ(NonePassesText(diagnosis),
+            "No candidate passes, of 2 tried. The best is thruster_lag (dropped: gain 3.0; noise "
+            "alone reaches 8.1).");
+  diagnosis.causes.emplace_back();
+  EXPECT_EQ(NonePassesText(diagnosis), "");
+}
+
 }  // namespace
 }  // namespace fathom

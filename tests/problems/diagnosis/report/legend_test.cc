@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/report/legend.h"
 
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,11 +12,21 @@ namespace fathom {
 namespace {
 
 TEST(LegendOf, ExplainsWhatIsShownAndNothingElse) {
-  EXPECT_EQ(LegendOf("cause  held-out gain"), "");
-  EXPECT_EQ(LegendOf("cause  p-value  held-out gain"),
+  Table causes, candidates;
+  causes.columns = {{"cause"}, {"p-value"}};
+  candidates.columns = {{"p-value"}, {"evidence (BIC)"}};
+  EXPECT_EQ(LegendOf({}), "");
+  EXPECT_EQ(LegendOf(std::vector{causes}),
             "p-value: how often noise alone would score as well if nothing were missing\n");
-  EXPECT_THAT(LegendOf("cause  p-value  evidence (BIC)"),
+  EXPECT_THAT(LegendOf(std::vector{causes, candidates}),
               testing::MatchesRegex("p-value: .*\nevidence \\(BIC\\): .*above 10 is strong\n"));
+}
+
+TEST(LegendOf, TakesNoWordOfACellForAHeading) {
+  Table table;
+  table.columns = {{"result"}};
+  table.rows = {{{"dropped: score 2.0; noise alone reaches 11.2"}}};
+  EXPECT_EQ(LegendOf(std::vector{table}), "");
 }
 
 TEST(NoiseFloorText, SaysWhatNoModelFallsBelow) {
