@@ -30,6 +30,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 using Path = fs::path;
@@ -392,6 +393,18 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.out, HasSubstr("To do: Check sign and frame of command and motion"));
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
+}
+
+// A mass of a thousand times the true one: a log of forces is not told of thruster speeds, and the reverse.
+TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  dive.numbers.mass = 3e4;
+  const Said of_forces = Check(WriteDive(dive, folder / "forces"), folder);
+  EXPECT_THAT(of_forces.text, AllOf(HasSubstr("forces in kN"), HasSubstr("a wrong `mass`")));
+  dive.numbers.thruster_speed_unit = 1.0;
+  const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
+  EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
 }
 
 // The place of the first finding with this code; null if it has none.
