@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/check/advice.h"
+#include "fathom/check/explain_first.h"
 #include "fathom/check/finding_json.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
@@ -22,10 +23,6 @@ namespace fathom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::size_t NumOf(Severity severity, const std::vector<Finding>& findings) {
-  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
-}
 
 // "surge, sway and yaw"
 std::string Listed(const std::vector<std::string>& names) {
@@ -100,16 +97,10 @@ std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
 }  // namespace
 
 std::string Verdict(const LogCheckup& checkup) {
-  const std::vector<Finding> findings = AllFindings(checkup);
-  const std::size_t red = NumOf(Severity::kWarning, findings);
+  if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
   std::vector<std::string> usable;
   for (const DofCheckup& dof : checkup.dofs) {
     if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
-  }
-  if (red > 0) {
-    return fmt::format("{} before a model of this log can be believed.",
-                       red == 1 ? "One finding has to be explained"
-                                : fmt::format("{} findings have to be explained", red));
   }
   if (usable.empty()) return "Nothing in this log can be identified.";
   return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));

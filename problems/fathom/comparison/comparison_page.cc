@@ -4,6 +4,7 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
@@ -63,10 +64,12 @@ std::string Sentence(const DofComparison& comparison) {
         100.0 * score,
         on);
   }
+  const std::string first = ExplainFirst(comparison.findings);
   return fmt::format(
-      "{}: take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
+      "{}: {}take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
       "{}Inertia {} {} (95 %).",
       dof,
+      first.empty() ? "" : first + " Then ",
       ModelName(taken),
       score > kPoorFit ? ", though it fits poorly" : "",
       100.0 * score,

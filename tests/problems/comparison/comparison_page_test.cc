@@ -18,6 +18,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -160,6 +161,15 @@ TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {
   const PageSection& section = page.sections.at(0);
   ASSERT_EQ(section.tables.size(), 3u);
   EXPECT_EQ(section.tables[2].rows.at(0).cells.at(1), "a caveat");
+}
+
+TEST(ComparisonPage, SaysFirstWhatIsRed) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)})};
+  comparison.dofs[0].findings = {{Severity::kWarning, "passivity", "It gains energy."}};
+  EXPECT_THAT(ComparisonPage(comparison).lead.at(0),
+              StartsWith("Surge: One red finding has to be explained before a model of this log can "
+                         "be believed. Then take Output error, velocity.csv. Simulated"));
 }
 
 TEST(ComparisonPage, ShowsTheFigureThatDecidesFirstAndFoldsTheOthers) {
