@@ -395,7 +395,8 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
 }
 
-// A mass of a thousand times the true one: a log of forces is not told of thruster speeds, and the reverse.
+// A mass of a thousand times the true one: a log of forces is not told of thruster speeds, and the
+// reverse.
 TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
   const Path folder = EmptyTestFolder();
   Dive dive = SoundDive(folder, false);
@@ -405,6 +406,21 @@ TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
   dive.numbers.thruster_speed_unit = 1.0;
   const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
   EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
+}
+
+TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const Path log = WriteDive(dive, folder / "log");
+  const auto note = HasSubstr("note: No mass of the vehicle is known");
+  const Said with_mass = Check(log, folder);
+  EXPECT_THAT(with_mass.text, Not(note));
+  WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\n");
+  const Said said = Check(log, folder);
+  EXPECT_THAT(said.text, AllOf(note, HasSubstr("(dry, in kg) to log.yaml.")));
+  EXPECT_EQ(said.findings, with_mass.findings);
+  WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\ncommand_unit: A\n");
+  EXPECT_THAT(Check(log, folder).text, Not(note));
 }
 
 // The place of the first finding with this code; null if it has none.

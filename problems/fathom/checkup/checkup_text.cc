@@ -169,7 +169,7 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
     sentences.push_back(
         fmt::format("To judge the model on data that it has not seen, add to {}: held_out: "
                     "[{:.1f}, {:.1f}]",
-                    checkup.log.origin ? "the map of the import" : "log.yaml",
+                    PlaceOfKeys(checkup.log),
                     held_out.from,
                     held_out.to));
   }
