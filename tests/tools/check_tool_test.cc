@@ -544,6 +544,26 @@ Json CheckSeveral(const std::vector<Path>& logs, const Path& scratch, std::strin
   return Json::parse(TextOf(file));
 }
 
+TEST(CheckTool, SaysOfSeveralLogsWhatIsFoundAndLeftOut) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const Path sound = WriteDive(dive, folder / "sound");
+  dive.numbers.time.erase(dive.numbers.time.begin() + 500, dive.numbers.time.begin() + 600);
+  dive.numbers.speed.erase(dive.numbers.speed.begin() + 500, dive.numbers.speed.begin() + 600);
+  const Path paused = WriteDive(dive, folder / "paused");
+  WriteTestFile(paused / "log.yaml", "name: dive\ndof: [surge, heave]\nmass: 22.5\n");
+  std::string text;
+  const Json json = CheckSeveral({sound, paused}, folder, &text);
+  EXPECT_THAT(text, HasSubstr("yellow  gap               surge: 1 gap of over 5 steps"));
+  const std::string left_out =
+      "heave is not compared: that takes two logs that give a model of it. " + sound.string() +
+      ": log.yaml does not name it. " + paused.string() + ": no command.";
+  EXPECT_THAT(text, HasSubstr(left_out + "\n"));
+  EXPECT_EQ(json["left_out"], Json::array({left_out}));
+  const std::string page = TextOf(folder / "several.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("1 gap of over 5 steps"), HasSubstr("heave is not compared")));
+}
+
 // Information adds up: two pieces know together what the whole log knows.
 TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
   const Path folder = EmptyTestFolder();
