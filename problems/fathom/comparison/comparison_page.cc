@@ -81,6 +81,13 @@ std::string Sentence(const DofComparison& comparison) {
       UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
 }
 
+// That the table marks; null where the best one is worse than a model that stands still.
+const Identification* RowToTake(const DofComparison& comparison) {
+  const Identification* const taken = Recommend(comparison).taken;
+  const bool is_good = taken != nullptr && ScoreOf(comparison, *taken) < kScoreAtRest;
+  return is_good ? taken : nullptr;
+}
+
 // The rows of a table with some of its columns.
 Table WithColumns(const Table& table, const std::vector<size_t>& columns) {
   Table part;
@@ -137,6 +144,10 @@ PageSection SectionOf(const DofComparison& comparison) {
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
+  if (RowToTake(comparison) != nullptr) {
+    lines.emplace_back(
+        "* the row to take: its error is the least within chance, and its parameters are known best");
+  }
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
         fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "
@@ -175,8 +186,7 @@ Table ParameterTable(const DofComparison& comparison) {
                    {"velocity NMAE", true, train_rank},
                    {"velocity MAE, held out", true, 4},
                    {"velocity NMAE, held out", true, held_out_rank}};
-  const Identification* taken = Recommend(comparison).taken;
-  if (taken != nullptr && !(ScoreOf(comparison, *taken) < kScoreAtRest)) taken = nullptr;
+  const Identification* const taken = RowToTake(comparison);
   for (const Identification& row : comparison.rows) {
     TableRow line;
     line.cells = {std::string(Name(comparison.dof)), ModelName(row)};
@@ -233,7 +243,7 @@ Page ComparisonPage(const Comparison& comparison) {
       "started "
       "where the model fits the first two seconds of each segment best (docs/models.md). In the "
       "table, ± is one "
-      "standard deviation. Bars and the sentences above give 95 % intervals.";
+      "standard deviation, and the row in bold is the one to take. Bars and the sentences above give 95 % intervals.";
   return page;
 }
 

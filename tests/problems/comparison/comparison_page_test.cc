@@ -78,7 +78,9 @@ TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
   comparison.rows[0].fitted.caveats.clear();
   comparison.rows[1].fitted.caveats = {"noisy regressors."};
   EXPECT_THAT(CommentsOn(comparison),
-              ElementsAre("note: It is slow.",
+              ElementsAre("* the row to take: its error is the least within chance, and its "
+                          "parameters are known best",
+                          "note: It is slow.",
                           "note: left out: 3 samples.",
                           "! Least squares, velocity.csv: no motion.",
                           "note: Output error, velocity.csv: noisy regressors."));
