@@ -145,8 +145,10 @@ PageSection SectionOf(const DofComparison& comparison) {
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
   if (RowToTake(comparison) != nullptr) {
-    lines.emplace_back(
-        "* the row to take: its error is the least within chance, and its parameters are known best");
+    lines.push_back(fmt::format(
+        "* the row to take: its {} NMAE (the error of the velocity, simulated from the command "
+        "alone) is the least within chance, and its parameters are known best",
+        comparison.HasHeldOut() ? "held-out" : "training"));
   }
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
@@ -182,10 +184,10 @@ Table ParameterTable(const DofComparison& comparison) {
                    {heading("q. damping", kQuadraticDamping), true},
                    {heading("l. damping", kLinearDamping), true, 1},
                    {heading("buoyancy", kBuoyancy), true, 2},
-                   {fmt::format("velocity MAE [{}]", speed_unit), true, 4},
-                   {"velocity NMAE", true, train_rank},
-                   {"velocity MAE, held out", true, 4},
-                   {"velocity NMAE, held out", true, held_out_rank}};
+                   {fmt::format("training MAE [{}]", speed_unit), true, 4},
+                   {"training NMAE", true, train_rank},
+                   {"held-out MAE", true, 4},
+                   {"held-out NMAE", true, held_out_rank}};
   const Identification* const taken = RowToTake(comparison);
   for (const Identification& row : comparison.rows) {
     TableRow line;
@@ -239,11 +241,12 @@ Page ComparisonPage(const Comparison& comparison) {
     notes.insert(notes.begin(), comparison.remarks.begin(), comparison.remarks.end());
   }
   page.footer =
-      "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "
+      "MAE and NMAE are errors of the velocity when simulating from the command alone, "
       "started "
       "where the model fits the first two seconds of each segment best (docs/models.md). In the "
       "table, ± is one "
-      "standard deviation, and the row in bold is the one to take. Bars and the sentences above give 95 % intervals.";
+      "standard deviation, and the row in bold is the one to take. Bars and the sentences above "
+      "give 95 % intervals.";
   return page;
 }
 
