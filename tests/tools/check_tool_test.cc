@@ -11,6 +11,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mistakes.h"
@@ -421,6 +422,30 @@ TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
   EXPECT_EQ(said.findings, with_mass.findings);
   WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\ncommand_unit: A\n");
   EXPECT_THAT(Check(log, folder).text, Not(note));
+}
+
+TEST(CheckTool, SaysWhatToDoNextAndWhatTheColoursMean) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const auto run_on = [&](const Path& log) {
+    const Path page = folder / "check.html";
+    const std::string out =
+        RunToolBinary("fathom_check", {"--log=" + log.string(), "--report=" + page.string()}).out;
+    EXPECT_THAT(TextOf(page), HasSubstr("Red: no model of this log should be believed before"));
+    return std::pair{out, TextOf(page)};
+  };
+  const Path sound = WriteDive(dive, folder / "sound");
+  const std::string next =
+      "fathom_identify --log=" + sound.string() + " --dof=surge --model=surge.json";
+  const auto [out, page] = run_on(sound);
+  EXPECT_THAT(out, HasSubstr("\nnext: " + next + "\n"));
+  EXPECT_THAT(page, HasSubstr("Next: " + next));
+  ScaleSpeed(-1.0, &dive.numbers);
+  const Path flipped = WriteDive(dive, folder / "flipped");
+  const auto [red_out, red_page] = run_on(flipped);
+  const std::string mend = "mend what is red, then fathom_check --log=" + flipped.string();
+  EXPECT_THAT(red_out, HasSubstr("\nnext: " + mend + "\n"));
+  EXPECT_THAT(red_page, AllOf(HasSubstr("Next: " + mend), HasSubstr("Red: The mean power")));
 }
 
 // The place of the first finding with this code; null if it has none.

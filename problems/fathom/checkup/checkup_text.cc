@@ -94,16 +94,34 @@ std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
   return sentences;
 }
 
-}  // namespace
-
-std::string Verdict(const LogCheckup& checkup) {
-  if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
+// The DOFs that a model comes of.
+std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   std::vector<std::string> usable;
   for (const DofCheckup& dof : checkup.dofs) {
     if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
   }
+  return usable;
+}
+
+}  // namespace
+
+std::string Verdict(const LogCheckup& checkup) {
+  if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
+  const std::vector<std::string> usable = UsableDofs(checkup);
   if (usable.empty()) return "Nothing in this log can be identified.";
   return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));
+}
+
+std::string NextStep(const LogCheckup& checkup) {
+  const std::string log = checkup.log.path.string();
+  if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
+  if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
+  const std::vector<std::string> usable = UsableDofs(checkup);
+  if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
+  const std::string step =
+      fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);
+  if (usable.size() == 1) return step;
+  return fmt::format("{}; likewise {}", step, Listed({usable.begin() + 1, usable.end()}));
 }
 
 Table StreamTable(const LogCheckup& checkup) {
@@ -194,7 +212,7 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
   for (const Remark& remark : checkup.log.remarks) text += "note: " + remark.text + "\n";
-  return text;
+  return text + "next: " + NextStep(checkup) + "\n";
 }
 
 std::string FormatCheckupJson(const LogCheckup& checkup) {
@@ -250,10 +268,7 @@ Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
       table.rows.push_back({{log.path, "-", "not readable", "-"}});
       continue;
     }
-    std::vector<std::string> usable;
-    for (const DofCheckup& dof : log.checkup.dofs) {
-      if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
-    }
+    const std::vector<std::string> usable = UsableDofs(log.checkup);
     std::set<std::string> red, yellow;
     for (const Finding& finding : AllFindings(log.checkup)) {
       (finding.severity == Severity::kWarning ? red : yellow).insert(finding.code);

@@ -226,6 +226,7 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
   Page page;
   page.title = fmt::format("Check of {} logs", logs.size());
   page.lead = {Sentence(logs, dofs)};
+  page.footer = kColourKey;
   page.origin = origin;
   PageSection findings;
   findings.heading = "Findings";
@@ -234,7 +235,11 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
     for (const ListedFinding& finding : ListedFindings(log.checkup)) {
       std::vector<std::string>& to =
           finding.severity == Severity::kWarning ? findings.warnings : findings.text;
-      to.push_back(fmt::format("{}: {} ({})", log.path, finding.sentence, finding.code));
+      to.push_back(fmt::format("{}: {}: {} ({})",
+                               finding.severity == Severity::kWarning ? "Red" : "Yellow",
+                               log.path,
+                               finding.sentence,
+                               finding.code));
     }
   }
   if (!findings.warnings.empty() || !findings.text.empty()) {
