@@ -9,7 +9,8 @@ namespace fathom {
 namespace {
 
 TEST(ExplainFirst, CountsWhatIsRed) {
-  const Finding note = {.code = "gap"}, red = {Severity::kWarning, "passivity", "It gains energy."};
+  const Finding note = {Severity::kNote, "gap", "4 gaps."},
+                red = {Severity::kWarning, "passivity", "It gains energy."};
   EXPECT_EQ(ExplainFirst({note}), "");
   EXPECT_EQ(ExplainFirst({note, red}),
             "One red finding has to be explained before a model of this log can be believed.");
