@@ -11,6 +11,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mistakes.h"
@@ -30,6 +31,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 using Path = fs::path;
@@ -394,6 +396,58 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
 }
 
+// A mass of a thousand times the true one: a log of forces is not told of thruster speeds, and the
+// reverse.
+TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  dive.numbers.mass = 3e4;
+  const Said of_forces = Check(WriteDive(dive, folder / "forces"), folder);
+  EXPECT_THAT(of_forces.text, AllOf(HasSubstr("forces in kN"), HasSubstr("a wrong `mass`")));
+  dive.numbers.thruster_speed_unit = 1.0;
+  const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
+  EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
+}
+
+TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const Path log = WriteDive(dive, folder / "log");
+  const auto note = HasSubstr("note: No mass of the vehicle is known");
+  const Said with_mass = Check(log, folder);
+  EXPECT_THAT(with_mass.text, Not(note));
+  WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\n");
+  const Said said = Check(log, folder);
+  EXPECT_THAT(said.text, AllOf(note, HasSubstr("(dry, in kg) to log.yaml.")));
+  EXPECT_EQ(said.findings, with_mass.findings);
+  WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\ncommand_unit: A\n");
+  EXPECT_THAT(Check(log, folder).text, Not(note));
+}
+
+TEST(CheckTool, SaysWhatToDoNextAndWhatTheColoursMean) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const auto run_on = [&](const Path& log) {
+    const Path page = folder / "check.html";
+    const std::string out =
+        RunToolBinary("fathom_check", {"--log=" + log.string(), "--report=" + page.string()}).out;
+    EXPECT_THAT(TextOf(page), HasSubstr("Red: no model of this log should be believed before"));
+    return std::pair{out, TextOf(page)};
+  };
+  const Path sound = WriteDive(dive, folder / "sound");
+  const std::string next =
+      "fathom_identify --log=" + sound.string() + " --dof=surge --model=surge.json";
+  const auto [out, page] = run_on(sound);
+  EXPECT_THAT(out, HasSubstr("\nnext: " + next + "\n"));
+  EXPECT_THAT(page, HasSubstr("Next: " + next));
+  ScaleSpeed(-1.0, &dive.numbers);
+  const Path flipped = WriteDive(dive, folder / "flipped");
+  const auto [red_out, red_page] = run_on(flipped);
+  const std::string mend = "mend what is red, then fathom_check --log=" + flipped.string();
+  EXPECT_THAT(red_out, HasSubstr("\nnext: " + mend + "\n"));
+  EXPECT_THAT(red_page, AllOf(HasSubstr("Next: " + mend), HasSubstr("Red: The mean power")));
+}
+
 // The place of the first finding with this code; null if it has none.
 Json PlaceOf(const Said& said, const std::string& code) {
   const auto found = std::ranges::find_if(
@@ -513,6 +567,26 @@ Json CheckSeveral(const std::vector<Path>& logs, const Path& scratch, std::strin
   EXPECT_EQ(run.exit_code, 0) << run.err;
   if (text != nullptr) *text = run.out;
   return Json::parse(TextOf(file));
+}
+
+TEST(CheckTool, SaysOfSeveralLogsWhatIsFoundAndLeftOut) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  const Path sound = WriteDive(dive, folder / "sound");
+  dive.numbers.time.erase(dive.numbers.time.begin() + 500, dive.numbers.time.begin() + 600);
+  dive.numbers.speed.erase(dive.numbers.speed.begin() + 500, dive.numbers.speed.begin() + 600);
+  const Path paused = WriteDive(dive, folder / "paused");
+  WriteTestFile(paused / "log.yaml", "name: dive\ndof: [surge, heave]\nmass: 22.5\n");
+  std::string text;
+  const Json json = CheckSeveral({sound, paused}, folder, &text);
+  EXPECT_THAT(text, HasSubstr("yellow  gap               surge: 1 gap of over 5 steps"));
+  const std::string left_out =
+      "heave is not compared: that takes two logs that give a model of it. " + sound.string() +
+      ": log.yaml does not name it. " + paused.string() + ": no command.";
+  EXPECT_THAT(text, HasSubstr(left_out + "\n"));
+  EXPECT_EQ(json["left_out"], Json::array({left_out}));
+  const std::string page = TextOf(folder / "several.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("1 gap of over 5 steps"), HasSubstr("heave is not compared")));
 }
 
 // Information adds up: two pieces know together what the whole log knows.

@@ -61,7 +61,7 @@ TEST(InitTool, MakesALogOfStreamsThatIdentifies) {
                     HasSubstr("\n  fathom_check --log=" + log.string() + "\n")));
   EXPECT_EQ(ReadLog(log).name, "tank");
   EXPECT_THAT(ReadLog(log).dofs, ElementsAre(Dof::kSurge));
-  EXPECT_THAT(TextOf(log / "log.yaml"), HasSubstr("#held_out: [48.0, 60.1]"));
+  EXPECT_THAT(TextOf(log / "log.yaml"), HasSubstr("#held_out: [45.0, 60.1]"));
   const ToolRun identified =
       RunToolBinary("fathom_identify", {"--log=" + log.string(), "--dof=surge"});
   EXPECT_EQ(identified.exit_code, 0) << identified.err;

@@ -88,13 +88,13 @@ TEST(TableWidth, LeavesOutColumnsOfSeveralCheckedLogs) {
 
 TEST(TableWidth, LeavesOutNoHeldOutScore) {
   const std::string out = RunToolBinary("fathom_compare", {kFlatfish, "--dofs=yaw"}).out;
-  EXPECT_THAT(out, HasSubstr("velocity NMAE, held out\n"));
+  EXPECT_THAT(out, HasSubstr("held-out NMAE\n"));
   EXPECT_THAT(out, HasSubstr("(5 columns more with --wide)"));
 }
 
 TEST(TableWidth, IsThatOfAllColumnsIfAskedFor) {
   const std::string out = RunToolBinary("fathom_compare", {kFlatfish, "--dofs=yaw", "--wide"}).out;
-  EXPECT_THAT(out, HasSubstr("buoyancy [N m]  velocity MAE [rad/s]"));
+  EXPECT_THAT(out, HasSubstr("buoyancy [N m]  training MAE [rad/s]"));
   EXPECT_THAT(out, Not(HasSubstr("more with --wide")));
 }
 

@@ -3,6 +3,8 @@
 
 #include "fathom/check/excitation.h"
 
+#include "fathom/log/proposed_held_out.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +15,6 @@ namespace {
 
 constexpr double kBlock = 5.0;      // [s]
 constexpr double kLeastSpan = 0.2;  // of the whole log's
-constexpr double kHeldOut = 0.25;   // of the excited time
 constexpr double kFewest = 40.0;    // excited [s], to hold something out
 
 struct Span {
@@ -79,7 +80,6 @@ Excitation ExcitationOf(const HeldCommand& command, std::span<const Segment> seg
   const double least_velocity = kLeastSpan * UsualSpan(all_velocities);
   if (!(least_force > 0.0) || !(least_velocity > 0.0)) return excitation;
 
-  std::vector<TimeInterval> excited_blocks;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::vector<Block> blocks = BlocksOf(segments[s], forces[s]);
     bool goes_on = false;
@@ -92,7 +92,6 @@ Excitation ExcitationOf(const HeldCommand& command, std::span<const Segment> seg
       }
       const bool is_excited = force.Size() >= least_force && velocity.Size() >= least_velocity;
       if (is_excited) {
-        excited_blocks.push_back(blocks[k].time);
         excitation.excited += blocks[k].time.to - blocks[k].time.from;
         if (goes_on) {
           excitation.stretches.back().to = blocks[k].time.to;
@@ -104,13 +103,7 @@ Excitation ExcitationOf(const HeldCommand& command, std::span<const Segment> seg
     }
   }
   if (excitation.excited < kFewest) return excitation;
-  double held_out = 0.0;
-  std::size_t first = excited_blocks.size();
-  while (first > 0 && held_out < kHeldOut * excitation.excited) {
-    --first;
-    held_out += excited_blocks[first].to - excited_blocks[first].from;
-  }
-  excitation.held_out = {excited_blocks[first].from, excited_blocks.back().to};
+  excitation.held_out = ProposedHeldOut(excitation.stretches);
   return excitation;
 }
 

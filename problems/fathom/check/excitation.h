@@ -19,7 +19,7 @@ struct Excitation {
   double excited = 0.0;                 // all stretches together [s]
   double duration = 0.0;                // of all segments [s]
 
-  // What to hold out: about the last quarter of the excited time. Nothing where less than 40 s are
+  // What to hold out: ProposedHeldOut() of the stretches. Nothing where less than 40 s are
   // excited: too little is left to learn from, or to judge by.
   std::optional<TimeInterval> held_out;
 };

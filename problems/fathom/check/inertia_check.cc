@@ -27,38 +27,65 @@ constexpr double kUsualMasses = 3.0;   // mass and added mass over mass, at most
 // A number read in the wrong unit makes the inertia this many times too large.
 struct UnitMistake {
   double factor;
+  bool LoggedQuantities::*quantity;  // it can only be made of this; null: of any log
   const char* text;
 };
 
 constexpr std::array<UnitMistake, 11> kUnitMistakes = {{
-    {1e-3, "forces in kN, not N (multiply them by 1000)"},
-    {1.0 / 9.80665, "forces in kgf, not N (multiply them by 9.807)"},
-    {1.0 / 4.44822, "forces in lbf, not N (multiply them by 4.448)"},
-    {3600.0, "thruster speeds in rpm, not Hz (divide them by 60)"},
-    {39.4784, "thruster speeds in rad/s, not Hz (divide them by 6.283)"},
-    {1e-3, "motion in mm and mm/s (multiply it by 0.001)"},
-    {1e-2, "motion in cm and cm/s (multiply it by 0.01)"},
-    {1.0 / 1.94384, "speeds in knots, not m/s (multiply them by 0.5144)"},
-    {1.0 / 3.6, "speeds in km/h, not m/s (multiply them by 0.2778)"},
-    {1.0 / 3.28084, "motion in feet (multiply it by 0.3048)"},
-    {1e3, "the mass of the vehicle in t, not kg"},
+    {1e-3, &LoggedQuantities::force, "forces in kN, not N (multiply them by 1000)"},
+    {1.0 / 9.80665, &LoggedQuantities::force, "forces in kgf, not N (multiply them by 9.807)"},
+    {1.0 / 4.44822, &LoggedQuantities::force, "forces in lbf, not N (multiply them by 4.448)"},
+    {3600.0,
+     &LoggedQuantities::thruster_speed,
+     "thruster speeds in rpm, not Hz (divide them by 60)"},
+    {39.4784,
+     &LoggedQuantities::thruster_speed,
+     "thruster speeds in rad/s, not Hz (divide them by 6.283)"},
+    {1e-3, nullptr, "motion in mm and mm/s (multiply it by 0.001)"},
+    {1e-2, nullptr, "motion in cm and cm/s (multiply it by 0.01)"},
+    {1.0 / 1.94384,
+     &LoggedQuantities::velocity,
+     "speeds in knots, not m/s (multiply them by 0.5144)"},
+    {1.0 / 3.6, &LoggedQuantities::velocity, "speeds in km/h, not m/s (multiply them by 0.2778)"},
+    {1.0 / 3.28084, nullptr, "motion in feet (multiply it by 0.3048)"},
+    {1e3, nullptr, "the mass of the vehicle in t, not kg"},
 }};
 
+constexpr const char* kWrongMass = "a wrong `mass` in log.yaml or the vehicle file";
+
+bool IsPossible(const UnitMistake& mistake, const LoggedQuantities& logged) {
+  return mistake.quantity == nullptr || logged.*mistake.quantity;
+}
+
+// Where no unit explains it.
+std::string ToCheck(double inertia, const Body& body) {
+  std::vector<std::string> units;
+  if (body.logged.force) units.emplace_back("force");
+  if (body.logged.thruster_speed) units.emplace_back("thruster speed");
+  units.emplace_back("motion");
+  const char* const thrusters =
+      body.logged.thruster_speed ? "the coefficients of the thrusters, " : "";
+  const char* const flat =
+      inertia > body.mass && !body.size
+          ? " A flat vehicle moved across its plane may reach six times its mass: a vehicle file "
+            "tells its size."
+          : "";
+  return fmt::format(
+      "Check `mass` in log.yaml or the vehicle file, the units of {}, {}and the clocks.{}",
+      fmt::join(units, " and "),
+      thrusters,
+      flat);
+}
+
 std::string ExplainedBy(double inertia, const Body& body) {
-  const double mass = body.mass;
   std::vector<std::string> texts;
   for (const UnitMistake& mistake : kUnitMistakes) {
-    const double masses = inertia / mistake.factor / mass;
+    if (!IsPossible(mistake, body.logged)) continue;
+    const double masses = inertia / mistake.factor / body.mass;
     if (masses >= 1.0 && masses <= kUsualMasses) texts.emplace_back(mistake.text);
   }
-  if (texts.empty()) {
-    const char* const flat =
-        inertia > mass && !body.size
-            ? " A flat vehicle moved across its plane may reach six times its mass: a vehicle file "
-              "tells its size."
-            : "";
-    return fmt::format("Check the units of force, motion and mass, and the clocks.{}", flat);
-  }
+  if (texts.empty()) return ToCheck(inertia, body);
+  texts.emplace_back(kWrongMass);
   return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));
 }
 

@@ -12,10 +12,18 @@
 
 namespace fathom {
 
-// What is known of a vehicle's body.
+// What logs hold, and so what may be in a wrong unit beside the motion itself.
+struct LoggedQuantities {
+  bool force = false;           // in command.csv
+  bool thruster_speed = false;  // in its place
+  bool velocity = false;        // velocity.csv, not poses alone
+};
+
+// What is known of a vehicle's body, and what the logs hold that it is held against.
 struct Body {
   double mass = 0.0;                               // dry [kg], above 0
   std::optional<std::array<double, 3>> size = {};  // length, width, height [m], above 0
+  LoggedQuantities logged = {};
 };
 
 // The most inertia [kg] that a body may have along surge, sway or heave.
@@ -33,8 +41,8 @@ double MostInertia(Dof dof, const Body& body);
 
 // An inertia against the body of the vehicle: a warning of code "inertia" if its 95 % interval lies
 // below the dry mass, or above MostInertia(). A vehicle cannot move with less than its mass, and
-// the water that a body takes along adds once or twice that. The sentence names the units whose
-// mistake would explain it. Nothing for an angular DOF.
+// the water that a body takes along adds once or twice that. The sentence names the mistakes that
+// would explain it: units of what the logs hold, and the mass itself. Nothing for an angular DOF.
 std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body);
 
 // The same of a model; nothing where the body is not known, or the force is not in newton: the

@@ -13,7 +13,9 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -43,6 +45,23 @@ std::optional<std::array<double, 3>> SizeOf(const Log& log) {
   const std::optional<Eigen::Vector3d> size = ReadVehicleFile(file).size;
   if (!size) return std::nullopt;
   return std::array{size->x(), size->y(), size->z()};
+}
+
+// Whether command.csv holds speeds of thrusters: forces have been made of them by now.
+bool HoldsThrusterSpeeds(const Log& log) {
+  std::ifstream file(log.path / "command.csv");
+  std::string columns;
+  std::getline(file, columns);
+  return columns.find("thruster_") != std::string::npos;
+}
+
+LoggedQuantities QuantitiesOf(std::span<const Log> logs) {
+  LoggedQuantities logged;
+  for (const Log& log : logs) {
+    (HoldsThrusterSpeeds(log) ? logged.thruster_speed : logged.force) = true;
+    logged.velocity |= log.velocity.has_value();
+  }
+  return logged;
 }
 
 }  // namespace
@@ -81,10 +100,11 @@ std::optional<Body> BodyOf(std::span<const Log> logs) {
   std::optional<Body> body;
   for (const Log& log : logs) {
     if (!log.mass) continue;
-    const Body own = {*log.mass, SizeOf(log)};
+    const Body own = {*log.mass, SizeOf(log), {}};
     if (body && (body->mass != own.mass || body->size != own.size)) return std::nullopt;
     body = own;
   }
+  if (body) body->logged = QuantitiesOf(logs);
   return body;
 }
 

@@ -29,9 +29,9 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof);
 // that never changes; empty if there is none.
 std::string WhyNoModel(const std::vector<Finding>& findings);
 
-// The body that the logs agree on: their mass, and the size in the vehicle file that they name.
-// Nothing if none knows its mass, or two have different bodies. Throws InputError if that file
-// breaks its format.
+// The body that the logs agree on: their mass, the size in the vehicle file that they name, and
+// what the logs hold. Nothing if none knows its mass, or two have different bodies. Throws
+// InputError if that file breaks its format.
 std::optional<Body> BodyOf(std::span<const Log> logs);
 
 }  // namespace fathom

@@ -22,7 +22,8 @@ namespace {
 
 std::string FindingText(const Finding& finding) {
   const Advice advice = AdviceOn(finding.code);
-  std::string text = finding.sentence;
+  const char* const colour = finding.severity == Severity::kWarning ? "Red" : "Yellow";
+  std::string text = fmt::format("{}: {}", colour, finding.sentence);
   if (!advice.effect.empty()) text += fmt::format(" To a model: {}", advice.effect);
   if (!advice.remedy.empty()) text += fmt::format(" To do: {}", advice.remedy);
   return fmt::format("{} ({})", text, finding.code);
@@ -99,6 +100,8 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
   };
   tell(checkup.findings);
   for (const DofCheckup& dof : checkup.dofs) tell(dof.findings);
+  page.lead.push_back("Next: " + NextStep(checkup));
+  page.footer = kColourKey;
   page.origin = origin;
   PageSection streams;
   streams.heading = "Files";
@@ -114,6 +117,9 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
     }
     std::vector<PageSection> pictures =
         AddFindings(dof.findings, checkup.log, &dof, &section.warnings, &section.text);
+    if (dof.findings.empty() && dof.why_not.empty()) {
+      section.text.emplace_back("Green: nothing found.");
+    }
     for (std::string& sentence : ExcitationSentences(checkup, dof)) {
       section.text.push_back(std::move(sentence));
     }

@@ -10,8 +10,8 @@
 
 namespace fathom {
 
-// The checkup as a page: the verdict, the findings with what they do and how to mend them, motion
-// and command of each DOF, and how well its parameters are known.
+// The checkup as a page: the verdict, the next step, the findings with what they do and how to mend
+// them, motion and command of each DOF, and how well its parameters are known.
 std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origin);
 
 }  // namespace fathom

@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/check/advice.h"
+#include "fathom/check/explain_first.h"
 #include "fathom/check/finding_json.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
@@ -22,10 +23,6 @@ namespace fathom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::size_t NumOf(Severity severity, const std::vector<Finding>& findings) {
-  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
-}
 
 // "surge, sway and yaw"
 std::string Listed(const std::vector<std::string>& names) {
@@ -97,22 +94,34 @@ std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
   return sentences;
 }
 
-}  // namespace
-
-std::string Verdict(const LogCheckup& checkup) {
-  const std::vector<Finding> findings = AllFindings(checkup);
-  const std::size_t red = NumOf(Severity::kWarning, findings);
+// The DOFs that a model comes of.
+std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   std::vector<std::string> usable;
   for (const DofCheckup& dof : checkup.dofs) {
     if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
   }
-  if (red > 0) {
-    return fmt::format("{} before a model of this log can be believed.",
-                       red == 1 ? "One finding has to be explained"
-                                : fmt::format("{} findings have to be explained", red));
-  }
+  return usable;
+}
+
+}  // namespace
+
+std::string Verdict(const LogCheckup& checkup) {
+  if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
+  const std::vector<std::string> usable = UsableDofs(checkup);
   if (usable.empty()) return "Nothing in this log can be identified.";
   return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));
+}
+
+std::string NextStep(const LogCheckup& checkup) {
+  const std::string log = checkup.log.path.string();
+  if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
+  if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
+  const std::vector<std::string> usable = UsableDofs(checkup);
+  if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
+  const std::string step =
+      fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);
+  if (usable.size() == 1) return step;
+  return fmt::format("{}; likewise {}", step, Listed({usable.begin() + 1, usable.end()}));
 }
 
 Table StreamTable(const LogCheckup& checkup) {
@@ -178,7 +187,7 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
     sentences.push_back(
         fmt::format("To judge the model on data that it has not seen, add to {}: held_out: "
                     "[{:.1f}, {:.1f}]",
-                    checkup.log.origin ? "the map of the import" : "log.yaml",
+                    PlaceOfKeys(checkup.log),
                     held_out.from,
                     held_out.to));
   }
@@ -203,7 +212,7 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
   for (const Remark& remark : checkup.log.remarks) text += "note: " + remark.text + "\n";
-  return text;
+  return text + "next: " + NextStep(checkup) + "\n";
 }
 
 std::string FormatCheckupJson(const LogCheckup& checkup) {
@@ -259,10 +268,7 @@ Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {
       table.rows.push_back({{log.path, "-", "not readable", "-"}});
       continue;
     }
-    std::vector<std::string> usable;
-    for (const DofCheckup& dof : log.checkup.dofs) {
-      if (dof.model && dof.model->is_usable) usable.emplace_back(Name(dof.dof));
-    }
+    const std::vector<std::string> usable = UsableDofs(log.checkup);
     std::set<std::string> red, yellow;
     for (const Finding& finding : AllFindings(log.checkup)) {
       (finding.severity == Severity::kWarning ? red : yellow).insert(finding.code);

@@ -14,6 +14,14 @@ namespace fathom {
 // What comes first, in one sentence: what is red, and what can be identified.
 std::string Verdict(const LogCheckup& checkup);
 
+// What to do with this log now: a command, where there is one.
+std::string NextStep(const LogCheckup& checkup);
+
+// What the colours of findings mean.
+inline constexpr const char* kColourKey =
+    "Red: no model of this log should be believed before this is explained. Yellow: worth knowing. "
+    "Green: nothing was found.";
+
 Table StreamTable(const LogCheckup& checkup);
 
 // How well this log knows each parameter of a DOF, by output error.

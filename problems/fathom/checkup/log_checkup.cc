@@ -64,6 +64,21 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
   }
 }
 
+// A vehicle file that is missing or has no mass has a remark of its own. A turn is held against no
+// mass, nor is a command that is no force.
+void AddRemarkOnUnknownMass(LogCheckup* checkup) {
+  Log& log = checkup->log;
+  const bool is_held_against_mass =
+      log.command_unit.empty() &&
+      std::ranges::any_of(checkup->dofs, [](const DofCheckup& dof) { return !IsAngular(dof.dof); });
+  if (log.mass || log.vehicle.ends_with(".yaml") || !is_held_against_mass) return;
+  log.remarks.push_back(
+      {RemarkKind::kGeneral,
+       fmt::format("No mass of the vehicle is known, so that the units of force and motion cannot "
+                   "be checked. Add `mass:` (dry, in kg) to {}.",
+                   PlaceOfKeys(log))});
+}
+
 // The poses against velocity.csv. Those of a camera get the clock of velocity.csv first, so that a
 // delay is told once and no axis for it.
 std::vector<Finding> CheckTwoMotions(Log log) {
@@ -105,6 +120,12 @@ void Identify(const Log& log, DofCheckup* checkup) {
 
 }  // namespace
 
+std::string PlaceOfKeys(const Log& log) {
+  if (log.origin) return "the map of the import";
+  return std::filesystem::is_regular_file(log.path) ? "the log.yaml of a folder with it"
+                                                    : "log.yaml";
+}
+
 LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
                    const std::vector<TimeInterval>& held_out) {
@@ -143,6 +164,7 @@ LogCheckup CheckUp(const std::filesystem::path& path,
     checkup.dofs.push_back(std::move(of_dof));
   }
   checkup.log = std::move(log);
+  AddRemarkOnUnknownMass(&checkup);
   return checkup;
 }
 

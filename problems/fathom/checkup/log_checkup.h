@@ -50,6 +50,9 @@ struct LogCheckup {
   std::vector<DofCheckup> dofs;   // those that log.yaml names, else those that are commanded
 };
 
+// Where a key of this log is written: "log.yaml", or what that is made from.
+std::string PlaceOfKeys(const Log& log);
+
 // Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit
 // by output error knows the parameters. `dof`: only that one, or what a single CSV is of.
 // `held_out`: as ReadLogOptions has it. Throws InputError as OpenLog() does.

@@ -4,6 +4,7 @@
 #include "fathom/checkup/logs_checkup.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/log/proposed_held_out.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +56,12 @@ double VolumeWithout(const std::vector<Part>& parts, std::size_t without) {
 
 // Whole logs; empty where too few are left.
 std::vector<LogHeldOut> WholeLogs(std::vector<Part> parts) {
-  constexpr double kLeastShare = 0.25, kMostShare = 0.5;
+  constexpr double kMostShare = 0.5;
   constexpr std::size_t kFewestLeft = 2;
   double all = 0.0, held = 0.0;
   for (const Part& part : parts) all += part.excited;
   std::vector<LogHeldOut> held_out;
-  while (parts.size() > kFewestLeft && held < kLeastShare * all) {
+  while (parts.size() > kFewestLeft && held < kHeldOutShare * all) {
     std::size_t best = parts.size();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -3,6 +3,8 @@
 
 #include "fathom/checkup/logs_text.h"
 
+#include "fathom/checkup/left_out_dofs.h"
+#include "fathom/checkup/listed_findings.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/page.h"
 #include "fathom/vehicle/parameters.h"
@@ -21,9 +23,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kCaption =
-    "Standard deviation from each log alone; in brackets its share of the information. All "
-    "together "
-    "counts logs of one vehicle that agree.";
+    "How well each log alone knows a parameter: the standard deviation, and in brackets the log's "
+    "share of what all logs know. The last row is what they know together, if they are of one "
+    "vehicle and agree.";
 
 const FittedModel& ModelOf(const std::vector<CheckedLog>& logs, std::size_t log_index, Dof dof) {
   return FindDof(logs[log_index].checkup, dof)->model->fitted;
@@ -60,6 +62,20 @@ std::vector<std::string> Disagreements(const DofOfLogs& of_dof) {
   }
   return sentences;
 }
+
+std::string FindingLines(const CheckedLog& log) {
+  std::string text;
+  for (const ListedFinding& finding : ListedFindings(log.checkup)) {
+    text += fmt::format("{:<7} {:<17} {}\n",
+                        finding.severity == Severity::kWarning ? "red" : "yellow",
+                        finding.code,
+                        finding.sentence);
+  }
+  return text.empty() ? "" : fmt::format("\n{}\n{}", log.path, text);
+}
+
+constexpr const char* kMoreOfEachLog =
+    "fathom_check of one log alone says what its findings do to a model, and what to do.";
 
 std::string Sentence(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
   const auto num_red =
@@ -160,12 +176,18 @@ std::string FormatLogs(const std::vector<CheckedLog>& logs,
                        std::span<const DofOfLogs> dofs,
                        TableFormat format) {
   std::string text = Sentence(logs, dofs) + "\n\n" + FormatCheckedLogs(logs, format);
+  std::string findings;
+  for (const CheckedLog& log : logs) findings += FindingLines(log);
+  if (!findings.empty()) text += findings + kMoreOfEachLog + "\n";
   for (const DofOfLogs& of_dof : dofs) {
     text += fmt::format(
         "\n{}\n{}\n{}", Name(of_dof.dof), kCaption, format(InformationTable(logs, of_dof)));
     for (const std::string& sentence : Disagreements(of_dof)) text += sentence + "\n";
     for (const std::string& sentence : SplitSentences(logs, of_dof)) text += sentence + "\n";
   }
+  const std::vector<std::string> left_out = LeftOutDofs(logs);
+  if (!left_out.empty()) text += "\n";
+  for (const std::string& sentence : left_out) text += sentence + "\n";
   return text;
 }
 
@@ -193,7 +215,8 @@ std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const 
   const Json json = {{"schema", "fathom-check-logs-1"},
                      {"verdict", Sentence(logs, dofs)},
                      {"logs", std::move(of_logs)},
-                     {"dofs", std::move(of_dofs)}};
+                     {"dofs", std::move(of_dofs)},
+                     {"left_out", LeftOutDofs(logs)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -203,10 +226,26 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
   Page page;
   page.title = fmt::format("Check of {} logs", logs.size());
   page.lead = {Sentence(logs, dofs)};
+  page.footer = kColourKey;
   page.origin = origin;
   PageSection findings;
   findings.heading = "Findings";
   findings.tables = {CheckedLogsTable(logs)};
+  for (const CheckedLog& log : logs) {
+    for (const ListedFinding& finding : ListedFindings(log.checkup)) {
+      std::vector<std::string>& to =
+          finding.severity == Severity::kWarning ? findings.warnings : findings.text;
+      to.push_back(fmt::format("{}: {}: {} ({})",
+                               finding.severity == Severity::kWarning ? "Red" : "Yellow",
+                               log.path,
+                               finding.sentence,
+                               finding.code));
+    }
+  }
+  if (!findings.warnings.empty() || !findings.text.empty()) {
+    findings.text.emplace_back(kMoreOfEachLog);
+  }
+  for (std::string& sentence : LeftOutDofs(logs)) findings.text.push_back(std::move(sentence));
   page.sections.push_back(std::move(findings));
   for (const DofOfLogs& of_dof : dofs) {
     PageSection section;

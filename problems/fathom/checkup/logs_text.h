@@ -12,9 +12,9 @@
 
 namespace fathom {
 
-// Several logs for a terminal: a row for each (FormatCheckedLogs), and for each DOF the standard
-// deviation that each log alone leaves its parameters, its share of what all know, and what to hold
-// out.
+// Several logs for a terminal: a row for each (FormatCheckedLogs), its findings, for each DOF the
+// standard deviation that each log alone leaves its parameters, its share of what all know, and
+// what to hold out, and which DOFs are not compared.
 std::string FormatLogs(const std::vector<CheckedLog>& logs,
                        std::span<const DofOfLogs> dofs,
                        TableFormat format);

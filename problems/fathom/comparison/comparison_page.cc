@@ -4,6 +4,7 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
@@ -63,10 +64,12 @@ std::string Sentence(const DofComparison& comparison) {
         100.0 * score,
         on);
   }
+  const std::string first = ExplainFirst(comparison.findings);
   return fmt::format(
-      "{}: take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
+      "{}: {}take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
       "{}Inertia {} {} (95 %).",
       dof,
+      first.empty() ? "" : first + " Then ",
       ModelName(taken),
       score > kPoorFit ? ", though it fits poorly" : "",
       100.0 * score,
@@ -76,6 +79,13 @@ std::string Sentence(const DofComparison& comparison) {
       FormatValue(taken.fitted.model.inertia,
                   kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
       UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
+}
+
+// That the table marks; null where the best one is worse than a model that stands still.
+const Identification* RowToTake(const DofComparison& comparison) {
+  const Identification* const taken = Recommend(comparison).taken;
+  const bool is_good = taken != nullptr && ScoreOf(comparison, *taken) < kScoreAtRest;
+  return is_good ? taken : nullptr;
 }
 
 // The rows of a table with some of its columns.
@@ -134,6 +144,12 @@ PageSection SectionOf(const DofComparison& comparison) {
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
+  if (RowToTake(comparison) != nullptr) {
+    lines.push_back(fmt::format(
+        "* the row to take: its {} NMAE (the error of the velocity, simulated from the command "
+        "alone) is the least within chance, and its parameters are known best",
+        comparison.HasHeldOut() ? "held-out" : "training"));
+  }
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
         fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "
@@ -168,12 +184,11 @@ Table ParameterTable(const DofComparison& comparison) {
                    {heading("q. damping", kQuadraticDamping), true},
                    {heading("l. damping", kLinearDamping), true, 1},
                    {heading("buoyancy", kBuoyancy), true, 2},
-                   {fmt::format("velocity MAE [{}]", speed_unit), true, 4},
-                   {"velocity NMAE", true, train_rank},
-                   {"velocity MAE, held out", true, 4},
-                   {"velocity NMAE, held out", true, held_out_rank}};
-  const Identification* taken = Recommend(comparison).taken;
-  if (taken != nullptr && !(ScoreOf(comparison, *taken) < kScoreAtRest)) taken = nullptr;
+                   {fmt::format("training MAE [{}]", speed_unit), true, 4},
+                   {"training NMAE", true, train_rank},
+                   {"held-out MAE", true, 4},
+                   {"held-out NMAE", true, held_out_rank}};
+  const Identification* const taken = RowToTake(comparison);
   for (const Identification& row : comparison.rows) {
     TableRow line;
     line.cells = {std::string(Name(comparison.dof)), ModelName(row)};
@@ -226,11 +241,12 @@ Page ComparisonPage(const Comparison& comparison) {
     notes.insert(notes.begin(), comparison.remarks.begin(), comparison.remarks.end());
   }
   page.footer =
-      "Velocity MAE and velocity NMAE are errors when simulating from the command alone, "
+      "MAE and NMAE are errors of the velocity when simulating from the command alone, "
       "started "
       "where the model fits the first two seconds of each segment best (docs/models.md). In the "
       "table, ± is one "
-      "standard deviation. Bars and the sentences above give 95 % intervals.";
+      "standard deviation, and the row in bold is the one to take. Bars and the sentences above "
+      "give 95 % intervals.";
   return page;
 }
 

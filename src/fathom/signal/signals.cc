@@ -174,8 +174,12 @@ Motion MotionIn(const SampleRange& range,
       measured.poses.Between(range.begin, range.end), dof, position, command, filter);
 }
 
+// What the filter is for, and its window.
 std::string WindowRemark(double window, const SignalsOptions& options, double step) {
-  return fmt::format("Savitzky-Golay: window {:.3g} s (about {:.0f} samples), order {}, {}.",
+  return fmt::format("{}: window {:.3g} s (about {:.0f} samples), order {}, {}.",
+                     options.source == Source::kPoseEstimator
+                         ? "A Savitzky-Golay filter gives least squares its accelerations"
+                         : "A Savitzky-Golay filter makes velocities of the poses",
                      window,
                      std::floor(window / step) + 1,
                      options.order,

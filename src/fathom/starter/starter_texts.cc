@@ -3,6 +3,8 @@
 
 #include "fathom/starter/starter_texts.h"
 
+#include "fathom/log/proposed_held_out.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
@@ -28,16 +30,16 @@ std::string KnownOr(const char* key, const std::string& value, const char* examp
                        : fmt::format("{}: {}\n", key, InDoubleQuotes(value));
 }
 
-// The last fifth of the motion, for an example.
-TimeInterval LastFifth(const std::optional<TimeInterval>& span) {
+// Where no span is known, that of an example.
+TimeInterval HeldOutOf(const std::optional<TimeInterval>& span) {
   if (!span) return {.from = 240.0, .to = 300.0};
-  return OutToTenths({.from = span->to - 0.2 * (span->to - span->from), .to = span->to});
+  return OutToTenths(ProposedHeldOut({&*span, 1}));
 }
 
 }  // namespace
 
 std::string StarterLogYaml(const KnownOfLog& known) {
-  const TimeInterval held_out = LastFifth(known.span);
+  const TimeInterval held_out = HeldOutOf(known.span);
   return fmt::format(
              "# What a log is: docs/file_formats.md. To use a key below, remove the # before it.\n"
              "name: {}\n"
@@ -106,7 +108,7 @@ std::string StarterVehicleYaml(const std::string& name, std::size_t num_thruster
 std::string StarterMapYaml(const std::string& name,
                            const std::optional<TimeInterval>& span,
                            const std::string& suggested) {
-  const TimeInterval held_out = LastFifth(span);
+  const TimeInterval held_out = HeldOutOf(span);
   return fmt::format(
       "# What a map is: docs/import.md. To use a key below, remove the # before it.\n"
       "name: {}\n"

@@ -56,7 +56,7 @@ TEST(Excitation, HoldsOutTheLastQuarterOfIt) {
   const Excitation found = ExcitationOf(dive.command, {&dive.segment, 1});
   ASSERT_TRUE(found.held_out);
   EXPECT_GT(found.held_out->from, 400.0);
-  EXPECT_NEAR(found.held_out->to - found.held_out->from, 0.25 * found.excited, 6.0);
+  EXPECT_NEAR(found.held_out->to - found.held_out->from, 0.25 * found.excited, 1e-9);
 }
 
 TEST(Excitation, IsNoneAtRest) {

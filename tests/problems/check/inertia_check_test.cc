@@ -3,13 +3,18 @@
 
 #include "fathom/check/inertia_check.h"
 
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Body kRov = {.mass = 22.5};
 const Body kFlatFish = {.mass = 274.0,
@@ -22,19 +27,40 @@ TEST(InertiaCheck, PassesWhatAddedMassMakes) {
   EXPECT_FALSE(CheckInertia(Dof::kYaw, 0.9, 0.1, kRov));     // kg m^2
 }
 
+constexpr LoggedQuantities kForces = {.force = true, .velocity = true};
+constexpr LoggedQuantities kThrusterSpeeds = {.thruster_speed = true, .velocity = true};
+
+// Of an inertia of 30 kg that comes out so many times too large.
+std::string SentenceOn(double factor, const LoggedQuantities& logged) {
+  const Body body = {.mass = kRov.mass, .logged = logged};
+  const auto finding = CheckInertia(Dof::kSurge, 30.0 * factor, 0.3 * factor, body);
+  return finding ? finding->sentence : std::string();
+}
+
 TEST(InertiaCheck, NamesTheUnitThatExplainsIt) {
-  const double inertia = 30.0;
-  const auto sentence = [&](double factor) {
-    const auto finding = CheckInertia(Dof::kSurge, factor * inertia, factor * 0.3, kRov);
-    return finding ? finding->sentence : std::string();
-  };
-  EXPECT_THAT(sentence(1e-3), HasSubstr("kN"));
-  EXPECT_THAT(sentence(3600.0), HasSubstr("rpm"));
-  EXPECT_THAT(sentence(4.0 * 9.8696), HasSubstr("rad/s"));
-  EXPECT_THAT(sentence(0.01), HasSubstr("cm/s"));
-  EXPECT_THAT(sentence(1.0 / 1.94384), HasSubstr("knots"));
-  EXPECT_THAT(sentence(1.0 / 9.80665), HasSubstr("kgf"));
-  EXPECT_THAT(sentence(1e-5), HasSubstr("Check the units"));
+  EXPECT_THAT(SentenceOn(1e-3, kForces), HasSubstr("kN"));
+  EXPECT_THAT(SentenceOn(3600.0, kThrusterSpeeds), HasSubstr("rpm"));
+  EXPECT_THAT(SentenceOn(4.0 * 9.8696, kThrusterSpeeds), HasSubstr("rad/s"));
+  EXPECT_THAT(SentenceOn(0.01, kForces), HasSubstr("cm/s"));
+  EXPECT_THAT(SentenceOn(1.0 / 1.94384, kForces), HasSubstr("knots"));
+  EXPECT_THAT(SentenceOn(1.0 / 9.80665, kForces), HasSubstr("kgf"));
+}
+
+TEST(InertiaCheck, NamesNoQuantityThatTheLogsDoNotHold) {
+  EXPECT_THAT(SentenceOn(3600.0, kForces), Not(HasSubstr("thruster")));
+  EXPECT_THAT(SentenceOn(1e-3, kThrusterSpeeds), AllOf(HasSubstr("mm/s"), Not(HasSubstr("kN"))));
+  EXPECT_THAT(SentenceOn(1.0 / 1.94384, {.force = true}), Not(HasSubstr("knots")));
+}
+
+TEST(InertiaCheck, NamesAWrongMassWhateverElseExplainsIt) {
+  EXPECT_THAT(SentenceOn(1e-3, kForces),
+              EndsWith("; or a wrong `mass` in log.yaml or the vehicle file."));
+  EXPECT_THAT(SentenceOn(1e-5, kForces),
+              EndsWith("Check `mass` in log.yaml or the vehicle file, the units of force and "
+                       "motion, and the clocks."));
+  EXPECT_THAT(SentenceOn(1e-5, kThrusterSpeeds),
+              EndsWith("Check `mass` in log.yaml or the vehicle file, the units of thruster speed "
+                       "and motion, the coefficients of the thrusters, and the clocks."));
 }
 
 // A face of 1.02 m by 2.10 m: a plate of it takes along at most 1000 pi/4 1.02^2 2.10 = 1716 kg.

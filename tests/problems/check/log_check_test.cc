@@ -9,6 +9,7 @@
 #include "fathom/signal/sources/choose_source.h"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,21 @@ TEST(LogCheck, TakesTheBodyThatTheLogsAgreeOn) {
   EXPECT_THAT(BodyOf(std::vector{one, other})->size.value(), ElementsAre(2.10, 1.02, 0.50));
   other.mass = 275.0;
   EXPECT_FALSE(BodyOf(std::vector{one, other}));
+}
+
+TEST(LogCheck, KnowsWhatTheLogsHold) {
+  Log forces, speeds;
+  forces.mass = 274.0;
+  speeds.path = FATHOM_SCRATCH_DIR "/thruster_speeds";
+  fs::create_directories(speeds.path);
+  std::ofstream(speeds.path / "command.csv") << "t,thruster_1,thruster_2\n0.0,1.0,2.0\n";
+  speeds.velocity = Stream();
+  const LoggedQuantities of_one = BodyOf(std::vector{forces})->logged;
+  EXPECT_TRUE(of_one.force);
+  EXPECT_FALSE(of_one.thruster_speed);
+  EXPECT_FALSE(of_one.velocity);
+  const LoggedQuantities of_both = BodyOf(std::vector{forces, speeds})->logged;
+  EXPECT_TRUE(of_both.force && of_both.thruster_speed && of_both.velocity);
 }
 
 void AddRuns(const fs::path& folder, std::vector<fs::path>* places) {

@@ -18,6 +18,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -77,7 +78,10 @@ TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
   comparison.rows[0].fitted.caveats.clear();
   comparison.rows[1].fitted.caveats = {"noisy regressors."};
   EXPECT_THAT(CommentsOn(comparison),
-              ElementsAre("note: It is slow.",
+              ElementsAre("* the row to take: its held-out NMAE (the error of the velocity, "
+                          "simulated from the command alone) is the least within chance, and its "
+                          "parameters are known best",
+                          "note: It is slow.",
                           "note: left out: 3 samples.",
                           "! Least squares, velocity.csv: no motion.",
                           "note: Output error, velocity.csv: noisy regressors."));
@@ -87,7 +91,7 @@ TEST(ParameterTable, HoldsThePapersColumnsWithUnits) {
   const Table table = ParameterTable(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)}));
   ASSERT_EQ(table.columns.size(), 10u);
   EXPECT_EQ(table.columns[2].heading, "inertia [kg]");
-  EXPECT_EQ(table.columns[6].heading, "velocity MAE [m/s]");
+  EXPECT_EQ(table.columns[6].heading, "training MAE [m/s]");
   // 40, standard deviation 2.0; the figures as HandmadeRow gives them.
   EXPECT_THAT(table.rows[0].cells,
               ::testing::ElementsAre("surge",
@@ -162,13 +166,23 @@ TEST(ComparisonPage, ShowsWarningsOfTheDataAndCaveatsOfTheModels) {
   EXPECT_EQ(section.tables[2].rows.at(0).cells.at(1), "a caveat");
 }
 
+TEST(ComparisonPage, SaysFirstWhatIsRed) {
+  Comparison comparison;
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)})};
+  comparison.dofs[0].findings = {{Severity::kWarning, "passivity", "It gains energy."}};
+  EXPECT_THAT(
+      ComparisonPage(comparison).lead.at(0),
+      StartsWith("Surge: One red finding has to be explained before a model of this log can "
+                 "be believed. Then take Output error, velocity.csv. Simulated"));
+}
+
 TEST(ComparisonPage, ShowsTheFigureThatDecidesFirstAndFoldsTheOthers) {
   Comparison comparison;
   comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)})};
   const PageSection section = ComparisonPage(comparison).sections.at(0);
   ASSERT_EQ(section.tables.size(), 2u);
   const Table& shown = section.tables[0];
-  EXPECT_EQ(shown.columns.at(1).heading, "velocity NMAE, held out");
+  EXPECT_EQ(shown.columns.at(1).heading, "held-out NMAE");
   EXPECT_EQ(shown.rows.at(0).cells.at(1), "0.0300");
   EXPECT_THAT(shown.fold, IsEmpty());
   EXPECT_THAT(section.tables[1].fold, HasSubstr("training data"));
@@ -180,7 +194,7 @@ TEST(ComparisonPage, ShowsTheErrorOnTheTrainingDataWhereNoneAreHeldOut) {
   comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
   comparison.dofs[0].scored.held_out.clear();
   const PageSection section = ComparisonPage(comparison).sections.at(0);
-  EXPECT_EQ(section.tables.at(0).columns.at(1).heading, "velocity NMAE");
+  EXPECT_EQ(section.tables.at(0).columns.at(1).heading, "training NMAE");
   EXPECT_EQ(section.tables.at(0).rows.at(0).cells.at(1), "0.0200");
 }
 

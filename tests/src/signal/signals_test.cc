@@ -18,6 +18,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 constexpr double kMass = 80.0, kDamping = 25.0, kBuoyancy = -3.0;
 
@@ -302,7 +303,11 @@ TEST(Signals, SayWhichWindowTheyUse) {
   const TankRun run = StepRun(60.0);
   EXPECT_THAT(SignalsOf(run.log, Dof::kSurge).remarks, Contains(HasSubstr("cross-validation")));
   EXPECT_THAT(SignalsOf(run.log, Dof::kSurge, {.window = 1.5}).remarks,
-              Contains(HasSubstr("window 1.5 s")));
+              Contains(StartsWith("A Savitzky-Golay filter gives least squares its accelerations: "
+                                  "window 1.5 s")));
+  EXPECT_THAT(
+      SignalsOf(run.log, Dof::kSurge, {.source = Source::kCamera}).remarks,
+      Contains(StartsWith("A Savitzky-Golay filter makes velocities of the poses: window ")));
   EXPECT_THAT(SignalsOf(run.log, Dof::kSurge).remarks, Not(Contains(HasSubstr("rotation step"))));
 }
 

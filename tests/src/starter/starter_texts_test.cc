@@ -63,7 +63,7 @@ TEST(StarterTexts, WhatIsKnownOfALogIsNoComment) {
   const Log log = ParseLogYaml("log.yaml", text);
   EXPECT_EQ(log.vehicle, "rov.yaml");
   EXPECT_EQ(log.video, "dive.mkv");
-  EXPECT_THAT(text, HasSubstr("\n#held_out: [1433350680.0, 1433350700.1]\n"));
+  EXPECT_THAT(text, HasSubstr("\n#held_out: [1433350675.0, 1433350700.1]\n"));
 }
 
 TEST(StarterTexts, AVehicleFileReadsAsItIs) {
@@ -91,7 +91,7 @@ TEST(StarterTexts, AMapReadsAsItIsAndWithEveryKey) {
   const ImportMap map = ParseImportMap("map.yaml", WithEveryKey(text));
   EXPECT_EQ(map.mass, 10.0);
   ASSERT_EQ(map.held_out.size(), 1U);
-  EXPECT_EQ(map.held_out[0].from, 90.0);
+  EXPECT_EQ(map.held_out[0].from, 85.0);
   EXPECT_EQ(map.held_out[0].to, 110.1);
 }
 

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/diagnosis_page.h"
 
+#include "fathom/check/explain_first.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
@@ -185,6 +186,15 @@ std::vector<std::string> WarningsOf(const Diagnosis& diagnosis) {
   return warnings;
 }
 
+// What is red comes before what the diagnosis says.
+std::vector<std::string> LeadOf(const Diagnosis& diagnosis) {
+  std::vector<std::string> lead = VerdictParagraphs(diagnosis);
+  if (std::string first = ExplainFirst(diagnosis.findings); !first.empty()) {
+    lead.insert(lead.begin(), std::move(first));
+  }
+  return lead;
+}
+
 }  // namespace
 
 Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
@@ -202,7 +212,7 @@ Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
 Page DiagnosisPage(const Diagnosis& diagnosis) {
   Page page;
   page.title = TitleOf(diagnosis);
-  page.lead = VerdictParagraphs(diagnosis);
+  page.lead = LeadOf(diagnosis);
   page.warnings = WarningsOf(diagnosis);
   page.facts = FactsOf(diagnosis);
   AddBeforeAndAfter(diagnosis, &page);

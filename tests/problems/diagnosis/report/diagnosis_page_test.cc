@@ -57,6 +57,16 @@ TEST(DiagnosisPage, OpensWithTheSentenceAndTheResiduals) {
   }
 }
 
+TEST(DiagnosisPage, SaysFirstWhatIsRed) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.findings = {{Severity::kWarning, "passivity", "It gains energy."}};
+  const Page page = DiagnosisPage(diagnosis);
+  ASSERT_GE(page.lead.size(), 2u);
+  EXPECT_EQ(page.lead[0],
+            "One red finding has to be explained before a model of this log can be believed.");
+  EXPECT_EQ(page.lead[1], VerdictParagraphs(diagnosis)[0]);
+}
+
 TEST(DiagnosisPage, GoesFromTheErrorToItsCauseToTheEvidence) {
   EXPECT_THAT(HeadingsOf(DiagnosisPage(ExplainedDiagnosis())),
               ElementsAre("Before and after",
