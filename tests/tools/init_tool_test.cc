@@ -121,7 +121,7 @@ TEST(InitTool, WritesAMapForACsvOfAnotherShapeThatImports) {
                                      {"--from=" + (folder / "pool.csv").string(), "--suggest"})
                            .out));
   // Of 240 s.
-  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [191.9, 240.0]\n"));
+  EXPECT_THAT(TextOf(folder / "pool.csv.map.yaml"), HasSubstr("\n#held_out: [179.9, 240.0]\n"));
   EXPECT_THAT(run.out, HasSubstr(" --vehicle=" + (folder / "vehicle.yaml").string() + " --out="));
   const ToolRun next = RunNext(run.out);
   EXPECT_EQ(next.exit_code, 0) << next.err;

@@ -3,6 +3,7 @@
 
 #include "fathom/check/command_clock.h"
 
+#include "fathom/base/median.h"
 #include "fathom/signal/filters/integral.h"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
   }
   const std::vector<double> once = Integral(segment.time, segment.velocity);
   const std::vector<double> quadratic = Integral(segment.time, square);
+  // In a gap the motion is not known, and a line across it is no motion.
+  const double longest_window = kWindow + 3.0 * MedianStep(segment.time);
   std::size_t to = 0;
   for (std::size_t from = 0; from < segment.time.size();) {
     while (to < segment.time.size() && segment.time[to] - segment.time[from] < kWindow) ++to;
@@ -56,7 +59,7 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
     window.change = MeanAbout(segment.velocity, to) - MeanAbout(segment.velocity, from);
     window.others = {
         once[to] - once[from], quadratic[to] - quadratic[from], window.to - window.from};
-    windows->push_back(window);
+    if (window.to - window.from < longest_window) windows->push_back(window);
     // Windows overlap by a half.
     const double next = window.from + 0.5 * kWindow;
     while (from < segment.time.size() && segment.time[from] < next) ++from;

@@ -17,8 +17,8 @@ namespace fathom {
 // data) is flagged best.
 Table ParameterTable(const DofComparison& comparison);
 
-// What is to be said beside that table, a line each: what its mark means, notes on the data, why a row is
-// unusable, and what the usable ones do not cover.
+// What is to be said beside that table, a line each: what its mark means, notes on the data, why a
+// row is unusable, and what the usable ones do not cover.
 std::vector<std::string> CommentsOn(const DofComparison& comparison);
 
 // All of it on one page.

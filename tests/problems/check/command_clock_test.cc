@@ -92,6 +92,31 @@ TEST(CommandClock, SaysNothingOfClocksThatAgree) {
   }
 }
 
+// 12 tones from 0.1 to 1.6 rad/s.
+std::function<double(double)> RandomTones(std::uint64_t seed) {
+  RandomStream random(seed, "tones");
+  std::vector<double> phase;
+  for (int i = 0; i < 12; ++i) phase.push_back(6.28 * random.Uniform());
+  return [=](double t) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < phase.size(); ++i) {
+      sum += 6.0 * std::sin((0.1 + 1.5 / 11.0 * static_cast<double>(i)) * t + phase[i]);
+    }
+    return sum;
+  };
+}
+
+// What the speed is in a gap of 10 s nobody knows.
+TEST(CommandClock, SaysNothingOfAGapWhereClocksAgree) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Steered run = Simulated(RandomTones(seed), 0.0, 150.0, seed);
+    Segment& segment = run.segments[0];
+    segment.time.erase(segment.time.begin() + 500, segment.time.begin() + 600);
+    segment.velocity.erase(segment.velocity.begin() + 500, segment.velocity.begin() + 600);
+    EXPECT_FALSE(CheckCommandClock(run.command, run.segments)) << seed;
+  }
+}
+
 TEST(CommandClock, SaysNothingOfASineWhoseDelayIsAnotherInertia) {
   const auto sine = [](double t) { return 20.0 * std::sin(0.2 * t); };
   const Steered run = Simulated(sine, 2.2, 200.0, 1);
