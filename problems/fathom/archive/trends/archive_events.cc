@@ -19,6 +19,8 @@ constexpr int kMostRenamings = 4;
 constexpr double kLeastGain = 14.0;        // of chi-square, of an event's first parameter
 constexpr double kLeastFurtherGain = 3.0;  // and of each other one
 constexpr double kShownDeviations = 3.0;
+constexpr int kFarthestMove = 5;           // of a step, in dives
+constexpr double kShareOfNeighbour = 0.8;  // of its likelihood: one dive off is nearly as good
 
 std::vector<DiveSeries> SeriesWithout(std::span<const ParameterOutlier> outliers,
                                       std::span<const DiveEstimate> estimates,
@@ -107,21 +109,30 @@ std::vector<char> MovedBy(const ArchiveEvent& event, const EventFit& fit) {
   return moves;
 }
 
-// Moves a step by one dive where the series that it moves say so together.
+// Moves a step to the dive nearby that, with the dives next to it, is the likeliest by the series
+// that it moves. The single likeliest one is further off more often.
 void Place(std::size_t e, ArchiveEvents* archive) {
-  if (archive->events[e].column.column.kind == ChangeKind::kTrend) return;
-  const int at = archive->events[e].column.column.at;
+  Column& column = archive->events[e].column.column;
+  if (column.kind == ChangeKind::kTrend) return;
   const std::vector<char> moves = archive->events[e].column.moves;
-  double best_gain = -1.0;
-  int best = at;
-  for (const int place : {at, at - 1, at + 1}) {
-    archive->events[e].column.column.at = place;
-    const double gain = GainOf(FitOf(*archive, e), moves).first;
-    if (gain <= best_gain + 1e-9) continue;
-    best_gain = gain;
-    best = place;
+  const int first = std::max(column.at - kFarthestMove, 2);
+  const int last = std::min(column.at + kFarthestMove, archive->num_dives - 2);
+  if (first > last) return;
+  Eigen::ArrayXd gain(last - first + 1);
+  for (int i = 0; i < gain.size(); ++i) {
+    column.at = first + i;
+    gain(i) = GainOf(FitOf(*archive, e), moves).first;
   }
-  archive->events[e].column.column.at = best;
+  const Eigen::ArrayXd likelihood = (0.5 * (gain - gain.maxCoeff())).exp();
+  double most = -1.0;
+  for (int i = 0; i < gain.size(); ++i) {
+    double nearby = likelihood(i);
+    if (i > 0) nearby += kShareOfNeighbour * likelihood(i - 1);
+    if (i + 1 < gain.size()) nearby += kShareOfNeighbour * likelihood(i + 1);
+    if (nearby <= most) continue;
+    most = nearby;
+    column.at = first + i;
+  }
 }
 
 void Name(ArchiveEvents* archive) {
