@@ -499,7 +499,7 @@ TEST(CheckTool, DrawsAFindingAtItsPlace) {
                 {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
   const std::string html = TextOf(page);
   EXPECT_THAT(html, HasSubstr("<h2>surge: stuck values</h2>"));
-  EXPECT_THAT(html, HasSubstr("\"name\":\"what is meant\""));
+  EXPECT_THAT(html, HasSubstr("\"name\":\"the finding\""));
   EXPECT_THAT(html, HasSubstr("<h2>surge: command delay</h2>"));
   EXPECT_THAT(html, HasSubstr("correlation with the command"));
 }

@@ -24,7 +24,7 @@ namespace fathom {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* kMark = "what is meant";
+constexpr const char* kMark = "the finding";
 
 struct Curve {
   std::string name, unit;
