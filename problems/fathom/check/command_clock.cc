@@ -49,7 +49,7 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
   }
   const std::vector<double> once = Integral(segment.time, segment.velocity);
   const std::vector<double> quadratic = Integral(segment.time, square);
-  // In a gap the motion is not known, and a line across it is no motion.
+  // In a gap and where a sensor is stuck the motion is not known.
   const double longest_window = kWindow + 3.0 * MedianStep(segment.time);
   std::size_t to = 0;
   for (std::size_t from = 0; from < segment.time.size();) {
@@ -59,7 +59,11 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
     window.change = MeanAbout(segment.velocity, to) - MeanAbout(segment.velocity, from);
     window.others = {
         once[to] - once[from], quadratic[to] - quadratic[from], window.to - window.from};
-    if (window.to - window.from < longest_window) windows->push_back(window);
+    const bool is_stuck =
+        std::all_of(segment.velocity.begin() + static_cast<std::ptrdiff_t>(from),
+                    segment.velocity.begin() + static_cast<std::ptrdiff_t>(to) + 1,
+                    [&](double velocity) { return velocity == segment.velocity[from]; });
+    if (window.to - window.from < longest_window && !is_stuck) windows->push_back(window);
     // Windows overlap by a half.
     const double next = window.from + 0.5 * kWindow;
     while (from < segment.time.size() && segment.time[from] < next) ++from;

@@ -3,6 +3,8 @@
 
 #include "fathom/vehicle/thruster.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace fathom {
@@ -14,6 +16,17 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> AllocationMatrix(const std::vector<Thru
     allocation.col(column++) << thruster.direction, thruster.position.cross(thruster.direction);
   }
   return allocation;
+}
+
+Eigen::Matrix<double, 6, 1> GeneralisedForces(
+    const Eigen::Matrix<double, 6, Eigen::Dynamic>& allocation, const Eigen::VectorXd& thrusts) {
+  constexpr double kRounding = 1e-12;  // of what is added and taken away
+  Eigen::Matrix<double, 6, 1> forces = allocation * thrusts;
+  const Eigen::Matrix<double, 6, 1> sizes = allocation.cwiseAbs() * thrusts.cwiseAbs();
+  for (int i = 0; i < 6; ++i) {
+    if (std::abs(forces(i)) <= kRounding * sizes(i)) forces(i) = 0.0;
+  }
+  return forces;
 }
 
 }  // namespace fathom

@@ -42,4 +42,8 @@ struct Thruster {
 // Rows in the order of Dof: surge, sway, heave [N], roll, pitch, yaw [N m] about the body's origin.
 Eigen::Matrix<double, 6, Eigen::Dynamic> AllocationMatrix(const std::vector<Thruster>& thrusters);
 
+// B T. Exactly 0 where thrusts cancel: what rounding leaves of them would look like a command.
+Eigen::Matrix<double, 6, 1> GeneralisedForces(
+    const Eigen::Matrix<double, 6, Eigen::Dynamic>& allocation, const Eigen::VectorXd& thrusts);
+
 }  // namespace fathom

@@ -117,6 +117,16 @@ TEST(CommandClock, SaysNothingOfAGapWhereClocksAgree) {
   }
 }
 
+// A sensor that writes its last value for 40 s does not say when the vehicle moved.
+TEST(CommandClock, SaysNothingOfAStuckSensorWhereClocksAgree) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Steered run = Simulated(RandomTones(seed), 0.0, 150.0, seed);
+    std::vector<double>& velocity = run.segments[0].velocity;
+    std::fill(velocity.begin() + 500, velocity.begin() + 900, velocity[500]);
+    EXPECT_FALSE(CheckCommandClock(run.command, run.segments)) << seed;
+  }
+}
+
 TEST(CommandClock, SaysNothingOfASineWhoseDelayIsAnotherInertia) {
   const auto sine = [](double t) { return 20.0 * std::sin(0.2 * t); };
   const Steered run = Simulated(sine, 2.2, 200.0, 1);

@@ -37,5 +37,16 @@ TEST(AllocationMatrix, HoldsDirectionAndMomentOfEachThruster) {
   }
 }
 
+// 0.1 + 0.2 - 0.3 is 5.6e-17 in doubles.
+TEST(GeneralisedForces, AreZeroWhereThrustsCancel) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> allocation = Eigen::MatrixXd::Zero(6, 3);
+  allocation.row(0).setOnes();
+  allocation.row(1) << 0.1, 0.2, -0.3;
+  const Eigen::Matrix<double, 6, 1> forces = GeneralisedForces(allocation, Eigen::Vector3d::Ones());
+  EXPECT_EQ(forces(0), 3.0);
+  EXPECT_EQ(forces(1), 0.0);
+  EXPECT_NE(GeneralisedForces(allocation, Eigen::Vector3d(1.0, 1.0, 1.0 + 1e-9))(1), 0.0);
+}
+
 }  // namespace
 }  // namespace fathom

@@ -65,11 +65,18 @@ std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
   return OutputsOver(segment, model, *start);
 }
 
+// Displacements count from where the run begins: a model that never moves has an NMAE of 1,
+// wherever the origin lies.
 FreeRun RunOf(const MeasuredSegment& segment, EffectOutputs outputs) {
   if (!segment.velocity.empty()) {
     return {segment.stamps.velocity, segment.velocity, std::move(outputs.velocity)};
   }
-  return {segment.stamps.displacement, segment.displacement, std::move(outputs.displacement)};
+  FreeRun run = {
+      segment.stamps.displacement, segment.displacement, std::move(outputs.displacement)};
+  const double start = run.measured.front();
+  for (double& value : run.measured) value -= start;
+  for (double& value : run.predicted) value -= start;
+  return run;
 }
 
 // The displacements, each block put onto the straight line that was measured.

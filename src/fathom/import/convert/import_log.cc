@@ -96,15 +96,15 @@ Stream ThrusterCommand(const std::filesystem::path& file,
     }
     Stream forces;
     forces.time = stream.time;
-    for (const Dof dof : kAllDofs) {
-      forces.columns.emplace_back(ForceColumn(dof));
-      auto& column = forces.values.emplace_back(stream.time.size(), 0.0);
-      for (std::size_t i = 0; i < stream.columns.size(); ++i) {
-        const double share = allocation(Index(dof), static_cast<Eigen::Index>(i));
-        for (std::size_t row = 0; row < column.size(); ++row) {
-          column[row] += share * stream.values[i][row];
-        }
+    for (const Dof dof : kAllDofs) forces.columns.emplace_back(ForceColumn(dof));
+    forces.values.assign(6, std::vector<double>(stream.time.size()));
+    Eigen::VectorXd thrusts(allocation.cols());
+    for (std::size_t row = 0; row < stream.time.size(); ++row) {
+      for (Eigen::Index i = 0; i < thrusts.size(); ++i) {
+        thrusts(i) = stream.values[static_cast<std::size_t>(i)][row];
       }
+      const Eigen::Matrix<double, 6, 1> tau = GeneralisedForces(allocation, thrusts);
+      for (const Dof dof : kAllDofs) forces.values[Index(dof)][row] = tau(Index(dof));
     }
     return forces;
   }

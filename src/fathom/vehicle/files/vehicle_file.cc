@@ -152,7 +152,7 @@ Stream ForcesOf(const Stream& command,
     for (std::size_t i = 0; i < num_thrusters; ++i) {
       thrusts[i] = thrust(i, row, (*commands[i])[row]);
     }
-    const Eigen::Matrix<double, 6, 1> tau = allocation * thrusts;
+    const Eigen::Matrix<double, 6, 1> tau = GeneralisedForces(allocation, thrusts);
     if (!tau.allFinite()) {
       throw InputError(fmt::format(
           "command: the thruster speeds at t = {} give a force that is not finite, expected "

@@ -47,6 +47,29 @@ TEST(FiguresOfRuns, AreThoseWorkedOutByHand) {
   EXPECT_TRUE(std::isnan(FiguresOfRuns({}).mae));
 }
 
+// Of positions: they count from where the run begins.
+TEST(FiguresOfRuns, OfPositionsDoNotDependOnTheOrigin) {
+  SurgeRun poses;
+  poses.input = Multisine(30.0);
+  poses.has_velocity = false;
+  poses.has_poses = true;
+  const Log log = LogOf(poses, 1);
+  const MeasuredSegment segment = MeasuredSegmentsOf({&log, 1}, Dof::kSurge).all.front();
+  MeasuredSegment elsewhere = segment;
+  for (double& value : elsewhere.displacement) value += 100.0;
+  elsewhere.initial.position += 100.0;
+  const auto nmae = [](const MeasuredSegment& measured, const ExtendedModel& model) {
+    const auto run = FreeRunOver(measured, model);
+    return FiguresOfRuns(std::vector{run.value()}).nmae;
+  };
+  const ExtendedModel wrong = {{1200.0, 60.0, 39.0, -0.8}, {}};
+  EXPECT_GT(nmae(segment, wrong), 0.05);
+  EXPECT_NEAR(nmae(elsewhere, wrong), nmae(segment, wrong), 1e-6);
+  // Nothing moves it, not even from where it seems to begin.
+  const ExtendedModel held = {{1e9, 0.0, 2e9, 0.0}, {}};
+  EXPECT_NEAR(nmae(elsewhere, held), 1.0, 0.05);
+}
+
 TEST(GainOf, IsTheShareOfTheErrorThatGoes) {
   const FreeRun before = {{0.0, 1.0}, {0.0, 0.0}, {3.0, -1.0}};
   const FreeRun after = {{0.0, 1.0}, {0.0, 0.0}, {-0.5, 0.5}};
