@@ -81,6 +81,35 @@ std::string OtherFiles(const std::map<std::string, int>& files) {
                      fmt::join(kinds, ", "));
 }
 
+// By log and DOF the NMAE of the best model, on held-out data where there are any.
+std::map<std::pair<std::string, std::string>, double> BestNmaes(const Tables& tables) {
+  std::map<std::pair<std::string, std::string>, double> best;
+  for (const ScoreRow& row : tables.scores) {
+    const double nmae = std::isfinite(row.heldout_nmae) ? row.heldout_nmae : row.nmae;
+    if (!std::isfinite(nmae)) continue;
+    double& least = best.try_emplace({row.log, row.dof}, nmae).first->second;
+    least = std::min(least, nmae);
+  }
+  return best;
+}
+
+// What to think of the changes where many models are poor; empty where few are.
+std::string PoorModelsSentence(const Tables& tables) {
+  constexpr double kPoor = 0.5;        // misses half of the motion
+  constexpr double kManyOfAll = 0.25;  // of the models
+  const auto best = BestNmaes(tables);
+  const auto num_poor = static_cast<std::size_t>(
+      std::ranges::count_if(best, [](const auto& entry) { return entry.second > kPoor; }));
+  if (num_poor == 0 || static_cast<double>(num_poor) < kManyOfAll * best.size()) return "";
+  return fmt::format(
+      "{} of {} models of single logs miss over half of the motion (NMAE above {}): changes can "
+      "hide "
+      "behind that.",
+      num_poor,
+      best.size(),
+      kPoor);
+}
+
 // Each text once, those with the least p-value first.
 std::vector<std::string> TextsOf(const std::vector<ChangeRow>& changes) {
   std::map<std::string, double> p_values;
@@ -96,13 +125,7 @@ std::vector<std::string> TextsOf(const std::vector<ChangeRow>& changes) {
   return texts;
 }
 
-}  // namespace
-
-std::string Counted(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-std::vector<std::string> ChangeSentences(const Tables& tables) {
+std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
   std::vector<std::string> sentences = TextsOf(tables.changes);
   const auto compared = NumDivesCompared(tables);
   if (compared.size() <= 1) {
@@ -127,6 +150,20 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
                     kFewestDivesForChange));
   } else {
     sentences.insert(sentences.end(), of_few_dives.begin(), of_few_dives.end());
+  }
+  return sentences;
+}
+
+}  // namespace
+
+std::string Counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::vector<std::string> ChangeSentences(const Tables& tables) {
+  std::vector<std::string> sentences = SentencesOfVehicles(tables);
+  if (std::string poor = PoorModelsSentence(tables); !poor.empty()) {
+    sentences.push_back(std::move(poor));
   }
   return sentences;
 }

@@ -15,7 +15,8 @@ namespace fathom {
 inline constexpr std::size_t kFewestDivesForChange = 5;
 
 // What changed over the dives, the surest first. Of a vehicle without a change: that there is none,
-// or that too few dives have a usable joint fit to tell. At least one sentence.
+// or that too few dives have a usable joint fit to tell. Last, where many models of single logs are
+// poor, that changes can hide behind that. At least one sentence.
 std::vector<std::string> ChangeSentences(const Tables& tables);
 
 // How many logs in how many dives, and what became of them: every log is in one of the counts.

@@ -276,6 +276,7 @@ Tables Store::ReadTables() const {
 Tables Store::ReadSummaryTables() const {
   Tables tables;
   SelectInto(database_.get(), kByPath, &tables.logs);
+  SelectInto(database_.get(), kByLog, &tables.scores);
   SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
   SelectInto(database_.get(), kAsWritten, &tables.changes);
   return tables;

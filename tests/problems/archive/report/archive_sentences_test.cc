@@ -46,6 +46,31 @@ TEST(ChangeSentences, TellThatNothingChanged) {
   EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("No change over 12 dives."));
 }
 
+// A family that is better counts, and held-out data count before training data.
+TEST(ChangeSentences, WarnOfPoorModels) {
+  ArchiveReport report;
+  AddDives(12, true, "", &report);
+  for (int log = 0; log < 8; ++log) {
+    ScoreRow row;
+    row.log = fmt::format("log {}", log);
+    row.dof = "surge";
+    row.nmae = 0.9;
+    report.tables.scores.push_back(row);
+    row.nmae = 0.1;
+    row.heldout_nmae = log < 2 ? 0.6 : 0.4;
+    report.tables.scores.push_back(row);
+  }
+  EXPECT_THAT(ChangeSentences(report.tables),
+              ElementsAre("No change over 12 dives.",
+                          "2 of 8 models of single logs miss over half of the motion (NMAE above "
+                          "0.5): changes can hide behind that."));
+  ScoreRow good;
+  good.log = "log 8";
+  good.nmae = 0.1;
+  report.tables.scores.push_back(good);
+  EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("No change over 12 dives."));
+}
+
 TEST(ChangeSentences, SayNothingOfTooFewDives) {
   ArchiveReport report;
   AddDives(1, true, "", &report);
