@@ -8,6 +8,7 @@
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -126,7 +127,7 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
 PageSection LimitSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = "What these logs rule out";
-  section.text = {kHowToReadLimits};
+  section.text = {HowToReadLimits(diagnosis)};
   section.tables.push_back(LimitTable(diagnosis));
   return section;
 }
