@@ -115,8 +115,9 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
   section.heading = "All candidates";
   section.text = {
       "The score is twice the log-likelihood that an effect gains over the model without causes, "
-      "by a linear screen. The p-value is the probability of such a score among all candidates "
-      "if nothing is missing. The candidates that matter were refitted."};
+      "by a linear screen. The candidates that matter were refitted. The p-value is the "
+      "probability of such a gain among all candidates if nothing is missing: the refitted gain, "
+      "or the score where there is none."};
   if (std::string text = NonePassesText(diagnosis); !text.empty()) {
     section.text.insert(section.text.begin(), std::move(text));
   }

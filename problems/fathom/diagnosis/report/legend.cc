@@ -18,7 +18,9 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords = {{
     {"score", "twice the log-likelihood that the effect gains alone, by a quick estimate"},
-    {"p-value", "how often noise alone would score as well if nothing were missing"},
+    {"p-value",
+     "how often noise alone would gain as much if nothing were missing (the refitted gain; "
+     "the score where there is none)"},
     {"gain, refitted", "the same, fitted in full"},
     {"evidence (BIC)", "what the fit gains, less a price for each parameter; above 10 is strong"},
 }};

@@ -16,8 +16,10 @@ TEST(LegendOf, ExplainsWhatIsShownAndNothingElse) {
   causes.columns = {{"cause"}, {"p-value"}};
   candidates.columns = {{"p-value"}, {"evidence (BIC)"}};
   EXPECT_EQ(LegendOf({}), "");
-  EXPECT_EQ(LegendOf(std::vector{causes}),
-            "p-value: how often noise alone would score as well if nothing were missing\n");
+  EXPECT_EQ(
+      LegendOf(std::vector{causes}),
+      "p-value: how often noise alone would gain as much if nothing were missing (the refitted "
+      "gain; the score where there is none)\n");
   EXPECT_THAT(LegendOf(std::vector{causes, candidates}),
               testing::MatchesRegex("p-value: .*\nevidence \\(BIC\\): .*above 10 is strong\n"));
 }
