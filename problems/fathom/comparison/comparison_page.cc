@@ -88,6 +88,23 @@ const Identification* RowToTake(const DofComparison& comparison) {
   return is_good ? taken : nullptr;
 }
 
+// What the mark of the row to take means.
+std::string WhyTaken(const DofComparison& comparison) {
+  const Recommendation recommendation = Recommend(comparison);
+  const std::string of_nmae =
+      fmt::format("{} NMAE (the error of the velocity, simulated from the command alone)",
+                  comparison.HasHeldOut() ? "held-out" : "training");
+  if (recommendation.least == nullptr) {
+    return fmt::format("* the row to take: no other row has a lower {}", of_nmae);
+  }
+  return fmt::format("* the row to take: its parameters are known best. {} has a lower {}, but {}",
+                     ModelName(*recommendation.least),
+                     of_nmae,
+                     recommendation.is_chance_known
+                         ? "by no more than chance"
+                         : "the data are too few to tell whether that is chance");
+}
+
 // The rows of a table with some of its columns.
 Table WithColumns(const Table& table, const std::vector<size_t>& columns) {
   Table part;
@@ -144,12 +161,7 @@ PageSection SectionOf(const DofComparison& comparison) {
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
-  if (RowToTake(comparison) != nullptr) {
-    lines.push_back(fmt::format(
-        "* the row to take: its {} NMAE (the error of the velocity, simulated from the command "
-        "alone) is the least within chance, and its parameters are known best",
-        comparison.HasHeldOut() ? "held-out" : "training"));
-  }
+  if (RowToTake(comparison) != nullptr) lines.push_back(WhyTaken(comparison));
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
         fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "
