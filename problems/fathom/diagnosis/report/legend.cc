@@ -30,6 +30,14 @@ bool Has(const Table& table, std::string_view heading) {
                              [&](const TableColumn& column) { return column.heading == heading; });
 }
 
+bool NamesFreeRuns(const Table& table) {
+  return std::ranges::any_of(table.rows, [](const TableRow& row) {
+    return std::ranges::any_of(row.cells, [](const std::string& cell) {
+      return cell.find("free runs") != std::string::npos;
+    });
+  });
+}
+
 }  // namespace
 
 std::string LegendOf(std::span<const Table> tables) {
@@ -40,15 +48,21 @@ std::string LegendOf(std::span<const Table> tables) {
     }
     legend += fmt::format("{}: {}\n", heading, words);
   }
+  if (std::ranges::any_of(tables, NamesFreeRuns)) {
+    legend += "free run: the model simulated from the command alone\n";
+  }
   return legend;
 }
 
 std::string NoiseFloorText(const Diagnosis& diagnosis) {
   if (!std::isfinite(diagnosis.noise_nmae)) return "";
   return fmt::format(
-      "noise alone (the scatter from sample to sample) gives a {} NMAE of about {:.2g}\n",
+      "noise alone (the scatter from sample to sample) gives a {} NMAE of about {:.2g}{}\n",
       FittedQuantity(diagnosis),
-      diagnosis.noise_nmae);
+      diagnosis.noise_nmae,
+      diagnosis.extended.held_out.nmae <= diagnosis.noise_nmae
+          ? ": the error of this model is no more than noise"
+          : "");
 }
 
 }  // namespace fathom

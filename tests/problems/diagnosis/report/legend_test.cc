@@ -24,6 +24,13 @@ TEST(LegendOf, ExplainsWhatIsShownAndNothingElse) {
               testing::MatchesRegex("p-value: .*\nevidence \\(BIC\\): .*above 10 is strong\n"));
 }
 
+TEST(LegendOf, SaysWhatAFreeRunIsWhereARowTellsOfOne) {
+  Table table;
+  table.columns = {{"result"}};
+  table.rows = {{{"refused: gain 75, but free runs do not improve by it"}}};
+  EXPECT_EQ(LegendOf(std::vector{table}), "free run: the model simulated from the command alone\n");
+}
+
 TEST(LegendOf, TakesNoWordOfACellForAHeading) {
   Table table;
   table.columns = {{"result"}};
