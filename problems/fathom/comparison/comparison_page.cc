@@ -3,7 +3,6 @@
 
 #include "fathom/comparison/comparison_page.h"
 
-#include "fathom/base/interval95.h"
 #include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
@@ -67,7 +66,7 @@ std::string Sentence(const DofComparison& comparison) {
   const std::string first = ExplainFirst(comparison.findings);
   return fmt::format(
       "{}: {}take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
-      "{}Inertia {} {} (95 %).",
+      "{}Inertia {}.",
       dof,
       first.empty() ? "" : first + " Then ",
       ModelName(taken),
@@ -76,9 +75,11 @@ std::string Sentence(const DofComparison& comparison) {
       on,
       std::isfinite(noise) ? fmt::format("; noise alone gives about {:.2g} %", 100.0 * noise) : "",
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
-      FormatValue(taken.fitted.model.inertia,
-                  kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
-      UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
+      WithInterval(taken.fitted.model.inertia,
+                   std::sqrt(taken.fitted.covariance(kInertia, kInertia)),
+                   UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)),
+                   0.0,
+                   std::numeric_limits<double>::infinity()));
 }
 
 // That the table marks; null where the best one is worse than a model that stands still.

@@ -131,10 +131,11 @@ void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* sum
   if (!summary->determined) {
     summary->message =
         std::isfinite(half_width)
-            ? fmt::format("this log does not determine the inertia: {:.4g} ± {:.2g} (95 %). {}",
-                          inertia,
-                          half_width,
-                          ExperimentFor(kInertia))
+            ? fmt::format(
+                  "this log does not determine the inertia: its 95 % interval is {}. {}",
+                  FormatInterval(
+                      inertia, half_width / kStdsOf95, kParameterInfo[kInertia].lower_bound),
+                  ExperimentFor(kInertia))
             : fmt::format(
                   "this log does not determine the model: some combination of the parameters has "
                   "no effect on the motion. {}",

@@ -118,7 +118,7 @@ TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
               AllOf(HasSubstr("Surge"),
                     HasSubstr("3.0 %"),
                     HasSubstr("on held-out data"),
-                    HasSubstr("40.0 ± 3.9 kg")));
+                    HasSubstr("Inertia 40 kg (36 to 44 kg)")));
   EXPECT_EQ(page.lead[1], "Yaw: no family found a usable model.");
   ASSERT_EQ(page.sections.size(), 2u);
   EXPECT_EQ(page.sections[0].heading, "Surge");
