@@ -31,7 +31,9 @@ std::string WithReason(const Diagnosis& diagnosis, const std::string& label) {
 std::string HowToReadLimits(const Diagnosis& diagnosis) {
   std::string text =
       "The values of effects that are not named and that these logs rule out, 95 % each. Any other "
-      "value may be there: a weaker effect, such as a shorter lag or a higher saturation.";
+      "value may be there: a weaker effect, such as a shorter lag or a higher saturation. Effects "
+      "of "
+      "several parameters are not listed.";
   std::vector<std::string> without_null;
   for (const ExclusionLimit& limit : diagnosis.limits) {
     if (RulesOutNoEffect(limit)) without_null.push_back(WithReason(diagnosis, limit.label));

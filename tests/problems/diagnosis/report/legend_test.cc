@@ -43,9 +43,13 @@ TEST(NoiseFloorText, SaysWhatNoModelFallsBelow) {
   EXPECT_EQ(NoiseFloorText(diagnosis), "");
   diagnosis.has_velocity = true;
   diagnosis.noise_nmae = 0.0591;
+  diagnosis.extended.held_out.nmae = 0.0592;
   EXPECT_EQ(
       NoiseFloorText(diagnosis),
       "noise alone (the scatter from sample to sample) gives a velocity NMAE of about 0.059\n");
+  diagnosis.extended.held_out.nmae = 0.0590;
+  EXPECT_THAT(NoiseFloorText(diagnosis),
+              testing::EndsWith("about 0.059: the error of this model is no more than noise\n"));
 }
 
 }  // namespace

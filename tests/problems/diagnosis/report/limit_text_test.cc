@@ -30,7 +30,8 @@ TEST(HowToReadLimits, SaysThatAWeakerEffectMayBeThere) {
   diagnosis.limits = {LimitOf("time_offset", -0.1, 0.2),
                       LimitOf("thrust_slew_limit", 10.0, std::numeric_limits<double>::infinity())};
   EXPECT_THAT(HowToReadLimits(diagnosis),
-              EndsWith("a weaker effect, such as a shorter lag or a higher saturation."));
+              EndsWith("a weaker effect, such as a shorter lag or a higher saturation. Effects of "
+                       "several parameters are not listed."));
 }
 
 // An offset of 0.288 to 0.335 s, and none but these.
@@ -48,7 +49,7 @@ TEST(HowToReadLimits, SaysWhatItMeansThatNoEffectIsRuledOutToo) {
                        "time_offset (dropped: gain 54, no better than what was refused)."));
   // One that could not have been seen rules out nothing.
   diagnosis.limits.front().is_told = false;
-  EXPECT_THAT(HowToReadLimits(diagnosis), EndsWith("higher saturation."));
+  EXPECT_THAT(HowToReadLimits(diagnosis), EndsWith("are not listed."));
 }
 
 }  // namespace
