@@ -9,6 +9,7 @@
 #include "fathom/diagnosis/report/diagnosis_page.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 #include "fathom/diagnosis/report/legend.h"
+#include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -142,7 +143,7 @@ void Print(const Diagnosis& diagnosis) {
   PrintCandidates(diagnosis, print);
   std::printf("%s", LegendOf(shown).c_str());
   if (diagnosis.causes.empty() && !diagnosis.limits.empty()) {
-    PrintText(stdout, fmt::format("\n{}\n", kHowToReadLimits));
+    PrintText(stdout, fmt::format("\n{}\n", HowToReadLimits(diagnosis)));
     std::printf("%s", TableForTerminal(LimitTable(diagnosis)).c_str());
   }
   std::printf("\n");

@@ -158,6 +158,16 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
   const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle);
   if (suggested.is_ready) return suggested.text;
+  if (!suggested.why_not_ready.empty()) {
+    throw InputError(fmt::format(
+        "--vehicle={0}: does not go with {1}: {2}. Expected the vehicle of the log, or with --map "
+        "a "
+        "map that says which output drives which thruster. This prints one to edit: fathom_import "
+        "--from={1} --suggest > map.yaml",
+        FLAGS_vehicle,
+        file.string(),
+        suggested.why_not_ready));
+  }
   throw InputError(fmt::format(
       "--map: is missing, expected a map file that says what the channels of {0} are. This prints "
       "one to edit: fathom_import --from={0} --suggest{1} > map.yaml{2}",

@@ -206,7 +206,8 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   // The candidates in a sentence, the limits in a table with one.
   EXPECT_THAT(run.out, HasSubstr("\n\nNo candidate passes, of "));
   EXPECT_THAT(run.out, Not(HasSubstr("\np-value: ")));
-  EXPECT_THAT(run.out, HasSubstr("or a higher saturation.\neffect not named "));
+  EXPECT_THAT(run.out, HasSubstr("or a higher saturation. Effects of several parameters"));
+  EXPECT_THAT(run.out, HasSubstr("\neffect not named "));
   const ToolRun simulated =
       RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;

@@ -95,7 +95,7 @@ TEST(DisagreeingRuns, AreToldOneByOneWithTheOneThatStandsApart) {
   EXPECT_THAT(run.out, HasSubstr("note: run_3 stands apart from the others in its inertia"));
 
   // The interval of all is as wide as the runs scatter, and says so.
-  EXPECT_THAT(run.out, HasSubstr("widened: inertia by "));
+  EXPECT_THAT(run.out, HasSubstr("widened: inertia by a factor of "));
   EXPECT_NEAR(InertiaOfRun("inertia", run.out).std, scatter.mean_std, 0.04 * scatter.mean_std);
 }
 

@@ -151,6 +151,43 @@ TEST(ImportTool, ReplacesALogOnlyIfAsked) {
   EXPECT_EQ(Import(overwriting).exit_code, 0);
 }
 
+// Of joystick and propeller at 10 Hz; empty if it is taken.
+std::string RefusalOfJoystick(const std::string& map, const std::string& vehicle = "") {
+  const Path folder = EmptyTestFolder();
+  std::string csv = "Time [s],Joystick [%],Motor [Hz],Speed [m/s]\n";
+  for (int i = 0; i < 100; ++i) {
+    csv += std::to_string(0.1 * i) + "," + std::to_string(i / 20 % 2 * 50) + "," +
+           std::to_string(i / 20 % 2 * 10) + "," + std::to_string(0.01 * (i % 20)) + "\n";
+  }
+  std::vector<std::string> arguments = {
+      "--from=" + WriteTestFile(folder / "dive.csv", csv).string(),
+      "--map=" + WriteTestFile(folder / "map.yaml", map + "velocity: {u: Speed}\n").string(),
+      "--out=" + (folder / "log").string()};
+  if (!vehicle.empty()) {
+    arguments.push_back("--vehicle=" + WriteTestFile(folder / "vehicle.yaml", vehicle).string());
+  }
+  const ToolRun run = Import(arguments);
+  return run.exit_code == 0 ? "" : run.err;
+}
+
+TEST(ImportTool, SaysThatTheMapNamesNoCommand) {
+  EXPECT_THAT(RefusalOfJoystick(""),
+              HasSubstr("the map names no command, so that nothing says which DOF moves, expected "
+                        "the map to name a 'command', or the DOF with 'dof'."));
+}
+
+TEST(ImportTool, TakesACommandThatIsNoForceInItsOwnUnit) {
+  EXPECT_THAT(RefusalOfJoystick("command: {tau_surge: Joystick}\n"),
+              AllOf(HasSubstr("is in '%', expected a force for 'tau_surge': 'N', 'kN'"),
+                    HasSubstr("is taken as it is with 'command_unit: \"%\"'")));
+  EXPECT_EQ(RefusalOfJoystick("command: {tau_surge: Joystick}\ncommand_unit: \"%\"\n"), "");
+}
+
+TEST(ImportTool, AsksForTheThrustersOfAVehicleFileThatHasNone) {
+  EXPECT_THAT(RefusalOfJoystick("command: {thruster_1: Motor}\n", "name: bd\n"),
+              HasSubstr("the vehicle file of 'bd' has no thrusters yet. Fill them in"));
+}
+
 // A user holds out what fathom_check proposes, then mends the map.
 TEST(ImportTool, KeepsWhatTheLogBeforeHoldsOut) {
   const Path folder = EmptyTestFolder();
@@ -190,7 +227,18 @@ TEST_F(ImportToolOnRealLogs, TakesAnArduSubLogWithAVehicleAlone) {
   const std::string out = "--out=" + (folder / "log").string();
   EXPECT_THAT(Import({from, out}).err, HasSubstr("Or give --vehicle"));
   // A log of six outputs does not go with eight thrusters.
-  EXPECT_THAT(Import({from, out, "--vehicle=" + kBlueRov}).err, HasSubstr("--suggest"));
+  EXPECT_THAT(Import({from, out, "--vehicle=" + kBlueRov}).err,
+              AllOf(StartsWith("fathom_import: --vehicle="),
+                    HasSubstr("the log drives 6 outputs, and the vehicle 'BlueROV2 heavy' has 8 "
+                              "thrusters"),
+                    HasSubstr("--suggest > map.yaml")));
+  const ToolRun suggested =
+      RunToolBinary("fathom_import", {from, "--suggest", "--vehicle=" + kBlueRov});
+  EXPECT_THAT(suggested.out,
+              AllOf(HasSubstr("\nvehicle: vehicle.yaml"),
+                    HasSubstr("thruster_6: "),
+                    Not(HasSubstr("thruster_7")),
+                    HasSubstr("this map cannot be imported with it")));
   const ToolRun run = Import({from, out, "--vehicle=" + SixThrusters(folder).string()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("incomplete: 1200096 of 1200128 bytes are sound"));

@@ -61,7 +61,7 @@ TEST_F(RealDiagnoses, LbvSurgeByTheAuthorsVelocityNamesNoSpring) {
   EXPECT_THAT(verdict["causes"], IsEmpty());
   EXPECT_THAT(
       run_.out,
-      HasSubstr(": position_stiffness. It fits best, but the error on held-out data grows"));
+      HasSubstr(": position_stiffness. It improves the fit, but the error on held-out data grows"));
 }
 
 // One tone: its phase is any delay, lag or force at the same frequency.

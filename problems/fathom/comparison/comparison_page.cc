@@ -3,7 +3,6 @@
 
 #include "fathom/comparison/comparison_page.h"
 
-#include "fathom/base/interval95.h"
 #include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
@@ -67,7 +66,7 @@ std::string Sentence(const DofComparison& comparison) {
   const std::string first = ExplainFirst(comparison.findings);
   return fmt::format(
       "{}: {}take {}{}. Simulated from the command alone, it misses {:.1f} % of the speed {}{}. "
-      "{}Inertia {} {} (95 %).",
+      "{}Inertia {}.",
       dof,
       first.empty() ? "" : first + " Then ",
       ModelName(taken),
@@ -76,9 +75,11 @@ std::string Sentence(const DofComparison& comparison) {
       on,
       std::isfinite(noise) ? fmt::format("; noise alone gives about {:.2g} %", 100.0 * noise) : "",
       as_good.empty() ? "" : fmt::format("As good within chance: {}. ", fmt::join(as_good, "; ")),
-      FormatValue(taken.fitted.model.inertia,
-                  kStdsOf95 * std::sqrt(taken.fitted.covariance(kInertia, kInertia))),
-      UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)));
+      WithInterval(taken.fitted.model.inertia,
+                   std::sqrt(taken.fitted.covariance(kInertia, kInertia)),
+                   UnitText(ParameterUnit(kInertia, comparison.dof, taken.fitted.force_unit)),
+                   0.0,
+                   std::numeric_limits<double>::infinity()));
 }
 
 // That the table marks; null where the best one is worse than a model that stands still.
@@ -86,6 +87,23 @@ const Identification* RowToTake(const DofComparison& comparison) {
   const Identification* const taken = Recommend(comparison).taken;
   const bool is_good = taken != nullptr && ScoreOf(comparison, *taken) < kScoreAtRest;
   return is_good ? taken : nullptr;
+}
+
+// What the mark of the row to take means.
+std::string WhyTaken(const DofComparison& comparison) {
+  const Recommendation recommendation = Recommend(comparison);
+  const std::string of_nmae =
+      fmt::format("{} NMAE (the error of the velocity, simulated from the command alone)",
+                  comparison.HasHeldOut() ? "held-out" : "training");
+  if (recommendation.least == nullptr) {
+    return fmt::format("* the row to take: no other row has a lower {}", of_nmae);
+  }
+  return fmt::format("* the row to take: its parameters are known best. {} has a lower {}, but {}",
+                     ModelName(*recommendation.least),
+                     of_nmae,
+                     recommendation.is_chance_known
+                         ? "by no more than chance"
+                         : "the data are too few to tell whether that is chance");
 }
 
 // The rows of a table with some of its columns.
@@ -144,12 +162,7 @@ PageSection SectionOf(const DofComparison& comparison) {
 
 std::vector<std::string> CommentsOn(const DofComparison& comparison) {
   std::vector<std::string> lines;
-  if (RowToTake(comparison) != nullptr) {
-    lines.push_back(fmt::format(
-        "* the row to take: its {} NMAE (the error of the velocity, simulated from the command "
-        "alone) is the least within chance, and its parameters are known best",
-        comparison.HasHeldOut() ? "held-out" : "training"));
-  }
+  if (RowToTake(comparison) != nullptr) lines.push_back(WhyTaken(comparison));
   if (const double noise = NoiseNmae(comparison); std::isfinite(noise)) {
     lines.push_back(
         fmt::format("noise alone (the scatter from sample to sample) gives a velocity NMAE of "

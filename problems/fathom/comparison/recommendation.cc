@@ -68,6 +68,11 @@ Recommendation Recommend(const DofComparison& comparison) {
   for (const Identification* row : rows) {
     if (row != recommendation.taken) recommendation.as_good.push_back(row);
   }
+  if (recommendation.taken != least) {
+    recommendation.least = least;
+    recommendation.is_chance_known =
+        std::isfinite(GainOf(RunsOf(comparison, *recommendation.taken), runs_of_least).low);
+  }
   return recommendation;
 }
 

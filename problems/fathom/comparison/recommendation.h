@@ -20,6 +20,11 @@ struct Recommendation {
   // Others whose error differs by no more than chance: GainOf()'s 95 % interval over blocks holds
   // 0.
   std::vector<const Identification*> as_good;
+
+  // The row of the least error, where another one is taken. Whether an interval says that its lead
+  // may be chance; false: the data are too few for one.
+  const Identification* least = nullptr;
+  bool is_chance_known = false;
 };
 
 // Takes, of the model of the least error and those that are as good, the one whose parameters are

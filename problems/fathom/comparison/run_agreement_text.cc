@@ -55,7 +55,8 @@ std::vector<std::string> RemarksOn(const RunAgreement& agreement, const Paramete
   std::vector<std::string> widened;
   for (int i = 0; i < kNumParameters; ++i) {
     if (widening[i] >= kWorthTelling) {
-      widened.push_back(fmt::format("{} by {:.1f}", NameOf(i), widening[i]));
+      const int decimals = widening[i] < 9.95 ? 1 : 0;
+      widened.push_back(fmt::format("{} by a factor of {:.{}f}", NameOf(i), widening[i], decimals));
     }
   }
   if (!widened.empty()) {

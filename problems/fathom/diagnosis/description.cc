@@ -174,7 +174,8 @@ Diagnosis Described(const MeasuredSegments& segments,
                                              fit.noise,
                                              segments.partners);
   if (diagnosis.causes.empty() && !judgement.refusals.empty()) {
-    diagnosis.not_named = NotNamedOf(judgement.refusals.back(), judgement.search.suspects);
+    diagnosis.not_named =
+        NotNamedOf(judgement.refusals, diagnosis.candidates, judgement.search.suspects);
   }
   diagnosis.traces = Traces(prepared, extended.model);
   if (!diagnosis.causes.empty()) {

@@ -75,7 +75,9 @@ struct Candidate {
   double score = 0.0;  // twice the log-likelihood gained over the baseline, by the linear screen
   double gain = 0.0;   // the same after refitting, the noise learned along; NaN: not refitted
   double delta_bic = 0.0;  // of that gain; above 0: better than the baseline
-  double p_value = 1.0;  // of as good a score anywhere among all candidates, if nothing is missing
+  // Of as much gain (score where not refitted) anywhere among all candidates, if nothing is
+  // missing.
+  double p_value = 1.0;
   double noise_reach = 0.0;  // the gain that noise alone reaches in 5 % of cases
   CandidateOutcome outcome = CandidateOutcome::kScoreWithinNoise;
 

@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
 #include "fathom/least_squares/regression.h"
+#include "fathom/report/format_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,19 +28,18 @@ constexpr double kTakesPart = 0.1;
 void AddCaveats(LeastSquaresSummary* summary) {
   const ParameterVector parameters = ToVector(summary->model);
   for (const int index : {kQuadraticDamping, kLinearDamping}) {
-    const double half_width = kStdsOf95 * std::sqrt(summary->covariance(index, index));
+    const double std = std::sqrt(summary->covariance(index, index));
     if (parameters[index] < 0.0) {
       summary->caveats.push_back(fmt::format(
-          "{} is negative ({:.4g} ± {:.2g}), which is unphysical. The fit takes another term or "
+          "{} is negative (95 % interval {}), which is unphysical. The fit takes another term or "
           "an unmodelled effect for damping.",
           kParameterInfo[index].name,
-          parameters[index],
-          half_width));
-    } else if (half_width > parameters[index]) {
-      summary->caveats.push_back(fmt::format("{} cannot be distinguished from 0 ({:.4g} ± {:.2g}).",
-                                             kParameterInfo[index].name,
-                                             parameters[index],
-                                             half_width));
+          FormatInterval(parameters[index], std)));
+    } else if (kStdsOf95 * std > parameters[index]) {
+      summary->caveats.push_back(
+          fmt::format("{} cannot be distinguished from 0 (95 % interval {}).",
+                      kParameterInfo[index].name,
+                      FormatInterval(parameters[index], std)));
     }
   }
   summary->caveats.emplace_back(

@@ -95,23 +95,27 @@ std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
   const Tone tone = DominantTone(command);
   const bool is_sine = tone.share >= kSingleTone;
   if (!is_sine && doubt.half_width_with_delay < kStillKnown * doubt.inertia) return "";
-  const std::string input =
-      is_sine ? fmt::format("its command is a single sine of {:.2g} rad/s", tone.frequency)
-              : std::string("its command is slow");
-  const std::string known = std::isfinite(doubt.half_width_with_delay)
-                                ? fmt::format("is known to ± {:.2g} and not to ± {:.2g} (95 %)",
-                                              doubt.half_width_with_delay,
-                                              doubt.half_width)
-                                : std::string("is not determined");
-  return fmt::format(
-      "This log cannot separate inertia, damping and a command delay, because {}. The values "
-      "hold only if there is no delay. One second of delay would change the inertia by {:.2g} "
-      "and the linear damping by {:.2g}. With an unknown delay the inertia {}. To separate them, "
-      "use a square wave with a period of 10 to 20 s, or several tones up to 1.5 rad/s.",
-      input,
+  const bool is_known = std::isfinite(doubt.half_width_with_delay);
+  const std::string change = fmt::format(
+      "The values hold only if there is no delay. One second of delay would change the inertia by "
+      "{:.2g} and the linear damping by {:.2g}. With an unknown delay the inertia {}.",
       doubt.inertia_per_second,
       doubt.linear_damping_per_second,
-      known);
+      is_known ? fmt::format("is known to ± {:.2g} and not to ± {:.2g} (95 %)",
+                             doubt.half_width_with_delay,
+                             doubt.half_width)
+               : std::string("is not determined"));
+  if (!is_sine && is_known) {
+    return change +
+           " Run fathom_diagnose on this log: it looks for a delay of the command (time_offset).";
+  }
+  return fmt::format(
+      "This log cannot separate inertia, damping and a command delay{}. {} To separate them, "
+      "use a square wave with a period of 10 to 20 s, or several tones up to 1.5 rad/s.",
+      is_sine
+          ? fmt::format(", because its command is a single sine of {:.2g} rad/s", tone.frequency)
+          : "",
+      change);
 }
 
 std::string CaveatOnBound(int parameter, double half_width) {
@@ -127,10 +131,11 @@ void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* sum
   if (!summary->determined) {
     summary->message =
         std::isfinite(half_width)
-            ? fmt::format("this log does not determine the inertia: {:.4g} ± {:.2g} (95 %). {}",
-                          inertia,
-                          half_width,
-                          ExperimentFor(kInertia))
+            ? fmt::format(
+                  "this log does not determine the inertia: its 95 % interval is {}. {}",
+                  FormatInterval(
+                      inertia, half_width / kStdsOf95, kParameterInfo[kInertia].lower_bound),
+                  ExperimentFor(kInertia))
             : fmt::format(
                   "this log does not determine the model: some combination of the parameters has "
                   "no effect on the motion. {}",

@@ -20,9 +20,9 @@ void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* sum
 // where it is not. `std`: its standard deviation.
 std::string CaveatOnDamping(int parameter, double value, double std);
 
-// That inertia, damping and a delay of the command cannot be told apart. Empty where the command is
-// more than a single sine and the inertia stays known to 1 % with the delay unknown: such a log
-// tells the delay as well.
+// That inertia, damping and a delay of the command cannot be told apart; or, where the command is
+// more than a single sine, how much less is known of the inertia with the delay unknown. Empty
+// where that is still 1 %: such a log tells the delay as well.
 struct DelayDoubt {
   double inertia = 0.0;             // found without a delay [kg] or [kg m^2]
   double inertia_per_second = 0.0;  // what a delay of a second would change [kg/s] or [kg m^2/s]

@@ -27,6 +27,12 @@ void RequireAlike(const Log& log, const Signals& signals, const Signals& first) 
   }
 }
 
+void NameLogIn(const Log& log, std::vector<std::string>* remarks) {
+  for (std::string& remark : *remarks) {
+    remark = fmt::format("{}: {}", log.path.filename().string(), remark);
+  }
+}
+
 template <typename T>
 void MoveInto(std::vector<T>* to, std::vector<T> from) {
   for (T& one : from) to->push_back(std::move(one));
@@ -43,6 +49,7 @@ JoinedSignals JoinSignals(std::span<const Log> logs,
   for (std::size_t k = 0; k < logs.size(); ++k) {
     const Source own_source = source ? *source : BestSourceOf(logs[k], common_dof);
     Signals own = SignalsOf(logs[k], common_dof, {.source = own_source});
+    if (logs.size() > 1) NameLogIn(logs[k], &own.remarks);
     if (k == 0) {
       joined.all = std::move(own);
     } else {

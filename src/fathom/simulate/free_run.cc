@@ -117,7 +117,9 @@ Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
   const double variance = std::max(sum, sum + neighbours) * n / (n - 1.0);
   const double std = std::sqrt(variance) / all.before;
   const double reach = StudentQuantile(n - 1.0) * std;
-  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = 1.0 - left + reach};
+  // No error falls below zero.
+  const double high = std::min(1.0, 1.0 - left + reach);
+  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = high};
 }
 
 }  // namespace fathom

@@ -38,7 +38,7 @@ FitFigures FiguresOf(const ExtendedModel& model, std::span<const Segment> segmen
 
 // How much less the second model's runs miss than the first's, over the same segments:
 // 1 - sum |miss after| / sum |miss before|, with a 95 % interval from blocks of 10 s (of 5 s at
-// least, where the runs are short), Student's for their number; NaN from fewer than four.
+// least, where the runs are short), Student's for their number, cut at 1; NaN from fewer than four.
 struct Gain {
   double value = 0.0, low = 0.0, high = 0.0;
   bool is_in_poses = false;  // of displacements within 10 s instead

@@ -78,9 +78,8 @@ TEST(Comments, AreALineEachForDataRowsAndWhatTheyDoNotCover) {
   comparison.rows[0].fitted.caveats.clear();
   comparison.rows[1].fitted.caveats = {"noisy regressors."};
   EXPECT_THAT(CommentsOn(comparison),
-              ElementsAre("* the row to take: its held-out NMAE (the error of the velocity, "
-                          "simulated from the command alone) is the least within chance, and its "
-                          "parameters are known best",
+              ElementsAre("* the row to take: no other row has a lower held-out NMAE (the error of "
+                          "the velocity, simulated from the command alone)",
                           "note: It is slow.",
                           "note: left out: 3 samples.",
                           "! Least squares, velocity.csv: no motion.",
@@ -119,7 +118,7 @@ TEST(ComparisonPage, HasALeadASectionAndAFactForEachDof) {
               AllOf(HasSubstr("Surge"),
                     HasSubstr("3.0 %"),
                     HasSubstr("on held-out data"),
-                    HasSubstr("40.0 ± 3.9 kg")));
+                    HasSubstr("Inertia 40 kg (36 to 44 kg)")));
   EXPECT_EQ(page.lead[1], "Yaw: no family found a usable model.");
   ASSERT_EQ(page.sections.size(), 2u);
   EXPECT_EQ(page.sections[0].heading, "Surge");

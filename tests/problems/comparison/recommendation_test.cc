@@ -4,7 +4,11 @@
 #include "fathom/comparison/recommendation.h"
 
 #include "fathom/comparison/comparison_page.h"
+#include "fathom/comparison/identification_text.h"
 #include "fathom/log/read_log.h"
+
+#include <algorithm>
+#include <cstddef>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +31,27 @@ TEST(Recommend, PassesOverALeadThatIsChance) {
   const Page page = ComparisonPage(comparison);
   EXPECT_THAT(page.lead.front(), HasSubstr("take Output error"));
   EXPECT_THAT(page.lead.front(), HasSubstr("As good within chance: "));
+}
+
+// Nine seconds are one block: no interval comes of it.
+TEST(Recommend, SaysThatTheDataAreTooFewToTellChance) {
+  const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kYaw}});
+  DofComparison& dof = comparison.dofs.front();
+  Segment& segment = dof.scored.held_out.front();
+  const double to = segment.time.front() + 9.0;
+  const auto size =
+      static_cast<std::size_t>(std::ranges::upper_bound(segment.time, to) - segment.time.begin());
+  for (auto* column : {&segment.time, &segment.velocity}) column->resize(size);
+  dof.scored.held_out.resize(1);
+  for (Identification& row : dof.rows) {
+    row.fitted.held_out.nmae = row.family == Family::kLeastSquares ? 0.10 : 0.16;
+  }
+  const Recommendation recommendation = Recommend(dof);
+  EXPECT_EQ(recommendation.taken->family, Family::kOutputError);
+  EXPECT_FALSE(recommendation.is_chance_known);
+  EXPECT_THAT(CommentsOn(dof).front(),
+              HasSubstr("but the data are too few to tell whether that is chance"));
 }
 
 // A model of twice the inertia is worse by far more than chance, whatever its family.
@@ -55,7 +80,15 @@ TEST(Recommend, DoesNotTakeTheAdaptiveLawForALeadThatIsChance) {
     if (row.family == Family::kAdaptive)
       row.fitted.held_out.nmae = 0.99 * dof.rows[0].fitted.held_out.nmae;
   }
-  EXPECT_EQ(Recommend(dof).taken->family, Family::kOutputError);
+  const Recommendation recommendation = Recommend(dof);
+  EXPECT_EQ(recommendation.taken->family, Family::kOutputError);
+  ASSERT_NE(recommendation.least, nullptr);
+  EXPECT_TRUE(recommendation.is_chance_known);
+  EXPECT_EQ(CommentsOn(dof).front(),
+            "* the row to take: its parameters are known best. " +
+                ModelName(*recommendation.least) +
+                " has a lower held-out NMAE (the error of the velocity, simulated from the command "
+                "alone), but by no more than chance");
 }
 
 TEST(Recommend, NeverTakesAnUnusableModel) {

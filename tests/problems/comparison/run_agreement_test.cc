@@ -51,8 +51,11 @@ TEST(AgreementOf, NamesTheRunThatStandsApart) {
   const RunAgreement agreement = AgreementOf(runs);
   EXPECT_EQ(agreement.stands_apart, "run_3");
   EXPECT_EQ(agreement.parameter_apart, kInertia);
-  EXPECT_THAT(RemarksOn(agreement, {7.0, 1.0, 1.1, 1.0}),
-              ElementsAre(HasSubstr("widened: inertia by 7.0."), HasSubstr("run_3 stands apart")));
+  EXPECT_THAT(
+      RemarksOn(agreement, {7.0, 1.0, 88.3, 1.0}),
+      ElementsAre(
+          HasSubstr("widened: inertia by a factor of 7.0, linear damping by a factor of 88."),
+          HasSubstr("run_3 stands apart")));
 }
 
 TEST(AgreementOf, PassesOverRunsThatDetermineNothing) {

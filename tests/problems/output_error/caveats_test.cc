@@ -16,7 +16,9 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // 3.16 - 1.96 x 3.1 < 0: the interval is cut there, and written as tables write it.
 TEST(CaveatOnDamping, GivesTheIntervalThatTheTableShows) {
@@ -59,10 +61,24 @@ TEST(CaveatOnDelay, IsSilentWhereStepsTellTheInertiaWithAnUnknownDelay) {
   DelayDoubt doubt = {.inertia = 851.0, .half_width = 0.027, .half_width_with_delay = 0.056};
   EXPECT_EQ(CaveatOnDelay(CommandOf(Steps), doubt), "");
   EXPECT_THAT(CaveatOnDelay(CommandOf(Sine), doubt), HasSubstr("a single sine of 0.3 rad/s"));
-  doubt.half_width_with_delay = 8.6;  // just over a hundredth
-  EXPECT_THAT(CaveatOnDelay(CommandOf(Steps), doubt), HasSubstr("because its command is slow"));
   doubt.half_width_with_delay = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(CaveatOnDelay(CommandOf(Steps), doubt), HasSubstr("the inertia is not determined"));
+  EXPECT_THAT(CaveatOnDelay(CommandOf(Steps), doubt),
+              AllOf(StartsWith("This log cannot separate inertia, damping and a command delay. "),
+                    HasSubstr("the inertia is not determined. To separate them, use")));
+}
+
+// Steps have all frequencies: what they cannot tell is no matter of the command.
+TEST(CaveatOnDelay, SendsToTheDiagnosisWhereStepsLeaveADelayOpen) {
+  const DelayDoubt doubt = {.inertia = 851.0,
+                            .inertia_per_second = -70.0,
+                            .linear_damping_per_second = 4.1,
+                            .half_width = 0.027,
+                            .half_width_with_delay = 8.6};  // just over a hundredth
+  EXPECT_EQ(CaveatOnDelay(CommandOf(Steps), doubt),
+            "The values hold only if there is no delay. One second of delay would change the "
+            "inertia by -70 and the linear damping by 4.1. With an unknown delay the inertia is "
+            "known to ± 8.6 and not to ± 0.027 (95 %). Run fathom_diagnose on this log: it looks "
+            "for a delay of the command (time_offset).");
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ TEST(Unit, KnowsOneUnitInSeveralSpellings) {
 }
 
 TEST(Unit, MindsCapitalsWhereTheyDecide) {
+  EXPECT_DOUBLE_EQ(FindUnit("N", Dimension::kForce)->factor, 1.0);
   EXPECT_DOUBLE_EQ(FindUnit("kN", Dimension::kForce)->factor, 1e3);
   EXPECT_DOUBLE_EQ(FindUnit("mN", Dimension::kForce)->factor, 1e-3);
   EXPECT_DOUBLE_EQ(FindUnit("MN", Dimension::kForce)->factor, 1e6);

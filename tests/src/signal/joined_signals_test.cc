@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // 20 s at 10 Hz along one DOF, the last 5 s held out.
 Log RunAlong(Dof dof) {
@@ -54,6 +55,18 @@ TEST(JoinSignals, KnowsWhichLogASegmentIsOf) {
   EXPECT_THAT(joined.log_of_train, ElementsAre(0, 1, 1));
   EXPECT_THAT(joined.log_of_held_out, ElementsAre(0, 1));
   EXPECT_EQ(joined.all.train[2].time.front(), 15.0);
+}
+
+TEST(JoinSignals, NamesTheLogOfARemarkWhereThereAreSeveral) {
+  Log second = RunAlong(Dof::kSurge);
+  second.path = "folder/other";
+  const JoinedSignals joined = JoinSignals(std::vector{RunAlong(Dof::kSurge), second}, {}, {});
+  EXPECT_THAT(joined.all.remarks,
+              ElementsAre(StartsWith("run: A Savitzky-Golay filter gives"),
+                          StartsWith("other: A Savitzky-Golay filter gives")));
+  const Log alone = RunAlong(Dof::kSurge);
+  EXPECT_THAT(JoinSignals({&alone, 1}, {}, {}).all.remarks,
+              ElementsAre(StartsWith("A Savitzky-Golay filter gives")));
 }
 
 TEST(JoinSignals, RefusesLogsOfDifferentDofsOrUnits) {

@@ -49,10 +49,12 @@ std::string WhyText(const Candidate& candidate) {
 std::string NonePassesText(const Diagnosis& diagnosis) {
   if (diagnosis.candidates.empty() || !diagnosis.causes.empty()) return "";
   const Candidate& best = diagnosis.candidates.front();
-  return fmt::format("No candidate passes, of {} tried. The best is {} ({}).",
-                     diagnosis.candidates.size(),
-                     best.label,
-                     WhyText(best));
+  return fmt::format(
+      "No candidate passes, of {} tried. The best is {} ({}). The gain is twice the "
+      "log-likelihood that the effect adds.",
+      diagnosis.candidates.size(),
+      best.label,
+      WhyText(best));
 }
 
 }  // namespace fathom

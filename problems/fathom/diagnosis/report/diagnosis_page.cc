@@ -8,6 +8,7 @@
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -114,8 +115,9 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
   section.heading = "All candidates";
   section.text = {
       "The score is twice the log-likelihood that an effect gains over the model without causes, "
-      "by a linear screen. The p-value is the probability of such a score among all candidates "
-      "if nothing is missing. The candidates that matter were refitted."};
+      "by a linear screen. The candidates that matter were refitted. The p-value is the "
+      "probability of such a gain among all candidates if nothing is missing: the refitted gain, "
+      "or the score where there is none."};
   if (std::string text = NonePassesText(diagnosis); !text.empty()) {
     section.text.insert(section.text.begin(), std::move(text));
   }
@@ -126,7 +128,7 @@ PageSection CandidateSection(const Diagnosis& diagnosis) {
 PageSection LimitSection(const Diagnosis& diagnosis) {
   PageSection section;
   section.heading = "What these logs rule out";
-  section.text = {kHowToReadLimits};
+  section.text = {HowToReadLimits(diagnosis)};
   section.tables.push_back(LimitTable(diagnosis));
   return section;
 }

@@ -22,11 +22,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis);
 Table CandidateTable(const Diagnosis& diagnosis,
                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// What these logs leave room for of every effect that is not named (95 %), and how it is to be
-// read.
+// What these logs leave room for of every effect that is not named (95 %).
 Table LimitTable(const Diagnosis& diagnosis);
-inline constexpr const char* kHowToReadLimits =
-    "The values of effects that are not named and that these logs rule out, 95 % each. Any other "
-    "value may be there: a weaker effect, such as a shorter lag or a higher saturation.";
 
 }  // namespace fathom

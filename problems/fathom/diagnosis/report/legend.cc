@@ -18,7 +18,9 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords = {{
     {"score", "twice the log-likelihood that the effect gains alone, by a quick estimate"},
-    {"p-value", "how often noise alone would score as well if nothing were missing"},
+    {"p-value",
+     "how often noise alone would gain as much if nothing were missing (the refitted gain; "
+     "the score where there is none)"},
     {"gain, refitted", "the same, fitted in full"},
     {"evidence (BIC)", "what the fit gains, less a price for each parameter; above 10 is strong"},
 }};
@@ -26,6 +28,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords = 
 bool Has(const Table& table, std::string_view heading) {
   return std::ranges::any_of(table.columns,
                              [&](const TableColumn& column) { return column.heading == heading; });
+}
+
+bool NamesFreeRuns(const Table& table) {
+  return std::ranges::any_of(table.rows, [](const TableRow& row) {
+    return std::ranges::any_of(row.cells, [](const std::string& cell) {
+      return cell.find("free runs") != std::string::npos;
+    });
+  });
 }
 
 }  // namespace
@@ -38,15 +48,21 @@ std::string LegendOf(std::span<const Table> tables) {
     }
     legend += fmt::format("{}: {}\n", heading, words);
   }
+  if (std::ranges::any_of(tables, NamesFreeRuns)) {
+    legend += "free run: the model simulated from the command alone\n";
+  }
   return legend;
 }
 
 std::string NoiseFloorText(const Diagnosis& diagnosis) {
   if (!std::isfinite(diagnosis.noise_nmae)) return "";
   return fmt::format(
-      "noise alone (the scatter from sample to sample) gives a {} NMAE of about {:.2g}\n",
+      "noise alone (the scatter from sample to sample) gives a {} NMAE of about {:.2g}{}\n",
       FittedQuantity(diagnosis),
-      diagnosis.noise_nmae);
+      diagnosis.noise_nmae,
+      diagnosis.extended.held_out.nmae <= diagnosis.noise_nmae
+          ? ": the error of this model is no more than noise"
+          : "");
 }
 
 }  // namespace fathom

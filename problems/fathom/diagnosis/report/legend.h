@@ -11,7 +11,8 @@
 
 namespace fathom {
 
-// What the columns of the tables mean that need a word, a line each; empty where there are none.
+// What the columns of the tables mean that need a word, and what a free run is where a row tells of
+// one, a line each; empty where there is nothing to explain.
 std::string LegendOf(std::span<const Table> tables);
 
 // The line below the NMAE of the models that says what noise alone gives; empty where that is not

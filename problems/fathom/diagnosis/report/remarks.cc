@@ -3,10 +3,12 @@
 
 #include "fathom/diagnosis/report/remarks.h"
 
+#include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,12 +41,11 @@ std::string WhyRefused(const Refusal& refusal) {
 
 std::string RemarkOn(const Refusal& refusal, const std::vector<Suspect>& suspects) {
   const std::string kept = LabelsOf(refusal.kept, suspects);
-  const NotNamed not_named = NotNamedOf(refusal, suspects);
-  return fmt::format("Not named{}{}: {}. It fits best, but {}.",
+  return fmt::format("Not named{}{}: {}. It improves the fit, but {}.",
                      kept.empty() ? "" : " beside ",
                      kept,
-                     not_named.label,
-                     not_named.why);
+                     LabelsOf(refusal.refused, suspects),
+                     WhyRefused(refusal));
 }
 
 // On how far the data carry what is said of them: a baseline that they do not determine, poses
@@ -95,8 +96,21 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
 
 }  // namespace
 
-NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects) {
-  return {LabelsOf(refusal.refused, suspects), WhyRefused(refusal)};
+NotNamed NotNamedOf(const std::vector<Refusal>& refusals,
+                    const std::vector<Candidate>& candidates,
+                    const std::vector<Suspect>& suspects) {
+  const Refusal& last = refusals.back();
+  if (refusals.size() == 1) return {LabelsOf(last.refused, suspects), WhyRefused(last)};
+  std::set<std::string> refused;
+  for (const Refusal& refusal : refusals) {
+    for (const int suspect : refusal.refused) refused.insert(LabelOf(suspects[suspect]));
+  }
+  std::vector<std::string> labels;
+  for (const Candidate& candidate : candidates) {
+    if (refused.contains(candidate.label)) labels.push_back(candidate.label);
+  }
+  if (labels.size() == 1) return {labels.front(), WhyRefused(last)};
+  return {AnyOf(labels), "held-out data confirm none of them (the notes say why)"};
 }
 
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,

@@ -17,8 +17,11 @@ namespace fathom {
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
                                        const Preparation& preparation);
 
-// What a refusal says of what it refuses.
-NotNamed NotNamedOf(const Refusal& refusal, const std::vector<Suspect>& suspects);
+// What fits best and is refused. Where suspects were refused one after the other, all of them, in
+// the order of the candidates. `refusals`: one at least.
+NotNamed NotNamedOf(const std::vector<Refusal>& refusals,
+                    const std::vector<Candidate>& candidates,
+                    const std::vector<Suspect>& suspects);
 
 // What is to be said of a judgement: what was refused, and why; how far the data carry it.
 std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity);

@@ -231,7 +231,7 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
           "{} {} no cause for the error of your {} model. The error is {:.0f} times the scatter "
           "from sample to sample. It varies slowly, as under slow random forces or with a "
           "drifting sensor, and it follows nothing that was logged. It is noise, or its cause is "
-          "not in the log.",
+          "not in the log: here `consistent` does not mean that the model is right.",
           logs,
           show,
           Name(diagnosis.dof),

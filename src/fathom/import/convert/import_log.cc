@@ -81,6 +81,14 @@ Stream ThrusterCommand(const std::filesystem::path& file,
                      ": command: is one of thrusters, expected the map to name the 'vehicle' file "
                      "that says where they are and how they push.");
   }
+  if (vehicle->thrusters.empty()) {
+    throw InputError(
+        fmt::format("{}: command: is one of {}, and the vehicle file of '{}' has no thrusters yet. "
+                    "Fill them in: docs/file_formats.md.",
+                    file.string(),
+                    Plural(command.columns.size(), "thruster"),
+                    vehicle->name));
+  }
   if (dimension == Dimension::kRotation) return stream;
   if (dimension == Dimension::kForce) {
     Vehicle unit_thrusters = *vehicle;
@@ -222,9 +230,11 @@ ImportedLog ImportLog(const std::filesystem::path& file,
                            : *log.command);
   }
   if (log.dofs.empty()) {
-    throw InputError(file.string() +
-                     ": no command changes, so that nothing says which DOF moves, expected the map "
-                     "to name it with 'dof'.");
+    throw InputError(fmt::format(
+        "{}: {}, so that nothing says which DOF moves, expected the map to name {} 'dof'.",
+        file.string(),
+        log.command ? "no command changes" : "the map names no command",
+        log.command ? "it with" : "a 'command', or the DOF with"));
   }
   log.start = StartOf(recording.contents(), map, log);
   if (map.camera) {

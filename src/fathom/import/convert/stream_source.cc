@@ -122,12 +122,17 @@ ColumnSource SourceOf(const std::filesystem::path& file,
   }
   if (!unit) {
     throw InputError(
-        fmt::format("{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'.",
+        fmt::format("{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'{}.",
                     place,
                     Quoted(text),
                     dimension ? Name(*dimension) : "a pulse width, a share, a speed or a force",
                     Quoted(column),
-                    dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'"));
+                    dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'",
+                    column.starts_with("tau_")
+                        ? fmt::format("; a command that is none of these is taken as it is with "
+                                      "'command_unit: \"{}\"'",
+                                      text)
+                        : ""));
   }
   source.unit = *unit;
   return source;

@@ -80,16 +80,17 @@ SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicl
   map.text =
       "# A log of ArduSub. The motion is its EKF's: without a DVL or a camera aiding it, position\n"
       "# and horizontal speed are not measured at all.\n";
-  if (!vehicle)
-    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string outputs = FirstChannelOf(contents, "RCOU");
+  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
+  if (!driven)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   std::string ekf = FirstChannelOf(contents, "XKF1");
   if (ekf.empty()) ekf = FirstChannelOf(contents, "NKF1");
-  if (!outputs.empty()) map.text += CommandText(recording, outputs, vehicle);
+  if (!outputs.empty()) map.text += CommandText(recording, outputs, driven);
   if (!ekf.empty()) map.text += MotionText(contents, ekf);
   if (outputs.empty()) map.text += "# no RCOU: the log has no thruster outputs.\n";
   if (ekf.empty()) map.text += "# no XKF1 or NKF1: the log has no motion.\n";
-  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
   JudgeReadiness(!outputs.empty() && !ekf.empty(), num_outputs, vehicle, &map);
   return map;
 }

@@ -10,9 +10,12 @@
 
 namespace fathom {
 
+// The vehicle, if the log drives at least as many outputs as it has thrusters.
+std::optional<Vehicle> IfDriven(const std::optional<Vehicle>& vehicle, int num_outputs);
+
 // Ends the map of an autopilot's log: `needs_vehicle` if only that is missing, `is_ready` if the
-// log drives at least as many outputs as the vehicle has thrusters; else a comment says so.
-// `has_both`: the log has outputs and motion.
+// log drives the vehicle; else `why_not_ready` and a comment say so. `has_both`: the log has
+// outputs and motion.
 void JudgeReadiness(bool has_both,
                     int num_outputs,
                     const std::optional<Vehicle>& vehicle,

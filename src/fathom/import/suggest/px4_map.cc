@@ -116,15 +116,16 @@ SuggestedMap Px4Map(const Recording& recording, const std::optional<Vehicle>& ve
   map.text =
       "# A log of PX4. The motion is its EKF's: without a DVL or a camera aiding it, position and\n"
       "# horizontal speed are not measured at all.\n";
-  if (!vehicle)
-    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const Px4Outputs outputs = OutputsOf(recording);
+  const std::optional<Vehicle> driven = IfDriven(vehicle, outputs.count);
+  if (!driven)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string position = FirstChannelOf(contents, "vehicle_local_position");
   const std::string attitude = FirstChannelOf(contents, "vehicle_attitude");
   const bool has_motion =
       HasField(contents, position, "vx") && HasField(contents, attitude, "q[0]");
   if (outputs.count > 0) {
-    map.text += CommandText(recording, outputs, vehicle);
+    map.text += CommandText(recording, outputs, driven);
   } else {
     map.text +=
         "# no actuator_motors and no pulses in actuator_outputs: the log has no thruster "

@@ -15,6 +15,9 @@ struct SuggestedMap {
   // a table do not, but those of a known program.
   bool is_ready = false;
 
+  // Why it is not, where the vehicle that was given does not go with it; else empty.
+  std::string why_not_ready;
+
   // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.
   bool needs_vehicle = false;
 };

@@ -68,14 +68,16 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
       "# autopilot's own log (.BIN, .ulg) is better where there is one. The motion is the EKF's:\n"
       "# without a DVL or a camera aiding it, position and horizontal speed are not measured at "
       "all.\n";
-  if (!vehicle)
-    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string outputs = FirstChannelOf(contents, "SERVO_OUTPUT_RAW");
+  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
+  if (!driven)
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   const std::string position = FirstChannelOf(contents, "LOCAL_POSITION_NED");
   const std::string attitude = FirstChannelOf(contents, "ATTITUDE");
   const bool has_motion = !position.empty() && !attitude.empty();
   if (!outputs.empty()) {
-    map.text += CommandText(recording, outputs, vehicle);
+    map.text += CommandText(recording, outputs, driven);
   } else {
     map.text += "# no SERVO_OUTPUT_RAW: the log has no thruster outputs.\n";
   }
@@ -84,7 +86,6 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
   } else {
     map.text += "# no LOCAL_POSITION_NED and ATTITUDE: the log has no motion.\n";
   }
-  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
   JudgeReadiness(!outputs.empty() && has_motion, num_outputs, vehicle, &map);
   return map;
 }

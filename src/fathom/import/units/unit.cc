@@ -73,7 +73,7 @@ constexpr NamedUnit kUnits[] = {
     {"rad/sec", {Dimension::kAngularRate, 1.0}},
     {"deg/sec", {Dimension::kAngularRate, kDegree}},
     {"rpm", {Dimension::kAngularRate, kTurn / 60.0}},
-    {"n", {Dimension::kForce, 1.0}},
+    {"N", {Dimension::kForce, 1.0}, true},
     {"kN", {Dimension::kForce, 1e3}, true},
     {"mN", {Dimension::kForce, 1e-3}, true},
     {"MN", {Dimension::kForce, 1e6}, true},

@@ -80,6 +80,24 @@ TEST(GainOf, IsTheShareOfTheErrorThatGoes) {
   EXPECT_TRUE(std::isnan(GainOf({}, {}).value));
 }
 
+// Five blocks, of which one has all of the error that is left: by its scatter the gain of 0.8 would
+// reach 1.36.
+TEST(GainOf, HasNoIntervalBeyondAllOfTheError) {
+  FreeRun before, after;
+  for (int i = 0; i < 50; ++i) {
+    before.time.push_back(i);
+    before.measured.push_back(0.0);
+    before.predicted.push_back(1.0);
+    after.predicted.push_back(i < 10 ? 1.0 : 0.0);
+  }
+  after.time = before.time;
+  after.measured = before.measured;
+  const Gain gain = GainOf(std::vector{before}, std::vector{after});
+  EXPECT_DOUBLE_EQ(gain.value, 0.8);
+  EXPECT_LT(gain.low, 0.8);
+  EXPECT_EQ(gain.high, 1.0);
+}
+
 // The same with 50 s: eight blocks, whose interval is Student's of seven degrees of freedom.
 TEST(GainOf, HasAWiderIntervalFromFewBlocks) {
   const int num_runs = 1000;

@@ -49,7 +49,7 @@ TEST(NonePassesText, SaysWhatBecameOfTheBest) {
   best.outcome = CandidateOutcome::kGainWithinNoise;
   EXPECT_EQ(NonePassesText(diagnosis),
             "No candidate passes, of 2 tried. The best is thruster_lag (dropped: gain 3.0; noise "
-            "alone reaches 8.1).");
+            "alone reaches 8.1). The gain is twice the log-likelihood that the effect adds.");
   diagnosis.causes.emplace_back();
   EXPECT_EQ(NonePassesText(diagnosis), "");
 }

@@ -16,10 +16,19 @@ TEST(LegendOf, ExplainsWhatIsShownAndNothingElse) {
   causes.columns = {{"cause"}, {"p-value"}};
   candidates.columns = {{"p-value"}, {"evidence (BIC)"}};
   EXPECT_EQ(LegendOf({}), "");
-  EXPECT_EQ(LegendOf(std::vector{causes}),
-            "p-value: how often noise alone would score as well if nothing were missing\n");
+  EXPECT_EQ(
+      LegendOf(std::vector{causes}),
+      "p-value: how often noise alone would gain as much if nothing were missing (the refitted "
+      "gain; the score where there is none)\n");
   EXPECT_THAT(LegendOf(std::vector{causes, candidates}),
               testing::MatchesRegex("p-value: .*\nevidence \\(BIC\\): .*above 10 is strong\n"));
+}
+
+TEST(LegendOf, SaysWhatAFreeRunIsWhereARowTellsOfOne) {
+  Table table;
+  table.columns = {{"result"}};
+  table.rows = {{{"refused: gain 75, but free runs do not improve by it"}}};
+  EXPECT_EQ(LegendOf(std::vector{table}), "free run: the model simulated from the command alone\n");
 }
 
 TEST(LegendOf, TakesNoWordOfACellForAHeading) {
@@ -34,9 +43,13 @@ TEST(NoiseFloorText, SaysWhatNoModelFallsBelow) {
   EXPECT_EQ(NoiseFloorText(diagnosis), "");
   diagnosis.has_velocity = true;
   diagnosis.noise_nmae = 0.0591;
+  diagnosis.extended.held_out.nmae = 0.0592;
   EXPECT_EQ(
       NoiseFloorText(diagnosis),
       "noise alone (the scatter from sample to sample) gives a velocity NMAE of about 0.059\n");
+  diagnosis.extended.held_out.nmae = 0.0590;
+  EXPECT_THAT(NoiseFloorText(diagnosis),
+              testing::EndsWith("about 0.059: the error of this model is no more than noise\n"));
 }
 
 }  // namespace

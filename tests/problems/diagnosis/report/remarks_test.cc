@@ -51,14 +51,33 @@ TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
   EXPECT_THAT(
       RemarksOn(judgement),
       ElementsAre(
-          "Not named beside thruster_lag: sensor_bias. It fits best, but with it the error "
+          "Not named beside thruster_lag: sensor_bias. It improves the fit, but with it the error "
           "on held-out data grows.",
-          StartsWith("Not named: thruster_lag. It fits best, but it has no significant gain "
+          StartsWith("Not named: thruster_lag. It improves the fit, but it has no significant gain "
                      "on held-out data"),
-          "Not named: thruster_lag with sensor_bias. It fits best, but the error on "
+          "Not named: thruster_lag with sensor_bias. It improves the fit, but the error on "
           "held-out data grows by 12 % (5 to 20 %).",
-          "Not named: thruster_lag. It fits best, but the NMAE on the training data "
+          "Not named: thruster_lag. It improves the fit, but the NMAE on the training data "
           "itself grows from 0.25 to 0.31."));
+}
+
+// The search weighs effects together, the table of candidates each alone.
+TEST(NotNamedOf, NamesWhatIsRefusedInTheOrderOfTheCandidates) {
+  const Judgement judgement = Plain();
+  const auto not_named = [&](const std::vector<Refusal>& refusals) {
+    std::vector<Candidate> candidates(3);
+    candidates[0].label = "sensor_bias";
+    candidates[1].label = "time_offset";
+    candidates[2].label = "thruster_lag";
+    return NotNamedOf(refusals, candidates, judgement.search.suspects);
+  };
+  const Refusal lag = {.reason = Refusal::Reason::kGainsNothing, .refused = {0}};
+  const Refusal bias = {.reason = Refusal::Reason::kGainsNothing, .refused = {1}, .kept = {0}};
+  EXPECT_EQ(not_named({lag}).label, "thruster_lag");
+  EXPECT_THAT(not_named({lag}).why, StartsWith("it has no significant gain"));
+  EXPECT_EQ(not_named({bias, lag}).label, "sensor_bias or thruster_lag");
+  EXPECT_EQ(not_named({bias, lag}).why, "held-out data confirm none of them (the notes say why)");
+  EXPECT_EQ(not_named({lag, lag}).label, "thruster_lag");
 }
 
 TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {

@@ -51,6 +51,19 @@ TEST(VerdictSentence, OfAnAmbiguousLog) {
       "changes from 1086 to 852 kg.");
 }
 
+// Three times the scatter and more is no noise that anyone would expect.
+TEST(VerdictSentence, SaysThatConsistentSaysLittleWhereTheErrorIsWellAboveTheScatter) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.wander_ratio = 5.1;
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("The error is 5 times the scatter from sample to sample."));
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              HasSubstr("It is noise, or its cause is not in the log: here `consistent` does not "
+                        "mean that the model is right."));
+  diagnosis.wander_ratio = 2.9;
+  EXPECT_EQ(VerdictSentence(diagnosis), VerdictSentence(ConsistentDiagnosis()));
+}
+
 TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
   Diagnosis diagnosis = UnexplainedDiagnosis();
   diagnosis.not_named = {"coulomb_friction", "the error on held-out data grows by 12 %"};
