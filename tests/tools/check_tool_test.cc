@@ -200,6 +200,7 @@ std::vector<Mistake> Table() {
       {"SpeedInKilometresPerHour", Speed(3.6), "red", "inertia", "km/h"},
       {"SpeedInFeet", Speed(3.28084), "red", "inertia", "feet"},
       {"PerCentOf20N", Force(5.0), "red", "inertia", over},
+      {"PulseWidths", Numbers(WritePulseWidths), "red", "pulse_widths", "Are these pulse widths"},
       {"MassOfAnotherVehicle",
        [](Dive* dive) { dive->numbers.mass = 500.0; },
        "red",

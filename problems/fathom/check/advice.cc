@@ -96,6 +96,11 @@ constexpr Entry kAdvice[] = {
     {"pose_twist_sign",
      {"One of the two gives a model of the wrong sign.",
       "Turn the axis around: FLU or FRD, ENU or NED."}},
+    {"pulse_widths",
+     {"The buoyancy takes the 1500 us of a stopped thruster in, and the other parameters have no "
+      "unit.",
+      "Import the log with a vehicle file that holds the thrust of each pulse width "
+      "(docs/import.md), or subtract 1500 and name the unit: `command_unit: us` in log.yaml."}},
     {"repeated_block",
      {"The same data count twice: intervals are too narrow, and a jump is in the motion.",
       "Take one of the two out."}},
