@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -408,6 +409,25 @@ TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
   dive.numbers.thruster_speed_unit = 1.0;
   const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
   EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
+}
+
+// A slow sine: a delay turns the response like damping against inertia.
+TEST(CheckTool, DoesNotCallWellKnownWhatADelayMayChange) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return std::sin(0.2 * t); });
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  for (double& speed : dive.numbers.speed) speed += noise(generator);
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(
+      said.text,
+      AllOf(HasSubstr("note: This log cannot separate inertia, damping and a command delay"),
+            HasSubstr("known: with an unknown delay of the command, the 95 % interval")));
+  const Json dof = Json::parse(TextOf(folder / "check.json"))["dofs"][0];
+  EXPECT_THAT(dof["caveats"].dump(), HasSubstr("With an unknown delay the inertia is known to"));
+  EXPECT_EQ(dof["parameters"][0]["name"], "inertia");
+  EXPECT_EQ(dof["parameters"][0]["known"], "roughly");
 }
 
 TEST(CheckTool, SaysOnceThatNoMassIsKnown) {

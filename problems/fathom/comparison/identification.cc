@@ -101,6 +101,9 @@ Identification Identify(const Signals& signals,
       result.weighting = Name(summary.weighting);
       result.weighting_reason = summary.weighting_reason;
       result.offsets = summary.offsets;
+      if (summary.delay_is_open) {
+        result.std_with_delay = summary.evidence.covariance_with_time_offset.diagonal().cwiseSqrt();
+      }
       result.share = summary.evidence.share;
       result.condition_number = summary.evidence.condition_number;
       break;

@@ -11,6 +11,7 @@
 #include "fathom/vehicle/fitted_model.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct Identification {
 
   // Of output error alone: by OutputErrorOptions::offsets.
   std::vector<OutputErrorSummary::Offset> offsets;
+
+  // Of output error alone, where a caveat says that the data do not tell a delay of the command:
+  // the standard deviations with an unknown delay. Infinite: nothing is known then.
+  std::optional<ParameterVector> std_with_delay;
 
   // How well the log excites each parameter: the share of its signature that the others cannot
   // imitate, 0 to 1, and the condition number of all four. NaN where the family does not compute
