@@ -430,6 +430,23 @@ TEST(CheckTool, DoesNotCallWellKnownWhatADelayMayChange) {
   EXPECT_EQ(dof["parameters"][0]["known"], "roughly");
 }
 
+// A swell that no force explains.
+TEST(CheckTool, SaysThatTheModelFitsPoorly) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return Tones(t); });
+  for (std::size_t i = 0; i < dive.numbers.speed.size(); ++i) {
+    dive.numbers.speed[i] += 0.3 * std::sin(0.9 * dive.numbers.time[i]);
+  }
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(said.text,
+              AllOf(ContainsRegex("yellow  poor_fit +Simulated from the command alone, the model "
+                                  "misses [0-9]+ % of the motion\\."),
+                    HasSubstr("Then run fathom_diagnose"),
+                    Not(HasSubstr("note: The fit is poor")),
+                    Not(HasSubstr("note: Simulated"))));
+}
+
 TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
   const Path folder = EmptyTestFolder();
   Dive dive = SoundDive(folder, false);

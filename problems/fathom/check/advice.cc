@@ -70,6 +70,10 @@ constexpr Entry kAdvice[] = {
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "
       "and "
       "both clocks."}},
+    {"poor_fit",
+     {"It predicts badly, and its intervals do not cover what it lacks.",
+      "Mend what is red. Then run fathom_diagnose on this log: it looks for what the model "
+      "lacks."}},
     {"pose_flip",
      {"Speeds from these poses are wrong there, and a heading that is unwrapped through it gains a "
       "turn.",

@@ -94,6 +94,15 @@ std::vector<Finding> CheckTwoMotions(Log log) {
   return findings;
 }
 
+Finding FindingOn(const PoorFit& fit) {
+  return {Severity::kNote,
+          "poor_fit",
+          fmt::format("Simulated from the command alone, the model misses {:.0f} % of {}.",
+                      100.0 * fit.nmae,
+                      fit.motion)};
+}
+
+// A poor fit is told as a finding, and no second time as a caveat.
 void Identify(const Log& log, DofCheckup* checkup) {
   LogIdentificationOptions options;
   options.dof = checkup->dof;
@@ -113,6 +122,10 @@ void Identify(const Log& log, DofCheckup* checkup) {
         {Severity::kNote,
          "no_model",
          fmt::format("There is no usable model: {}", identified.result.message)});
+  }
+  if (const auto poor = PoorFitOf(identified.result.fitted)) {
+    checkup->findings.push_back(FindingOn(*poor));
+    std::erase(identified.result.fitted.caveats, CaveatOn(*poor));
   }
   checkup->excitation = ExcitationOf(checkup->command, segments);
   checkup->model = std::move(identified.result);

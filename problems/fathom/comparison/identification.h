@@ -60,6 +60,16 @@ Identification Identify(const Signals& signals,
                         Family family,
                         const IdentificationOptions& options = {});
 
+// A model whose free runs miss more of some motion than kPoorFit.
+struct PoorFit {
+  double nmae = 0.0;
+  std::string motion;  // "the motion", "the held-out motion"
+};
+
+// Of the data that it was fitted to, else of those that were held out; nothing where both are well.
+std::optional<PoorFit> PoorFitOf(const FittedModel& fitted);
+std::string CaveatOn(const PoorFit& fit);
+
 // The figures of a model by free runs over `scored`, the range of its training data, and caveats
 // where the figures are bad.
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted);
