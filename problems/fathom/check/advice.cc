@@ -61,7 +61,7 @@ constexpr Entry kAdvice[] = {
       "Take the sensor's own stamps."}},
     {"lost_values",
      {"The zeros are taken for motion: inertia grows, and effects are named that do not exist.",
-      "Take the rows without a reading out of velocity.csv."}},
+      "Take the rows without a reading out of the file that is named."}},
     {"no_model",
      {"This log alone gives none.",
       "Fit several logs together, or drive what the sentence asks for."}},
@@ -77,12 +77,12 @@ constexpr Entry kAdvice[] = {
     {"pose_flip",
      {"Speeds from these poses are wrong there, and a heading that is unwrapped through it gains a "
       "turn.",
-      "Leave these rows of pose.csv out, and set the markers so that they look alike from one side "
-      "only."}},
+      "Leave these rows of pose.csv out."}},
     {"pose_jump",
      {"The speed from the poses has a peak there, which no thrust explains.",
-      "Cut the log in two at the jump, or take the poses of an estimator that is not realigned. Of "
-      "markers: check their places."}},
+      "Of one jump or two: cut the log there, or take the poses of an estimator that is not "
+      "realigned. Of more: take the rows without tracking out of pose.csv. Of markers: check their "
+      "places."}},
     {"pose_twist_apart",
      {"One of the two is not the motion of this axis.",
       "Check which column is which axis, in both files."}},
