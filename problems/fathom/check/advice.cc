@@ -64,7 +64,9 @@ constexpr Entry kAdvice[] = {
       "Take the rows without a reading out of the file that is named."}},
     {"no_model",
      {"This log alone gives none.",
-      "Fit several logs together, or drive what the sentence asks for."}},
+      "Drive what the sentence asks for. If it asks for nothing, look for a wrong sign, clock or "
+      "unit "
+      "of command and motion first, then for too little motion. Or fit several logs together."}},
     {"passivity",
      {"Damping comes out negative.",
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "
