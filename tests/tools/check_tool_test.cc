@@ -686,6 +686,43 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
   EXPECT_THAT(run.out, HasSubstr("held out")) << run.out;
 }
 
+TEST(CheckTool, SaysFirstWhatStaysUnknown) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return 0.01 * Tones(t); });
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(said.text,
+              ContainsRegex("Nothing speaks against a model of surge from this log, but it leaves "
+                            "quadratic_damping( and linear_damping)? unknown\\."));
+}
+
+// Every step that is named can be taken.
+TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
+  const Path folder = EmptyTestFolder();
+  std::string text = "t,tau,v\n";
+  double v = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    const double force = Tones(0.1 * i);
+    text += fmt::format("{:.1f},{:.4f},{:.5f}\n", 0.1 * i, force, v);
+    v += 0.1 * (force - 40.0 * v * std::abs(v) - 8.0 * v) / 38.0;
+  }
+  const Path csv = folder / "run.csv", map = folder / "map.yaml", log = folder / "run";
+  WriteTestFile(csv, text);
+  const std::string from = "--from=" + csv.string();
+  const ToolRun run = RunToolBinary("fathom_check", {"--log=" + csv.string(), "--dof=surge"});
+  EXPECT_THAT(run.out,
+              AllOf(ContainsRegex("that it has not seen, add --held_out=[0-9.]+:[0-9.]+\n"),
+                    HasSubstr("fathom_import " + from + " --suggest > map.yaml, add `mass:`"),
+                    HasSubstr("fathom_import " + from + " --map=map.yaml --out=run.")));
+  WriteTestFile(map, RunToolBinary("fathom_import", {from, "--suggest"}).out + "mass: 22.5\n");
+  ASSERT_EQ(RunToolBinary("fathom_import", {from, "--map=" + map.string(), "--out=" + log.string()})
+                .exit_code,
+            0);
+  const ToolRun with_mass = RunToolBinary("fathom_check", {"--log=" + log.string()});
+  EXPECT_EQ(with_mass.exit_code, 0) << with_mass.err;
+  EXPECT_THAT(with_mass.out, Not(HasSubstr("No mass of the vehicle is known")));
+}
+
 using CheckedRealLogs = OnRealData;
 
 // A log whose noise wanders, so that learned weights are taken: plain ones promise too much.

@@ -85,13 +85,40 @@ std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   return usable;
 }
 
+std::string HowToHoldOut(const Log& log, const TimeInterval& held_out) {
+  if (IsSingleCsv(log)) {
+    return fmt::format("add --held_out={:.1f}:{:.1f}", held_out.from, held_out.to);
+  }
+  return fmt::format(
+      "add to {}: held_out: [{:.1f}, {:.1f}]", PlaceOfKeys(log), held_out.from, held_out.to);
+}
+
+// "quadratic_damping", or with the DOF where there are several. But the buoyancy, of which a small
+// value is known well enough.
+std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_several_dofs) {
+  std::vector<std::string> unknown;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (!dof.model || !dof.model->is_usable) continue;
+    for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
+      if (HowWellKnown(*dof.model, i) != "not") continue;
+      const char* const name = kParameterInfo[static_cast<std::size_t>(i)].name;
+      unknown.push_back(of_several_dofs ? fmt::format("{} of {}", name, Name(dof.dof)) : name);
+    }
+  }
+  return unknown;
+}
+
 }  // namespace
 
 std::string Verdict(const LogCheckup& checkup) {
   if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (usable.empty()) return "Nothing in this log can be identified.";
-  return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));
+  const std::vector<std::string> unknown = UnknownParameters(checkup, usable.size() > 1);
+  return fmt::format(
+      "Nothing speaks against a model of {} from this log{}.",
+      Listed(usable),
+      unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)));
 }
 
 std::string NextStep(const LogCheckup& checkup) {
@@ -170,12 +197,8 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
   }
   if (checkup.log.held_out.empty() && excitation.held_out) {
     const TimeInterval held_out = OutToTenths(*excitation.held_out);
-    sentences.push_back(
-        fmt::format("To judge the model on data that it has not seen, add to {}: held_out: "
-                    "[{:.1f}, {:.1f}]",
-                    PlaceOfKeys(checkup.log),
-                    held_out.from,
-                    held_out.to));
+    sentences.push_back(fmt::format("To judge the model on data that it has not seen, {}",
+                                    HowToHoldOut(checkup.log, held_out)));
   }
   return sentences;
 }
