@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -200,6 +201,7 @@ std::vector<Mistake> Table() {
       {"SpeedInKilometresPerHour", Speed(3.6), "red", "inertia", "km/h"},
       {"SpeedInFeet", Speed(3.28084), "red", "inertia", "feet"},
       {"PerCentOf20N", Force(5.0), "red", "inertia", over},
+      {"PulseWidths", Numbers(WritePulseWidths), "red", "pulse_widths", "Are these pulse widths"},
       {"MassOfAnotherVehicle",
        [](Dive* dive) { dive->numbers.mass = 500.0; },
        "red",
@@ -407,6 +409,42 @@ TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
   dive.numbers.thruster_speed_unit = 1.0;
   const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
   EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
+}
+
+// A slow sine: a delay turns the response like damping against inertia.
+TEST(CheckTool, DoesNotCallWellKnownWhatADelayMayChange) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return std::sin(0.2 * t); });
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  for (double& speed : dive.numbers.speed) speed += noise(generator);
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(
+      said.text,
+      AllOf(HasSubstr("note: This log cannot separate inertia, damping and a command delay"),
+            HasSubstr("known: with an unknown delay of the command, the 95 % interval")));
+  const Json dof = Json::parse(TextOf(folder / "check.json"))["dofs"][0];
+  EXPECT_THAT(dof["caveats"].dump(), HasSubstr("With an unknown delay the inertia is known to"));
+  EXPECT_EQ(dof["parameters"][0]["name"], "inertia");
+  EXPECT_EQ(dof["parameters"][0]["known"], "roughly");
+}
+
+// A swell that no force explains.
+TEST(CheckTool, SaysThatTheModelFitsPoorly) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return Tones(t); });
+  for (std::size_t i = 0; i < dive.numbers.speed.size(); ++i) {
+    dive.numbers.speed[i] += 0.3 * std::sin(0.9 * dive.numbers.time[i]);
+  }
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(said.text,
+              AllOf(ContainsRegex("yellow  poor_fit +Simulated from the command alone, the model "
+                                  "misses [0-9]+ % of the motion\\."),
+                    HasSubstr("Then run fathom_diagnose"),
+                    Not(HasSubstr("note: The fit is poor")),
+                    Not(HasSubstr("note: Simulated"))));
 }
 
 TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
@@ -646,6 +684,43 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
   const ToolRun run = RunToolBinary("fathom_identify", arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("held out")) << run.out;
+}
+
+TEST(CheckTool, SaysFirstWhatStaysUnknown) {
+  const Path folder = EmptyTestFolder();
+  Dive dive = SoundDive(folder, false);
+  Drive(&dive.numbers, [](double t, double) { return 0.01 * Tones(t); });
+  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  EXPECT_THAT(said.text,
+              ContainsRegex("Nothing speaks against a model of surge from this log, but it leaves "
+                            "quadratic_damping( and linear_damping)? unknown\\."));
+}
+
+// Every step that is named can be taken.
+TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
+  const Path folder = EmptyTestFolder();
+  std::string text = "t,tau,v\n";
+  double v = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    const double force = Tones(0.1 * i);
+    text += fmt::format("{:.1f},{:.4f},{:.5f}\n", 0.1 * i, force, v);
+    v += 0.1 * (force - 40.0 * v * std::abs(v) - 8.0 * v) / 38.0;
+  }
+  const Path csv = folder / "run.csv", map = folder / "map.yaml", log = folder / "run";
+  WriteTestFile(csv, text);
+  const std::string from = "--from=" + csv.string();
+  const ToolRun run = RunToolBinary("fathom_check", {"--log=" + csv.string(), "--dof=surge"});
+  EXPECT_THAT(run.out,
+              AllOf(ContainsRegex("that it has not seen, add --held_out=[0-9.]+:[0-9.]+\n"),
+                    HasSubstr("fathom_import " + from + " --suggest > map.yaml, add `mass:`"),
+                    HasSubstr("fathom_import " + from + " --map=map.yaml --out=run.")));
+  WriteTestFile(map, RunToolBinary("fathom_import", {from, "--suggest"}).out + "mass: 22.5\n");
+  ASSERT_EQ(RunToolBinary("fathom_import", {from, "--map=" + map.string(), "--out=" + log.string()})
+                .exit_code,
+            0);
+  const ToolRun with_mass = RunToolBinary("fathom_check", {"--log=" + log.string()});
+  EXPECT_EQ(with_mass.exit_code, 0) << with_mass.err;
+  EXPECT_THAT(with_mass.out, Not(HasSubstr("No mass of the vehicle is known")));
 }
 
 using CheckedRealLogs = OnRealData;

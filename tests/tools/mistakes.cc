@@ -16,6 +16,10 @@ void ScaleSpeed(double factor, LogNumbers* log) {
   for (double& speed : log->speed) speed *= factor;
 }
 
+void WritePulseWidths(LogNumbers* log) {
+  for (double& force : log->force) force = 1500.0 + 8.0 * force;
+}
+
 void LoseLock(LogNumbers* log) {
   for (std::size_t i = 0; i < log->speed.size(); ++i) {
     if (i % 50 >= 20 && i % 50 < 29) log->speed[i] = 0.0;

@@ -15,6 +15,9 @@ void ScaleForce(double factor, LogNumbers* log);
 // The speed in another unit: so many times the number in m/s.
 void ScaleSpeed(double factor, LogNumbers* log);
 
+// The force as the pulse width of a motor controller [us], which stops at 1500.
+void WritePulseWidths(LogNumbers* log);
+
 // A DVL without lock writes zeros: 18 % of the rows, in runs of nine.
 void LoseLock(LogNumbers* log);
 

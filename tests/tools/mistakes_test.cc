@@ -81,6 +81,7 @@ std::vector<Case> Table() {
       // 2.5 * 38 kg are 4.2 masses: a factor of the force is one of all parameters.
       {"PerCentOf40N", force(100.0 / 40.0), kUnseen, kDiffers},
       {"PerCentOf20N", force(100.0 / 20.0), "times the vehicle's dry mass of 22.5 kg.", kDiffers},
+      SeenByAll("PulseWidths", WritePulseWidths, "The command lies between "),
       SeenByAll("LostLock", LoseLock, "velocity.csv: u is exactly 0 in "),
       SeenByAll("StuckSensor", GetStuck, "velocity.csv: u stands still in "),
       SeenByAll("Sentinel", WriteSentinels, "velocity.csv: u is exactly -32.768 in "),

@@ -61,24 +61,30 @@ constexpr Entry kAdvice[] = {
       "Take the sensor's own stamps."}},
     {"lost_values",
      {"The zeros are taken for motion: inertia grows, and effects are named that do not exist.",
-      "Take the rows without a reading out of velocity.csv."}},
+      "Take the rows without a reading out of the file that is named."}},
     {"no_model",
      {"This log alone gives none.",
-      "Fit several logs together, or drive what the sentence asks for."}},
+      "Drive what the sentence asks for. If it asks for nothing, look for a wrong sign, clock or "
+      "unit "
+      "of command and motion first, then for too little motion. Or fit several logs together."}},
     {"passivity",
      {"Damping comes out negative.",
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "
       "and "
       "both clocks."}},
+    {"poor_fit",
+     {"It predicts badly, and its intervals do not cover what it lacks.",
+      "Mend what is red. Then run fathom_diagnose on this log: it looks for what the model "
+      "lacks."}},
     {"pose_flip",
      {"Speeds from these poses are wrong there, and a heading that is unwrapped through it gains a "
       "turn.",
-      "Leave these rows of pose.csv out, and set the markers so that they look alike from one side "
-      "only."}},
+      "Leave these rows of pose.csv out."}},
     {"pose_jump",
      {"The speed from the poses has a peak there, which no thrust explains.",
-      "Cut the log in two at the jump, or take the poses of an estimator that is not realigned. Of "
-      "markers: check their places."}},
+      "Of one jump or two: cut the log there, or take the poses of an estimator that is not "
+      "realigned. Of more: take the rows without tracking out of pose.csv. Of markers: check their "
+      "places."}},
     {"pose_twist_apart",
      {"One of the two is not the motion of this axis.",
       "Check which column is which axis, in both files."}},
@@ -96,6 +102,11 @@ constexpr Entry kAdvice[] = {
     {"pose_twist_sign",
      {"One of the two gives a model of the wrong sign.",
       "Turn the axis around: FLU or FRD, ENU or NED."}},
+    {"pulse_widths",
+     {"The buoyancy takes the 1500 us of a stopped thruster in, and the other parameters have no "
+      "unit.",
+      "Import the log with a vehicle file that holds the thrust of each pulse width "
+      "(docs/import.md), or subtract 1500 and name the unit: `command_unit: us` in log.yaml."}},
     {"repeated_block",
      {"The same data count twice: intervals are too narrow, and a jump is in the motion.",
       "Take one of the two out."}},

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <numbers>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,6 +54,11 @@ std::vector<Flip> FlipsOf(const Poses& poses) {
   return flips;
 }
 
+bool HasMarkers(const Log& log) {
+  std::error_code error;
+  return log.detections || std::filesystem::exists(log.path / "tags.yaml", error);
+}
+
 }  // namespace
 
 std::optional<Finding> CheckPoseFlips(const Log& log) {
@@ -64,10 +71,13 @@ std::optional<Finding> CheckPoseFlips(const Log& log) {
       Severity::kNote,
       "pose_flip",
       fmt::format(
-          "pose.csv: the attitude turns away and back {}, first by {:.0f}° at t = {:.2f} s.",
+          "pose.csv: the attitude turns away and back {}, first by {:.0f}° at t = {:.2f} s.{}",
           flips.size() == 1 ? "once" : Plural(flips.size(), "time"),
           first.angle / kDegree,
-          poses.time[first.first]),
+          poses.time[first.first],
+          HasMarkers(log) ? " A single marker that is small in the image fits two attitudes: show "
+                            "the camera several, or larger ones."
+                          : ""),
       FindingPlace{"pose.csv", "yaw", {poses.time[first.first], poses.time[first.end - 1]}}};
 }
 

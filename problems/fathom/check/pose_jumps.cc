@@ -82,15 +82,19 @@ void Tell(const char* name,
       *std::max_element(jumps.begin(), jumps.end(), [](const auto& a, const auto& b) {
         return std::abs(a.size) < std::abs(b.size);
       });
+  constexpr std::size_t kMostRealignments = 2;
   findings->push_back(
       {Severity::kWarning,
        "pose_jump",
-       fmt::format("pose.csv: {} jumps {}, most by {:.2g} {} at t = {:.2f} s, and stays there.",
+       fmt::format("pose.csv: {} jumps {}, most by {:.2g} {} at t = {:.2f} s{}.",
                    name,
                    jumps.size() == 1 ? "once" : Plural(jumps.size(), "time"),
                    largest.size,
                    unit,
-                   largest.time),
+                   largest.time,
+                   jumps.size() > kMostRealignments
+                       ? ". So many are no realignment: the tracking was lost and found again"
+                       : ", and stays there"),
        FindingPlace{"pose.csv", name, {largest.before, largest.time}}});
 }
 

@@ -6,6 +6,7 @@
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
 #include "fathom/check/batch_means.h"
+#include "fathom/check/pulse_widths.h"
 #include "fathom/signal/filters/autoregression.h"
 #include "fathom/signal/filters/integral.h"
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -240,6 +242,10 @@ std::vector<Finding> CheckSanity(std::span<const Segment> segments,
                      samples.velocity[0],
                      VelocityUnit(dof)),
          &findings);
+  }
+  // In another unit they may well be pulse widths.
+  if (force_unit == ForceUnit(dof)) {
+    if (auto finding = CheckPulseWidths(segments)) findings.push_back(*std::move(finding));
   }
   if (force_varies && velocity_varies) {
     CheckPassivity(samples, PowerUnit(dof, force_unit), &findings);

@@ -18,6 +18,7 @@ namespace fathom {
 //   passivity           warning  force and velocity give a mean power below zero
 //   force_sign          warning  force and acceleration oppose each other at equal velocity
 //   speed_range         warning  speeds over 20 m/s; a note for turns over 20 rad/s
+//   pulse_widths        warning  the force is a pulse width of 800 to 2200 us (pulse_widths.h)
 //   constant_command    warning  the force never changes
 //   constant_velocity   warning  the velocity never changes
 //   sampling_rate       warning  median step below 1 ms or above 1 s

@@ -120,14 +120,16 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
     if (dof.findings.empty() && dof.why_not.empty()) {
       section.text.emplace_back("Green: nothing found.");
     }
+    for (std::string& caveat : CaveatsOn(dof)) section.text.push_back(std::move(caveat));
     for (std::string& sentence : ExcitationSentences(checkup, dof)) {
       section.text.push_back(std::move(sentence));
     }
     if (dof.signals && !dof.signals->train.empty()) AddCharts(dof, &section);
     if (Table table = DeterminedTable(dof); !table.rows.empty()) {
-      table.caption =
-          "How well this log knows the parameters (95 %): well within 20 %, roughly "
-          "within 100 %.";
+      table.caption = fmt::format(
+          "How well this log knows the parameters (95 %{}): well within 20 %, roughly within "
+          "100 %.",
+          dof.model->std_with_delay ? ", with an unknown delay of the command" : "");
       section.tables = {std::move(table)};
     }
     page.sections.push_back(std::move(section));

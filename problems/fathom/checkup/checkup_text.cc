@@ -48,6 +48,13 @@ double StdOf(const FittedModel& model, int index) {
   return std::sqrt(model.covariance(index, index));
 }
 
+// Where the data do not tell a delay of the command, with an unknown one.
+std::string_view HowWellKnown(const Identification& model, int index) {
+  const double std = StdOf(model.fitted, index);
+  return HowWellKnown(ToVector(model.fitted.model)[index],
+                      model.std_with_delay ? std::max(std, (*model.std_with_delay)[index]) : std);
+}
+
 std::string FindingLines(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings) {
@@ -69,31 +76,6 @@ std::string IntervalText(const TimeInterval& interval) {
 
 Json JsonOf(const TimeInterval& interval) { return Json::array({interval.from, interval.to}); }
 
-// What tells a parameter.
-std::string_view ToKnow(int parameter) {
-  switch (parameter) {
-    case kInertia:
-      return "Fast changes of the command tell it: a square wave with a period of 10 to 20 s.";
-    default:
-      return "Steady runs at several speeds up to the highest tell it.";
-  }
-}
-
-// But the buoyancy, of which a small value is known well enough.
-std::vector<std::string> UnknownParameters(const DofCheckup& dof) {
-  std::vector<std::string> sentences;
-  if (!dof.model || !dof.model->is_usable) return sentences;
-  const FittedModel& fitted = dof.model->fitted;
-  const ParameterVector values = ToVector(fitted.model);
-  for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
-    if (HowWellKnown(values[i], StdOf(fitted, i)) != "not") continue;
-    std::string name = kParameterInfo[static_cast<std::size_t>(i)].name;
-    std::ranges::replace(name, '_', ' ');
-    sentences.push_back(fmt::format("This log leaves the {} unknown. {}", name, ToKnow(i)));
-  }
-  return sentences;
-}
-
 // The DOFs that a model comes of.
 std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   std::vector<std::string> usable;
@@ -103,13 +85,40 @@ std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   return usable;
 }
 
+std::string HowToHoldOut(const Log& log, const TimeInterval& held_out) {
+  if (IsSingleCsv(log)) {
+    return fmt::format("add --held_out={:.1f}:{:.1f}", held_out.from, held_out.to);
+  }
+  return fmt::format(
+      "add to {}: held_out: [{:.1f}, {:.1f}]", PlaceOfKeys(log), held_out.from, held_out.to);
+}
+
+// "quadratic_damping", or with the DOF where there are several. But the buoyancy, of which a small
+// value is known well enough.
+std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_several_dofs) {
+  std::vector<std::string> unknown;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (!dof.model || !dof.model->is_usable) continue;
+    for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
+      if (HowWellKnown(*dof.model, i) != "not") continue;
+      const char* const name = kParameterInfo[static_cast<std::size_t>(i)].name;
+      unknown.push_back(of_several_dofs ? fmt::format("{} of {}", name, Name(dof.dof)) : name);
+    }
+  }
+  return unknown;
+}
+
 }  // namespace
 
 std::string Verdict(const LogCheckup& checkup) {
   if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (usable.empty()) return "Nothing in this log can be identified.";
-  return fmt::format("Nothing speaks against a model of {} from this log.", Listed(usable));
+  const std::vector<std::string> unknown = UnknownParameters(checkup, usable.size() > 1);
+  return fmt::format(
+      "Nothing speaks against a model of {} from this log{}.",
+      Listed(usable),
+      unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)));
 }
 
 std::string NextStep(const LogCheckup& checkup) {
@@ -156,9 +165,14 @@ Table DeterminedTable(const DofCheckup& dof) {
                       kParameterInfo[static_cast<std::size_t>(i)].name,
                       ParameterUnit(i, fitted.dof, fitted.force_unit)),
           FormatInterval(values[i], std, kParameterInfo[static_cast<std::size_t>(i)].lower_bound),
-          std::string(HowWellKnown(values[i], std))}});
+          std::string(HowWellKnown(*dof.model, i))}});
   }
   return table;
+}
+
+std::vector<std::string> CaveatsOn(const DofCheckup& dof) {
+  if (!dof.model || !dof.model->is_usable) return {};
+  return dof.model->fitted.caveats;
 }
 
 std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof) {
@@ -181,15 +195,10 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
                                     excitation.duration,
                                     fmt::join(stretches, ", ")));
   }
-  for (std::string& sentence : UnknownParameters(dof)) sentences.push_back(std::move(sentence));
   if (checkup.log.held_out.empty() && excitation.held_out) {
     const TimeInterval held_out = OutToTenths(*excitation.held_out);
-    sentences.push_back(
-        fmt::format("To judge the model on data that it has not seen, add to {}: held_out: "
-                    "[{:.1f}, {:.1f}]",
-                    PlaceOfKeys(checkup.log),
-                    held_out.from,
-                    held_out.to));
+    sentences.push_back(fmt::format("To judge the model on data that it has not seen, {}",
+                                    HowToHoldOut(checkup.log, held_out)));
   }
   return sentences;
 }
@@ -204,11 +213,13 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     text += FindingLines(dof.findings);
     if (dof.findings.empty() && dof.why_not.empty()) text += "green   nothing found\n";
     if (const Table table = DeterminedTable(dof); !table.rows.empty()) {
-      text +=
-          "\n" + FormatTable(table) +
-          "known: the 95 % interval is within 20 % of the value (well), within 100 % (roughly) or "
-          "wider (not)\n";
+      text += "\n" + FormatTable(table) +
+              fmt::format(
+                  "known: {}the 95 % interval is within 20 % of the value (well), within "
+                  "100 % (roughly) or wider (not)\n",
+                  dof.model->std_with_delay ? "with an unknown delay of the command, " : "");
     }
+    for (const std::string& caveat : CaveatsOn(dof)) text += fmt::format("note: {}\n", caveat);
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
   for (const Remark& remark : checkup.log.remarks) text += "note: " + remark.text + "\n";
@@ -236,7 +247,7 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
                               {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)},
                               {"value", values[i]},
                               {"std", StdOf(fitted, i)},
-                              {"known", HowWellKnown(values[i], StdOf(fitted, i))}});
+                              {"known", HowWellKnown(*dof.model, i)}});
       }
     }
     for (const TimeInterval& stretch : dof.excitation.stretches) {
@@ -247,6 +258,7 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
          {"why_not", dof.why_not},
          {"findings", JsonOf<Json>(dof.findings)},
          {"parameters", std::move(parameters)},
+         {"caveats", CaveatsOn(dof)},
          {"excited", std::move(stretches)},
          {"held_out", dof.excitation.held_out ? JsonOf(*dof.excitation.held_out) : Json(nullptr)}});
   }

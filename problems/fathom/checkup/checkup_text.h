@@ -24,8 +24,12 @@ inline constexpr const char* kColourKey =
 
 Table StreamTable(const LogCheckup& checkup);
 
-// How well this log knows each parameter of a DOF, by output error.
+// How well this log knows each parameter of a DOF, by output error: with an unknown delay of the
+// command, where the data do not tell one.
 Table DeterminedTable(const DofCheckup& dof);
+
+// What fathom_identify says of this model beyond its intervals, a sentence each; may be empty.
+std::vector<std::string> CaveatsOn(const DofCheckup& dof);
 
 // Where the log is excited, and what to hold out, a sentence each; may be empty.
 std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof);

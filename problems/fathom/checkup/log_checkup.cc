@@ -64,6 +64,16 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
   }
 }
 
+std::string HowToAddMass(const Log& log) {
+  if (!IsSingleCsv(log)) return fmt::format("Add `mass:` (dry, in kg) to {}.", PlaceOfKeys(log));
+  const std::string file = log.path.string();
+  return fmt::format(
+      "A log folder tells it: fathom_import --from={0} --suggest > map.yaml, add `mass:` (dry, in "
+      "kg) to map.yaml, then fathom_import --from={0} --map=map.yaml --out={1}.",
+      file,
+      log.path.stem().string());
+}
+
 // A vehicle file that is missing or has no mass has a remark of its own. A turn is held against no
 // mass, nor is a command that is no force.
 void AddRemarkOnUnknownMass(LogCheckup* checkup) {
@@ -75,8 +85,8 @@ void AddRemarkOnUnknownMass(LogCheckup* checkup) {
   log.remarks.push_back(
       {RemarkKind::kGeneral,
        fmt::format("No mass of the vehicle is known, so that the units of force and motion cannot "
-                   "be checked. Add `mass:` (dry, in kg) to {}.",
-                   PlaceOfKeys(log))});
+                   "be checked. {}",
+                   HowToAddMass(log))});
 }
 
 // The poses against velocity.csv. Those of a camera get the clock of velocity.csv first, so that a
@@ -94,6 +104,15 @@ std::vector<Finding> CheckTwoMotions(Log log) {
   return findings;
 }
 
+Finding FindingOn(const PoorFit& fit) {
+  return {Severity::kNote,
+          "poor_fit",
+          fmt::format("Simulated from the command alone, the model misses {:.0f} % of {}.",
+                      100.0 * fit.nmae,
+                      fit.motion)};
+}
+
+// A poor fit is told as a finding, and no second time as a caveat.
 void Identify(const Log& log, DofCheckup* checkup) {
   LogIdentificationOptions options;
   options.dof = checkup->dof;
@@ -114,16 +133,20 @@ void Identify(const Log& log, DofCheckup* checkup) {
          "no_model",
          fmt::format("There is no usable model: {}", identified.result.message)});
   }
+  if (const auto poor = PoorFitOf(identified.result.fitted)) {
+    checkup->findings.push_back(FindingOn(*poor));
+    std::erase(identified.result.fitted.caveats, CaveatOn(*poor));
+  }
   checkup->excitation = ExcitationOf(checkup->command, segments);
   checkup->model = std::move(identified.result);
 }
 
 }  // namespace
 
+bool IsSingleCsv(const Log& log) { return std::filesystem::is_regular_file(log.path); }
+
 std::string PlaceOfKeys(const Log& log) {
-  if (log.origin) return "the map of the import";
-  return std::filesystem::is_regular_file(log.path) ? "the log.yaml of a folder with it"
-                                                    : "log.yaml";
+  return log.origin ? "the map of the import" : "log.yaml";
 }
 
 LogCheckup CheckUp(const std::filesystem::path& path,

@@ -50,7 +50,10 @@ struct LogCheckup {
   std::vector<DofCheckup> dofs;   // those that log.yaml names, else those that are commanded
 };
 
-// Where a key of this log is written: "log.yaml", or what that is made from.
+// Such a log has no place for keys.
+bool IsSingleCsv(const Log& log);
+
+// Where a key of a log folder is written: "log.yaml", or what that is made from.
 std::string PlaceOfKeys(const Log& log);
 
 // Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit

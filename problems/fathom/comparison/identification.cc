@@ -8,7 +8,6 @@
 #include "fathom/simulate/free_run.h"
 
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,28 +26,32 @@ void TakeOver(const Summary& summary, Identification* identification) {
   identification->fitted.caveats = summary.caveats;
 }
 
-// What to say of a model whose free runs miss this share of `motion`. One that misses almost all
-// of it is no model, whatever its intervals say. Empty for a good fit.
-std::string CaveatOnFit(double nmae, std::string_view motion) {
+}  // namespace
+
+std::optional<PoorFit> PoorFitOf(const FittedModel& fitted) {
+  if (fitted.train.nmae > kPoorFit) return PoorFit{fitted.train.nmae, "the motion"};
+  if (fitted.held_out.nmae > kPoorFit) return PoorFit{fitted.held_out.nmae, "the held-out motion"};
+  return std::nullopt;
+}
+
+// One that misses almost all of the motion is no model, whatever its intervals say.
+std::string CaveatOn(const PoorFit& fit) {
   constexpr double kExplainsLittle = 0.8;
-  if (!(nmae > kPoorFit)) return "";
-  if (nmae > kExplainsLittle) {
+  if (fit.nmae > kExplainsLittle) {
     return fmt::format(
         "Simulated from the command alone, it misses {:.0f} % of {}: this model explains almost "
         "nothing of these data. Check the warnings first. If it was fitted to poses and is "
         "compared with velocities, check whether these agree (size of the markers, units).",
-        100.0 * nmae,
-        motion);
+        100.0 * fit.nmae,
+        fit.motion);
   }
   return fmt::format(
       "The fit is poor: simulated from the command alone, it misses {:.0f} % of {}. Check "
       "the warnings first. Then run fathom_diagnose on this log: it looks for what the model "
       "lacks.",
-      100.0 * nmae,
-      motion);
+      100.0 * fit.nmae,
+      fit.motion);
 }
-
-}  // namespace
 
 void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
   fitted->train = FiguresOf({fitted->model}, scored.train);
@@ -58,9 +61,7 @@ void ScoreByFreeRuns(const Signals& scored, FittedModel* fitted) {
     fitted->caveats.push_back(
         "Its simulation from the command alone diverges, so it cannot predict.");
   }
-  std::string caveat = CaveatOnFit(fitted->train.nmae, "the motion");
-  if (caveat.empty()) caveat = CaveatOnFit(fitted->held_out.nmae, "the held-out motion");
-  if (!caveat.empty()) fitted->caveats.push_back(std::move(caveat));
+  if (const auto poor = PoorFitOf(*fitted)) fitted->caveats.push_back(CaveatOn(*poor));
   if (!scored.held_out.empty() && !std::isfinite(fitted->held_out.mae)) {
     fitted->caveats.push_back(
         "Its simulation from the command alone diverges on the held-out data.");
@@ -101,6 +102,9 @@ Identification Identify(const Signals& signals,
       result.weighting = Name(summary.weighting);
       result.weighting_reason = summary.weighting_reason;
       result.offsets = summary.offsets;
+      if (summary.delay_is_open) {
+        result.std_with_delay = summary.evidence.covariance_with_time_offset.diagonal().cwiseSqrt();
+      }
       result.share = summary.evidence.share;
       result.condition_number = summary.evidence.condition_number;
       break;

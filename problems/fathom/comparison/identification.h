@@ -11,6 +11,7 @@
 #include "fathom/vehicle/fitted_model.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct Identification {
   // Of output error alone: by OutputErrorOptions::offsets.
   std::vector<OutputErrorSummary::Offset> offsets;
 
+  // Of output error alone, where a caveat says that the data do not tell a delay of the command:
+  // the standard deviations with an unknown delay. Infinite: nothing is known then.
+  std::optional<ParameterVector> std_with_delay;
+
   // How well the log excites each parameter: the share of its signature that the others cannot
   // imitate, 0 to 1, and the condition number of all four. NaN where the family does not compute
   // it.
@@ -54,6 +59,16 @@ Identification Identify(const Signals& signals,
                         const Signals& scored,
                         Family family,
                         const IdentificationOptions& options = {});
+
+// A model whose free runs miss more of some motion than kPoorFit.
+struct PoorFit {
+  double nmae = 0.0;
+  std::string motion;  // "the motion", "the held-out motion"
+};
+
+// Of the data that it was fitted to, else of those that were held out; nothing where both are well.
+std::optional<PoorFit> PoorFitOf(const FittedModel& fitted);
+std::string CaveatOn(const PoorFit& fit);
 
 // The figures of a model by free runs over `scored`, the range of its training data, and caveats
 // where the figures are bad.

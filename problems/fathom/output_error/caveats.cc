@@ -73,7 +73,8 @@ void DescribeDelay(std::span<const Segment> segments, OutputErrorSummary* summar
        .linear_damping_per_second = evidence.change_per_second_of_offset[kLinearDamping],
        .half_width = HalfWidth(summary->covariance, kInertia),
        .half_width_with_delay = HalfWidth(evidence.covariance_with_time_offset, kInertia)});
-  if (!caveat.empty()) summary->caveats.push_back(std::move(caveat));
+  summary->delay_is_open = !caveat.empty();
+  if (summary->delay_is_open) summary->caveats.push_back(std::move(caveat));
 }
 
 }  // namespace

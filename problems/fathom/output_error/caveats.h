@@ -13,7 +13,7 @@ namespace fathom {
 
 // Decides whether the data determine the model, and says in words what the intervals do not: which
 // parameter this log cannot tell, why, and which experiment would. Reads summary->evidence, model
-// and on_bound; fills determined, message and caveats.
+// and on_bound; fills determined, message, caveats and delay_is_open.
 void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary);
 
 // That the data hardly tell a damping, where half its 95 % interval is more than its value; empty

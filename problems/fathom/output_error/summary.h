@@ -77,6 +77,9 @@ struct OutputErrorSummary {
 
   // What the reader must know beyond the intervals, a sentence each.
   std::vector<std::string> caveats;
+
+  // One of them: these data cannot tell a delay of the command from inertia and damping.
+  bool delay_is_open = false;
 };
 
 }  // namespace fathom

@@ -39,13 +39,34 @@ std::filesystem::path FindVelocity(const std::filesystem::path& folder,
   return beside;
 }
 
-Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
-  if (!Exists(folder / "log.yaml")) {
-    throw InputError(
-        fmt::format("{0}: holds no log.yaml (name and dof of the log), expected a log folder. "
-                    "fathom init {0} writes what it lacks. See docs/file_formats.md.",
-                    folder.string()));
+// The first log folder right inside this one, by name; empty if there is none.
+std::filesystem::path FirstLogIn(const std::filesystem::path& folder) {
+  std::filesystem::path first;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (!Exists(entry.path() / "log.yaml")) continue;
+    if (first.empty() || entry.path() < first) first = entry.path();
   }
+  return first;
+}
+
+[[noreturn]] void RefuseFolder(const std::filesystem::path& folder) {
+  const std::filesystem::path inside = FirstLogIn(folder);
+  if (!inside.empty()) {
+    throw InputError(fmt::format(
+        "{0}: holds logs and is none itself, expected one of them: --log={1}. fathom_check "
+        "--archive={0} checks them all.",
+        folder.string(),
+        inside.string()));
+  }
+  throw InputError(
+      fmt::format("{0}: holds no log.yaml (name and dof of the log), expected a log folder. "
+                  "fathom init {0} writes what it lacks. See docs/file_formats.md.",
+                  folder.string()));
+}
+
+Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
+  if (!Exists(folder / "log.yaml")) RefuseFolder(folder);
   if (!options.may_lack_command && !Exists(folder / "command.csv")) {
     throw InputError(
         fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track "

@@ -20,6 +20,7 @@ namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A minute at 30 Hz of a vehicle that turns to and fro at up to 1 rad/s, with noise of 3 mrad;
 // `yaw` is added from row to row.
@@ -53,6 +54,13 @@ TEST(PoseFlips, AreSeenWhereTheAttitudeComesBack) {
   ASSERT_TRUE(finding->where.has_value());
   EXPECT_DOUBLE_EQ(finding->where->time.from, 20.0);
   EXPECT_DOUBLE_EQ(finding->where->time.to, 20.0);
+}
+
+TEST(PoseFlips, AreBlamedOnMarkersOnlyWhereThereAreSome) {
+  Log log = Turning([](int k) { return k == 600 ? 0.5 * M_PI : 0.0; });
+  EXPECT_THAT(CheckPoseFlips(log)->sentence, Not(HasSubstr("marker")));
+  log.detections.emplace();
+  EXPECT_THAT(CheckPoseFlips(log)->sentence, HasSubstr("A single marker that is small"));
 }
 
 // pose_jumps.h tells those.

@@ -15,6 +15,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -48,6 +49,17 @@ double Nothing(int) { return 0.0; }
 
 TEST(PoseJumps, AreNotSeenInASmoothPose) {
   EXPECT_THAT(CheckPoseJumps(WithAdded(Nothing, Nothing)), IsEmpty());
+}
+
+// Zeros while the tracking was lost.
+TEST(PoseJumps, ThatAreManyAreNoRealignment) {
+  const auto findings = CheckPoseJumps(
+      WithAdded([](int k) { return k % 200 < 20 ? 5.0 : 0.0; }, [](int) { return 0.0; }));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].sentence, HasSubstr("x jumps 11 times, most by "));
+  EXPECT_THAT(findings[0].sentence,
+              EndsWith("So many are no realignment: the tracking was lost "
+                       "and found again."));
 }
 
 TEST(PoseJumps, OfAnEstimatorThatIsRealignedAreSeen) {

@@ -199,6 +199,23 @@ TEST(ReadLog, RefusesAPathThatIsNotThere) {
       InputError);
 }
 
+TEST(ReadLog, NamesALogInAFolderThatHoldsSome) {
+  const auto folder = Folder({});
+  for (const char* name : {"run_2", "run_1"}) {
+    std::filesystem::create_directory(folder / name);
+    WriteFile(folder / name / "log.yaml", kGood.at("log.yaml"));
+  }
+  try {
+    ReadLog(folder);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              folder.string() + ": holds logs and is none itself, expected one of them: --log=" +
+                  (folder / "run_1").string() + ". fathom_check --archive=" + folder.string() +
+                  " checks them all.");
+  }
+}
+
 TEST(ReadLog, RefusesAFolderThatLacksAFile) {
   EXPECT_THAT(Error({{"log.yaml", "-"}}),
               AllOf(StartsWith(": holds no log.yaml (name and dof of the log), expected a log "
