@@ -440,7 +440,8 @@ TEST(CheckTool, SaysThatTheModelFitsPoorly) {
   }
   const Said said = Check(WriteDive(dive, folder / "log"), folder);
   EXPECT_THAT(said.text,
-              AllOf(ContainsRegex("yellow  poor_fit +Simulated from the command alone, the model "
+              AllOf(HasSubstr("A model of surge from this log fits poorly"),
+                    ContainsRegex("yellow  poor_fit +Simulated from the command alone, the model "
                                   "misses [0-9]+ % of the motion\\."),
                     HasSubstr("Then run fathom_diagnose"),
                     Not(HasSubstr("note: The fit is poor")),

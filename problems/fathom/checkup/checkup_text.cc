@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -85,6 +86,15 @@ std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   return usable;
 }
 
+// Of these, those whose model fits poorly.
+std::vector<std::string> PoorDofs(const LogCheckup& checkup) {
+  std::vector<std::string> poor;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (Has(dof.findings, "poor_fit")) poor.emplace_back(Name(dof.dof));
+  }
+  return poor;
+}
+
 std::string HowToHoldOut(const Log& log, const TimeInterval& held_out) {
   if (IsSingleCsv(log)) {
     return fmt::format("add --held_out={:.1f}:{:.1f}", held_out.from, held_out.to);
@@ -114,11 +124,23 @@ std::string Verdict(const LogCheckup& checkup) {
   if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (usable.empty()) return "Nothing in this log can be identified.";
+  const std::vector<std::string> poor = PoorDofs(checkup);
+  std::vector<std::string> good;
+  std::ranges::copy_if(usable, std::back_inserter(good), [&](const std::string& dof) {
+    return std::ranges::count(poor, dof) == 0;
+  });
   const std::vector<std::string> unknown = UnknownParameters(checkup, usable.size() > 1);
+  if (good.empty()) {
+    return fmt::format(
+        "A model of {} from this log fits poorly{}.",
+        Listed(poor),
+        unknown.empty() ? "" : fmt::format(" and leaves {} unknown", Listed(unknown)));
+  }
   return fmt::format(
-      "Nothing speaks against a model of {} from this log{}.",
-      Listed(usable),
-      unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)));
+      "Nothing speaks against a model of {} from this log{}.{}",
+      Listed(good),
+      unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)),
+      poor.empty() ? "" : fmt::format(" One of {} fits poorly.", Listed(poor)));
 }
 
 std::string NextStep(const LogCheckup& checkup) {
