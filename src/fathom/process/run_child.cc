@@ -21,6 +21,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,7 +36,7 @@ constexpr bool kLimitsMemory = false;
 constexpr bool kLimitsMemory = true;
 #endif
 
-// One end of a pipe, closed in the end.
+// One end of a pipe, or a process, closed in the end.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -149,6 +150,9 @@ Watch WatchUntilItEnds(pid_t pid,
                        ChildResult* result) {
   Watch watch;
   const double limit = command.limits.wall_time;
+  // The pipes close a little before the child has ended: it is waited for by itself. The header of
+  // pidfd_open() is not for C++ in glibc 2.36.
+  const Descriptor end(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
   for (int pause_ms = 1; !HasEnded(pid); pause_ms = std::min(2 * pause_ms, 20)) {
     if (std::isfinite(command.limits.memory)) {
       watch.peak_address_space = std::max(watch.peak_address_space, PeakAddressSpace(pid));
@@ -158,8 +162,9 @@ Watch WatchUntilItEnds(pid_t pid,
       kill(-pid, SIGKILL);
       watch.was_killed = true;
     }
-    std::array<pollfd, 2> polled = {pollfd{out->number(), POLLIN, 0},
-                                    pollfd{err->number(), POLLIN, 0}};
+    std::array<pollfd, 3> polled = {pollfd{out->number(), POLLIN, 0},
+                                    pollfd{err->number(), POLLIN, 0},
+                                    pollfd{end.number(), POLLIN, 0}};
     // Of a closed pipe the number is below 0, which poll() passes over.
     if (poll(polled.data(), polled.size(), pause_ms) <= 0) continue;
     if (polled[0].revents != 0) Drain(out, command.most_output, &result->out);

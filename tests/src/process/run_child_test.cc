@@ -57,6 +57,13 @@ TEST(RunChild, PassesArgumentsAsTheyAre) {
 
 TEST(RunChild, GivesItAnEmptyInput) { EXPECT_EQ(RunShell("wc -c").out, "0\n"); }
 
+TEST(RunChild, WaitsForOneThatClosesItsOutputsFirst) {
+  const ChildResult result = RunShell("echo result; exec >&- 2>&-; sleep 0.1; exit 7");
+  EXPECT_EQ(result.out, "result\n");
+  EXPECT_EQ(result.exit_code, 7);
+  EXPECT_GE(result.seconds, 0.1);
+}
+
 TEST(RunChild, TellsWhichSignalEndedIt) {
   const ChildResult result = RunShell("kill -SEGV $$");
   EXPECT_EQ(result.end, ChildEnd::kSignalled);
