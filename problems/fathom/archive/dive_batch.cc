@@ -112,47 +112,45 @@ bool MayBegin(const Fits& fits,
   return next != fits.end() && *first > std::get<int>(next->first);
 }
 
-// Lets the model of a fit predict the logs of the next dive.
-std::vector<Job> PredictionJobs(const DiveTask& task,
-                                const std::vector<DiveLog>& next_logs,
-                                const LogBatchOptions& options,
-                                FittedTask* fitted,
-                                DiveRuns* runs,
-                                BatchSession* session) {
+// A fit that was begun, and what its jobs use.
+struct BegunFit {
+  DiveTask task;
+  std::vector<DiveLog> next_logs;  // of the next dive, which its model predicts
+  FittedTask* fitted = nullptr;    // in `runs`
+  DiveRuns* runs = nullptr;
+  const ProgramSettings* programs = nullptr;
+  BatchSession* session = nullptr;
+
+  RunBook Book() const { return runs->unfinished.Watch(BookOf(session)); }
+};
+
+// Lets the model of the fit predict.
+std::vector<Job> PredictionJobs(const BegunFit& fit) {
   std::vector<Job> jobs;
-  for (const DiveLog& log : next_logs) {
-    PredictionRow& row = fitted->predictions.emplace_back();
-    row = {task.dive, log.path, std::string(Name(task.dof)), std::nan("")};
-    jobs.push_back({[=, &options, &row]() -> std::vector<Job> {
-      const RunBook book = runs->unfinished.Watch(BookOf(session));
-      row.nmae = PredictionNmae(fitted->outcome.identify->output, log, options.programs, book);
+  fit.fitted->predictions.reserve(fit.next_logs.size());  // The jobs keep where each one lies.
+  for (const DiveLog& log : fit.next_logs) {
+    PredictionRow& row = fit.fitted->predictions.emplace_back();
+    row = {fit.task.dive, log.path, std::string(Name(fit.task.dof)), std::nan("")};
+    jobs.push_back({[fit, log, &row]() -> std::vector<Job> {
+      const std::string& model = fit.fitted->outcome.identify->output;
+      row.nmae = PredictionNmae(model, log, *fit.programs, fit.Book());
       return {};
     }});
   }
   return jobs;
 }
 
-// Runs a fit.
-std::vector<Job> RunFit(const DiveTask& task,
-                        const std::vector<DiveLog>& next_logs,
-                        const LogBatchOptions& options,
-                        FittedTask* fitted,
-                        DiveRuns* runs,
-                        BatchSession* session) {
-  const RunBook book = runs->unfinished.Watch(BookOf(session));
-  fitted->outcome = RunDiveJobs(task, options.programs, book);
-  const std::optional<RunRecord>& identify = fitted->outcome.identify;
-  const std::lock_guard lock(session->mutex);
-  ++runs->num_done;
-  if (session->show && runs->are_shown) {
-    session->show({.noun = "dive fit",
-                   .done = runs->num_done,
-                   .total = runs->fits.size(),
-                   .last_failure = ""});
+std::vector<Job> RunFit(const BegunFit& fit) {
+  fit.fitted->outcome = RunDiveJobs(fit.task, *fit.programs, fit.Book());
+  DiveRuns& runs = *fit.runs;
+  const std::lock_guard lock(fit.session->mutex);
+  ++runs.num_done;
+  if (fit.session->show && runs.are_shown) {
+    fit.session->show(
+        {.noun = "dive fit", .done = runs.num_done, .total = runs.fits.size(), .last_failure = ""});
   }
-  if (!identify || !IsUsable(*identify)) return {};
-  fitted->predictions.reserve(next_logs.size());  // The jobs keep where each one lies.
-  return PredictionJobs(task, next_logs, options, fitted, runs, session);
+  const std::optional<RunRecord>& identify = fit.fitted->outcome.identify;
+  return identify && IsUsable(*identify) ? PredictionJobs(fit) : std::vector<Job>();
 }
 
 }  // namespace
@@ -171,10 +169,14 @@ std::vector<Job> NewDiveJobs(const std::vector<BatchLog>& logs,
     if (!MayBegin(fits, fit, next, open_places)) continue;
     const auto [fitted, is_new] = runs->fits.try_emplace(fit->first);
     if (!is_new) continue;
-    const auto next_logs = next == fits.end() ? std::vector<DiveLog>() : next->second.task.logs;
-    jobs.push_back({[=, task = fit->second.task, fitted = &fitted->second, &options] {
-      return RunFit(task, next_logs, options, fitted, runs, session);
-    }});
+    BegunFit begun = {.task = fit->second.task,
+                      .next_logs = {},
+                      .fitted = &fitted->second,
+                      .runs = runs,
+                      .programs = &options.programs,
+                      .session = session};
+    if (next != fits.end()) begun.next_logs = next->second.task.logs;
+    jobs.push_back({[begun = std::move(begun)] { return RunFit(begun); }});
   }
   return jobs;
 }
