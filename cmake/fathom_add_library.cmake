@@ -24,7 +24,7 @@ function(fathom_add_library name)
   add_library(fathom::${name} ALIAS fathom_${name})
   set_target_properties(fathom_${name} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
   target_compile_features(fathom_${name} PUBLIC cxx_std_20)
-  fathom_set_warnings(fathom_${name})
+  fathom_compile(fathom_${name})
   target_include_directories(fathom_${name} PUBLIC
     $<BUILD_INTERFACE:${storey}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -79,12 +79,4 @@ function(fathom_write_folders file)
   endforeach()
   string(REPLACE ";" " " text "${text}")
   file(WRITE ${file} "${text}")
-endfunction()
-
-# -Wrestrict: GCC 12 sees overlaps in std::string that are not there (GCC bug 105651).
-# -Wmaybe-uninitialized: it takes the string in an EffectSetting that is written in place for unset.
-function(fathom_set_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
-    $<$<BOOL:${FATHOM_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

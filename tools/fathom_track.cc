@@ -5,6 +5,7 @@
 //
 //   fathom_track --log=LOG [--out=LOG --overlay=FILE --summary=FILE.json]
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
@@ -69,11 +70,6 @@ const ToolInfo kInfo = {
     .details =
         "Exit code 2: fewer than two frames have a pose. docs/vision.md describes the detection, "
         "docs/marker_trajectory.md the trajectory, docs/file_formats.md the files."};
-
-bool Exists(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error);
-}
 
 bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
 

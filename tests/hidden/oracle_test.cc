@@ -13,10 +13,10 @@
 namespace fathom::hidden {
 namespace {
 
-constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kOracleSeed = 7;
 
 HiddenLog Draw(const char* effect, int number) {
-  return DrawHiddenLog({HiddenClass::kOneEffect, {FindEffect(effect)}, number}, kSeed);
+  return DrawHiddenLog({HiddenClass::kOneEffect, {FindEffect(effect)}, number}, kOracleSeed);
 }
 
 // At the truth itself the whitened residual is white noise of variance 1: generator, simulation and
@@ -24,7 +24,7 @@ HiddenLog Draw(const char* effect, int number) {
 TEST(Oracle, SeesNothingButNoiseAtTheTruth) {
   int num_logs = 0;
   for (const Effect* effect : EffectCatalogue()) {
-    const HiddenLog hidden = DrawHiddenLog({HiddenClass::kOneEffect, {effect}, 0}, kSeed);
+    const HiddenLog hidden = DrawHiddenLog({HiddenClass::kOneEffect, {effect}, 0}, kOracleSeed);
     // The response of a nonlinear vehicle to turbulence is only about that of the noise model.
     if (hidden.truth.noise.model.disturbance.IsPresent()) continue;
     ++num_logs;

@@ -15,7 +15,7 @@
 namespace fathom::hidden {
 namespace {
 
-constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kScoreSeed = 7;
 
 ActiveEffect Active(const char* name, Dof partner = Dof::kYaw) {
   ActiveEffect active;
@@ -27,7 +27,7 @@ ActiveEffect Active(const char* name, Dof partner = Dof::kYaw) {
 
 // A log that hides these, shortened to what a score looks at.
 HiddenLog Hiding(const std::vector<ActiveEffect>& effects) {
-  static const HiddenLog drawn = DrawHiddenLog({HiddenClass::kNothing, {}, 0}, kSeed);
+  static const HiddenLog drawn = DrawHiddenLog({HiddenClass::kNothing, {}, 0}, kScoreSeed);
   HiddenLog hidden = drawn;
   hidden.plan.hidden = effects.empty()       ? HiddenClass::kNothing
                        : effects.size() == 1 ? HiddenClass::kOneEffect

@@ -64,7 +64,9 @@ Path UnrulyTools(const Path& folder) {
   return folder;
 }
 
-ToolRun RunBatch(const Path& archive, const Path& results, std::vector<std::string> more = {}) {
+ToolRun RunBatchOfBadLogs(const Path& archive,
+                          const Path& results,
+                          std::vector<std::string> more = {}) {
   std::vector<std::string> flags = {"--archive=" + archive.string(),
                                     "--results=" + results.string(),
                                     "--jobs=2",
@@ -95,9 +97,9 @@ std::map<std::string, std::string> StatesBesideGoodLogs(const Write& write,
   WriteGoodLogs(folder / "archive");
   write(folder / "archive");
   more.push_back("--tools=" + UnrulyTools(folder / "tools").string());
-  const ToolRun alone = RunBatch(folder / "good", folder / "good.sqlite", more);
+  const ToolRun alone = RunBatchOfBadLogs(folder / "good", folder / "good.sqlite", more);
   EXPECT_EQ(alone.exit_code, 0) << alone.err;
-  const ToolRun run = RunBatch(folder / "archive", folder / "archive.sqlite", more);
+  const ToolRun run = RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", more);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto expected = PublicRows(folder / "good.sqlite");
   EXPECT_THAT(expected, testing::SizeIs(testing::Gt(10u)));
@@ -112,7 +114,7 @@ std::map<std::string, std::string> StatesBesideGoodLogs(const Write& write,
   }
   // A rerun finds all of it done.
   const auto before = PublicRows(folder / "archive.sqlite");
-  const ToolRun again = RunBatch(folder / "archive", folder / "archive.sqlite", more);
+  const ToolRun again = RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", more);
   EXPECT_THAT(again.out, HasSubstr("0 logs run"));
   EXPECT_EQ(PublicRows(folder / "archive.sqlite"), before);
   return states;
@@ -166,12 +168,13 @@ TEST(BadLogs, AreRunAgainWithOtherLimits) {
   WriteOwnLog(archive / "hang");
   if (kLimitsMemory) WriteOwnLog(archive / "memory");
   const std::string tools = "--tools=" + UnrulyTools(folder / "tools").string();
-  RunBatch(archive, results, {"--time_limit=0.5", "--memory_limit=1500", tools});
+  RunBatchOfBadLogs(archive, results, {"--time_limit=0.5", "--memory_limit=1500", tools});
   EXPECT_THAT(StatesOf(results).at("hang"), StartsWith("timed_out: "));
   // The real programs now, which need no longer.
-  const ToolRun same = RunBatch(archive, results, {"--time_limit=0.5", "--memory_limit=1500"});
+  const ToolRun same =
+      RunBatchOfBadLogs(archive, results, {"--time_limit=0.5", "--memory_limit=1500"});
   EXPECT_THAT(same.out, HasSubstr("0 logs run"));
-  RunBatch(archive, results, {"--time_limit=60", "--memory_limit=1600"});
+  RunBatchOfBadLogs(archive, results, {"--time_limit=60", "--memory_limit=1600"});
   for (const auto& [path, state] : StatesOf(results)) EXPECT_EQ(state, "ok: ") << path;
 }
 
@@ -191,10 +194,11 @@ TEST(BadLogs, WithTenMillionRowsRunOutOfMemoryOrTime) {
   WriteTestFile(archive / "long.csv", csv);
   csv = {};
   WriteOwnLog(archive / "short");
-  RunBatch(archive, results, {"--memory_limit=600", "--time_limit=60"});
+  RunBatchOfBadLogs(archive, results, {"--memory_limit=600", "--time_limit=60"});
   EXPECT_THAT(StatesOf(results).at("long.csv"), StartsWith("out_of_memory: "));
   EXPECT_EQ(StatesOf(results).at("short"), "ok: ");
-  const ToolRun run = RunBatch(archive, results, {"--memory_limit=4000", "--time_limit=0.3"});
+  const ToolRun run =
+      RunBatchOfBadLogs(archive, results, {"--memory_limit=4000", "--time_limit=0.3"});
   EXPECT_THAT(run.out, HasSubstr("1 log run"));
   EXPECT_THAT(StatesOf(results).at("long.csv"), StartsWith("timed_out: "));
   EXPECT_EQ(StatesOf(results).at("short"), "ok: ");
@@ -225,7 +229,7 @@ TEST(BadLogs, ThatAreNoFilesAreNotOpened) {
   EXPECT_THAT(states.at("pipe_yaml"),
               AllOf(StartsWith("unreadable: "), HasSubstr("pipe_yaml/log.yaml: is a pipe")));
   const Path folder = Path(FATHOM_SCRATCH_DIR) / "BadLogs.ThatAreNoFilesAreNotOpened";
-  EXPECT_THAT(RunBatch(folder / "archive", folder / "archive.sqlite", {"--dry_run"}).out,
+  EXPECT_THAT(RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", {"--dry_run"}).out,
               HasSubstr("6 other files that are no logs: 3 broken link, 1 device, 1 link to a "
                         "folder seen already, 1 pipe"));
 }

@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
-ToolRun RunBatch(const Path& archive, const Path& results) {
+ToolRun RunBatchOfRecordings(const Path& archive, const Path& results) {
   return RunToolBinary("fathom_batch",
                        {"--archive=" + archive.string(),
                         "--results=" + results.string(),
@@ -34,7 +34,7 @@ ToolRun RunBatch(const Path& archive, const Path& results) {
 }
 
 // Two dives: a spreadsheet's export for which there is a map, and a bag of nothing known.
-Path WriteArchive(const Path& archive) {
+Path WriteRecordings(const Path& archive) {
   const Path recordings = Path(FATHOM_DATA_DIR) / "recordings";
   fs::create_directories(archive / "dive_1");
   fs::copy_file(recordings / "pool.csv", archive / "dive_1/pool.csv");
@@ -46,8 +46,8 @@ Path WriteArchive(const Path& archive) {
 
 TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
   const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "results.sqlite";
-  const ToolRun run = RunBatch(archive, results);
+  const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
+  const ToolRun run = RunBatchOfRecordings(archive, results);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   std::map<std::string, std::string> states = StatesOf(results);
   EXPECT_THAT(states["dive_1/pool.csv"], StartsWith("ok"));
@@ -63,7 +63,7 @@ TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
                 .exit_code,
             0);
   const Path by_hand = folder / "by_hand.sqlite";
-  ASSERT_EQ(RunBatch(log, by_hand).exit_code, 0);
+  ASSERT_EQ(RunBatchOfRecordings(log, by_hand).exit_code, 0);
   const std::string fits = "SELECT dof, family, parameter, value, std FROM fits ORDER BY rowid";
   EXPECT_EQ(Query(fits, results), Query(fits, by_hand));
   EXPECT_FALSE(Query(fits, results).empty());
@@ -71,21 +71,23 @@ TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
 
 TEST(BatchOnRecordings, DoesAgainOnlyWhatAMapChanges) {
   const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "results.sqlite";
-  ASSERT_EQ(RunBatch(archive, results).exit_code, 0);
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs run now, 2 done before"));
+  const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
+  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
+  EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
+              HasSubstr("0 logs run now, 2 done before"));
 
   WriteTestFile(archive / "pool_map.yaml", "velocity: {u: no_such_column}\n");
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("1 log run now, 1 done before"));
+  EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
+              HasSubstr("1 log run now, 1 done before"));
   EXPECT_THAT(StatesOf(results)["dive_1/pool.csv"],
               StartsWith("refused: " + (archive / "dive_1/pool.csv").string()));
 }
 
 TEST(BatchOnRecordings, TellsWhatIsWrongWithTheirMap) {
   const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "results.sqlite";
+  const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
   fs::remove(archive / "pool_map.yaml");
-  ASSERT_EQ(RunBatch(archive, results).exit_code, 0);
+  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
   EXPECT_THAT(StatesOf(results)["dive_1/pool.csv"], HasSubstr("pool_map.yaml"));
 }
 
@@ -116,7 +118,7 @@ velocity: {channel: /adap_samples.velocity, frame: FLU, time: time, u: "velocity
                 "imports:\n"
                 "  - {files: 'sonia/y_*.mat', map: sonia.yaml}\n"
                 "  - {files: formats/pocolog, map: rock.yaml}\n");
-  const ToolRun run = RunBatch(archive, results);
+  const ToolRun run = RunBatchOfRecordings(archive, results);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   int num_without_map = 0;
   for (const auto& [log, state] : StatesOf(results)) {

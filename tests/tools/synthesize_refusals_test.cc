@@ -34,7 +34,7 @@ constexpr char kExperiment[] =
     "velocity: {rate: 10}\n";
 
 // A good vehicle, experiment and command in a folder of the running test.
-struct Inputs {
+struct SynthesisInputs {
   Path folder = EmptyTestFolder();
   Path vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml());
   Path experiment = WriteTestFile(folder / "experiment.yaml", kExperiment);
@@ -55,7 +55,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(SynthesizeRefusals, TheUndamagedFilesAreAccepted) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   const auto run = RunToolBinary("fathom_synthesize", inputs.Arguments());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(inputs.folder / "log" / "velocity.csv"));
@@ -64,7 +64,7 @@ TEST(SynthesizeRefusals, TheUndamagedFilesAreAccepted) {
 class DamagedReplay : public ::testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedReplay, IsRefused) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.replay, Damaged(SmallCommandCsv(), kReplay, GetParam()));
   EXPECT_EQ(inputs.ExpectedRefusal(),
             "fathom_synthesize: " + inputs.replay.string() + Refusal(kReplay, GetParam()) + "\n");
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Refusals,
                          [](const auto& info) { return "synthesize_replay_" + Name(info.param); });
 
 TEST(SynthesizeRefusals, AVehicleThatIsNoYaml) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.vehicle, Replaced(SmallVehicleYaml(), "0.3]", "0.3"));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               AllOf(StartsWith("fathom_synthesize: " + inputs.vehicle.string() + ":"),
@@ -84,7 +84,7 @@ TEST(SynthesizeRefusals, AVehicleThatIsNoYaml) {
 }
 
 TEST(SynthesizeRefusals, AVehicleWithAnInertiaOfZero) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.vehicle, Replaced(SmallVehicleYaml(), "inertia: 40", "inertia: 0"));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               AllOf(StartsWith("fathom_synthesize: " + inputs.vehicle.string() + ":5: key '"),
@@ -92,14 +92,14 @@ TEST(SynthesizeRefusals, AVehicleWithAnInertiaOfZero) {
 }
 
 TEST(SynthesizeRefusals, AVehicleWithoutAModelOfTheDrivenDof) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.vehicle, Replaced(SmallVehicleYaml(), "surge:", "heave:"));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               AllOf(StartsWith("fathom_synthesize: "), HasSubstr("surge"), HasSubstr("model")));
 }
 
 TEST(SynthesizeRefusals, AnExperimentWithAnUnknownKey) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.experiment, Replaced(kExperiment, "duration: 30", "duration: 30\nrate: 1"));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               StartsWith("fathom_synthesize: " + inputs.experiment.string() +
@@ -107,7 +107,7 @@ TEST(SynthesizeRefusals, AnExperimentWithAnUnknownKey) {
 }
 
 TEST(SynthesizeRefusals, AnExperimentWithoutDuration) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.experiment, Replaced(kExperiment, "duration: 30\n", ""));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               AllOf(StartsWith("fathom_synthesize: " + inputs.experiment.string() + ":"),
@@ -115,7 +115,7 @@ TEST(SynthesizeRefusals, AnExperimentWithoutDuration) {
 }
 
 TEST(SynthesizeRefusals, AnExperimentWhoseDurationIsNoNumber) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   WriteTestFile(inputs.experiment, Replaced(kExperiment, "duration: 30", "duration: long"));
   EXPECT_THAT(inputs.ExpectedRefusal(),
               StartsWith("fathom_synthesize: " + inputs.experiment.string() +
@@ -123,7 +123,7 @@ TEST(SynthesizeRefusals, AnExperimentWhoseDurationIsNoNumber) {
 }
 
 TEST(SynthesizeRefusals, AnExperimentThatReplaysAFileThatIsNotThere) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   std::filesystem::remove(inputs.replay);
   EXPECT_EQ(inputs.ExpectedRefusal(),
             "fathom_synthesize: " + inputs.replay.string() +
@@ -131,7 +131,7 @@ TEST(SynthesizeRefusals, AnExperimentThatReplaysAFileThatIsNotThere) {
 }
 
 TEST(SynthesizeRefusals, AMissingFlagIsNamed) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   for (std::size_t i = 0; i < inputs.Arguments().size(); ++i) {
     auto arguments = inputs.Arguments();
     const std::string flag = arguments[i].substr(0, arguments[i].find('='));
@@ -143,7 +143,7 @@ TEST(SynthesizeRefusals, AMissingFlagIsNamed) {
 
 // A wrong --out must not cost a folder of something else.
 TEST(SynthesizeRefusals, AFolderThatHoldsSomethingElseIsLeftAlone) {
-  const Inputs inputs;
+  const SynthesisInputs inputs;
   const Path other = WriteTestFile(inputs.folder / "log" / "thesis.txt", "years of work");
   auto arguments = inputs.Arguments();
   arguments.push_back("--overwrite");

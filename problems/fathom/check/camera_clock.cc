@@ -17,14 +17,14 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestDelay = 10.0;     // [s]
-constexpr double kMostOfOverlap = 0.2;     // a delay takes away so much of it
-constexpr double kDelayStep = 0.05;        // [s]
-constexpr double kSurelyOne = 0.8;         // correlation
-constexpr double kLeastEvidence = 10.0;    // natural logarithm of the ratio of likelihoods
-constexpr double kPeriodicEvidence = 3.0;  // closer than that, two delays are as good
-constexpr double kLeastDelay = 0.1;        // [s] told
-constexpr double kTooLate = 1.0;           // [s]
+constexpr double kLongestCameraDelay = 10.0;     // [s]
+constexpr double kMostOfOverlap = 0.2;           // a delay takes away so much of it
+constexpr double kCameraDelayStep = 0.05;        // [s]
+constexpr double kSurelyOneMotion = 0.8;         // correlation
+constexpr double kLeastCameraEvidence = 10.0;    // natural logarithm of the ratio of likelihoods
+constexpr double kPeriodicCameraEvidence = 3.0;  // closer than that, two delays are as good
+constexpr double kLeastCameraDelay = 0.1;        // [s] told
+constexpr double kTooLate = 1.0;                 // [s]
 
 constexpr double kLeastRest = 0.02;  // of 1 - r^2, where delays are told apart
 
@@ -56,8 +56,8 @@ Reach ReachOf(const TwinMotion& motion) {
   const auto& [pose, twist] = std::tie(motion.pose_time, motion.twist_time);
   Reach reach;
   reach.duration = std::min(pose.back(), twist.back()) - std::max(pose.front(), twist.front());
-  reach.num_steps =
-      static_cast<int>(std::min(kLongestDelay, kMostOfOverlap * reach.duration) / kDelayStep);
+  reach.num_steps = static_cast<int>(
+      std::min(kLongestCameraDelay, kMostOfOverlap * reach.duration) / kCameraDelayStep);
   return reach;
 }
 
@@ -68,7 +68,8 @@ bool IsPeriodic(const std::vector<Match>& matches, std::size_t best) {
     double lowest = top;
     for (auto it = from; it != to; ++it) {
       lowest = std::min(lowest, it->surely);
-      if (it->surely > lowest + kPeriodicEvidence && it->surely > top - kPeriodicEvidence) {
+      if (it->surely > lowest + kPeriodicCameraEvidence &&
+          it->surely > top - kPeriodicCameraEvidence) {
         return true;
       }
     }
@@ -88,15 +89,15 @@ std::optional<CameraDelay> FindCameraDelay(const Log& log) {
   std::vector<Match> matches;
   for (int k = -num_steps; k <= num_steps; ++k) {
     // The twist is as much earlier as the camera is later.
-    matches.push_back(MatchAt(-k * kDelayStep, duration, motions));
+    matches.push_back(MatchAt(-k * kCameraDelayStep, duration, motions));
   }
   const auto at = std::ranges::max_element(matches, {}, &Match::likelihood) - matches.begin();
   const auto best = static_cast<std::size_t>(at);
   if (best == 0 || best + 1 == matches.size()) return std::nullopt;  // it may be longer still
   const Match& none = matches[static_cast<std::size_t>(num_steps)];
-  const CameraDelay found = {(static_cast<int>(at) - num_steps) * kDelayStep,
+  const CameraDelay found = {(static_cast<int>(at) - num_steps) * kCameraDelayStep,
                              matches[best].surely - none.surely};
-  if (matches[best].correlation < kSurelyOne || found.evidence < kLeastEvidence) {
+  if (matches[best].correlation < kSurelyOneMotion || found.evidence < kLeastCameraEvidence) {
     return std::nullopt;
   }
   if (IsPeriodic(matches, best)) return std::nullopt;
@@ -109,8 +110,8 @@ std::vector<CameraDelayCurve> CameraDelayCurves(const Log& log) {
     auto& [column, curve] = curves.emplace_back(CameraDelayCurve{motion.column, {}});
     const int num_steps = ReachOf(motion).num_steps;
     for (int k = -num_steps; k <= num_steps; ++k) {
-      curve.delay.push_back(k * kDelayStep);
-      curve.correlation.push_back(LikenessAt(-k * kDelayStep, motion).correlation);
+      curve.delay.push_back(k * kCameraDelayStep);
+      curve.correlation.push_back(LikenessAt(-k * kCameraDelayStep, motion).correlation);
     }
   }
   return curves;
@@ -120,7 +121,7 @@ std::optional<Finding> CheckCameraClock(const Log& log, const CameraDelay& found
   const std::vector<TwinMotion> motions = TwinMotionsOf(log);
   if (motions.empty()) return std::nullopt;
   const double size = std::abs(found.delay);
-  if (size <= std::max(kLeastDelay, motions.front().SlowestStep())) return std::nullopt;
+  if (size <= std::max(kLeastCameraDelay, motions.front().SlowestStep())) return std::nullopt;
   return Finding{size > kTooLate ? Severity::kWarning : Severity::kNote,
                  "camera_delay",
                  fmt::format("The motion that the camera sees comes {:.2f} s {} that of "

@@ -18,10 +18,10 @@
 namespace fathom {
 namespace {
 
-void Note(const char* code,
-          std::string sentence,
-          std::vector<Finding>* findings,
-          std::optional<FindingPlace> where = {}) {
+void NoteCommand(const char* code,
+                 std::string sentence,
+                 std::vector<Finding>* findings,
+                 std::optional<FindingPlace> where = {}) {
   findings->push_back({Severity::kNote, code, std::move(sentence), std::move(where)});
 }
 
@@ -72,12 +72,12 @@ void CheckClipping(const Sampled& sampled, std::vector<Finding>* findings) {
     const auto count = std::count(sampled.force.begin(), sampled.force.end(), limit);
     const double share = static_cast<double>(count) / static_cast<double>(sampled.force.size());
     if (share < kShare || limit == 0.0) continue;
-    Note("clipped_command",
-         fmt::format("The command stands at its limit of {:.4g} for {:.0f} % of the time.",
-                     limit,
-                     100.0 * share),
-         findings,
-         LongestAt(limit, sampled));
+    NoteCommand("clipped_command",
+                fmt::format("The command stands at its limit of {:.4g} for {:.0f} % of the time.",
+                            limit,
+                            100.0 * share),
+                findings,
+                LongestAt(limit, sampled));
   }
 }
 
@@ -126,11 +126,12 @@ void CheckLoop(const HeldCommand& command,
     const auto behind = SignCorrelation(force, speed, lag + 1);
     if (!at || !before || !behind) return;
     if (*at > -kLeast || std::max(*before, *behind) < kLeastBeside) continue;
-    Note("closed_loop",
-         fmt::format("The command follows the motion: the noise of the speed is in it, with a "
-                     "correlation of {:.2f}. A controller was on.",
-                     *at),
-         findings);
+    NoteCommand(
+        "closed_loop",
+        fmt::format("The command follows the motion: the noise of the speed is in it, with a "
+                    "correlation of {:.2f}. A controller was on.",
+                    *at),
+        findings);
     return;
   }
 }
@@ -144,16 +145,17 @@ std::vector<Finding> CheckCommand(const HeldCommand& command, std::span<const Se
   const Sampled sampled = SampledOf(command, segments);
   if (sampled.force.empty()) return findings;
   if (sampled.duration < kShort) {
-    Note("short_log",
-         fmt::format("The log holds {:.0f} s of motion to learn from.", sampled.duration),
-         &findings);
+    NoteCommand("short_log",
+                fmt::format("The log holds {:.0f} s of motion to learn from.", sampled.duration),
+                &findings);
   }
   if (sampled.num_changes > 0 && sampled.num_changes < kFewChanges) {
-    Note("few_changes",
-         fmt::format(
-             "The command changes {} while the motion is measured.",
-             sampled.num_changes == 1 ? "once" : fmt::format("{} times", sampled.num_changes)),
-         &findings);
+    NoteCommand(
+        "few_changes",
+        fmt::format(
+            "The command changes {} while the motion is measured.",
+            sampled.num_changes == 1 ? "once" : fmt::format("{} times", sampled.num_changes)),
+        &findings);
   }
   CheckClipping(sampled, &findings);
   CheckLoop(command, segments, &findings);

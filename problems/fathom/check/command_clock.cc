@@ -19,13 +19,13 @@
 namespace fathom {
 namespace {
 
-constexpr double kWindow = 1.0;            // [s]
-constexpr double kLongestDelay = 10.0;     // [s]
-constexpr double kDelayStep = 0.05;        // [s]
-constexpr double kShortest = 20.0;         // of a segment [s]
-constexpr double kLeastEvidence = 10.0;    // natural logarithm of the ratio of likelihoods
-constexpr double kLeastShare = 0.25;       // of what the other terms leave, by the force
-constexpr double kPeriodicEvidence = 3.0;  // closer than that, two delays are as good
+constexpr double kClockWindow = 1.0;              // [s]
+constexpr double kLongestCommandDelay = 10.0;     // [s]
+constexpr double kCommandDelayStep = 0.05;        // [s]
+constexpr double kShortestSegment = 20.0;         // of a segment [s]
+constexpr double kLeastCommandEvidence = 10.0;    // natural logarithm of the ratio of likelihoods
+constexpr double kLeastShare = 0.25;              // of what the other terms leave, by the force
+constexpr double kPeriodicCommandEvidence = 3.0;  // closer than that, two delays are as good
 
 // What the motion did in one window.
 struct Window {
@@ -50,10 +50,10 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
   const std::vector<double> once = Integral(segment.time, segment.velocity);
   const std::vector<double> quadratic = Integral(segment.time, square);
   // In a gap and where a sensor is stuck the motion is not known.
-  const double longest_window = kWindow + 3.0 * MedianStep(segment.time);
+  const double longest_window = kClockWindow + 3.0 * MedianStep(segment.time);
   std::size_t to = 0;
   for (std::size_t from = 0; from < segment.time.size();) {
-    while (to < segment.time.size() && segment.time[to] - segment.time[from] < kWindow) ++to;
+    while (to < segment.time.size() && segment.time[to] - segment.time[from] < kClockWindow) ++to;
     if (to >= segment.time.size()) return;
     Window window = {segment.time[from], segment.time[to], 0.0, {}};
     window.change = MeanAbout(segment.velocity, to) - MeanAbout(segment.velocity, from);
@@ -65,7 +65,7 @@ void AddWindows(const Segment& segment, std::vector<Window>* windows) {
                     [&](double velocity) { return velocity == segment.velocity[from]; });
     if (window.to - window.from < longest_window && !is_stuck) windows->push_back(window);
     // Windows overlap by a half.
-    const double next = window.from + 0.5 * kWindow;
+    const double next = window.from + 0.5 * kClockWindow;
     while (from < segment.time.size() && segment.time[from] < next) ++from;
   }
 }
@@ -136,21 +136,23 @@ Rests RestsOf(const HeldCommand& command, std::span<const Segment> segments) {
   double longest = 0.0;
   for (const Segment& segment : segments) {
     const double duration = segment.time.back() - segment.time.front();
-    if (duration < kShortest) continue;
+    if (duration < kShortestSegment) continue;
     longest = std::max(longest, duration);
     AddWindows(segment, &windows);
   }
   // Every delay is judged by the same windows: those whose command is known at all of them.
-  const double most = std::floor(std::min(kLongestDelay, 0.2 * longest) / kDelayStep) * kDelayStep;
+  const double most =
+      std::floor(std::min(kLongestCommandDelay, 0.2 * longest) / kCommandDelayStep) *
+      kCommandDelayStep;
   std::erase_if(windows, [&](const Window& window) {
     return window.from - most < command.time.front() || window.to + most > command.time.back();
   });
   constexpr std::size_t kFewestWindows = 30;
   if (windows.size() < kFewestWindows) return {};
   const Impulse impulse(command);
-  Rests rests = {{}, static_cast<int>(std::lround(most / kDelayStep)), windows.size()};
+  Rests rests = {{}, static_cast<int>(std::lround(most / kCommandDelayStep)), windows.size()};
   for (int k = -rests.num_steps; k <= rests.num_steps; ++k) {
-    rests.of_step.push_back(RestAt(k * kDelayStep, windows, impulse));
+    rests.of_step.push_back(RestAt(k * kCommandDelayStep, windows, impulse));
   }
   return rests;
 }
@@ -161,7 +163,7 @@ DelayCurve CommandDelayCurve(const HeldCommand& command, std::span<const Segment
   const auto [rests, num_steps, num_windows] = RestsOf(command, segments);
   DelayCurve curve;
   for (int k = 0; k < std::ssize(rests); ++k) {
-    curve.delay.push_back((k - num_steps) * kDelayStep);
+    curve.delay.push_back((k - num_steps) * kCommandDelayStep);
     curve.correlation.push_back(rests[static_cast<std::size_t>(k)].Correlation());
   }
   return curve;
@@ -181,8 +183,8 @@ std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
   });
   const int at = static_cast<int>(best - rests.begin());
   const Rest& none = rests[static_cast<std::size_t>(num_steps)];
-  const CommandDelay found = {(at - num_steps) * kDelayStep, evidence(*best, none)};
-  if (found.evidence < kLeastEvidence || !(best->slope > 0.0)) return std::nullopt;
+  const CommandDelay found = {(at - num_steps) * kCommandDelayStep, evidence(*best, none)};
+  if (found.evidence < kLeastCommandEvidence || !(best->slope > 0.0)) return std::nullopt;
   if (best->with_force > (1.0 - kLeastShare) * best->without_force) return std::nullopt;
   if (at == 0 || at == 2 * num_steps) return std::nullopt;  // it may be longer still
   // Another delay that is as good, beyond the valley of this one.
@@ -194,7 +196,8 @@ std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
       const Rest& rest = rests[static_cast<std::size_t>(k)];
       highest = std::max(highest, rest.with_force);
       const bool is_behind_a_ridge = rest.with_force < 0.8 * highest;
-      if (is_behind_a_ridge && evidence(*best, rest) < kPeriodicEvidence) return std::nullopt;
+      if (is_behind_a_ridge && evidence(*best, rest) < kPeriodicCommandEvidence)
+        return std::nullopt;
     }
   }
   return found;

@@ -20,11 +20,11 @@ namespace fathom {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLeast = 30.0 * kDegree;
+constexpr double kLeastFlip = 30.0 * kDegree;
 constexpr double kBack = 1.0 / 3.0;   // of the flip: what it may still be off when it is over
 constexpr double kLongest = 0.5;      // [s]
 constexpr double kUsualSteps = 10.0;  // times the median step of all rows
-constexpr std::size_t kFewestRows = 10;
+constexpr std::size_t kFewestRowsOfFlip = 10;
 
 struct Flip {
   std::size_t first = 0, end = 0;  // rows
@@ -37,7 +37,7 @@ std::vector<Flip> FlipsOf(const Poses& poses) {
   };
   std::vector<double> steps;
   for (std::size_t i = 1; i < poses.size(); ++i) steps.push_back(turn(i - 1, i));
-  const double least = std::max(kLeast, kUsualSteps * Median(steps));
+  const double least = std::max(kLeastFlip, kUsualSteps * Median(steps));
   std::vector<Flip> flips;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const double angle = steps[i - 1];
@@ -62,7 +62,7 @@ bool HasMarkers(const Log& log) {
 }  // namespace
 
 std::optional<Finding> CheckPoseFlips(const Log& log) {
-  if (!log.pose || log.pose->time.size() < kFewestRows) return std::nullopt;
+  if (!log.pose || log.pose->time.size() < kFewestRowsOfFlip) return std::nullopt;
   const Poses poses = PosesOf(*log.pose);
   const std::vector<Flip> flips = FlipsOf(poses);
   if (flips.empty()) return std::nullopt;

@@ -21,7 +21,7 @@ namespace fathom {
 namespace {
 
 constexpr std::size_t kSide = 5;      // rows on either side of a jump
-constexpr double kLeast = 0.1;        // [m] or [rad]
+constexpr double kLeastJump = 0.1;    // [m] or [rad]
 constexpr double kLargeSteps = 10.0;  // times the 90 % quantile
 
 struct Jump {
@@ -54,7 +54,7 @@ std::vector<Jump> JumpsOf(const std::vector<double>& time,
   }
   const auto ninety = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * double(steps.size()));
   std::nth_element(steps.begin(), ninety, steps.end());
-  const double least = std::max(kLeast, kLargeSteps * *ninety);
+  const double least = std::max(kLeastJump, kLargeSteps * *ninety);
   std::vector<double> gaps;
   for (std::size_t i = 1; i < time.size(); ++i) gaps.push_back(time[i] - time[i - 1]);
   const double longest_gap = 5.0 * Median(gaps);

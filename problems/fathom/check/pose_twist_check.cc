@@ -17,13 +17,13 @@
 namespace fathom {
 namespace {
 
-constexpr double kLargestDelay = 3.0;   // [s] looked at
-constexpr double kLargestOfSign = 0.3;  // [s]: a sign is judged without a delay above this
-constexpr double kDelayStep = 0.05;     // [s]
-constexpr double kLeastDelay = 0.15;    // [s] told
-constexpr double kSurelyOne = 0.8;      // correlation from which on two motions are one
-constexpr double kHardlyOne = 0.4;      // below it, they are not
-constexpr double kLargestScale = 1.25;  // told beyond it
+constexpr double kLargestDelay = 3.0;     // [s] looked at
+constexpr double kLargestOfSign = 0.3;    // [s]: a sign is judged without a delay above this
+constexpr double kTwistDelayStep = 0.05;  // [s]
+constexpr double kLeastDelay = 0.15;      // [s] told
+constexpr double kSurelyOne = 0.8;        // correlation from which on two motions are one
+constexpr double kHardlyOne = 0.4;        // below it, they are not
+constexpr double kLargestScale = 1.25;    // told beyond it
 
 // Velocities are along the world if what they miss of the pose's along the vehicle is more than
 // this part of their squares, and what they miss along the world less than that part of it.
@@ -33,7 +33,8 @@ constexpr double kInWorld = 0.25;
 // A curve that only grows is like itself at any delay: a delay counts if it takes away a fifth of
 // what the two do not share, and lies within what is looked at.
 bool IsDelayed(const Likeness& as_is, const Likeness& delayed, double delay) {
-  return delayed.correlation >= kSurelyOne && std::abs(delay) < kLargestDelay - kDelayStep / 2.0 &&
+  return delayed.correlation >= kSurelyOne &&
+         std::abs(delay) < kLargestDelay - kTwistDelayStep / 2.0 &&
          1.0 - delayed.correlation < 0.8 * (1.0 - as_is.correlation);
 }
 
@@ -88,8 +89,8 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion) {
   Likeness near;  // the most alike without much of a delay, of either sign
   Likeness best;  // the most alike of the same sign
   double best_delay = 0.0;
-  for (int i = 0; i <= static_cast<int>(kLargestDelay / kDelayStep); ++i) {
-    for (const double delay : {kDelayStep * i, -kDelayStep * i}) {
+  for (int i = 0; i <= static_cast<int>(kLargestDelay / kTwistDelayStep); ++i) {
+    for (const double delay : {kTwistDelayStep * i, -kTwistDelayStep * i}) {
       const Likeness here = likeness(delay);
       if (std::abs(delay) <= kLargestOfSign &&
           std::abs(here.correlation) > std::abs(near.correlation)) {

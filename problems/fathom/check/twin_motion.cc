@@ -20,7 +20,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastSpeed = 0.02;  // [m/s] std
 constexpr double kLeastRate = 0.01;   // [rad/s] std
 constexpr std::size_t kFewestSamples = 50;
-constexpr double kWindow = 1.0;  // [s] over which both are smoothed alike
+constexpr double kTwinWindow = 1.0;  // [s] over which both are smoothed alike
 
 // The value of a curve at a time, on straight lines; NaN beyond its ends.
 double At(std::span<const double> time, std::span<const double> values, double t) {
@@ -58,7 +58,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
   SavitzkyGolayOptions options;
   options.order = 2;
   const auto window_of = [](std::span<const double> time) {
-    return std::max(kWindow, 6.0 * MedianStep(time));
+    return std::max(kTwinWindow, 6.0 * MedianStep(time));
   };
   options.window = std::max(window_of(pose.time), window_of(velocity.time));
   const Poses poses = PosesOf(pose);

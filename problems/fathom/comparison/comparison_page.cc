@@ -3,6 +3,7 @@
 
 #include "fathom/comparison/comparison_page.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
 #include "fathom/comparison/identification_text.h"
@@ -22,8 +23,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 std::string Figure(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
@@ -207,7 +206,7 @@ Table ParameterTable(const DofComparison& comparison) {
     line.cells = {std::string(Name(comparison.dof)), ModelName(row)};
     const ParameterVector values = ToVector(row.fitted.model);
     for (int i = 0; i < kNumParameters; ++i) {
-      line.cells.push_back(FormatValue(row.is_usable ? values[i] : kNotComputed,
+      line.cells.push_back(FormatValue(row.is_usable ? values[i] : kNotKnown,
                                        std::sqrt(row.fitted.covariance(i, i))));
     }
     line.cells.push_back(Figure(row.fitted.train.mae, "{:.5f}"));

@@ -3,6 +3,7 @@
 
 #include "fathom/comparison/comparison_panels.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/report/held_curve.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -19,8 +19,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 // A scored segment on the time axis of a panel.
 struct PlacedSegment {
@@ -92,7 +90,7 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     panel.time.push_back(place.to());  // a gap before the next segment
     auto& measured = panel.measured->values;
     measured.insert(measured.end(), segment->velocity.begin(), segment->velocity.end());
-    measured.push_back(kNotComputed);
+    measured.push_back(kNotKnown);
     size_t response = 0;
     for (const Identification& row : comparison.rows) {
       if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
@@ -101,9 +99,9 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
       if (run) {
         values.insert(values.end(), run->predicted.begin(), run->predicted.end());
       } else {
-        values.insert(values.end(), segment->time.size(), kNotComputed);
+        values.insert(values.end(), segment->time.size(), kNotKnown);
       }
-      values.push_back(kNotComputed);
+      values.push_back(kNotKnown);
     }
   }
   return panel;

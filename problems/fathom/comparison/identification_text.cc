@@ -3,21 +3,19 @@
 
 #include "fathom/comparison/identification_text.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/table.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
-
-constexpr double kNotComputed = std::numeric_limits<double>::quiet_NaN();
 
 std::string FiguresText(const char* where, const FitFigures& figures, std::string_view unit) {
   if (!std::isfinite(figures.nmae)) return "";
@@ -72,12 +70,12 @@ Table ParameterTable(const Identification& identification) {
                              RatioOf(fitted, kLinearDamping, kInertia),
                              "1/s",
                              0.0,
-                             kNotComputed));
+                             kNotKnown));
   table.rows.push_back(RowOf("quadratic_damping / inertia",
                              RatioOf(fitted, kQuadraticDamping, kInertia),
                              per_length,
                              0.0,
-                             kNotComputed));
+                             kNotKnown));
   return table;
 }
 

@@ -20,7 +20,6 @@
 namespace fathom {
 namespace {
 
-constexpr int kSensitivities = Simulation::kNumSensitivities;
 constexpr int kInitialVelocity = kNumParameters;  // column of the sensitivities
 
 std::span<const double> OutputTimes(const ShootingWindow& window) {
@@ -109,11 +108,11 @@ class WindowCost final : public ceres::CostFunction {
     const bool with_position = window_.output == FittedOutput::kPosition;
     if (scratch_->velocity.size() < n) {
       scratch_->velocity.resize(n);
-      scratch_->velocity_sensitivity.resize(n * kSensitivities);
+      scratch_->velocity_sensitivity.resize(n * Simulation::kNumSensitivities);
     }
     if (with_position && scratch_->position.size() < n) {
       scratch_->position.resize(n);
-      scratch_->position_sensitivity.resize(n * kSensitivities);
+      scratch_->position_sensitivity.resize(n * Simulation::kNumSensitivities);
     }
     const auto first = [](std::vector<double>& values, size_t count) {
       return std::span(values).first(count);
@@ -124,14 +123,15 @@ class WindowCost final : public ceres::CostFunction {
         state,
         first(scratch_->velocity, n),
         first(scratch_->position, num_positions),
-        first(scratch_->velocity_sensitivity, n * kSensitivities),
-        first(scratch_->position_sensitivity, num_positions * kSensitivities));
+        first(scratch_->velocity_sensitivity, n * Simulation::kNumSensitivities),
+        first(scratch_->position_sensitivity, num_positions * Simulation::kNumSensitivities));
   }
 
   // Derivatives of one output by the parameters (inertia by its logarithm) and the initial state.
   Row Derivatives(int output, bool of_velocity, double inertia) const {
     const auto& all = of_velocity ? scratch_->velocity_sensitivity : scratch_->position_sensitivity;
-    const double* const sensitivity = &all[static_cast<size_t>(output) * kSensitivities];
+    const double* const sensitivity =
+        &all[static_cast<size_t>(output) * Simulation::kNumSensitivities];
     Row row;
     row << inertia * sensitivity[kInertia], sensitivity[kQuadraticDamping],
         sensitivity[kLinearDamping], sensitivity[kBuoyancy], sensitivity[kInitialVelocity],
@@ -149,12 +149,15 @@ class WindowCost final : public ceres::CostFunction {
     const auto& all = is_velocity ? scratch_->velocity_sensitivity : scratch_->position_sensitivity;
     const double* sensitivity = all.data();
     double sums[kColumns + 1][kColumns + 1] = {};
-    for (size_t i = window_.begin; i < window_.end; ++i, sensitivity += kSensitivities) {
+    for (size_t i = window_.begin; i < window_.end;
+         ++i, sensitivity += Simulation::kNumSensitivities) {
       const double miss = simulated[i - window_.begin] - measured[i];
       const RootHuber residual = RootHuber::Of(miss / window_.sigma, window_.huber_k);
       double row[kColumns + 1];
-      for (int j = 0; j < kSensitivities; ++j) row[j] = residual.derivative * sensitivity[j];
-      if (kColumns > kSensitivities) row[kSensitivities] = residual.derivative;
+      for (int j = 0; j < Simulation::kNumSensitivities; ++j)
+        row[j] = residual.derivative * sensitivity[j];
+      if (kColumns > Simulation::kNumSensitivities)
+        row[Simulation::kNumSensitivities] = residual.derivative;
       row[kColumns] = window_.sigma * residual.value;
       for (int j = 0; j <= kColumns; ++j) {
         for (int k = 0; k <= j; ++k) sums[j][k] += row[j] * row[k];

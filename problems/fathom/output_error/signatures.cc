@@ -11,8 +11,6 @@
 namespace fathom {
 namespace {
 
-constexpr int kSensitivities = Simulation::kNumSensitivities;
-
 // Derivatives by the parameters and the velocity at the start of a stretch, turned into those by
 // the parameters and the velocity at the start of the segment; `start` is how the former velocity
 // follows the latter ones.
@@ -41,15 +39,15 @@ bool SimulateStretch(const UncoupledModel<double>& model,
   const size_t num_positions = is_velocity ? 0 : time.size();
   v.resize(time.size());
   x.resize(num_positions);
-  dv.resize(static_cast<Eigen::Index>(time.size()), kSensitivities);
-  dx.resize(static_cast<Eigen::Index>(num_positions), kSensitivities);
+  dv.resize(static_cast<Eigen::Index>(time.size()), Simulation::kNumSensitivities);
+  dx.resize(static_cast<Eigen::Index>(num_positions), Simulation::kNumSensitivities);
   if (!Simulation(command, time)
            .RunWithSensitivities(model,
                                  start->state,
                                  v,
                                  x,
-                                 {dv.data(), time.size() * kSensitivities},
-                                 {dx.data(), num_positions * kSensitivities})) {
+                                 {dv.data(), time.size() * Simulation::kNumSensitivities},
+                                 {dx.data(), num_positions * Simulation::kNumSensitivities})) {
     return false;
   }
   dx = Chained(dx, start->v).rowwise() + start->x.row(0);

@@ -3,6 +3,7 @@
 
 #include "fathom/images/frame_source.h"
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/camera/camera_file.h"
@@ -20,11 +21,6 @@
 
 namespace fathom {
 namespace {
-
-bool Exists(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error);
-}
 
 double MeanRate(double first, double last, std::size_t num) {
   if (!(last > first)) return std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 
 #include "fathom/log/read_log.h"
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_text.h"
@@ -14,11 +15,6 @@
 
 namespace fathom {
 namespace {
-
-bool Exists(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error);
-}
 
 LogText::File ReadText(const std::filesystem::path& path) {
   return {.name = path.string(), .text = ReadFile(path)};

@@ -17,7 +17,7 @@ namespace fathom {
 namespace {
 
 constexpr double kFarAway = 25.0;
-constexpr double kMargin = 0.06;
+constexpr double kBarMargin = 0.06;
 
 // Per cent from the left end of the range.
 double Place(double value, const ChartRange& range) {
@@ -35,7 +35,7 @@ std::string Arrow(bool points_right, std::string_view color) {
                      points_right ? "&#9654;" : "&#9664;");
 }
 
-std::string WithUnit(const std::string& value, const std::string& unit) {
+std::string ValueWithUnit(const std::string& value, const std::string& unit) {
   return unit.empty() ? value : value + " " + UnitText(unit);
 }
 
@@ -81,7 +81,7 @@ std::string HoverText(const Estimate& estimate, const ParameterPanel& panel) {
     const ChartRange bar = BarOf(estimate, panel);
     text += fmt::format(", 95 % interval {:.6g} to {:.6g}", bar.from, bar.to);
   }
-  return WithUnit(text, panel.unit);
+  return ValueWithUnit(text, panel.unit);
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ ChartRange RangeOf(const ParameterPanel& panel) {
   }
   if (panel.reference) include(*panel.reference);
 
-  double margin = kMargin * (range.to - range.from);
+  double margin = kBarMargin * (range.to - range.from);
   if (!(margin > 0.0)) margin = center == 0.0 ? 1.0 : 0.1 * std::abs(center);
   return {range.from - margin, range.to + margin};
 }

@@ -16,8 +16,6 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kPlusMinus = " ± ";
-
 // Characters, not bytes: every byte of UTF-8 but those that continue a character.
 std::size_t Width(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(

@@ -5,9 +5,13 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
+
+// Between a value and its standard deviation in a cell.
+inline constexpr std::string_view kPlusMinus = " ± ";
 
 enum class RowFlag { kNone, kBest, kKept, kUnusable };
 

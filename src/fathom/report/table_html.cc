@@ -15,8 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kPlusMinus = " ± ";
-
 // Bytes behind the ± of the widest interval of a column; 0 if it has none.
 std::size_t IntervalWidth(const Table& table, std::size_t column) {
   std::size_t width = 0;

@@ -10,13 +10,13 @@ namespace fathom {
 namespace {
 
 // Between which two of `points` a value lies, and how far from the first to the second: 0 to 1.
-struct Place {
+struct TablePlace {
   std::size_t first = 0;
   std::size_t second = 0;
   double share = 0.0;
 };
 
-Place PlaceOf(double value, const std::vector<double>& points) {
+TablePlace PlaceOf(double value, const std::vector<double>& points) {
   const auto after = std::upper_bound(points.begin(), points.end(), value);
   if (after == points.begin()) return {};
   if (after == points.end()) return {points.size() - 1, points.size() - 1, 0.0};
@@ -29,8 +29,8 @@ Place PlaceOf(double value, const std::vector<double>& points) {
 
 double ThrustTable::Thrust(double command, double voltage) const {
   if (command_unit == "us" && command == 0.0) return 0.0;
-  const Place row = PlaceOf(command, commands);
-  const Place column = PlaceOf(voltage, voltages);
+  const TablePlace row = PlaceOf(command, commands);
+  const TablePlace column = PlaceOf(voltage, voltages);
   const auto at_command = [&](std::size_t v) {
     return thrust[row.first][v] + row.share * (thrust[row.second][v] - thrust[row.first][v]);
   };

@@ -14,14 +14,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::optional<Finding> Check(const std::vector<double>& command) {
+std::optional<Finding> CheckPulses(const std::vector<double>& command) {
   Segment segment;
   segment.command.value = command;
   return CheckPulseWidths({&segment, 1});
 }
 
 TEST(PulseWidths, AreSaidWhereEveryCommandIsOne) {
-  const auto finding = Check({1500.0, 1180.0, 1820.0, 1500.0});
+  const auto finding = CheckPulses({1500.0, 1180.0, 1820.0, 1500.0});
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::kWarning);
   EXPECT_EQ(finding->code, "pulse_widths");
@@ -29,12 +29,12 @@ TEST(PulseWidths, AreSaidWhereEveryCommandIsOne) {
 }
 
 TEST(PulseWidths, AreNotSaidOfForces) {
-  EXPECT_FALSE(Check({0.0, 1180.0, 1820.0}));
-  EXPECT_FALSE(Check({-1500.0, 1500.0}));
-  EXPECT_FALSE(Check({-1500.0, -1180.0}));
-  EXPECT_FALSE(Check({900.0, 2400.0}));
-  EXPECT_FALSE(Check({12.0, 40.0}));
-  EXPECT_FALSE(Check({}));
+  EXPECT_FALSE(CheckPulses({0.0, 1180.0, 1820.0}));
+  EXPECT_FALSE(CheckPulses({-1500.0, 1500.0}));
+  EXPECT_FALSE(CheckPulses({-1500.0, -1180.0}));
+  EXPECT_FALSE(CheckPulses({900.0, 2400.0}));
+  EXPECT_FALSE(CheckPulses({12.0, 40.0}));
+  EXPECT_FALSE(CheckPulses({}));
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 #include "fathom/comparison/comparison_page.h"
 
-#include <limits>
+#include "fathom/base/not_known.h"
+
 #include <string>
 #include <vector>
 
@@ -19,8 +20,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Two seconds of held-out data tell none of these leads from chance: recommendation_test.cc.
 TEST(ParameterTable, MarksTheRowToTake) {
@@ -39,8 +38,8 @@ TEST(ParameterTable, MarksNoModelThatIsWorseThanStandingStill) {
 }
 
 TEST(ParameterTable, GoesByTheTrainingDataWhereNoneAreHeldOut) {
-  DofComparison comparison = HandmadeDof(
-      {HandmadeRow(Family::kLeastSquares, 0.01, kNan), HandmadeRow(Family::kAdaptive, 0.03, kNan)});
+  DofComparison comparison = HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.01, kNotKnown),
+                                          HandmadeRow(Family::kAdaptive, 0.03, kNotKnown)});
   comparison.scored.held_out.clear();
   const Table table = ParameterTable(comparison);
   EXPECT_EQ(table.rows[0].flag, RowFlag::kBest);
@@ -49,8 +48,9 @@ TEST(ParameterTable, GoesByTheTrainingDataWhereNoneAreHeldOut) {
 
 // A model whose run diverges on the held-out data cannot be the best, however well it fits.
 TEST(ParameterTable, NeverMarksAModelBestThatCannotPredictTheHeldOutData) {
-  const Table table = ParameterTable(HandmadeDof(
-      {HandmadeRow(Family::kLeastSquares, 0.01, kNan), HandmadeRow(Family::kAdaptive, 0.03, 0.9)}));
+  const Table table =
+      ParameterTable(HandmadeDof({HandmadeRow(Family::kLeastSquares, 0.01, kNotKnown),
+                                  HandmadeRow(Family::kAdaptive, 0.03, 0.9)}));
   EXPECT_EQ(table.rows[0].flag, RowFlag::kNone);
   EXPECT_EQ(table.rows[1].flag, RowFlag::kBest);
 }
@@ -144,7 +144,7 @@ TEST(ComparisonPage, SaysHowFarTheModelToTakeCanBeTrusted) {
 
 TEST(ComparisonPage, SaysWhereNothingIsHeldOut) {
   Comparison comparison;
-  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNotKnown)})};
   comparison.dofs[0].scored.held_out.clear();
   EXPECT_THAT(ComparisonPage(comparison).lead.at(0), HasSubstr("(no data are held out)"));
 }
@@ -190,7 +190,7 @@ TEST(ComparisonPage, ShowsTheFigureThatDecidesFirstAndFoldsTheOthers) {
 
 TEST(ComparisonPage, ShowsTheErrorOnTheTrainingDataWhereNoneAreHeldOut) {
   Comparison comparison;
-  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNan)})};
+  comparison.dofs = {HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, kNotKnown)})};
   comparison.dofs[0].scored.held_out.clear();
   const PageSection section = ComparisonPage(comparison).sections.at(0);
   EXPECT_EQ(section.tables.at(0).columns.at(1).heading, "training NMAE");

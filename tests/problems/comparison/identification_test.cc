@@ -65,7 +65,7 @@ TEST(ScoreByFreeRuns, SaysThatOnlyTheHeldOutPredictionIsPoor) {
               ElementsAre(HasSubstr("misses 43 % of the held-out motion")));
 }
 
-constexpr UncoupledModel<double> kTruth = {
+constexpr UncoupledModel<double> kIdentifiedTruth = {
     .inertia = 45.0, .quadratic_damping = 30.0, .linear_damping = 8.0, .buoyancy = 0.5};
 
 // 200 s of poses at 10 Hz of a vehicle that is driven along surge while its heading goes to and fro
@@ -104,7 +104,7 @@ Log PosesOfATurningVehicle(double turn) {
       const double now = t + 2e-4 * k;
       x += 2e-4 * v * std::cos(heading(now));
       y += 2e-4 * v * std::sin(heading(now));
-      v += 2e-4 * kTruth.Acceleration(v, force);
+      v += 2e-4 * kIdentifiedTruth.Acceleration(v, force);
     }
   }
   return log;
@@ -122,8 +122,10 @@ TEST(Identify, TakesTheBodyVelocityOfATurningVehicleFromItsPoses) {
   // Four standard deviations, which are 1.3 % of the inertia at most, and 1 % for the smoothing of
   // the velocity.
   const double std = std::sqrt(result.fitted.covariance(kInertia, kInertia));
-  EXPECT_LT(std, 0.013 * kTruth.inertia);
-  EXPECT_NEAR(result.fitted.model.inertia, kTruth.inertia, 4.0 * std + 0.01 * kTruth.inertia);
+  EXPECT_LT(std, 0.013 * kIdentifiedTruth.inertia);
+  EXPECT_NEAR(result.fitted.model.inertia,
+              kIdentifiedTruth.inertia,
+              4.0 * std + 0.01 * kIdentifiedTruth.inertia);
   EXPECT_LT(result.fitted.train.nmae, 0.1);
 }
 
@@ -136,7 +138,7 @@ TEST(Identify, FitsThePositionsOfAVehicleThatKeepsItsHeading) {
   const Identification result = Identify(signals, signals, Family::kOutputError);
   ASSERT_TRUE(result.is_usable) << result.message;
   const double std = std::sqrt(result.fitted.covariance(kInertia, kInertia));
-  EXPECT_NEAR(result.fitted.model.inertia, kTruth.inertia, 4.0 * std);
+  EXPECT_NEAR(result.fitted.model.inertia, kIdentifiedTruth.inertia, 4.0 * std);
 }
 
 }  // namespace

@@ -18,9 +18,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
-
-struct Found {
+struct FoundSwing {
   LostMotion lost;         // as it is reckoned
   double truth = 0.0;      // one less the slope of found distance over true distance
   double truth_std = 0.0;  // of that slope
@@ -28,7 +26,7 @@ struct Found {
 };
 
 // A swing between 2.6 and 3.4 m at 10 Hz.
-Found SwingBefore(const MarkerMap& map, double tilt, double sigma, int num_frames = 1500) {
+FoundSwing SwingBefore(const MarkerMap& map, double tilt, double sigma, int num_frames = 1500) {
   const SyntheticRecord record = MakeRecord(map, num_frames, tilt, sigma, 31);
   const MarkerTrack track =
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
@@ -50,7 +48,7 @@ Found SwingBefore(const MarkerMap& map, double tilt, double sigma, int num_frame
 
 // Without RemoveBias 1.7 % would be lost.
 TEST(LostMotion, BoundsWhatIsLeftWhereASingleMarkerIsSeenFaceOn) {
-  const Found found = SwingBefore(SingleMarker(), 0.0, 0.3, 3000);
+  const FoundSwing found = SwingBefore(SingleMarker(), 0.0, 0.3, 3000);
   EXPECT_LT(std::abs(found.truth), found.lost.share + 2.0 * found.truth_std);
   EXPECT_LT(found.lost.share, 0.005);
   EXPECT_GT(found.lost.num_poses, 2000);
@@ -60,9 +58,9 @@ TEST(LostMotion, BoundsWhatIsLeftWhereASingleMarkerIsSeenFaceOn) {
 }
 
 TEST(LostMotion, IsNotToldOfWhereTheTiltIsKnown) {
-  for (const Found& found : {SwingBefore(SingleMarker(), 0.0, 0.1, 3000),
-                             SwingBefore(SingleMarker(), 0.5, 0.3),
-                             SwingBefore(FourMarkers(), 0.0, 0.3, 300)}) {
+  for (const FoundSwing& found : {SwingBefore(SingleMarker(), 0.0, 0.1, 3000),
+                                  SwingBefore(SingleMarker(), 0.5, 0.3),
+                                  SwingBefore(FourMarkers(), 0.0, 0.3, 300)}) {
     EXPECT_LT(std::abs(found.truth), 3.0 * found.truth_std);
     EXPECT_THAT(found.remarks, ::testing::IsEmpty());
   }

@@ -21,10 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double kSigma = 0.3;
-
 // Ahead of the body and below it, looking ahead: z along the body's x, x along its y.
-const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
 
 double Square(const Pose& found, const Pose& truth, const PoseCovariance& covariance) {
   const PoseIncrement error = StepBetween(found, truth);
@@ -35,7 +32,7 @@ double Square(const Pose& found, const Pose& truth, const PoseCovariance& covari
 // standard deviation. It is known to 1 / sqrt(600); the lens' curvature is not felt.
 TEST(TrackMarkers, ReachesTheCramerRaoBoundWithOneMarker) {
   const MarkerMap map = SingleMarker();
-  const SyntheticRecord record = MakeRecord(map, 300, 0.5, kSigma, 21);
+  const SyntheticRecord record = MakeRecord(map, 300, 0.5, kCornerSigma, 21);
   const MarkerTrack track =
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);
   ASSERT_TRUE(track.IsUsable()) << track.message;
@@ -54,7 +51,7 @@ TEST(TrackMarkers, ReachesTheCramerRaoBoundWithOneMarker) {
     EXPECT_NEAR(std::sqrt(of_camera / 300), 1.0, 5.0 / std::sqrt(600.0)) << k;
     EXPECT_NEAR(std::sqrt(of_body / 300), 1.0, 5.0 / std::sqrt(600.0)) << k;
   }
-  EXPECT_LT(std::abs(track.corner_sigma - kSigma), 4.0 * track.corner_sigma_std);
+  EXPECT_LT(std::abs(track.corner_sigma - kCornerSigma), 4.0 * track.corner_sigma_std);
   EXPECT_THAT(track.estimated_ids, IsEmpty());
 }
 
@@ -62,7 +59,7 @@ TEST(TrackMarkers, ReachesTheCramerRaoBoundWithOneMarker) {
 TEST(TrackMarkers, PlacesMarkersOutwardsFromTheSurveyedOne) {
   MarkerMap map = FourMarkers();
   const MarkerMap truth = map;
-  SyntheticRecord record = MakeRecord(map, 120, 0.3, kSigma, 22);
+  SyntheticRecord record = MakeRecord(map, 120, 0.3, kCornerSigma, 22);
   for (int id = 1; id < 4; ++id) {
     map.markers[id].is_surveyed = false;
     map.markers[id].world_from_tag = Pose();
@@ -93,7 +90,7 @@ TEST(TrackMarkers, PlacesMarkersOutwardsFromTheSurveyedOne) {
 
 TEST(TrackMarkers, SaysWhichMarkersItCouldNotPlace) {
   MarkerMap map = FourMarkers();
-  SyntheticRecord record = MakeRecord(map, 40, 0.3, kSigma, 23);
+  SyntheticRecord record = MakeRecord(map, 40, 0.3, kCornerSigma, 23);
   map.markers[3].is_surveyed = false;
   std::erase_if(record.detections, [&](const Detection& detection) {
     return (detection.tag_id == 3) != (detection.time > 102.0);
@@ -110,7 +107,7 @@ TEST(TrackMarkers, SaysWhichMarkersItCouldNotPlace) {
 // as if it were one.
 TEST(TrackMarkers, TakesBackAPlaceThatNoFrameAgreesWith) {
   MarkerMap map = FourMarkers();
-  SyntheticRecord record = MakeRecord(map, 40, 0.3, kSigma, 23);
+  SyntheticRecord record = MakeRecord(map, 40, 0.3, kCornerSigma, 23);
   map.markers[2].is_surveyed = false;
   map.markers[3].is_surveyed = false;
   std::mt19937 generator(5);
@@ -135,7 +132,7 @@ TEST(TrackMarkers, TakesBackAPlaceThatNoFrameAgreesWith) {
 // come out within their intervals, and the residuals fall to the noise.
 TEST(TrackMarkers, CorrectsASurveyFromAReference) {
   const MarkerMap truth = FourMarkers();
-  const SyntheticRecord record = MakeRecord(truth, 150, 0.3, kSigma, 24);
+  const SyntheticRecord record = MakeRecord(truth, 150, 0.3, kCornerSigma, 24);
   MarkerMap survey = truth;
   PoseIncrement wrong;
   wrong << 0.02, -0.03, 0.01, 0.02, -0.01, 0.015;
@@ -144,14 +141,14 @@ TEST(TrackMarkers, CorrectsASurveyFromAReference) {
   const auto as_surveyed =
       TrackMarkers(record.detections, SyntheticCamera(), survey, kBodyFromCamera);
   ASSERT_TRUE(as_surveyed.IsUsable());
-  EXPECT_GT(as_surveyed.corner_sigma, 5.0 * kSigma);
+  EXPECT_GT(as_surveyed.corner_sigma, 5.0 * kCornerSigma);
   MarkerTrajectoryOptions options;
   options.estimate_surveyed_markers = true;
   options.reference_id = 2;
   const auto track =
       TrackMarkers(record.detections, SyntheticCamera(), survey, kBodyFromCamera, options);
   ASSERT_TRUE(track.IsUsable()) << track.message;
-  EXPECT_LT(std::abs(track.corner_sigma - kSigma), 4.0 * track.corner_sigma_std);
+  EXPECT_LT(std::abs(track.corner_sigma - kCornerSigma), 4.0 * track.corner_sigma_std);
   ASSERT_THAT(track.estimated_ids, ElementsAre(0, 1, 3));
   for (int k = 0; k < 3; ++k) {
     const int id = track.estimated_ids[k];
@@ -167,7 +164,7 @@ TEST(TrackMarkers, CorrectsASurveyFromAReference) {
 
 TEST(TrackMarkers, IsNotUsableWithoutAnyKnownTag) {
   MarkerMap map = SingleMarker();
-  const SyntheticRecord record = MakeRecord(map, 20, 0.2, kSigma, 25);
+  const SyntheticRecord record = MakeRecord(map, 20, 0.2, kCornerSigma, 25);
   map.markers[0].id = 5;
   const MarkerTrack track =
       TrackMarkers(record.detections, SyntheticCamera(), map, kBodyFromCamera);

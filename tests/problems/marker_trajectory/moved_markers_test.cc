@@ -20,9 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kSigma = 0.3;  // [px]
 constexpr int kNumFrames = 120;
-const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
 
 // What happens to one of the four markers of a record.
 struct Move {
@@ -62,7 +60,7 @@ std::vector<Detection> Seen(const Move& move, std::mt19937* random) {
       all.push_back(detection);
     }
   }
-  AddNoise(kSigma, random, &all);
+  AddNoise(kCornerSigma, random, &all);
   return all;
 }
 

@@ -18,9 +18,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kSigma = 0.3;  // [px]
-const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
-
 class SurveyMisfit : public ::testing::Test {
  protected:
   std::string RemarkUnder(const CameraModel& camera, const MarkerMap& survey) const {
@@ -33,7 +30,7 @@ class SurveyMisfit : public ::testing::Test {
     return remark;
   }
 
-  const SyntheticRecord record_ = MakeRecord(FourMarkers(), 300, 0.0, kSigma, 6);
+  const SyntheticRecord record_ = MakeRecord(FourMarkers(), 300, 0.0, kCornerSigma, 6);
 };
 
 TEST_F(SurveyMisfit, IsNotFoundInARightSurvey) {

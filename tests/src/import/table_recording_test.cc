@@ -30,12 +30,12 @@ std::string Table(int num_rows) {
   return text;
 }
 
-std::unique_ptr<Recording> Open(const std::string& text, const TableOptions& options = {}) {
+std::unique_ptr<Recording> OpenText(const std::string& text, const TableOptions& options = {}) {
   return OpenTable(ScratchFile("table.csv", text), options);
 }
 
 TEST(TableRecording, ListsColumnsOfNumbersWithTheirUnits) {
-  const auto recording = Open("t [s],u [m/s],mode\n0,1,A\n1,2,B\n2,,C\n");
+  const auto recording = OpenText("t [s],u [m/s],mode\n0,1,A\n1,2,B\n2,,C\n");
   const Contents& contents = recording->contents();
   const Channel channel = ChannelNamed(contents, "table");
   EXPECT_EQ(channel.count, 3U);
@@ -49,7 +49,7 @@ TEST(TableRecording, ListsColumnsOfNumbersWithTheirUnits) {
 }
 
 TEST(TableRecording, CountsRowsAndCellsThatItCannotUse) {
-  const auto recording = Open("t [s],u [m/s]\n0,1\n1,2\n2,err\n3\n4,5,6\n,7\n5,8\n6,9\n");
+  const auto recording = OpenText("t [s],u [m/s]\n0,1\n1,2\n2,err\n3\n4,5,6\n,7\n5,8\n6,9\n");
   EXPECT_THAT(recording->contents().remarks,
               ElementsAre(HasSubstr("line 4: column 'u' is 'err': 1 cell of the column"),
                           HasSubstr("2 rows passed over, the first on line 5: expected 2 cells."),
@@ -59,14 +59,14 @@ TEST(TableRecording, CountsRowsAndCellsThatItCannotUse) {
 
 TEST(TableRecording, TellsWhereACutFileEnds) {
   const std::string text = Table(50) + "5.0";
-  const auto recording = Open(text);
+  const auto recording = OpenText(text);
   EXPECT_FALSE(recording->contents().IsComplete());
   EXPECT_EQ(recording->contents().read_bytes, text.size() - 3);
   EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("the file ends within a row")));
 }
 
 TEST(TableRecording, StepsOverAByteOrderMark) {
-  const auto recording = Open("\xef\xbb\xbf" + Table(5));
+  const auto recording = OpenText("\xef\xbb\xbf" + Table(5));
   EXPECT_EQ(ChannelNamed(recording->contents(), "table").count, 5U);
   EXPECT_EQ(recording->contents().channels[0].fields[0].name, "t");
 }
@@ -78,7 +78,7 @@ TEST(TableRecording, DoesWhatItsOptionsSay) {
   options.header_line = 2;
   options.time = "clock";
   options.time_unit = "min";
-  const auto recording = Open("units;of;course\nclock;a;b\n-;V;A\n1,5;2;3\n2,5;4;5\n", options);
+  const auto recording = OpenText("units;of;course\nclock;a;b\n-;V;A\n1,5;2;3\n2,5;4;5\n", options);
   const ReadSamples samples = ReadAll(*recording, {"table", {"b"}});
   EXPECT_THAT(samples.time, ElementsAre(90.0, 150.0));
   EXPECT_THAT(samples.rows, ElementsAre(ElementsAre(3), ElementsAre(5)));
@@ -86,20 +86,20 @@ TEST(TableRecording, DoesWhatItsOptionsSay) {
 }
 
 TEST(TableRecording, TakesTheFirstColumnThatGrowsForStampsOrHasNone) {
-  EXPECT_TRUE(Open("a,b\n0,1\n1,0\n2,1\n")->contents().channels[0].first);
-  EXPECT_FALSE(Open("a,b\n0,1\n1,0\n0,1\n")->contents().channels[0].first);
+  EXPECT_TRUE(OpenText("a,b\n0,1\n1,0\n2,1\n")->contents().channels[0].first);
+  EXPECT_FALSE(OpenText("a,b\n0,1\n1,0\n0,1\n")->contents().channels[0].first);
 }
 
 TEST(TableRecording, RefusesWhatIsNoTable) {
-  EXPECT_THAT(ErrorFrom([] { Open("Once upon a time\nthere was an ROV\n"); }),
+  EXPECT_THAT(ErrorFrom([] { OpenText("Once upon a time\nthere was an ROV\n"); }),
               HasSubstr("hold no rows of numbers"));
-  EXPECT_THAT(ErrorFrom([] { Open(Table(5) + std::string("1,\0\n", 4)); }),
+  EXPECT_THAT(ErrorFrom([] { OpenText(Table(5) + std::string("1,\0\n", 4)); }),
               HasSubstr("table.csv:7: holds a NUL byte"));
-  EXPECT_THAT(ErrorFrom([] { Open("date,u\n03/05/2026,1\n03/05/2026,2\n04/05/2026,3\n"); }),
+  EXPECT_THAT(ErrorFrom([] { OpenText("date,u\n03/05/2026,1\n03/05/2026,2\n04/05/2026,3\n"); }),
               HasSubstr("A date with slashes may have day or month first"));
   TableOptions options;
   options.time = "clock";
-  EXPECT_THAT(ErrorFrom([&] { Open(Table(5), options); }), HasSubstr("has no column 'clock'"));
+  EXPECT_THAT(ErrorFrom([&] { OpenText(Table(5), options); }), HasSubstr("has no column 'clock'"));
 }
 
 TEST(TableRecording, DeliversAllBeforeACut) {
@@ -110,7 +110,7 @@ TEST(TableRecording, DeliversAllBeforeACut) {
     const auto length =
         head + static_cast<std::size_t>(random.Uniform() * static_cast<double>(all.size() - head));
     const std::string cut = all.substr(0, length);
-    const auto recording = Open(cut);
+    const auto recording = OpenText(cut);
     const auto num_whole = static_cast<std::size_t>(std::count(cut.begin(), cut.end(), '\n')) - 1;
     EXPECT_GE(recording->contents().channels[0].count, num_whole);
     EXPECT_LE(recording->contents().channels[0].count, num_whole + 1);

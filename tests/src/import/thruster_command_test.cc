@@ -38,7 +38,9 @@ std::string VehicleWith(const std::string& command, const std::string& table) {
 const char kTable[] =
     "voltages: [12, 16], thrust: [[1100, -30, -40], [1480, 0, 0], [1520, 0, 0], [1900, 38, 57]]";
 
-ImportedLog Import(const std::string& table, const std::string& map, const std::string& vehicle) {
+ImportedLog ImportThrusters(const std::string& table,
+                            const std::string& map,
+                            const std::string& vehicle) {
   const auto file = ScratchFile("dive.csv", table);
   return ImportLog(file,
                    *OpenRecording(file),
@@ -53,10 +55,10 @@ std::vector<double> Column(const ImportedLog& imported, const char* name) {
 
 TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
   const ImportedLog imported =
-      Import("t [s],a,b,battery\n0,1500,1710,14\n1,1900,1100,14\n2,0,1900,16\n",
-             "command: {unit: us, thruster_1: a, thruster_2: b, "
-             "voltage: {field: battery, unit: V}}\n",
-             VehicleWith("us", kTable));
+      ImportThrusters("t [s],a,b,battery\n0,1500,1710,14\n1,1900,1100,14\n2,0,1900,16\n",
+                      "command: {unit: us, thruster_1: a, thruster_2: b, "
+                      "voltage: {field: battery, unit: V}}\n",
+                      VehicleWith("us", kTable));
   // 1710 us is half way from 1520 to 1900: 19 N at 12 V, 28.5 N at 16 V, 23.75 N between.
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(23.75, 47.5 - 35, 57));
   // Starboard to the right of the middle turns to port: -y F.
@@ -66,33 +68,33 @@ TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
 
 TEST(ThrusterCommand, TellsCommandsBeyondTheTable) {
   const ImportedLog imported =
-      Import("t [s],a,b\n0,1500,1500\n1,2000,1500\n2,1500,1500\n",
-             "command: {unit: us, thruster_1: a, thruster_2: b, voltage: 16}\n",
-             VehicleWith("us", kTable));
+      ImportThrusters("t [s],a,b\n0,1500,1500\n1,2000,1500\n2,1500,1500\n",
+                      "command: {unit: us, thruster_1: a, thruster_2: b, voltage: 16}\n",
+                      VehicleWith("us", kTable));
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 57, 0));
   EXPECT_THAT(imported.remarks, Contains(HasSubstr("1 row of 3 lie beyond a thrust table")));
 }
 
 TEST(ThrusterCommand, MayBeAShareOfFullCommand) {
   const ImportedLog imported =
-      Import("t [s],a [%],b [%]\n0,0,0\n1,50,-100\n",
-             "command: {thruster_1: a, thruster_2: b}\n",
-             VehicleWith("1", "voltages: [16], thrust: [[-1, -40], [0, 0], [1, 50]]"));
+      ImportThrusters("t [s],a [%],b [%]\n0,0,0\n1,50,-100\n",
+                      "command: {thruster_1: a, thruster_2: b}\n",
+                      VehicleWith("1", "voltages: [16], thrust: [[-1, -40], [0, 0], [1, 50]]"));
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 25 - 40));
   EXPECT_THAT(imported.remarks, Contains(HasSubstr("the supply is taken as 16 V")));
 }
 
 TEST(ThrusterCommand, MayBeTheForceOfEachThruster) {
-  const ImportedLog imported = Import("t [s],a [kgf],b [N]\n0,0,0\n1,1,3\n",
-                                      "command: {thruster_1: a, thruster_2: b}\n",
-                                      VehicleWith("us", kTable));
+  const ImportedLog imported = ImportThrusters("t [s],a [kgf],b [N]\n0,0,0\n1,1,3\n",
+                                               "command: {thruster_1: a, thruster_2: b}\n",
+                                               VehicleWith("us", kTable));
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 9.80665 + 3));
 }
 
 TEST(ThrusterCommand, SaysWhatIsMissing) {
   const std::string table = "t [s],a,b\n0,1500,1500\n1,1600,1500\n";
   const auto error = [&](const char* map) {
-    return ErrorFrom([&] { Import(table, map, VehicleWith("us", kTable)); });
+    return ErrorFrom([&] { ImportThrusters(table, map, VehicleWith("us", kTable)); });
   };
   EXPECT_THAT(error("command: {thruster_1: a, thruster_2: b}\n"), HasSubstr("states no unit"));
   EXPECT_THAT(error("command: {unit: us, thruster_1: a, thruster_2: b}\n"),

@@ -30,7 +30,7 @@ const Files kGood = {{"log.yaml", "name: run 7\ndof: surge\n"},
                      {"command.csv", "t,tau_surge\n0,1\n1,2\n2,0\n"},
                      {"velocity.csv", "t,u\n0.5,0\n0.6,0.1\n0.7,0.2\n"}};
 
-constexpr char kPose[] = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n0.6,1,2,3,0.5,0.5,0.5,0.5\n";
+constexpr char kReadPose[] = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n0.6,1,2,3,0.5,0.5,0.5,0.5\n";
 
 // A folder of its own for each test, so that ctest may run them in parallel.
 std::filesystem::path Folder(const Files& files) {
@@ -74,7 +74,7 @@ TEST(ReadLog, ReadsAFolder) {
              "name: run 7\ndof: [surge, yaw]\nvehicle: rov.yaml\nheld_out: [0.55, 0.65]\n"
              "notes: calm\ncommand_unit: A\nvideo: a.mp4\nvideo_start: 12.5\ndive: harbour\n"
              "start: 2026-05-03T14:30:05Z\n"},
-            {"pose.csv", kPose}});
+            {"pose.csv", kReadPose}});
   const auto folder = Folder(files);
   const Log log = ReadLog(folder);
   EXPECT_EQ(log.path, folder);
@@ -132,7 +132,7 @@ TEST(ReadLog, RepeatsWhatIsToBeSaidOfThePoses) {
                                        {RemarkKind::kLostMotion, "line\nbreak # [x]"}};
   const std::string yaml = FormatPoseRemarks(remarks, 2);
   EXPECT_EQ(ParsePoseRemarks("pose.yaml", yaml, 2), remarks);
-  const Log log = ReadLog(Folder(With({{"pose.csv", kPose}, {"pose.yaml", yaml}})));
+  const Log log = ReadLog(Folder(With({{"pose.csv", kReadPose}, {"pose.yaml", yaml}})));
   EXPECT_THAT(TextsOf(log.remarks),
               ElementsAre("pose.yaml: " + remarks[0].text, "pose.yaml: " + remarks[1].text));
   EXPECT_EQ(log.remarks[1].kind, RemarkKind::kLostMotion);

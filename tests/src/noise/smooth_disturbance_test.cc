@@ -14,7 +14,7 @@
 namespace fathom {
 namespace {
 
-NoiseModel Disturbed() {
+NoiseModel SmoothlyDisturbed() {
   NoiseModel model;
   model.velocity = {.white_std = 0.02, .coloured = {.std = 0.01, .time = 0.8}};
   model.displacement = {.white_std = 0.015, .coloured = {.std = 0.008, .time = 1.3}};
@@ -77,7 +77,7 @@ class CrossCovariance {
 
 // mean = C S^-1 e, variance = s_w^2 - C S^-1 C' with C the covariance of w and the samples.
 TEST(SmoothDisturbance, IsTheConditionalMeanOfTheDenseGaussian) {
-  const NoiseModel model = Disturbed();
+  const NoiseModel model = SmoothlyDisturbed();
   const auto samples = Samples(180);
   const Eigen::Index n = 180;
   const CrossCovariance cross(model);
@@ -104,7 +104,7 @@ TEST(SmoothDisturbance, IsTheConditionalMeanOfTheDenseGaussian) {
 }
 
 TEST(SmoothDisturbance, IsNothingWithoutADisturbance) {
-  NoiseModel model = Disturbed();
+  NoiseModel model = SmoothlyDisturbed();
   model.disturbance.std = 0.0;
   const auto samples = Samples(50);
   const Eigen::VectorXd e = Eigen::VectorXd::Ones(50);
@@ -117,7 +117,7 @@ TEST(SmoothDisturbance, IsNothingWithoutADisturbance) {
 
 // w, v' and x' are integrated by small Euler-Maruyama steps, with no code of the library.
 TEST(SmoothDisturbance, BandOf95PercentHoldsTheTruth) {
-  NoiseModel model = Disturbed();
+  NoiseModel model = SmoothlyDisturbed();
   model.velocity.coloured.std = model.displacement.coloured.std = 0.0;
   const double a = model.damping_rate, b = 1.0 / model.disturbance.time;
   std::mt19937 generator(21);

@@ -3,6 +3,8 @@
 
 #include "fathom/report/format_value.h"
 
+#include "fathom/base/not_known.h"
+
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -10,7 +12,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(FormatValue, GivesTwoDigitsToTheDeviationAndEndsTheValueThere) {
@@ -47,8 +48,8 @@ TEST(FormatValue, GivesFourDigitsToAValueWithoutADeviation) {
 }
 
 TEST(FormatValue, ShowsWhatIsMissingOrUnbounded) {
-  EXPECT_EQ(FormatValue(kNan), "-");
-  EXPECT_EQ(FormatValue(kNan, 1.0), "-");
+  EXPECT_EQ(FormatValue(kNotKnown), "-");
+  EXPECT_EQ(FormatValue(kNotKnown, 1.0), "-");
   EXPECT_EQ(FormatValue(5.0, kInfinity), "5.000 ± inf");
   EXPECT_EQ(FormatValue(-kInfinity), "-inf");
   EXPECT_EQ(FormatValue(5.0, 0.0), "5.000 ± 0");
@@ -69,9 +70,9 @@ TEST(FormatInterval, IsCutAtABoundThatTheValueKeeps) {
 }
 
 TEST(FormatInterval, ShowsWhatIsMissingOrExact) {
-  EXPECT_EQ(FormatInterval(5.0, kNan), "-");
+  EXPECT_EQ(FormatInterval(5.0, kNotKnown), "-");
   EXPECT_EQ(FormatInterval(5.0, kInfinity), "-");
-  EXPECT_EQ(FormatInterval(kNan, 1.0), "-");
+  EXPECT_EQ(FormatInterval(kNotKnown, 1.0), "-");
   EXPECT_EQ(FormatInterval(5.0, 0.0), "5.000 ... 5.000");
   EXPECT_EQ(FormatInterval(890.3, 1e-9), "890.3 ... 890.3");
 }
@@ -112,7 +113,7 @@ TEST(WithInterval, HasNoMinusBeforeAZero) {
 }
 
 TEST(WithInterval, IsTheNumberAloneWithoutADeviation) {
-  EXPECT_EQ(WithInterval(0.42113, kNan, "s", 0.0, 20.0), "0.4211 s");
+  EXPECT_EQ(WithInterval(0.42113, kNotKnown, "s", 0.0, 20.0), "0.4211 s");
   EXPECT_EQ(WithInterval(0.42113, 0.0, "", 0.0, 20.0), "0.4211");
 }
 

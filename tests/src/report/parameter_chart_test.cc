@@ -3,7 +3,7 @@
 
 #include "fathom/report/parameter_chart.h"
 
-#include <limits>
+#include "fathom/base/not_known.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRounding = 1e-9;  // sums of a few numbers of order 10
 
 ParameterPanel PanelOf(std::vector<Estimate> estimates) {
@@ -28,7 +27,7 @@ ParameterPanel PanelOf(std::vector<Estimate> estimates) {
 TEST(ParameterChart, RangeHoldsIntervalsAndEstimatesWithAMargin) {
   // 10 - 1.96 = 8.04 to 12, and 6 % of 3.96 on either side.
   const ChartRange range =
-      RangeOf(PanelOf({{"a", 10.0, 1.0}, {"b", 12.0, kNan}, {"c", kNan, 1.0}}));
+      RangeOf(PanelOf({{"a", 10.0, 1.0}, {"b", 12.0, kNotKnown}, {"c", kNotKnown, 1.0}}));
   EXPECT_NEAR(range.from, 7.8024, kRounding);
   EXPECT_NEAR(range.to, 12.2376, kRounding);
 }
@@ -47,7 +46,7 @@ TEST(ParameterChart, ADivergedEstimateDoesNotSqueezeTheOthers) {
 }
 
 TEST(ParameterChart, AnEstimateAloneHasARange) {
-  const ChartRange range = RangeOf(PanelOf({{"a", 10.0, kNan}}));
+  const ChartRange range = RangeOf(PanelOf({{"a", 10.0, kNotKnown}}));
   EXPECT_LT(range.from, 10.0);
   EXPECT_GT(range.to, 10.0);
 }
@@ -90,7 +89,7 @@ TEST(ParameterChart, TicksAreRoundNumbers) {
 TEST(ParameterChart, PlacesDotAndBarInPercentOfTheRange) {
   Palette palette;
   const std::string html =
-      ParameterChartHtml(PanelOf({{"a", 10.0, 1.0}, {"b", 12.0, kNan}}), palette);
+      ParameterChartHtml(PanelOf({{"a", 10.0, 1.0}, {"b", 12.0, kNotKnown}}), palette);
   // The range is 7.8024 to 12.2376, 4.4352 wide: 2.1976, 0.2376 and 3.92 of it.
   EXPECT_THAT(html, HasSubstr(R"(<i class="dot" style="left:49.55%;background:#0072b2">)"));
   EXPECT_THAT(html,
@@ -101,7 +100,8 @@ TEST(ParameterChart, PlacesDotAndBarInPercentOfTheRange) {
 
 TEST(ParameterChart, SaysWhereThereIsNoEstimate) {
   Palette palette;
-  EXPECT_THAT(ParameterChartHtml(PanelOf({{"a", kNan, kNan}}), palette), HasSubstr("no estimate"));
+  EXPECT_THAT(ParameterChartHtml(PanelOf({{"a", kNotKnown, kNotKnown}}), palette),
+              HasSubstr("no estimate"));
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 
 #include "fathom/report/scatter_chart.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/report/scatter_columns.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <regex>
@@ -23,8 +23,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRounding = 1e-12;
+constexpr double kScatterRounding = 1e-12;
 
 std::vector<double> CountTo(int n) {
   std::vector<double> x(static_cast<std::size_t>(n));
@@ -45,7 +44,7 @@ TEST(MeansByBins, MatchTheClosedFormOnALine) {
   const auto means = MeansByBins(x, Line(x, -2.0, 1.0), 10);
   ASSERT_EQ(means.size(), 10u);
   for (int k = 0; k < 10; ++k) {
-    EXPECT_NEAR(means[k].x, 10.0 * k + 4.5, kRounding);
+    EXPECT_NEAR(means[k].x, 10.0 * k + 4.5, kScatterRounding);
     EXPECT_NEAR(means[k].y, -2.0 * (10.0 * k + 4.5) + 1.0, 1e-11);
     EXPECT_NEAR(means[k].spread, 2.0 * std::sqrt(99.0 / 12.0), 1e-11);
     EXPECT_EQ(means[k].num_points, 10);
@@ -58,7 +57,7 @@ TEST(MeansByBins, DoNotDependOnTheOrderOfThePoints) {
   std::shuffle(x.begin(), x.end(), generator);
   const auto means = MeansByBins(x, Line(x, 1.0, 0.0), 6);
   ASSERT_EQ(means.size(), 6u);
-  for (int k = 0; k < 6; ++k) EXPECT_NEAR(means[k].y, 10.0 * k + 4.5, kRounding);
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(means[k].y, 10.0 * k + 4.5, kScatterRounding);
 }
 
 // A command that holds two levels has two bins, however many were asked for.
@@ -68,9 +67,9 @@ TEST(MeansByBins, KeepPointsOfEqualXTogether) {
   y.insert(y.end(), 50, 5.0);
   const auto means = MeansByBins(x, y, 20);
   ASSERT_EQ(means.size(), 2u);
-  EXPECT_NEAR(means[0].x, -1.0, kRounding);
-  EXPECT_NEAR(means[1].y, 5.0, kRounding);
-  EXPECT_NEAR(means[0].spread, 0.0, kRounding);
+  EXPECT_NEAR(means[0].x, -1.0, kScatterRounding);
+  EXPECT_NEAR(means[1].y, 5.0, kScatterRounding);
+  EXPECT_NEAR(means[0].spread, 0.0, kScatterRounding);
   EXPECT_EQ(means[1].num_points, 50);
 }
 
@@ -82,18 +81,18 @@ TEST(MeansByBins, HoldFivePointsAtLeast) {
   EXPECT_EQ(means[0].num_points, 5);
   EXPECT_EQ(means[1].num_points, 7);
   ASSERT_EQ(MeansByBins({1.0, 2.0, 6.0}, {0.0, 3.0, 9.0}, 10).size(), 1u);
-  EXPECT_NEAR(MeansByBins({1.0, 2.0, 6.0}, {0.0, 3.0, 9.0}, 10)[0].y, 4.0, kRounding);
+  EXPECT_NEAR(MeansByBins({1.0, 2.0, 6.0}, {0.0, 3.0, 9.0}, 10)[0].y, 4.0, kScatterRounding);
 }
 
 TEST(MeansByBins, LeaveOutPairsWithANan) {
   std::vector<double> x = CountTo(10), y = CountTo(10);
-  x[3] = kNan;
-  y[7] = kNan;
+  x[3] = kNotKnown;
+  y[7] = kNotKnown;
   const auto means = MeansByBins(x, y, 1);
   ASSERT_EQ(means.size(), 1u);
   EXPECT_EQ(means[0].num_points, 8);
-  EXPECT_NEAR(means[0].y, (45.0 - 3.0 - 7.0) / 8.0, kRounding);
-  EXPECT_TRUE(MeansByBins({kNan}, {1.0}, 4).empty());
+  EXPECT_NEAR(means[0].y, (45.0 - 3.0 - 7.0) / 8.0, kScatterRounding);
+  EXPECT_TRUE(MeansByBins({kNotKnown}, {1.0}, 4).empty());
 }
 
 TEST(MeansByBins, HoldEveryPointOnce) {
@@ -236,7 +235,7 @@ TEST(ScatterChart, GivesMeansTheColourThatTheirNameHasOverTime) {
 
 TEST(ScatterChart, SaysWhereThereAreNoData) {
   Palette palette;
-  EXPECT_THAT(ScatterChartHtml(PanelOf({kNan}, {1.0}), palette), HasSubstr("No data."));
+  EXPECT_THAT(ScatterChartHtml(PanelOf({kNotKnown}, {1.0}), palette), HasSubstr("No data."));
   EXPECT_EQ(ScatterChartsHtml({}, palette), "");
 }
 

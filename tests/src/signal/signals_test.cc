@@ -249,7 +249,7 @@ TEST(Signals, SayWhatALogLacks) {
   EXPECT_THAT(message(Dof::kSurge, Source::kPoseEstimator), HasSubstr("no command"));
 }
 
-std::string RefusalOf(const Log& log, Source source) {
+std::string RefusalOfSource(const Log& log, Source source) {
   try {
     SignalsOf(log, Dof::kSurge, {.source = source});
   } catch (const InputError& error) {
@@ -262,7 +262,7 @@ TEST(Signals, RefuseCommandAndMotionThatDoNotOverlap) {
   TankRun run = StepRun(30.0);
   const size_t num = run.log.velocity->time.size();
   for (double& t : run.log.command->time) t += 1e6;
-  EXPECT_EQ(RefusalOf(run.log, Source::kPoseEstimator),
+  EXPECT_EQ(RefusalOfSource(run.log, Source::kPoseEstimator),
             "velocity.csv: 0 of " + std::to_string(num) +
                 " samples come after the first command, expected at least 10 in a row. Check the "
                 "clocks of command and motion.");
@@ -274,10 +274,10 @@ TEST(Signals, SayHowFewPosesThereAreAndWhereTheyComeFrom) {
   Stream& pose = *run.log.pose;
   pose.time.resize(3);
   for (auto& column : pose.values) column.resize(3);
-  EXPECT_EQ(RefusalOf(run.log, Source::kCamera),
+  EXPECT_EQ(RefusalOfSource(run.log, Source::kCamera),
             "pose.csv: holds 3 frames with a pose, expected at least 10 in a row.");
   run.log.detections = Stream{};
-  EXPECT_EQ(RefusalOf(run.log, Source::kCamera),
+  EXPECT_EQ(RefusalOfSource(run.log, Source::kCamera),
             "detections.csv: holds 3 frames with a pose, expected at least 10 in a row.");
 }
 
@@ -285,7 +285,7 @@ TEST(Signals, RefuseMotionThatIsAllInPieces) {
   TankRun run = StepRun(30.0);
   std::vector<double>& time = run.log.velocity->time;
   for (size_t i = 0; i < time.size(); ++i) time[i] = 40.0 * static_cast<double>(i);
-  EXPECT_EQ(RefusalOf(run.log, Source::kPoseEstimator),
+  EXPECT_EQ(RefusalOfSource(run.log, Source::kPoseEstimator),
             "velocity.csv: no segment between gaps of over 30 s and the ends of held-out intervals "
             "has 10 samples, expected at least one.");
 }

@@ -24,14 +24,14 @@ Segment SegmentWith(std::vector<double> velocity) {
   return segment;
 }
 
-EffectInputs PushedInputs() {
+EffectInputs PushedByInputs() {
   EffectInputs inputs;
   inputs.command = {{0.0, 0.9}, {4.0, 4.0}};
   inputs.velocity[Index(Dof::kYaw)] = {{0.0, 10.0}, {0.5, 0.5}};
   return inputs;
 }
 
-ExtendedModel With(const char* name, std::vector<double> values) {
+ExtendedModel ModelWith(const char* name, std::vector<double> values) {
   return {kModel, {{FindEffect(name), {.dof = Dof::kSurge, .partner = Dof::kYaw}, values}}};
 }
 
@@ -45,11 +45,11 @@ TEST(Predict, RunsFreeFromTheGivenStart) {
 
 // An effect at its null: two simulations with steps of their own, at most 0.1 s.
 TEST(Predict, TakesTheSameWayWithAnEffectThatDoesNothing) {
-  const EffectInputs inputs = PushedInputs();
+  const EffectInputs inputs = PushedByInputs();
   const UncoupledModel<double> damped = {3.0, 7.0, 5.0, 1.0};
   Segment segment = SegmentWith({0.1, 0.2, 0.3});
   segment.command = inputs.command;
-  ExtendedModel nested = With("sensor_bias", {0.0});
+  ExtendedModel nested = ModelWith("sensor_bias", {0.0});
   nested.baseline = damped;
   const auto plain = Predict({damped}, segment, {0.5});
   const auto extended = Predict(nested, segment, {0.5}, &inputs);
@@ -59,9 +59,9 @@ TEST(Predict, TakesTheSameWayWithAnEffectThatDoesNothing) {
 }
 
 TEST(Predict, ShowsWhatTheSensorAddsToTheVelocity) {
-  const EffectInputs inputs = PushedInputs();
+  const EffectInputs inputs = PushedByInputs();
   const auto readings =
-      Predict(With("sensor_bias", {0.3}), SegmentWith({0.0, 0.0, 0.0}), {0.5}, &inputs);
+      Predict(ModelWith("sensor_bias", {0.3}), SegmentWith({0.0, 0.0, 0.0}), {0.5}, &inputs);
   ASSERT_TRUE(readings);
   EXPECT_NEAR((*readings)[0], 0.8, 1e-12);
   EXPECT_NEAR((*readings)[1], 1.8, 1e-12);
@@ -69,8 +69,8 @@ TEST(Predict, ShowsWhatTheSensorAddsToTheVelocity) {
 
 // A spring of 8 N/m on 2 kg, held at 0.5 m from its rest by 4 N: nothing moves; from 0 it does.
 TEST(Predict, StartsAtThePositionItIsGiven) {
-  const ExtendedModel spring = With("position_stiffness", {8.0});
-  const EffectInputs inputs = PushedInputs();
+  const ExtendedModel spring = ModelWith("position_stiffness", {8.0});
+  const EffectInputs inputs = PushedByInputs();
   const Segment segment = SegmentWith({0.0, 0.0, 0.0});
   const auto at_rest = Predict(spring, segment, {0.0, 0.5}, &inputs);
   const auto pulled = Predict(spring, segment, {0.0, 0.0}, &inputs);

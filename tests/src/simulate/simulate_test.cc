@@ -12,7 +12,7 @@
 namespace fathom {
 namespace {
 
-constexpr UncoupledModel<double> kModel = {12.0, 7.0, 3.0, -1.5};
+constexpr UncoupledModel<double> kSimulatedModel = {12.0, 7.0, 3.0, -1.5};
 
 struct Result {
   std::vector<double> velocity;
@@ -107,9 +107,10 @@ TEST(Simulation, SensitivitiesMatchFiniteDifferences) {
   const Simulation simulation(command, time);
   const int n = simulation.num_outputs(), columns = Simulation::kNumSensitivities;
   std::vector<double> velocity(n), position(n), dv(n * columns), dx(n * columns);
-  ASSERT_TRUE(simulation.RunWithSensitivities(kModel, {0.2, 1.0}, velocity, position, dv, dx));
+  ASSERT_TRUE(
+      simulation.RunWithSensitivities(kSimulatedModel, {0.2, 1.0}, velocity, position, dv, dx));
 
-  const Result plain = Simulate(kModel, command, {0.2, 1.0}, time);
+  const Result plain = Simulate(kSimulatedModel, command, {0.2, 1.0}, time);
   for (int column = 0; column < columns; ++column) {
     const double h = 1e-5;
     const auto shifted = [&](double sign) {

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Vehicle Probe() {
+Vehicle ProbeVehicle() {
   Vehicle vehicle;
   vehicle.name = "probe";
   vehicle.models[Index(Dof::kSurge)] = {85.0, 8.6, 3.9, -0.8};
@@ -45,7 +45,7 @@ Experiment SurgeRun(double duration, const InputSignal& input) {
   return experiment;
 }
 
-InputSignal Sines(double rms) {
+InputSignal SinesOfRms(double rms) {
   MultisineInput sines;
   sines.rms = rms;
   sines.lowest_frequency = 0.1;
@@ -63,7 +63,7 @@ Vehicle Flatfish() {
 }
 
 TEST(Synthesize, FollowsTheClosedFormOfStepsUnderLinearDamping) {
-  Vehicle vehicle = Probe();
+  Vehicle vehicle = ProbeVehicle();
   vehicle.models[0] = {12.0, 0.0, 3.0, -1.5};
   Experiment experiment = SurgeRun(12.0, {0.0, StepsInput{.levels = {2.4, 0.6}, .hold = 4.0}});
   experiment.drives[0].initial_speed = 0.7;
@@ -89,14 +89,16 @@ TEST(Synthesize, FollowsTheClosedFormOfStepsUnderLinearDamping) {
 }
 
 TEST(Synthesize, AgreesWithTheSimulationWhichIsOtherCode) {
-  Experiment experiment = SurgeRun(120.0, Sines(20.0));
+  Experiment experiment = SurgeRun(120.0, SinesOfRms(20.0));
   experiment.velocity->sampling.jitter = 0.03;
-  const Log log = Synthesize(Probe(), experiment, 5);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 5);
   const auto& time = log.velocity->time;
   const Simulation simulation(HeldCommand{log.command->time, log.command->values[0]}, time);
   std::vector<double> velocity(time.size());
-  ASSERT_TRUE(simulation.Run(
-      *Probe().models[0], {.velocity = log.velocity->values[0][0], .position = 0.0}, velocity, {}));
+  ASSERT_TRUE(simulation.Run(*ProbeVehicle().models[0],
+                             {.velocity = log.velocity->values[0][0], .position = 0.0},
+                             velocity,
+                             {}));
   // Both are of fourth order but where v|v| has its kink: a step h with acceleration a leaves less
   // than d_Q / m a^2 h^3 = 0.1 * 0.5^2 * 0.1^3 = 3e-5 / 12 there; some ten sign changes.
   double largest = 0.0;
@@ -121,21 +123,21 @@ TEST(Synthesize, GivesTheSameLogForTheSameSeedOnly) {
 }
 
 TEST(Synthesize, ChangesNothingElseWhenOneThingChanges) {
-  Experiment experiment = SurgeRun(30.0, Sines(20.0));
+  Experiment experiment = SurgeRun(30.0, SinesOfRms(20.0));
   experiment.velocity->sampling.jitter = 0.01;
   experiment.velocity->noise[0] = 0.01;
-  const Log log = Synthesize(Probe(), experiment, 1);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 1);
 
   Experiment with_pose = experiment;
   with_pose.pose = PoseSensor{};
   with_pose.pose->position_noise = 0.1;
-  EXPECT_EQ(Synthesize(Probe(), with_pose, 1).velocity->values, log.velocity->values);
+  EXPECT_EQ(Synthesize(ProbeVehicle(), with_pose, 1).velocity->values, log.velocity->values);
 
   Experiment with_yaw = experiment;
   with_yaw.drives.push_back(
       {.dof = Dof::kYaw, .input = {0.0, PrbsInput{.amplitude = 2.0, .hold = 1.0}}, .pid = {}});
   with_yaw.velocity->noise[5] = 0.01;
-  const Log turning = Synthesize(Probe(), with_yaw, 1);
+  const Log turning = Synthesize(ProbeVehicle(), with_yaw, 1);
   EXPECT_EQ(turning.velocity->time, log.velocity->time);
   // The step divides by the damping of all DOFs alike, so not to the bit.
   for (std::size_t i = 0; i < log.velocity->time.size(); ++i) {
@@ -145,11 +147,11 @@ TEST(Synthesize, ChangesNothingElseWhenOneThingChanges) {
 }
 
 TEST(Synthesize, AddsNoiseOfTheGivenSpreadAndCorrelation) {
-  Experiment experiment = SurgeRun(2000.0, Sines(20.0));
-  const Log truth = Synthesize(Probe(), experiment, 1);
+  Experiment experiment = SurgeRun(2000.0, SinesOfRms(20.0));
+  const Log truth = Synthesize(ProbeVehicle(), experiment, 1);
   experiment.velocity->noise[0] = 0.03;
   experiment.velocity->noise_correlation = 0.6;
-  const Log noisy = Synthesize(Probe(), experiment, 1);
+  const Log noisy = Synthesize(ProbeVehicle(), experiment, 1);
   const std::size_t n = truth.velocity->time.size();
   ASSERT_EQ(noisy.velocity->time, truth.velocity->time);
   double sum2 = 0.0, product = 0.0, last = 0.0;
@@ -166,15 +168,15 @@ TEST(Synthesize, AddsNoiseOfTheGivenSpreadAndCorrelation) {
 }
 
 TEST(Synthesize, AddsOutliersAsOftenAndAsLargeAsTold) {
-  Experiment experiment = SurgeRun(2000.0, Sines(20.0));
+  Experiment experiment = SurgeRun(2000.0, SinesOfRms(20.0));
   experiment.velocity->noise[0] = 0.01;
   experiment.pose = PoseSensor{};
-  const Log clean = Synthesize(Probe(), experiment, 1);
+  const Log clean = Synthesize(ProbeVehicle(), experiment, 1);
   experiment.velocity->outlier_probability = 0.05;
   experiment.velocity->outlier_size[0] = 0.5;
   experiment.pose->outlier_probability = 0.05;
   experiment.pose->outlier_position = 0.3;
-  const Log log = Synthesize(Probe(), experiment, 1);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 1);
   const auto expect_outliers = [](const auto& values, const auto& clean_values, double size) {
     const double n = static_cast<double>(values.size());
     double num_outliers = 0.0, sum2 = 0.0;
@@ -194,11 +196,11 @@ TEST(Synthesize, AddsOutliersAsOftenAndAsLargeAsTold) {
 }
 
 TEST(Synthesize, MovesNothingElseWithTurbulence) {
-  Experiment experiment = SurgeRun(60.0, Sines(20.0));
+  Experiment experiment = SurgeRun(60.0, SinesOfRms(20.0));
   experiment.velocity->noise[0] = 0.01;
-  const Log still = Synthesize(Probe(), experiment, 1);
+  const Log still = Synthesize(ProbeVehicle(), experiment, 1);
   experiment.drives[0].turbulence = {.force = 3.0, .correlation_time = 2.0};
-  const Log rough = Synthesize(Probe(), experiment, 1);
+  const Log rough = Synthesize(ProbeVehicle(), experiment, 1);
   EXPECT_EQ(rough.command->values, still.command->values);
   EXPECT_EQ(rough.velocity->time, still.velocity->time);
   EXPECT_NE(rough.velocity->values, still.velocity->values);
@@ -206,12 +208,12 @@ TEST(Synthesize, MovesNothingElseWithTurbulence) {
 }
 
 TEST(Synthesize, LosesOnlyWholeSamplesInDropOuts) {
-  Experiment experiment = SurgeRun(300.0, Sines(20.0));
+  Experiment experiment = SurgeRun(300.0, SinesOfRms(20.0));
   experiment.velocity->noise[0] = 0.03;
   experiment.velocity->noise_correlation = 0.6;
-  const Log whole = Synthesize(Probe(), experiment, 1);
+  const Log whole = Synthesize(ProbeVehicle(), experiment, 1);
   experiment.velocity->sampling.drop_outs = {.probability = 0.01, .shortest = 1.0, .longest = 2.0};
-  const Log broken = Synthesize(Probe(), experiment, 1);
+  const Log broken = Synthesize(ProbeVehicle(), experiment, 1);
   EXPECT_LT(broken.velocity->time.size(), whole.velocity->time.size());
   ASSERT_THAT(broken.remarks, testing::SizeIs(1));
   EXPECT_THAT(broken.remarks[0].text, HasSubstr("of 3000 samples"));
@@ -224,15 +226,15 @@ TEST(Synthesize, LosesOnlyWholeSamplesInDropOuts) {
 }
 
 TEST(Synthesize, RoundsCommandsBeforeTheyActAndVelocitiesAfter) {
-  Experiment experiment = SurgeRun(30.0, Sines(20.0));
+  Experiment experiment = SurgeRun(30.0, SinesOfRms(20.0));
   experiment.command_resolution = 5.0;
   experiment.velocity->resolution = 0.01;
-  const Log log = Synthesize(Probe(), experiment, 1);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 1);
   for (const double force : log.command->values[0]) EXPECT_EQ(std::remainder(force, 5.0), 0.0);
   const Simulation simulation(HeldCommand{log.command->time, log.command->values[0]},
                               log.velocity->time);
   std::vector<double> velocity(log.velocity->time.size());
-  ASSERT_TRUE(simulation.Run(*Probe().models[0], {}, velocity, {}));
+  ASSERT_TRUE(simulation.Run(*ProbeVehicle().models[0], {}, velocity, {}));
   for (std::size_t i = 0; i < velocity.size(); ++i) {
     const double logged = log.velocity->values[0][i];
     EXPECT_NEAR(logged * 100.0, std::round(logged * 100.0), 1e-12);
@@ -243,7 +245,7 @@ TEST(Synthesize, RoundsCommandsBeforeTheyActAndVelocitiesAfter) {
 TEST(Synthesize, LogsAPoseThatIsTheIntegralOfTheVelocity) {
   Experiment experiment = SurgeRun(60.0, {0.0, SineInput{.amplitude = 20.0, .frequency = 0.5}});
   experiment.pose = PoseSensor{};
-  const Log log = Synthesize(Probe(), experiment, 1);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 1);
   ASSERT_EQ(log.pose->time, log.velocity->time);
   double x = 0.0;
   for (std::size_t i = 1; i < log.pose->time.size(); ++i) {
@@ -258,12 +260,12 @@ TEST(Synthesize, LogsAPoseThatIsTheIntegralOfTheVelocity) {
 }
 
 TEST(Synthesize, SpreadsThePoseAsTold) {
-  Experiment experiment = SurgeRun(1000.0, Sines(20.0));
+  Experiment experiment = SurgeRun(1000.0, SinesOfRms(20.0));
   experiment.pose = PoseSensor{};
-  const Log truth = Synthesize(Probe(), experiment, 1);
+  const Log truth = Synthesize(ProbeVehicle(), experiment, 1);
   experiment.pose->position_noise = 0.02;
   experiment.pose->angle_noise = 0.01;
-  const Log noisy = Synthesize(Probe(), experiment, 1);
+  const Log noisy = Synthesize(ProbeVehicle(), experiment, 1);
   const std::size_t n = truth.pose->time.size();
   for (int column = 0; column < 6; ++column) {
     double sum2 = 0.0;
@@ -310,10 +312,10 @@ TEST(Synthesize, FollowsTableIInClosedLoop) {
 }
 
 TEST(Synthesize, PassesOnWhatTheLogSaysAboutItself) {
-  Experiment experiment = SurgeRun(10.0, Sines(20.0));
+  Experiment experiment = SurgeRun(10.0, SinesOfRms(20.0));
   experiment.notes = "still water";
   experiment.held_out = {{6.0, 8.0}};
-  const Log log = Synthesize(Probe(), experiment, 1);
+  const Log log = Synthesize(ProbeVehicle(), experiment, 1);
   EXPECT_EQ(log.name, "run");
   EXPECT_EQ(log.notes, "still water");
   EXPECT_EQ(log.vehicle, "probe");
@@ -325,26 +327,26 @@ TEST(Synthesize, PassesOnWhatTheLogSaysAboutItself) {
 }
 
 TEST(Synthesize, RefusesADofWithoutAModel) {
-  Experiment experiment = SurgeRun(10.0, Sines(20.0));
+  Experiment experiment = SurgeRun(10.0, SinesOfRms(20.0));
   experiment.drives[0].dof = Dof::kSway;
-  EXPECT_THAT([&] { Synthesize(Probe(), experiment, 1); },
+  EXPECT_THAT([&] { Synthesize(ProbeVehicle(), experiment, 1); },
               testing::ThrowsMessage<InputError>(HasSubstr("'probe': has no model of sway")));
 }
 
 TEST(Synthesize, RefusesAControlledAxisThatAnotherDofTurns) {
-  Experiment experiment = SurgeRun(10.0, Sines(1.0));
+  Experiment experiment = SurgeRun(10.0, SinesOfRms(1.0));
   experiment.drives[0].pid = PidGains{.kp = 10.0, .limit = 50.0};
-  EXPECT_NO_THROW(Synthesize(Probe(), experiment, 1));
-  experiment.drives.push_back({.dof = Dof::kYaw, .input = Sines(1.0), .pid = {}});
+  EXPECT_NO_THROW(Synthesize(ProbeVehicle(), experiment, 1));
+  experiment.drives.push_back({.dof = Dof::kYaw, .input = SinesOfRms(1.0), .pid = {}});
   EXPECT_THAT(
-      [&] { Synthesize(Probe(), experiment, 1); },
+      [&] { Synthesize(ProbeVehicle(), experiment, 1); },
       testing::ThrowsMessage<InputError>(HasSubstr("surge is in closed loop while yaw turns")));
 }
 
 TEST(Synthesize, RefusesAnExperimentTooShortForALog) {
-  Experiment experiment = SurgeRun(0.15, Sines(20.0));
+  Experiment experiment = SurgeRun(0.15, SinesOfRms(20.0));
   experiment.velocity->sampling.rate = 1.0;
-  EXPECT_THAT([&] { Synthesize(Probe(), experiment, 1); },
+  EXPECT_THAT([&] { Synthesize(ProbeVehicle(), experiment, 1); },
               testing::ThrowsMessage<InputError>(HasSubstr("velocity.csv would hold 1 rows")));
 }
 

@@ -87,6 +87,10 @@ inline void PutElsewhere(double farthest, std::mt19937* random, Detection* detec
       centre - right + down, centre + right + down, centre + right - down, centre - right - down};
 }
 
+// A mount, and the noise of a good corner [px].
+inline const Pose kBodyFromCamera = {Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5), {0.3, -0.1, 0.2}};
+inline constexpr double kCornerSigma = 0.3;
+
 struct SyntheticRecord {
   std::vector<double> time;             // of all frames
   std::vector<Pose> world_from_camera;  // the truth

@@ -3,6 +3,7 @@
 
 #include "fathom/tool/track_input.h"
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/images/frame_list.h"
@@ -24,11 +25,6 @@ std::unique_ptr<FrameSource> TrackInput::Frames() const {
 }
 
 namespace {
-
-bool Exists(const fs::path& file) {
-  std::error_code error;
-  return fs::exists(file, error);
-}
 
 // What is missing of what the camera saw, besides its calibration. `video`: of log.yaml.
 std::vector<std::string> MissingViews(const fs::path& folder,

@@ -3,6 +3,7 @@
 
 #include "fathom/tool/track_output.h"
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/camera/tags_file.h"
@@ -18,11 +19,6 @@ namespace fathom {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool Exists(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error);
-}
 
 void Copy(const fs::path& from, const fs::path& to) {
   if (!Exists(from)) return;

@@ -13,7 +13,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kFewestRows = 3;
+constexpr std::size_t kFewestLostRows = 3;
 
 // The sizes of the steps between values that follow each other when zeros are passed over.
 std::vector<double> StepsOf(std::span<const double> values) {
@@ -40,7 +40,7 @@ std::optional<LostValues> FindLostValues(std::span<const double> values) {
     if (lost.num_rows == 0) lost.first = run.first;
     lost.num_rows += run.NumRows();
   }
-  if (lost.num_rows < kFewestRows) return std::nullopt;
+  if (lost.num_rows < kFewestLostRows) return std::nullopt;
   return lost;
 }
 

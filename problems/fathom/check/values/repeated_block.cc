@@ -17,7 +17,8 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kWindow = 50;  // a block of twice as many rows holds a window from the grid
+constexpr std::size_t kBlockWindow =
+    50;  // a block of twice as many rows holds a window from the grid
 
 // A hash of the values in a window, which moves on by one value at a time (Karp and Rabin 1987).
 class RollingHash {
@@ -54,7 +55,7 @@ bool IsVaried(std::span<const double> window) {
 
 // The block around two equal windows.
 RepeatedBlock Grown(std::span<const double> values, std::size_t first, std::size_t second) {
-  std::size_t end = first + kWindow;
+  std::size_t end = first + kBlockWindow;
   const std::size_t shift = second - first;
   while (first > 0 && values[first - 1] == values[first - 1 + shift]) --first;
   while (end + shift < values.size() && values[end] == values[end + shift]) ++end;
@@ -88,29 +89,29 @@ bool HasSeam(std::span<const double> values, const RepeatedBlock& block) {
 }  // namespace
 
 std::optional<RepeatedBlock> FindRepeatedBlock(std::span<const double> values) {
-  if (values.size() < 2 * kWindow) return std::nullopt;
+  if (values.size() < 2 * kBlockWindow) return std::nullopt;
   RepeatedBlock longest;
-  std::unordered_map<std::uint64_t, std::size_t> seen;  // windows at multiples of kWindow
-  RollingHash hash(values.first(kWindow));
+  std::unordered_map<std::uint64_t, std::size_t> seen;  // windows at multiples of kBlockWindow
+  RollingHash hash(values.first(kBlockWindow));
   for (std::size_t at = 0;; ++at) {
-    const auto window = values.subspan(at, kWindow);
+    const auto window = values.subspan(at, kBlockWindow);
     const auto found = seen.find(hash.value());
     if (found == seen.end()) {
-      if (at % kWindow == 0) seen.emplace(hash.value(), at);
-    } else if (std::ranges::equal(window, values.subspan(found->second, kWindow)) &&
+      if (at % kBlockWindow == 0) seen.emplace(hash.value(), at);
+    } else if (std::ranges::equal(window, values.subspan(found->second, kBlockWindow)) &&
                IsVaried(window)) {
       const RepeatedBlock block = Grown(values, found->second, at);
       if (block.num_rows > longest.num_rows) longest = block;
       // All of the block is known now: goes on behind it.
-      const std::size_t next = std::max(at + 1, block.second + block.num_rows - kWindow + 1);
-      if (next + kWindow > values.size()) break;
+      const std::size_t next = std::max(at + 1, block.second + block.num_rows - kBlockWindow + 1);
+      if (next + kBlockWindow > values.size()) break;
       at = next - 1;
-      hash = RollingHash(values.subspan(at, kWindow));
+      hash = RollingHash(values.subspan(at, kBlockWindow));
     }
-    if (at + kWindow >= values.size()) break;
-    hash.Move(values[at], values[at + kWindow]);
+    if (at + kBlockWindow >= values.size()) break;
+    hash.Move(values[at], values[at + kBlockWindow]);
   }
-  if (longest.num_rows < 2 * kWindow) return std::nullopt;
+  if (longest.num_rows < 2 * kBlockWindow) return std::nullopt;
   if (!HasNoise(values) && !HasSeam(values, longest)) return std::nullopt;
   return longest;
 }

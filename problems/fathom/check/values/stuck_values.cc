@@ -13,8 +13,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kShortest = 1.0;  // [s]
-constexpr std::size_t kFewestRows = 5;
+constexpr double kShortestStuck = 1.0;  // [s]
+constexpr std::size_t kFewestStuckRows = 5;
 constexpr double kShortestWithoutJump = 5.0;  // [s]
 constexpr double kFewEqual = 0.05;            // of the steps
 
@@ -25,7 +25,7 @@ struct UsualSteps {
 };
 
 bool IsLong(std::span<const double> time, const EqualRun& run) {
-  return run.NumRows() >= kFewestRows && time[run.last] - time[run.first] >= kShortest;
+  return run.NumRows() >= kFewestStuckRows && time[run.last] - time[run.first] >= kShortestStuck;
 }
 
 UsualSteps UsualStepsOf(std::span<const double> time,

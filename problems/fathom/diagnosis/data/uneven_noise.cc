@@ -12,9 +12,9 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kWindow = 61;          // differences about a sample
-constexpr std::size_t kFewestSamples = 300;  // for something to change over
-constexpr double kUneven = 4.0;              // of variances: more than chance and any rounding make
+constexpr std::size_t kWindow = 61;                // differences about a sample
+constexpr std::size_t kFewestUnevenSamples = 300;  // for something to change over
+constexpr double kUneven = 4.0;  // of variances: more than chance and any rounding make
 constexpr double kMostOctaves = 12.0;
 
 // Sizes of the fourth differences, each at its middle sample, and where these are.
@@ -40,9 +40,9 @@ Differences FourthDifferences(std::span<const double> time, std::span<const doub
 
 std::vector<double> VarianceOverUsual(std::span<const double> time,
                                       std::span<const double> values) {
-  if (values.size() < kFewestSamples) return {};
+  if (values.size() < kFewestUnevenSamples) return {};
   const Differences differences = FourthDifferences(time, values);
-  if (differences.size.size() < kFewestSamples / 2) return {};
+  if (differences.size.size() < kFewestUnevenSamples / 2) return {};
   std::vector<double> variance;
   for (std::size_t i = 0, nearest = 0; i < values.size(); ++i) {
     while (nearest + 1 < differences.at.size() && differences.at[nearest] < i) ++nearest;

@@ -19,7 +19,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kPiece = 2.0;          // [s]
+constexpr double kBalancePiece = 2.0;   // [s]
 constexpr std::size_t kLeastPiece = 8;  // samples
 
 struct Motion {
@@ -128,7 +128,7 @@ MomentumBalance::MomentumBalance(std::span<const MeasuredSegment> segments) {
       std::size_t i = begin;
       for (; i < motion.time.size(); ++i) {
         const bool is_long =
-            motion.time[i] - motion.time[begin] > kPiece && i - begin >= kLeastPiece;
+            motion.time[i] - motion.time[begin] > kBalancePiece && i - begin >= kLeastPiece;
         if (is_long || rest[i] || !std::isfinite(motion.velocity[i])) break;
         piece.time.push_back(motion.time[i]);
         piece.velocity.push_back(motion.velocity[i]);

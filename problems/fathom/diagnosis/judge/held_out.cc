@@ -39,7 +39,7 @@ Miss MissOf(std::span<const double> time,
   return {.first = (sy - slope * st) / n, .slope = slope};
 }
 
-MeasuredMotion MotionOf(const MeasuredSegment& segment) {
+MeasuredMotion MeasuredMotionOf(const MeasuredSegment& segment) {
   return {.start = segment.stamps.start,
           .velocity_time = segment.stamps.velocity,
           .velocity = segment.velocity,
@@ -60,7 +60,7 @@ std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
 std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
                                          const ExtendedModel& model) {
   const auto start =
-      FittedStart(model, *segment.inputs, MotionOf(segment), segment.initial.position);
+      FittedStart(model, *segment.inputs, MeasuredMotionOf(segment), segment.initial.position);
   if (!start) return std::nullopt;
   return OutputsOver(segment, model, *start);
 }

@@ -4,13 +4,13 @@
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 
 #include "fathom/base/median.h"
+#include "fathom/base/not_known.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,7 +18,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kBefore = "before";
 constexpr const char* kAccounted = "explained by the causes";
 

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -20,8 +21,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 std::string Figure(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";

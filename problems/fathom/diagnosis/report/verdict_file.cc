@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/verdict_file.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/check/finding_json.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
@@ -10,7 +11,6 @@
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,8 +20,6 @@ namespace fathom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // What a model file says of a model, and the figures as verdicts name them.
 Json FormatDiagnosedModel(const Diagnosis& diagnosis, const DiagnosedModel& model) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kShortestPiece = 2.0;  // [s]
 constexpr double kMostPieces = 40.0;
-constexpr std::size_t kLeastSamples = 6;  // of a piece
+constexpr std::size_t kLeastPieceSamples = 6;  // of a piece
 
 struct MomentumStart {
   int suspect = 0;
@@ -70,7 +70,7 @@ TrainingData InPieces(const TrainingData& data) {
     for (int k = 0; k < count; ++k) {
       const double from = start + segment.duration() * k / count;
       const double to = start + segment.duration() * (k + 1) / count;
-      if (auto piece = PartOf(segment, from, to, kLeastSamples))
+      if (auto piece = PartOf(segment, from, to, kLeastPieceSamples))
         pieces.push_back(*std::move(piece));
     }
   }

@@ -9,12 +9,12 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kHeader = 3;
-constexpr std::size_t kChunk = 1 << 16;  // [bytes]
+constexpr std::size_t kMessageHeader = 3;
+constexpr std::size_t kReadChunk = 1 << 16;  // [bytes]
 
 // The format of the message whose header `bytes` begins with; null if it begins none.
 const MessageFormat* FormatAt(std::string_view bytes, const MessageFormats& formats) {
-  if (bytes.size() < kHeader || bytes[0] != '\xa3' || bytes[1] != '\x95') return nullptr;
+  if (bytes.size() < kMessageHeader || bytes[0] != '\xa3' || bytes[1] != '\x95') return nullptr;
   const MessageFormat& format = formats[static_cast<unsigned char>(bytes[2])];
   return format.type < 0 ? nullptr : &format;
 }
@@ -23,7 +23,7 @@ const MessageFormat* FormatAt(std::string_view bytes, const MessageFormats& form
 // of the file if there is none.
 std::uint64_t FindFrom(ByteFile* file, std::uint64_t offset, char byte, bool is_same) {
   while (offset < file->size()) {
-    const std::string_view chunk = file->View(offset, kChunk);
+    const std::string_view chunk = file->View(offset, kReadChunk);
     const std::size_t found = is_same ? chunk.find(byte) : chunk.find_first_not_of(byte);
     if (found != std::string_view::npos) return offset + found;
     offset += chunk.size();
@@ -36,7 +36,7 @@ bool BeginsMessage(std::string_view bytes) { return bytes.starts_with("\xa3\x95"
 
 // Whether the message at `offset` is whole and another one, or the end of the file, follows it.
 bool IsFollowed(ByteFile* file, std::uint64_t offset, const MessageFormat& format) {
-  const std::string_view bytes = file->View(offset, format.length + kHeader);
+  const std::string_view bytes = file->View(offset, format.length + kMessageHeader);
   if (bytes.size() < format.length) return false;
   const std::string_view behind = bytes.substr(format.length);
   return behind.empty() || BeginsMessage(behind);
@@ -48,8 +48,8 @@ std::uint64_t NextWithin(ByteFile* file,
                          std::uint64_t offset,
                          const MessageFormat& format,
                          const MessageFormats& formats) {
-  for (std::uint64_t at = offset + kHeader; at < offset + format.length; ++at) {
-    const MessageFormat* inner = FormatAt(file->View(at, kHeader), formats);
+  for (std::uint64_t at = offset + kMessageHeader; at < offset + format.length; ++at) {
+    const MessageFormat* inner = FormatAt(file->View(at, kMessageHeader), formats);
     if (inner != nullptr && IsFollowed(file, at, *inner)) return at;
   }
   return 0;
@@ -69,7 +69,7 @@ MessageWalk ForEachMessage(
   std::uint64_t at = 0;
   bool is_aligned = true;
   while (at < file->size()) {
-    const MessageFormat* format = FormatAt(file->View(at, kHeader), formats);
+    const MessageFormat* format = FormatAt(file->View(at, kMessageHeader), formats);
     if (format != nullptr) {
       const bool is_whole = format->length <= file->size() - at;
       const bool is_followed = IsFollowed(file, at, *format);

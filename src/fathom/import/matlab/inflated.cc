@@ -12,7 +12,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes]
+constexpr std::size_t kInflateStep = std::size_t{1} << 18;  // [bytes]
 
 }  // namespace
 
@@ -25,22 +25,22 @@ std::optional<std::string> Inflated(ByteFile* file,
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
   std::string out;
   // Deflate shrinks to a thousandth at most. Memory that is reserved and not touched is not taken.
-  out.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, 1100 * count)) + kStep);
+  out.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, 1100 * count)) + kInflateStep);
   const std::uint64_t end = offset + count;
   int result = Z_OK;
   while (result == Z_OK && offset < end) {
-    const std::string_view in =
-        file->View(offset, static_cast<std::size_t>(std::min<std::uint64_t>(kStep, end - offset)));
+    const std::string_view in = file->View(
+        offset, static_cast<std::size_t>(std::min<std::uint64_t>(kInflateStep, end - offset)));
     if (in.empty()) return std::nullopt;
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(in.data()));  // zlib reads only
     stream.avail_in = static_cast<uInt>(in.size());
     do {
       const std::size_t before = out.size();
-      out.resize(before + kStep);
+      out.resize(before + kInflateStep);
       stream.next_out = reinterpret_cast<Bytef*>(out.data() + before);
-      stream.avail_out = static_cast<uInt>(kStep);
+      stream.avail_out = static_cast<uInt>(kInflateStep);
       result = inflate(&stream, Z_NO_FLUSH);
-      out.resize(before + kStep - stream.avail_out);
+      out.resize(before + kInflateStep - stream.avail_out);
       if (out.size() > most) return std::nullopt;
     } while (result == Z_OK && stream.avail_out == 0);
     if (result == Z_BUF_ERROR) result = Z_OK;  // asks for more
@@ -56,11 +56,11 @@ std::optional<std::size_t> InflatedSize(std::string_view data, std::size_t most)
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));  // zlib reads only
   stream.avail_in = static_cast<uInt>(data.size());
-  std::string out(kStep, '\0');
+  std::string out(kInflateStep, '\0');
   int result = Z_OK;
   while (result == Z_OK && stream.total_out <= most) {
     stream.next_out = reinterpret_cast<Bytef*>(out.data());
-    stream.avail_out = static_cast<uInt>(kStep);
+    stream.avail_out = static_cast<uInt>(kInflateStep);
     result = inflate(&stream, Z_NO_FLUSH);
   }
   if (result != Z_STREAM_END || stream.total_out > most) return std::nullopt;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kCdrHeader = 4;
 constexpr std::int64_t kMostListed = 32;  // elements of a sequence
-constexpr std::size_t kMostFields = 500;
+constexpr std::size_t kMostDecodedFields = 500;
 constexpr std::size_t kMostEmpty = 10000;
 
 // Reads a message from its first byte to its last.
@@ -234,7 +234,7 @@ void ListMessage(const MessageDefinition& definition,
   for (const MessageMember& member : definition[type].members) {
     const std::uint64_t count = CountOf(member, cursor);
     const std::uint64_t num_listed =
-        !HoldsNumbers(member.kind) || fields->size() >= kMostFields
+        !HoldsNumbers(member.kind) || fields->size() >= kMostDecodedFields
             ? 0
             : std::min<std::uint64_t>(count, member.length == kSequence ? kMostListed : 64);
     for (std::uint64_t i = 0; i < num_listed && cursor->is_good(); ++i) {

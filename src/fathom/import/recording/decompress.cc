@@ -19,7 +19,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kStep = std::size_t{1} << 20;  // [bytes] by which the output grows
+constexpr std::size_t kOutputStep = std::size_t{1} << 20;  // [bytes] by which the output grows
 
 // Lets `step` write into the output until it has nothing more to give. Memory grows with what comes
 // out, not with what a damaged header promises.
@@ -27,7 +27,7 @@ template <typename Step>
 std::string_view Grow(std::size_t size, std::string* buffer, const Step& step) {
   std::size_t done = 0;
   while (done < size) {
-    const std::size_t room = std::min(size - done, kStep);
+    const std::size_t room = std::min(size - done, kOutputStep);
     if (buffer->size() < done + room) buffer->resize(done + room);
     bool goes_on = false;
     done += step(buffer->data() + done, room, &goes_on);
@@ -73,7 +73,7 @@ std::string_view FromLz4(std::string_view data, std::size_t size, std::string* b
   data.remove_prefix(head);
   LZ4F_decompressOptions_t options = {};
   // What came out before stays where it is, and so need not be kept twice, unless the buffer moves.
-  options.stableDst = size <= kStep || size <= buffer->size() ? 1 : 0;
+  options.stableDst = size <= kOutputStep || size <= buffer->size() ? 1 : 0;
   options.skipChecksums = frame.blockChecksumFlag == LZ4F_noBlockChecksum ? 1 : 0;
   bool is_ended = false;
   const std::string_view plain =

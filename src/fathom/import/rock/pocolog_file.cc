@@ -21,7 +21,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kMagic("POCOSIM\0", 8);
+constexpr std::string_view kPocologMagic("POCOSIM\0", 8);
 constexpr std::size_t kPrologue = 16;
 constexpr std::size_t kBlockHeader = 8;
 constexpr std::size_t kSampleHeader = 21;
@@ -156,7 +156,9 @@ ContainerWalk PocologFile::Walk(std::vector<MessageChannel>* channels,
 
 }  // namespace
 
-bool LooksLikePocolog(std::string_view first_bytes) { return first_bytes.starts_with(kMagic); }
+bool LooksLikePocolog(std::string_view first_bytes) {
+  return first_bytes.starts_with(kPocologMagic);
+}
 
 std::unique_ptr<MessageContainer> OpenPocolog(const std::filesystem::path& path) {
   return std::make_unique<PocologFile>(path);

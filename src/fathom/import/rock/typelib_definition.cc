@@ -23,8 +23,8 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kMostTypes = 1000;
-constexpr int kDeepest = 32;
+constexpr std::size_t kMostTypelibTypes = 1000;
+constexpr int kDeepestTypelib = 32;
 constexpr std::int64_t kLargestSize = 1 << 28;  // of a type, in bytes or elements
 
 // A member without its name, and the bytes that it takes in the memory of the program.
@@ -109,7 +109,7 @@ class TypelibParser {
 
   // What a member of this type is.
   Placed Place(const std::string& name, int depth) {
-    if (depth > kDeepest || definition_.size() >= kMostTypes) {
+    if (depth > kDeepestTypelib || definition_.size() >= kMostTypelibTypes) {
       Fail("its description holds too many types, or one that holds itself.");
     }
     // "/double[3]", which need not be described itself.

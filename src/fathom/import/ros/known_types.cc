@@ -12,7 +12,7 @@ namespace {
 
 // Each type behind a line of "=" and "MSG: ", as in a bag. From the .msg files of ROS 2's
 // common_interfaces, geometry2 and rcl_interfaces: names and types only.
-constexpr std::string_view kDefinitions = R"(
+constexpr std::string_view kKnownTypes = R"(
 ===
 MSG: builtin_interfaces/Time
 int32 sec
@@ -216,10 +216,10 @@ geometry_msgs/TransformStamped[] transforms
 
 std::string KnownDefinition(std::string_view type) {
   const std::string head = fmt::format("MSG: {}\n", WithoutMsg(type));
-  const std::size_t begin = kDefinitions.find(head);
+  const std::size_t begin = kKnownTypes.find(head);
   if (begin == std::string_view::npos) return {};
-  const std::string_view text = kDefinitions.substr(begin + head.size());
-  return std::string(text.substr(0, text.find("===\n"))) + std::string(kDefinitions);
+  const std::string_view text = kKnownTypes.substr(begin + head.size());
+  return std::string(text.substr(0, text.find("===\n"))) + std::string(kKnownTypes);
 }
 
 std::string WithoutMsg(std::string_view type) {

@@ -16,7 +16,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kMagic = "\x89MCAP0\r\n";
+constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 constexpr std::size_t kRecordHead = 9;                            // op, length
 constexpr std::uint64_t kLargestRecord = std::uint64_t{1} << 28;  // [bytes]
 
@@ -122,7 +122,7 @@ struct Walker {
   }
 };
 
-std::optional<Compression> CompressionOf(std::string_view name) {
+std::optional<Compression> McapCompression(std::string_view name) {
   if (name.empty() || name == "none") return Compression::kNone;
   if (name == "lz4") return Compression::kLz4;
   if (name == "zstd") return Compression::kZstd;
@@ -144,7 +144,7 @@ std::optional<Chunk> ChunkOf(std::string_view bytes) {
   Chunk chunk;
   chunk.size = content.Number<std::uint64_t>();
   content.Number<std::uint32_t>();  // check sum
-  chunk.compression = CompressionOf(content.Text());
+  chunk.compression = McapCompression(content.Text());
   chunk.stored_size = content.Number<std::uint64_t>();
   chunk.head_size = bytes.size() - content.Rest().size();
   if (!content.is_good() || !chunk.compression) return std::nullopt;
@@ -182,7 +182,7 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
   Walker walker = {channels, &take, {}, {}, 0};
   ContainerWalk walk;
   walk.size_bytes = file.size();
-  std::uint64_t at = kMagic.size();
+  std::uint64_t at = kMcapMagic.size();
   bool is_closed = false;
   std::string buffer;  // of a chunk that was compressed
   while (!is_closed) {
@@ -220,7 +220,7 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
     }
     at += kRecordHead + size;
   }
-  if (is_closed && file.View(at, kMagic.size()) == kMagic) at += kMagic.size();
+  if (is_closed && file.View(at, kMcapMagic.size()) == kMcapMagic) at += kMcapMagic.size();
   walk.read_bytes = at;
   if (at < file.size()) {
     walk.remarks.push_back(fmt::format(
@@ -238,7 +238,7 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
 
 }  // namespace
 
-bool LooksLikeMcap(std::string_view first_bytes) { return first_bytes.starts_with(kMagic); }
+bool LooksLikeMcap(std::string_view first_bytes) { return first_bytes.starts_with(kMcapMagic); }
 
 std::unique_ptr<MessageContainer> OpenMcap(const std::filesystem::path& path) {
   return std::make_unique<McapFile>(path);

@@ -20,13 +20,13 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
+constexpr std::string_view kBagMagic = "#ROSBAG V2.0\n";
 
 class Bag final : public MessageContainer {
  public:
   explicit Bag(const std::filesystem::path& path) : path_(path) {
     ByteFile file(path);
-    if (file.View(0, kMagic.size()) != kMagic) {
+    if (file.View(0, kBagMagic.size()) != kBagMagic) {
       throw InputError(path.string() +
                        ": is a bag of another version than 2.0. rosbag migrates it: rosbag fix.");
     }
@@ -48,7 +48,7 @@ double SecondsOf(std::uint64_t time) {
   return static_cast<double>(time & 0xffffffffU) + 1e-9 * static_cast<double>(time >> 32U);
 }
 
-std::optional<Compression> CompressionOf(std::string_view name) {
+std::optional<Compression> BagCompression(std::string_view name) {
   if (name == "none") return Compression::kNone;
   if (name == "bz2") return Compression::kBzip2;
   if (name == "lz4") return Compression::kLz4;
@@ -166,7 +166,7 @@ bool BagWalk::ListChunk(std::uint64_t end) {
 std::optional<std::uint64_t> BagWalk::StepOverChunk(const BagRecord& record,
                                                     std::uint64_t data,
                                                     std::uint64_t end) {
-  const auto compression = CompressionOf(record.header.Text("compression"));
+  const auto compression = BagCompression(record.header.Text("compression"));
   const auto size = record.header.Number<std::uint32_t>("size");
   if (!compression || !size) return std::nullopt;
   const bool is_closed = end <= index_at_ && index_at_ < file_->size();
@@ -206,7 +206,7 @@ ContainerWalk WalkBag(const std::filesystem::path& path,
   BagWalk bag(&file, is_list, channels, &take);
   ContainerWalk walk;
   walk.size_bytes = file.size();
-  walk.read_bytes = kMagic.size();
+  walk.read_bytes = kBagMagic.size();
   while (walk.read_bytes < file.size()) {
     const auto next = bag.Step(walk.read_bytes);
     if (!next) break;

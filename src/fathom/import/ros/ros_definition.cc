@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/trimmed.h"
 #include "fathom/import/ros/known_types.h"
 
 #include <algorithm>
@@ -44,11 +45,7 @@ const std::map<std::string_view, MemberKind>& Primitives() {
   return kPrimitives;
 }
 
-std::string_view Trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+std::string_view TrimmedLine(std::string_view text) { return Trimmed(text, " \t\r"); }
 
 std::string_view PackageOf(std::string_view type) { return type.substr(0, type.find('/')); }
 
@@ -59,16 +56,16 @@ std::map<std::string, std::string_view> TextsOf(std::string_view type, std::stri
   std::size_t begin = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = Trimmed(text.substr(at, end - at));
+    const std::string_view line = TrimmedLine(text.substr(at, end - at));
     const std::size_t next = end + 1;
     if (line.size() >= 3 && line.find_first_not_of('=') == std::string_view::npos) {
       const std::size_t end_of_name =
           std::min(text.find('\n', std::min(next, text.size())), text.size());
-      std::string_view header = Trimmed(
+      std::string_view header = TrimmedLine(
           text.substr(std::min(next, text.size()), end_of_name - std::min(next, text.size())));
       if (header.starts_with("MSG:")) {
         texts.emplace(name, text.substr(begin, at - begin));
-        name = WithoutMsg(Trimmed(header.substr(4)));
+        name = WithoutMsg(TrimmedLine(header.substr(4)));
         begin = std::min(end_of_name + 1, text.size());
         at = begin;
         continue;
@@ -130,13 +127,13 @@ class Parser {
   }
 
   void AddMember(std::string_view line, std::size_t index, int depth) {
-    line = Trimmed(line.substr(0, line.find('#')));
+    line = TrimmedLine(line.substr(0, line.find('#')));
     const std::size_t end_of_type = line.find_first_of(" \t");
     if (end_of_type == std::string_view::npos) return;
     std::string_view type = line.substr(0, end_of_type);
-    std::string_view name = Trimmed(line.substr(end_of_type));
+    std::string_view name = TrimmedLine(line.substr(end_of_type));
     const std::size_t end_of_name = std::min(name.find_first_of(" \t="), name.size());
-    const std::string_view behind = Trimmed(name.substr(end_of_name));
+    const std::string_view behind = TrimmedLine(name.substr(end_of_name));
     if (behind.starts_with('=')) return;  // a constant; "name value" is a default of ROS 2
     MessageMember member;
     member.name = name.substr(0, end_of_name);

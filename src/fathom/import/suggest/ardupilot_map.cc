@@ -14,13 +14,12 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostOutputs = 14;        // C1 to C14 of RCOU
-constexpr double kShortestPulse = 800;  // [us]: below, an output is off
+constexpr int kMostRcouOutputs = 14;  // C1 to C14 of RCOU
 
 // How many outputs, from the first on, ever send a pulse.
-int NumOutputs(const Recording& recording, const std::string& channel) {
+int NumRcouOutputs(const Recording& recording, const std::string& channel) {
   std::vector<std::string> fields;
-  for (int i = 1; i <= kMostOutputs; ++i) fields.push_back(fmt::format("C{}", i));
+  for (int i = 1; i <= kMostRcouOutputs; ++i) fields.push_back(fmt::format("C{}", i));
   return NumThatReach(recording, channel, fields, kShortestPulse);
 }
 
@@ -31,9 +30,9 @@ bool IsReversed(const Contents& contents, int motor) {
 }
 
 // The lines of the command.
-std::string CommandText(const Recording& recording,
-                        const std::string& outputs,
-                        const std::optional<Vehicle>& vehicle) {
+std::string ArduPilotCommandText(const Recording& recording,
+                                 const std::string& outputs,
+                                 const std::optional<Vehicle>& vehicle) {
   const Contents& contents = recording.contents();
   std::string text = fmt::format("command:\n  channel: {}\n  unit: us\n", outputs);
   const std::string battery = FirstChannelOf(contents, "BAT");
@@ -43,7 +42,7 @@ std::string CommandText(const Recording& recording,
     text += "  voltage: 16  # the log measures none: what was it?\n";
   }
   const int num_thrusters =
-      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumOutputs(recording, outputs);
+      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumRcouOutputs(recording, outputs);
   for (int i = 1; i <= num_thrusters; ++i) {
     text += IsReversed(contents, i)
                 ? fmt::format(
@@ -81,13 +80,13 @@ SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicl
       "# A log of ArduSub. The motion is its EKF's: without a DVL or a camera aiding it, position\n"
       "# and horizontal speed are not measured at all.\n";
   const std::string outputs = FirstChannelOf(contents, "RCOU");
-  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  const int num_outputs = outputs.empty() ? 0 : NumRcouOutputs(recording, outputs);
   const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
   if (!driven)
     map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   std::string ekf = FirstChannelOf(contents, "XKF1");
   if (ekf.empty()) ekf = FirstChannelOf(contents, "NKF1");
-  if (!outputs.empty()) map.text += CommandText(recording, outputs, driven);
+  if (!outputs.empty()) map.text += ArduPilotCommandText(recording, outputs, driven);
   if (!ekf.empty()) map.text += MotionText(contents, ekf);
   if (outputs.empty()) map.text += "# no RCOU: the log has no thruster outputs.\n";
   if (ekf.empty()) map.text += "# no XKF1 or NKF1: the log has no motion.\n";

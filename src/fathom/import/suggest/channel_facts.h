@@ -13,6 +13,9 @@ namespace fathom {
 
 // What a map for an autopilot's log has to know of its channels.
 
+// Below this pulse width an output is off, or sends no pulses [us].
+constexpr double kShortestPulse = 800;
+
 // The channel of a type, its first instance of two samples or more; empty if there is none.
 std::string FirstChannelOf(const Contents& contents, std::string_view type);
 

@@ -15,8 +15,7 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostOutputs = 16;        // of actuator_outputs; actuator_motors has 12
-constexpr double kShortestPulse = 800;  // [us]: below, an output is off, or sends no pulses
+constexpr int kMostPx4Outputs = 16;  // of actuator_outputs; actuator_motors has 12
 
 // The outputs that may drive thrusters.
 struct Px4Outputs {
@@ -31,7 +30,7 @@ Px4Outputs OutputsOf(const Recording& recording) {
     Px4Outputs found = {FirstChannelOf(recording.contents(), type), field, unit, 0};
     if (found.channel.empty()) return found;
     std::vector<std::string> fields;
-    for (int i = 0; i < kMostOutputs; ++i) fields.push_back(fmt::format("{}[{}]", field, i));
+    for (int i = 0; i < kMostPx4Outputs; ++i) fields.push_back(fmt::format("{}[{}]", field, i));
     found.count = NumThatReach(recording, found.channel, fields, least);
     return found;
   };
@@ -40,9 +39,9 @@ Px4Outputs OutputsOf(const Recording& recording) {
   return motors.count > 0 ? motors : outputs("actuator_outputs", "output", "us", kShortestPulse);
 }
 
-std::string CommandText(const Recording& recording,
-                        const Px4Outputs& outputs,
-                        const std::optional<Vehicle>& vehicle) {
+std::string Px4CommandText(const Recording& recording,
+                           const Px4Outputs& outputs,
+                           const std::optional<Vehicle>& vehicle) {
   std::string text =
       fmt::format("command:\n  channel: \"{}\"\n  unit: {}\n",
                   outputs.channel,
@@ -125,7 +124,7 @@ SuggestedMap Px4Map(const Recording& recording, const std::optional<Vehicle>& ve
   const bool has_motion =
       HasField(contents, position, "vx") && HasField(contents, attitude, "q[0]");
   if (outputs.count > 0) {
-    map.text += CommandText(recording, outputs, driven);
+    map.text += Px4CommandText(recording, outputs, driven);
   } else {
     map.text +=
         "# no actuator_motors and no pulses in actuator_outputs: the log has no thruster "

@@ -38,8 +38,7 @@ constexpr TypePath kPoses[] = {{"nav_msgs/Odometry", "pose.pose."},
 constexpr TypePath kPulses[] = {{"mavros_msgs/RCOut", ""}};
 constexpr TypePath kBatteries[] = {{"sensor_msgs/BatteryState", ""}};
 
-constexpr int kMostOutputs = 16;        // of mavros
-constexpr double kShortestPulse = 800;  // [us]: below, an output is off
+constexpr int kMostMavrosOutputs = 16;  // of mavros
 
 // What was found: the channel with the most messages of the surest type there is.
 struct Choice {
@@ -65,10 +64,10 @@ Choice Choose(const Contents& contents, const Types& types) {
   return choice;
 }
 
-std::string Line(std::string_view column,
-                 std::string_view prefix,
-                 std::string_view field,
-                 const char* unit) {
+std::string MapLine(std::string_view column,
+                    std::string_view prefix,
+                    std::string_view field,
+                    const char* unit) {
   return fmt::format("  {}: {{field: \"{}{}\", unit: {}}}\n", column, prefix, field, unit);
 }
 
@@ -97,7 +96,7 @@ std::string PulsesText(const Recording& recording, const std::optional<Vehicle>&
     text += "  voltage: 16  # the log measures none: what was it?\n";
   }
   std::vector<std::string> fields;
-  for (int i = 0; i < kMostOutputs; ++i) fields.push_back(fmt::format("channels[{}]", i));
+  for (int i = 0; i < kMostMavrosOutputs; ++i) fields.push_back(fmt::format("channels[{}]", i));
   const int num_thrusters =
       vehicle ? static_cast<int>(vehicle->thrusters.size())
               : NumThatReach(recording, outputs.channel->name, fields, kShortestPulse);
@@ -120,9 +119,9 @@ SuggestedMap RosMap(const Recording& recording, const std::optional<Vehicle>& ve
   if (wrench.channel != nullptr) {
     map.text += Head("command", wrench, "FLU");
     const std::string_view p = wrench.prefix;
-    map.text += Line("tau_surge", p, "force.x", "N") + Line("tau_sway", p, "force.y", "N") +
-                Line("tau_heave", p, "force.z", "N") + Line("tau_roll", p, "torque.x", "Nm") +
-                Line("tau_pitch", p, "torque.y", "Nm") + Line("tau_yaw", p, "torque.z", "Nm");
+    map.text += MapLine("tau_surge", p, "force.x", "N") + MapLine("tau_sway", p, "force.y", "N") +
+                MapLine("tau_heave", p, "force.z", "N") + MapLine("tau_roll", p, "torque.x", "Nm") +
+                MapLine("tau_pitch", p, "torque.y", "Nm") + MapLine("tau_yaw", p, "torque.z", "Nm");
   } else if (const std::string pulses = PulsesText(recording, vehicle); !pulses.empty()) {
     map.text += pulses;
     map.needs_vehicle = !vehicle;
@@ -133,15 +132,15 @@ SuggestedMap RosMap(const Recording& recording, const std::optional<Vehicle>& ve
   if (twist.channel != nullptr) {
     map.text += Head("velocity", twist, "FLU");
     const std::string_view p = twist.prefix;
-    map.text += Line("u", p, "linear.x", "m/s") + Line("v", p, "linear.y", "m/s") +
-                Line("w", p, "linear.z", "m/s") + Line("p", p, "angular.x", "rad/s") +
-                Line("q", p, "angular.y", "rad/s") + Line("r", p, "angular.z", "rad/s");
+    map.text += MapLine("u", p, "linear.x", "m/s") + MapLine("v", p, "linear.y", "m/s") +
+                MapLine("w", p, "linear.z", "m/s") + MapLine("p", p, "angular.x", "rad/s") +
+                MapLine("q", p, "angular.y", "rad/s") + MapLine("r", p, "angular.z", "rad/s");
   }
   if (pose.channel != nullptr) {
     map.text += Head("pose", pose, "ENU");
     const std::string_view p = pose.prefix;
-    map.text += Line("x", p, "position.x", "m") + Line("y", p, "position.y", "m") +
-                Line("z", p, "position.z", "m");
+    map.text += MapLine("x", p, "position.x", "m") + MapLine("y", p, "position.y", "m") +
+                MapLine("z", p, "position.z", "m");
     for (const char* part : {"x", "y", "z", "w"}) {
       map.text += fmt::format("  q{0}: \"{1}orientation.{0}\"\n", part, p);
     }

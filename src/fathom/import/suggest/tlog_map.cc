@@ -14,20 +14,19 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostOutputs = 16;        // of SERVO_OUTPUT_RAW
-constexpr double kShortestPulse = 800;  // [us]: below, an output is off
-constexpr double kNoVoltage = 65535;    // [mV]: "not sent by autopilot", in all 16 bits
+constexpr int kMostServoOutputs = 16;  // of SERVO_OUTPUT_RAW
+constexpr double kNoVoltage = 65535;   // [mV]: "not sent by autopilot", in all 16 bits
 
 // How many outputs, from the first on, ever send a pulse.
-int NumOutputs(const Recording& recording, const std::string& channel) {
+int NumServoOutputs(const Recording& recording, const std::string& channel) {
   std::vector<std::string> fields;
-  for (int i = 1; i <= kMostOutputs; ++i) fields.push_back(fmt::format("servo{}_raw", i));
+  for (int i = 1; i <= kMostServoOutputs; ++i) fields.push_back(fmt::format("servo{}_raw", i));
   return NumThatReach(recording, channel, fields, kShortestPulse);
 }
 
-std::string CommandText(const Recording& recording,
-                        const std::string& outputs,
-                        const std::optional<Vehicle>& vehicle) {
+std::string TlogCommandText(const Recording& recording,
+                            const std::string& outputs,
+                            const std::optional<Vehicle>& vehicle) {
   const Contents& contents = recording.contents();
   std::string text = fmt::format("command:\n  channel: \"{}\"\n  unit: us\n", outputs);
   const std::string battery = FirstChannelOf(contents, "SYS_STATUS");
@@ -39,7 +38,7 @@ std::string CommandText(const Recording& recording,
     text += "  voltage: 16  # the log measures none: what was it?\n";
   }
   const int num_thrusters =
-      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumOutputs(recording, outputs);
+      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumServoOutputs(recording, outputs);
   for (int i = 1; i <= num_thrusters; ++i) text += fmt::format("  thruster_{0}: servo{0}_raw\n", i);
   return text;
 }
@@ -69,7 +68,7 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
       "# without a DVL or a camera aiding it, position and horizontal speed are not measured at "
       "all.\n";
   const std::string outputs = FirstChannelOf(contents, "SERVO_OUTPUT_RAW");
-  const int num_outputs = outputs.empty() ? 0 : NumOutputs(recording, outputs);
+  const int num_outputs = outputs.empty() ? 0 : NumServoOutputs(recording, outputs);
   const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
   if (!driven)
     map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
@@ -77,7 +76,7 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
   const std::string attitude = FirstChannelOf(contents, "ATTITUDE");
   const bool has_motion = !position.empty() && !attitude.empty();
   if (!outputs.empty()) {
-    map.text += CommandText(recording, outputs, driven);
+    map.text += TlogCommandText(recording, outputs, driven);
   } else {
     map.text += "# no SERVO_OUTPUT_RAW: the log has no thruster outputs.\n";
   }

@@ -4,6 +4,7 @@
 #include "fathom/import/table/table_cells.h"
 
 #include "fathom/base/number.h"
+#include "fathom/base/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +19,6 @@ constexpr std::array<std::string_view, 9> kNothing = {
 constexpr std::size_t kLongestNumber = 64;  // characters
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
-
-std::string_view Trimmed(std::string_view cell) {
-  while (!cell.empty() && IsBlank(cell.front())) cell.remove_prefix(1);
-  while (!cell.empty() && IsBlank(cell.back())) cell.remove_suffix(1);
-  return cell;
-}
 
 std::string_view WithoutQuotes(std::string_view cell) {
   cell = Trimmed(cell);

@@ -27,7 +27,7 @@ struct MavlinkDefinition {
 // From the headers that mavgen makes of MAVLink's common.xml and ardupilotmega.xml. CRC_EXTRA is a
 // checksum of names, types and order of the fields without extensions: that of a wrong line would
 // differ.
-constexpr MavlinkDefinition kDefinitions[] = {
+constexpr MavlinkDefinition kMavlinkDefinitions[] = {
     {0,
      "HEARTBEAT",
      50,
@@ -196,7 +196,7 @@ const PackedNumber* MavlinkMessage::Find(std::string_view field) const {
 const MavlinkMessage* FindMavlinkMessage(std::uint32_t id) {
   static const auto* const kMessages = [] {
     auto* messages = new std::map<std::uint32_t, MavlinkMessage>;
-    for (const MavlinkDefinition& definition : kDefinitions) {
+    for (const MavlinkDefinition& definition : kMavlinkDefinitions) {
       messages->emplace(definition.id, MessageOf(definition));
     }
     return messages;

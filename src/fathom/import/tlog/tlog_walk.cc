@@ -17,9 +17,9 @@ constexpr std::size_t kStamp = 8;  // microseconds since 1970, the most signific
 constexpr std::size_t kLongest = 8 + 280;  // a record: stamp, MAVLink 2 with a signature
 constexpr std::size_t kChecksum = 2;
 constexpr std::size_t kSignature = 13;
-constexpr std::size_t kStep = std::size_t{1} << 16;    // of a search [bytes]
-constexpr std::uint64_t kYear1990 = 631152000000000;   // [us]
-constexpr std::uint64_t kYear2100 = 4102444800000000;  // [us]
+constexpr std::size_t kTlogSearchStep = std::size_t{1} << 16;  // of a search [bytes]
+constexpr std::uint64_t kYear1990 = 631152000000000;           // [us]
+constexpr std::uint64_t kYear2100 = 4102444800000000;          // [us]
 
 std::uint64_t StampOf(std::string_view bytes) {
   std::uint64_t stamp = 0;
@@ -80,10 +80,10 @@ std::optional<TlogRecord> SoundRecordAt(std::string_view bytes, bool is_end) {
 
 // The first place from `from` on where a sound record begins; the end of the file if there is none.
 std::uint64_t FindSoundRecord(ByteFile* file, std::uint64_t from) {
-  for (std::uint64_t at = from; at < file->size(); at += kStep) {
-    const std::string_view bytes = file->View(at, kStep + 2 * kLongest);
+  for (std::uint64_t at = from; at < file->size(); at += kTlogSearchStep) {
+    const std::string_view bytes = file->View(at, kTlogSearchStep + 2 * kLongest);
     const bool is_end = at + bytes.size() == file->size();
-    for (std::size_t i = 0; i < std::min(kStep, bytes.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kTlogSearchStep, bytes.size()); ++i) {
       if (SoundRecordAt(bytes.substr(i), is_end)) return at + i;
     }
   }

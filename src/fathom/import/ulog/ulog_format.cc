@@ -16,14 +16,14 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kMostBytes = 65533;   // of a message's data: 65535 less its id
-constexpr std::size_t kMostText = 1 << 20;  // of all formats of a file; PX4 writes 50 kB
-constexpr std::size_t kLongestName = 256;   // of a field, with those that it is nested in
-constexpr int kDeepest = 16;                // nesting; PX4 has 2
+constexpr std::size_t kMostBytes = 65533;       // of a message's data: 65535 less its id
+constexpr std::size_t kMostText = 1 << 20;      // of all formats of a file; PX4 writes 50 kB
+constexpr std::size_t kLongestFieldName = 256;  // of a field, with those that it is nested in
+constexpr int kDeepestNesting = 16;             // nesting; PX4 has 2
 constexpr std::string_view kPadding = "_padding";
 
 bool IsName(std::string_view text) {
-  return !text.empty() && text.size() <= kLongestName &&
+  return !text.empty() && text.size() <= kLongestFieldName &&
          std::all_of(text.begin(), text.end(), [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                   c == '_' || c == '-' || c == '/';
@@ -116,9 +116,9 @@ void UlogFormats::AddFields(const std::string& format,
   if (found == formats_.end()) {
     throw InputError(fmt::format("no message F defines {}.", Quoted(format)));
   }
-  if (depth > kDeepest) {
-    throw InputError(
-        fmt::format("{} is nested over {} deep, expected no circle.", Quoted(format), kDeepest));
+  if (depth > kDeepestNesting) {
+    throw InputError(fmt::format(
+        "{} is nested over {} deep, expected no circle.", Quoted(format), kDeepestNesting));
   }
   for (const UlogField& field : found->second) {
     const std::optional<PackedType> type = PackedTypeNamed(field.type);
@@ -136,13 +136,13 @@ void UlogFormats::AddFields(const std::string& format,
       --*budget;
       std::string name = prefix + field.name;
       if (field.is_array) name += fmt::format("[{}]", i);
-      if (name.size() > kLongestName) {
+      if (name.size() > kLongestFieldName) {
         throw InputError(
             fmt::format("{} has a field with a name of {} characters, expected {} at "
                         "most.",
                         Quoted(format),
                         name.size(),
-                        kLongestName));
+                        kLongestFieldName));
       }
       if (!type) {
         AddFields(field.type, name + ".", depth + 1, budget, layout);

@@ -26,9 +26,9 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kMagic("ULog\x01\x12\x35", 7);
-constexpr std::size_t kMostFields = 100000;  // of all channels; PX4 logs some thousands
-constexpr std::size_t kMostChannels = 4096;  // PX4 logs some hundreds at most
+constexpr std::string_view kULogMagic("ULog\x01\x12\x35", 7);
+constexpr std::size_t kMostULogFields = 100000;  // of all channels; PX4 logs some thousands
+constexpr std::size_t kMostULogChannels = 4096;  // PX4 logs some hundreds at most
 constexpr std::size_t kLongestTopic = 256;
 
 // What is subscribed: an instance of a topic.
@@ -101,7 +101,7 @@ class UlogRecording final : public Recording {
   std::filesystem::path path_;
   UlogHead head_;
   std::map<UlogTopic, UlogChannel> channels_;
-  std::size_t fields_left_ = kMostFields;
+  std::size_t fields_left_ = kMostULogFields;
   Contents contents_;
 };
 
@@ -167,7 +167,7 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     UlogChannel*& channel = channels[id];
     if (channel == nullptr) {
       const auto known = channels_.find(topic->second);
-      if (known == channels_.end() && channels_.size() >= kMostChannels) {
+      if (known == channels_.end() && channels_.size() >= kMostULogChannels) {
         ++counts.unsubscribed;
         return;
       }
@@ -301,7 +301,7 @@ std::vector<std::string> UlogRecording::Read(std::span<const Selection> selectio
 
 }  // namespace
 
-bool LooksLikeUlog(std::string_view first_bytes) { return first_bytes.starts_with(kMagic); }
+bool LooksLikeUlog(std::string_view first_bytes) { return first_bytes.starts_with(kULogMagic); }
 
 std::unique_ptr<Recording> OpenUlog(const std::filesystem::path& path) {
   return std::make_unique<UlogRecording>(path);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMicro = 1e-6;       // [s]
 constexpr double kYear2016 = 1.45e9;  // [s since 1970]: before, a receiver without almanac
-constexpr double kFix = 3.0;          // in three dimensions
+constexpr double kULogFix = 3.0;      // in three dimensions
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void UlogGpsTime::Take(std::string_view topic, const UlogLayout& layout, std::st
   const PackedNumber* time = layout.Find("timestamp");
   if (fix == nullptr || utc == nullptr || time == nullptr) return;
   const double seconds = ValueOf(*utc, data) * kMicro;
-  if (!(ValueOf(*fix, data) >= kFix) || !(seconds > kYear2016)) return;
+  if (!(ValueOf(*fix, data) >= kULogFix) || !(seconds > kYear2016)) return;
   // The stamp is of the position; the time of the UTC is given relative to it.
   const PackedNumber* relative = layout.Find("timestamp_time_relative");
   const double delay = relative == nullptr ? 0.0 : ValueOf(*relative, data) * kMicro;

@@ -15,12 +15,12 @@ namespace fathom {
 namespace {
 
 constexpr std::size_t kFileHeader = 16;
-constexpr std::size_t kHeader = 3;  // size of the payload, type
+constexpr std::size_t kULogHeader = 3;  // size of the payload, type
 constexpr std::size_t kMostPayload = 65535;
-constexpr std::size_t kFlags = 40;                    // payload of 'B'
-constexpr std::size_t kStep = std::size_t{1} << 16;   // of a search [bytes]
-constexpr std::size_t kAhead = std::size_t{1} << 19;  // that a search looks at
-constexpr int kChain = 3;                             // messages that make a place sure
+constexpr std::size_t kFlags = 40;                             // payload of 'B'
+constexpr std::size_t kULogSearchStep = std::size_t{1} << 16;  // of a search [bytes]
+constexpr std::size_t kAhead = std::size_t{1} << 19;           // that a search looks at
+constexpr int kChain = 3;                                      // messages that make a place sure
 constexpr std::string_view kSyncMagic("\x2f\x73\x13\x20\x25\x0c\xbb\x12", 8);
 
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -142,19 +142,19 @@ class UlogWalker {
 };
 
 bool UlogWalker::MayBegin(std::string_view bytes) const {
-  if (bytes.size() < kHeader) return false;
+  if (bytes.size() < kULogHeader) return false;
   const UlogStart start = StartOf(bytes);
   if (!IsSize(start.type, start.size)) return false;
-  if (start.type != 'D' || bytes.size() < kHeader + 2) return true;
-  const int size = sizes_[LittleEndian<std::uint16_t>(bytes, kHeader)];
+  if (start.type != 'D' || bytes.size() < kULogHeader + 2) return true;
+  const int size = sizes_[LittleEndian<std::uint16_t>(bytes, kULogHeader)];
   return size <= kAnySize || static_cast<std::size_t>(size) == start.size;
 }
 
 bool UlogWalker::LooksLikeMessage(std::string_view bytes) const {
-  if (bytes.size() < kHeader) return false;
+  if (bytes.size() < kULogHeader) return false;
   const UlogStart start = StartOf(bytes);
-  if (!IsSize(start.type, start.size) || bytes.size() - kHeader < start.size) return false;
-  const std::string_view payload = bytes.substr(kHeader, start.size);
+  if (!IsSize(start.type, start.size) || bytes.size() - kULogHeader < start.size) return false;
+  const std::string_view payload = bytes.substr(kULogHeader, start.size);
   switch (start.type) {
     case 'F':
       return IsLetter(payload[0]) && IsPrintable(payload) &&
@@ -192,24 +192,24 @@ bool UlogWalker::IsChain(std::string_view bytes, bool is_end) const {
     if (bytes.empty() && is_end) return i > 1 || is_sure;
     const bool is_first_of_topic = subscribed >= 0 && MayBegin(bytes) &&
                                    StartOf(bytes).type == 'D' &&
-                                   bytes.size() >= kHeader + StartOf(bytes).size &&
-                                   LittleEndian<std::uint16_t>(bytes, kHeader) == subscribed;
+                                   bytes.size() >= kULogHeader + StartOf(bytes).size &&
+                                   LittleEndian<std::uint16_t>(bytes, kULogHeader) == subscribed;
     if (!is_first_of_topic && !LooksLikeMessage(bytes)) return false;
     const UlogStart start = StartOf(bytes);
     if (start.type == 'S') return true;
-    is_sure = is_sure ||
-              (start.type == 'D' && sizes_[LittleEndian<std::uint16_t>(bytes, kHeader)] > kAnySize);
-    subscribed = start.type == 'A' ? LittleEndian<std::uint16_t>(bytes, kHeader + 1) : -1;
-    bytes.remove_prefix(kHeader + start.size);
+    is_sure = is_sure || (start.type == 'D' &&
+                          sizes_[LittleEndian<std::uint16_t>(bytes, kULogHeader)] > kAnySize);
+    subscribed = start.type == 'A' ? LittleEndian<std::uint16_t>(bytes, kULogHeader + 1) : -1;
+    bytes.remove_prefix(kULogHeader + start.size);
   }
   return true;
 }
 
 std::uint64_t UlogWalker::FindChain(std::uint64_t from, std::uint64_t to, std::uint64_t end) {
-  for (std::uint64_t at = from; at < to; at += kStep) {
+  for (std::uint64_t at = from; at < to; at += kULogSearchStep) {
     const std::string_view bytes = View(at, kAhead, end);
     const bool is_end = at + bytes.size() == end;
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kStep, to - at));
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kULogSearchStep, to - at));
     for (std::size_t i = 0; i < count; ++i) {
       if (IsChain(bytes.substr(i), is_end)) return at + i;
     }
@@ -219,7 +219,7 @@ std::uint64_t UlogWalker::FindChain(std::uint64_t from, std::uint64_t to, std::u
 
 bool UlogWalker::IsZeroTo(std::uint64_t at, std::uint64_t end) {
   while (at < end) {
-    const std::string_view bytes = View(at, kStep, end);
+    const std::string_view bytes = View(at, kULogSearchStep, end);
     if (bytes.find_first_not_of('\0') != std::string_view::npos) return false;
     at += bytes.size();
   }
@@ -240,23 +240,23 @@ void UlogWalker::WalkSection(std::uint64_t begin, std::uint64_t end) {
   std::uint64_t at = begin;
   bool is_aligned = true;  // a message ended at `at`, or two follow each other there
   while (at < end) {
-    const std::string_view bytes = View(at, 2 * (kHeader + kMostPayload), end);
-    if (is_aligned && bytes.size() < kHeader) {
+    const std::string_view bytes = View(at, 2 * (kULogHeader + kMostPayload), end);
+    if (is_aligned && bytes.size() < kULogHeader) {
       Cut(at, end);
       return;
     }
     if (is_aligned && MayBegin(bytes)) {
       const UlogStart start = StartOf(bytes);
-      const std::size_t length = kHeader + start.size;
+      const std::size_t length = kULogHeader + start.size;
       const bool is_whole = length <= bytes.size();
       const std::size_t left = is_whole ? bytes.size() - length : 0;
       const std::string_view behind = bytes.substr(is_whole ? length : bytes.size());
       // Of a type that is not known, any bytes might be; what follows has to look as a message.
       const bool is_followed =
-          left < kHeader || (MayBegin(behind) &&
-                             (IsKnown(start.type) || behind[2] == 'D' || LooksLikeMessage(behind)));
+          left < kULogHeader || (MayBegin(behind) && (IsKnown(start.type) || behind[2] == 'D' ||
+                                                      LooksLikeMessage(behind)));
       if (is_whole && is_followed) {
-        Take(start, bytes.substr(kHeader, start.size));
+        Take(start, bytes.substr(kULogHeader, start.size));
         at += length;
         continue;
       }
@@ -270,7 +270,7 @@ void UlogWalker::WalkSection(std::uint64_t begin, std::uint64_t end) {
         Cut(at, end);
         return;
       } else {
-        Take(start, View(at, length, end).substr(kHeader));
+        Take(start, View(at, length, end).substr(kULogHeader));
         at += length;
         is_aligned = false;
       }
@@ -294,14 +294,14 @@ UlogHead ReadUlogHead(ByteFile* file) {
                                  file->size(),
                                  kFileHeader));
   }
-  const std::string bytes(file->View(0, kFileHeader + kHeader + kFlags));
+  const std::string bytes(file->View(0, kFileHeader + kULogHeader + kFlags));
   UlogHead head;
   head.version = static_cast<unsigned char>(bytes[7]);
   std::uint64_t begin = kFileHeader;
   const std::string_view message = std::string_view(bytes).substr(kFileHeader);
-  if (message.size() == kHeader + kFlags && StartOf(message).type == 'B' &&
+  if (message.size() == kULogHeader + kFlags && StartOf(message).type == 'B' &&
       StartOf(message).size >= kFlags) {
-    constexpr std::size_t kIncompatible = kHeader + 8;
+    constexpr std::size_t kIncompatible = kULogHeader + 8;
     constexpr std::size_t kOffsets = kIncompatible + 8;
     const auto flags = LittleEndian<std::uint64_t>(message, kIncompatible);
     if (flags > 1) {

@@ -4,6 +4,7 @@
 #include "fathom/log/csv/csv_rows.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/trimmed.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -72,13 +73,6 @@ void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
         name,
         LineOf(text, at)));
   }
-}
-
-std::string_view Trimmed(std::string_view cell) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
-  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-  return cell;
 }
 
 // The cells of a line without quotes; none if it is blank.

@@ -17,8 +17,4 @@ set grid lc rgb '#e2e6ec' lw 0.6 lt 1
 set tics nomirror out scale 0.5 textcolor rgb '#5d6776'
 )";
 
-inline std::string WithUnit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + UnitText(unit) + "]";
-}
-
 }  // namespace fathom

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/report/chart_frame.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/report/figures/figure_style.h"
 #include "fathom/report/figures/gnuplot.h"
@@ -77,7 +78,7 @@ std::string FrameCommands(const ParameterPanel& panel,
       range.to,
       static_cast<double>(panel.estimates.size()) - 0.4);
   return script + fmt::format("set label {} at graph 0, graph 1 offset 0,0.9 left\n",
-                              GnuplotText(WithUnit(panel.name, panel.unit)));
+                              GnuplotText(NameWithUnit(panel.name, panel.unit)));
 }
 
 std::string TickCommands(const ChartRange& range) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/report/chart_frame.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/report/figures/figure_style.h"
 #include "fathom/report/figures/gnuplot.h"
@@ -123,15 +124,15 @@ void WriteFigure(const TimePanel& panel, const std::filesystem::path& path) {
   script += fmt::format("set bmargin at screen {}\n", has_residuals ? 0.40 : 0.14);
   script += has_residuals ? "set format x ''\n" : time_label;
   script += fmt::format("set ylabel {} offset 0.5,0\n",
-                        GnuplotText(WithUnit(panel.quantity, panel.unit)));
+                        GnuplotText(NameWithUnit(panel.quantity, panel.unit)));
   script += PlotCommand("response", panel, curves, true);
   if (has_residuals) {
     script +=
         "unset label 99\nset format x '%g'\nset tmargin at screen 0.36\n"
         "set bmargin at screen 0.13\nset ytics autofreq\n";
     script += time_label;
-    script +=
-        fmt::format("set ylabel {} offset 0.5,0\n", GnuplotText(WithUnit("residual", panel.unit)));
+    script += fmt::format("set ylabel {} offset 0.5,0\n",
+                          GnuplotText(NameWithUnit("residual", panel.unit)));
     script += PlotCommand("residual", panel, residuals, false);
   }
   script += "unset multiplot\n";

@@ -17,11 +17,11 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kMostScored = 500;  // stamps that are predicted
-constexpr double kTolerance = 1.01;       // of the best score
-constexpr double kLeftOut = 0.26;         // of the shortest window, on either side of a sample
-constexpr double kSmallPivot = 1e-8;      // of the normal equations: nothing but rounding
-constexpr double kMostLeverage = 999.0;   // variance of a prediction over that of a sample
+constexpr std::size_t kMostScored = 500;      // stamps that are predicted
+constexpr double kTolerance = 1.01;           // of the best score
+constexpr double kLeftOut = 0.26;             // of the shortest window, on either side of a sample
+constexpr double kNothingButRounding = 1e-8;  // of the normal equations: nothing but rounding
+constexpr double kMostLeverage = 999.0;       // variance of a prediction over that of a sample
 
 // Windows about one sample, each wider than the one before, and what they predict of it.
 class NestedFits {
@@ -55,7 +55,7 @@ class NestedFits {
     while (first_ > 0 && IsWithin(first_ - 1, half_width)) Count(--first_);
     while (past_last_ < time_.size() && IsWithin(past_last_, half_width)) Count(past_last_++);
     if (!IsCentred(half_width)) return kNaN;
-    if (!equations_.Factorize([this](int k, int l) { return sums_[k + l]; }, kSmallPivot))
+    if (!equations_.Factorize([this](int k, int l) { return sums_[k + l]; }, kNothingButRounding))
       return kNaN;
     NormalEquations::Coefficients weights = {1.0};  // the prediction is its product with the sums
     equations_.Solve(&weights);

@@ -13,8 +13,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Line {
   double frequency;
   double phase;
@@ -24,8 +22,8 @@ std::array<Line, 64> DrawLines(std::uint64_t realisation) {
   RandomStream random(realisation, "random_wave");
   std::array<Line, 64> lines;
   for (Line& line : lines) {
-    line.frequency = std::tan(kPi * (random.Uniform() - 0.5));
-    line.phase = 2.0 * kPi * random.Uniform();
+    line.frequency = std::tan(std::numbers::pi * (random.Uniform() - 0.5));
+    line.phase = 2.0 * std::numbers::pi * random.Uniform();
   }
   return lines;
 }

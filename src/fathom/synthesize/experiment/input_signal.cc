@@ -15,7 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kPrbsLength = 1023;
 
 // Bits of x^10 + x^7 + 1, which runs through every state of ten bits but zero.
@@ -74,7 +73,7 @@ struct ValueAt {
   }
 
   double operator()(const SquareInput& square) const {
-    const bool is_first_half = NumWholePieces(t, kPi / square.frequency) % 2 == 0;
+    const bool is_first_half = NumWholePieces(t, std::numbers::pi / square.frequency) % 2 == 0;
     return is_first_half ? square.amplitude : -square.amplitude;
   }
 
@@ -121,7 +120,7 @@ void DrawRandomParts(InputSignal& input, double duration, RandomStream& random) 
   if (auto* sines = std::get_if<MultisineInput>(&input.kind)) {
     sines->phases.clear();
     for (int line = 0; line < sines->num_lines; ++line) {
-      sines->phases.push_back(2.0 * kPi * random.Uniform());
+      sines->phases.push_back(2.0 * std::numbers::pi * random.Uniform());
     }
   } else if (auto* prbs = std::get_if<PrbsInput>(&input.kind)) {
     prbs->start = static_cast<int>(kPrbsLength * random.Uniform());

@@ -5,6 +5,9 @@
 
 namespace fathom {
 
+// Of every stamp that is written [s].
+inline constexpr double kStampResolution = 1e-6;
+
 // The multiple of `resolution` nearest to `value`; the value itself where the resolution is 0. A
 // resolution such as 0.001 gives the double nearest to the decimal, which prints in few digits.
 double RoundTo(double value, double resolution);

@@ -14,8 +14,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kStampResolution = 1e-6;  // [s]
-
 // The command of one DOF, from stamp to stamp.
 class Driver {
  public:

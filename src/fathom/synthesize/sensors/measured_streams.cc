@@ -20,8 +20,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kStampResolution = 1e-6;  // [s]
-
 void AddRow(Stream& stream, double stamp, const std::vector<double>& row) {
   stream.time.push_back(stamp);
   for (std::size_t column = 0; column < row.size(); ++column) {

@@ -9,7 +9,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestStep = 5e-3;  // [s]
+constexpr double kLongestShownStep = 5e-3;  // [s]
 
 }  // namespace
 
@@ -57,7 +57,7 @@ std::array<double, 6> ShownVelocity::At(double t) {
   if (!following_.empty()) {
     while (time_ < t) {
       const double event = place_ + 1 < run_.time.size() ? run_.time[place_ + 1] : t;
-      const double next = std::min(event, time_ + kLongestStep);
+      const double next = std::min(event, time_ + kLongestShownStep);
       if (next >= t) break;
       const MotionState state = run_.StateAt(motion_, place_, next);
       Follow(ReadingsOf(state, run_.held[place_], next), next);

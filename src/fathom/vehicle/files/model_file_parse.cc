@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/base/not_known.h"
 #include "fathom/base/quoted.h"
 #include "fathom/vehicle/files/effect_entries.h"
 #include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -19,8 +19,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 // Every key that Fathom's tools write, whether it is read here or only told to a person.
 const std::vector<std::string> kKeysOfModel = {"schema",

@@ -18,18 +18,18 @@ namespace {
 constexpr double kJump = 12.0;      // [N]
 constexpr double kJumpTime = 70.0;  // [s]
 
-struct Made {
+struct MadeForce {
   std::unique_ptr<TrainingData> data;
   StructureFit baseline, extended;
 };
 
 // A step hidden in a run; the baseline fitted without it, the extended model with it.
-Made WithAStep(std::uint64_t seed) {
+MadeForce WithAStep(std::uint64_t seed) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.effects = "buoyancy_step:jump=12:time=70";
   const std::vector<Log> logs = {LogOf(run, seed)};
-  Made made;
+  MadeForce made;
   made.data = std::make_unique<TrainingData>(MeasuredSegmentsOf(logs, Dof::kSurge).all);
   const std::vector<InitialState> start = {made.data->segments()[0].initial};
   made.baseline = FitBaseline(*made.data, {kSurgeTruth, {}}, start);
@@ -43,7 +43,7 @@ Made WithAStep(std::uint64_t seed) {
 
 // What the baseline misses of the true vehicle's force, on the true vehicle's way: what it would
 // take for the baseline to accelerate as the truth does.
-std::vector<double> TrueMissingForce(const Made& made, const std::vector<double>& time) {
+std::vector<double> TrueMissingForce(const MadeForce& made, const std::vector<double>& time) {
   const MeasuredSegment& segment = made.data->segments()[0];
   OutputStamps stamps;
   stamps.start = 0.0;
@@ -63,7 +63,7 @@ std::vector<double> TrueMissingForce(const Made& made, const std::vector<double>
   return force;
 }
 
-MissingForce MissingForceOf(const Made& made) {
+MissingForce MissingForceOf(const MadeForce& made) {
   return FindMissingForce(
       *made.data, StartedFrom(made.baseline), StartedFrom(made.extended), made.extended.noise, {});
 }
@@ -71,7 +71,7 @@ MissingForce MissingForceOf(const Made& made) {
 TEST(MissingForce, HoldsTheTrueForceInItsBand) {
   int held = 0, held_by_half = 0, n = 0;
   for (int seed = 0; seed < 8; ++seed) {
-    const Made made = WithAStep(seed);
+    const MadeForce made = WithAStep(seed);
     const MissingForce missing = MissingForceOf(made);
     const std::vector<double> truth = TrueMissingForce(made, missing.time);
     ASSERT_EQ(truth.size(), missing.mean.size());
@@ -94,7 +94,7 @@ TEST(MissingForce, HoldsTheTrueForceInItsBand) {
 
 // Before and after the jump it is a step of the true size, and the extended model accounts for it.
 TEST(MissingForce, ShowsTheStepAndWhatExplainsIt) {
-  const Made made = WithAStep(1);
+  const MadeForce made = WithAStep(1);
   const MissingForce missing = MissingForceOf(made);
   const auto change = [&](const std::vector<double>& force) {
     double before = 0.0, after = 0.0, n_before = 0.0, n_after = 0.0;

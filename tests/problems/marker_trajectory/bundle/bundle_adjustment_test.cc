@@ -14,8 +14,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double kSigma = 0.3;
-
 struct Start {
   MarkerMap map;
   std::vector<AdjustedFrame> frames;
@@ -85,18 +83,18 @@ TEST(BundleAdjustment, CovarianceMatchesTheSpreadOverRepeatedRuns) {
   for (const Case& one : {Case{SingleMarker(), {}}, Case{FourMarkers(), {0, 1, 3}}}) {
     double poses = 0.0, markers = 0.0, sigma = 0.0;
     for (int seed = 0; seed < kNumRuns; ++seed) {
-      const SyntheticRecord record = MakeRecord(one.map, 20, 0.5, kSigma, 10 + seed);
+      const SyntheticRecord record = MakeRecord(one.map, 20, 0.5, kCornerSigma, 10 + seed);
       const Start start = StartNear(record, one.map, one.free_ids);
-      const auto summary =
-          AdjustBundle(SyntheticCamera(),
-                       start.map,
-                       one.free_ids,
-                       record.detections,
-                       start.frames,
-                       {.corner_sigma = kSigma, .huber = std::numeric_limits<double>::infinity()});
+      const auto summary = AdjustBundle(
+          SyntheticCamera(),
+          start.map,
+          one.free_ids,
+          record.detections,
+          start.frames,
+          {.corner_sigma = kCornerSigma, .huber = std::numeric_limits<double>::infinity()});
       ASSERT_TRUE(summary.is_usable) << summary.message;
       // The covariances of the true sigma: how well one run knows it is another matter.
-      const double rescale = std::pow(kSigma / summary.corner_sigma, 2);
+      const double rescale = std::pow(kCornerSigma / summary.corner_sigma, 2);
       for (std::size_t i = 0; i < record.time.size(); ++i) {
         poses += NormalisedSquare(summary.world_from_camera[i],
                                   record.world_from_camera[i],
@@ -111,7 +109,7 @@ TEST(BundleAdjustment, CovarianceMatchesTheSpreadOverRepeatedRuns) {
                                     rescale * summary.marker_covariance[k]) /
                    static_cast<double>(one.free_ids.size());
       }
-      sigma += (summary.corner_sigma - kSigma) / summary.corner_sigma_std;
+      sigma += (summary.corner_sigma - kCornerSigma) / summary.corner_sigma_std;
     }
     const double bound = 4.0 * std::sqrt(12.0 / kNumRuns);
     EXPECT_NEAR(poses / kNumRuns, 6.0, bound);
@@ -125,14 +123,14 @@ TEST(BundleAdjustment, CovarianceMatchesTheSpreadOverRepeatedRuns) {
 // The covariance of a pose against one computed anew: finite differences of the projection alone.
 TEST(BundleAdjustment, CovarianceIsTheInverseInformationOfFiniteDifferences) {
   const MarkerMap map = SingleMarker();
-  const SyntheticRecord record = MakeRecord(map, 5, 0.5, kSigma, 3);
+  const SyntheticRecord record = MakeRecord(map, 5, 0.5, kCornerSigma, 3);
   const Start start = StartNear(record, map, {});
   const auto summary = AdjustBundle(SyntheticCamera(),
                                     start.map,
                                     {},
                                     record.detections,
                                     start.frames,
-                                    {.corner_sigma = kSigma, .huber = 1e9});
+                                    {.corner_sigma = kCornerSigma, .huber = 1e9});
   ASSERT_TRUE(summary.is_usable) << summary.message;
   constexpr double kStep = 1e-6;
   for (std::size_t i = 0; i < record.time.size(); ++i) {
@@ -158,7 +156,7 @@ TEST(BundleAdjustment, CovarianceIsTheInverseInformationOfFiniteDifferences) {
 
 TEST(BundleAdjustment, SaysWhenAFreeMarkerHangsOnNothing) {
   const MarkerMap map = FourMarkers();
-  const SyntheticRecord record = MakeRecord(map, 20, 0.3, kSigma, 1);
+  const SyntheticRecord record = MakeRecord(map, 20, 0.3, kCornerSigma, 1);
   // Tag 3 in frames of its own.
   Start start = StartNear(record, map, {3});
   for (std::size_t i = 0; i < start.frames.size(); ++i) {
@@ -166,15 +164,19 @@ TEST(BundleAdjustment, SaysWhenAFreeMarkerHangsOnNothing) {
       return (record.detections[index].tag_id == 3) != (i % 2 == 0);
     });
   }
-  const auto summary = AdjustBundle(
-      SyntheticCamera(), start.map, {3}, record.detections, start.frames, {.corner_sigma = kSigma});
+  const auto summary = AdjustBundle(SyntheticCamera(),
+                                    start.map,
+                                    {3},
+                                    record.detections,
+                                    start.frames,
+                                    {.corner_sigma = kCornerSigma});
   EXPECT_FALSE(summary.is_usable);
   EXPECT_THAT(summary.message, HasSubstr("never seen together"));
 }
 
 TEST(BundleAdjustment, ToleratesBadCorners) {
   const MarkerMap map = FourMarkers();
-  SyntheticRecord record = MakeRecord(map, 40, 0.3, kSigma, 4);
+  SyntheticRecord record = MakeRecord(map, 40, 0.3, kCornerSigma, 4);
   std::mt19937 random(5);
   std::uniform_int_distribution<std::size_t> any(0, record.detections.size() - 1);
   for (int i = 0; i < 3; ++i) record.detections[any(random)].corners[i] += Eigen::Vector2d(9, -12);
@@ -185,7 +187,7 @@ TEST(BundleAdjustment, ToleratesBadCorners) {
                                       {1},
                                       record.detections,
                                       start.frames,
-                                      {.corner_sigma = kSigma, .huber = huber});
+                                      {.corner_sigma = kCornerSigma, .huber = huber});
     EXPECT_TRUE(summary.is_usable) << summary.message;
     double worst_of_all = 0.0;
     for (std::size_t i = 0; i < record.time.size(); ++i) {

@@ -34,8 +34,8 @@ TEST(Autocorrelation, OfWhiteNoiseStaysWithinItsBounds95PerCentOfTheTime) {
 // r_k = a^k. The standard error at a = 0.8 is sqrt((1 + a^2) / (1 - a^2) / n) = 0.0068 at most.
 TEST(Autocorrelation, OfAnAutoregressionIsItsClosedForm) {
   std::mt19937 generator(2);
-  const std::vector<std::vector<double>> noise = {Autoregression(60000, 0.8, 2.0, &generator),
-                                                  Autoregression(40000, 0.8, 2.0, &generator)};
+  const std::vector<std::vector<double>> noise = {FirstOrderNoise(60000, 0.8, 2.0, &generator),
+                                                  FirstOrderNoise(40000, 0.8, 2.0, &generator)};
   const Autocorrelation result = AutocorrelationOf(noise, 0.25, 12);
   ASSERT_EQ(result.lag.size(), 12u);
   for (int k = 1; k <= 12; ++k) {

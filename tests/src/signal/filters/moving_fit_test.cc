@@ -14,7 +14,7 @@
 namespace fathom {
 namespace {
 
-std::vector<double> IrregularStamps(int n, double step, double start) {
+std::vector<double> SlowlyIrregularStamps(int n, double step, double start) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> jitter(0.4, 1.6);
   std::vector<double> time = {start};
@@ -34,7 +34,7 @@ double Alone(const std::vector<double>& time,
 }
 
 TEST(MovingFit, IsTheLocalPolynomialOfEachColumn) {
-  std::vector<double> time = IrregularStamps(400, 0.02, 40.0);
+  std::vector<double> time = SlowlyIrregularStamps(400, 0.02, 40.0);
   time.erase(time.begin() + 150, time.begin() + 190);  // a silence of more than half the window
   std::vector<double> fast, slow;
   for (const double t : time) {
@@ -58,7 +58,7 @@ TEST(MovingFit, IsTheLocalPolynomialOfEachColumn) {
 }
 
 TEST(MovingFit, GoesToStampsInAnyOrder) {
-  const std::vector<double> time = IrregularStamps(80, 0.1, 0.0);
+  const std::vector<double> time = SlowlyIrregularStamps(80, 0.1, 0.0);
   std::vector<double> values;
   for (const double t : time) values.push_back(1.0 - 2.0 * t + 3.0 * t * t);
   MovingFit fit(time, {values}, {.window = 1.3, .order = 2});

@@ -51,7 +51,7 @@ TEST(Spectrum, OfWhiteNoiseStaysWithinItsBounds95PerCentOfTheTime) {
 // their neighbours has a standard error of 1.9 %; Hann's window smears by less than 1 % here.
 TEST(Spectrum, OfAnAutoregressionIsItsClosedForm) {
   std::mt19937 generator(4);
-  const std::vector<std::vector<double>> noise = {Autoregression(400000, 0.8, 2.0, &generator)};
+  const std::vector<std::vector<double>> noise = {FirstOrderNoise(400000, 0.8, 2.0, &generator)};
   const double step = 0.25;
   const Spectrum spectrum = SpectrumOf(noise, step, 256);
   ASSERT_EQ(spectrum.density.size(), 127u);

@@ -20,7 +20,7 @@ Log LogAbout(const std::string& path, std::vector<Dof> dofs) {
   return log;
 }
 
-std::string RefusalOf(std::vector<Log> logs) {
+std::string RefusalOfDof(std::vector<Log> logs) {
   try {
     DofOfAll(logs, {});
   } catch (const InputError& error) {
@@ -33,16 +33,16 @@ TEST(DofOfAll, IsTheGivenOneOrTheOnlyOne) {
   const std::vector<Log> logs = {LogAbout("a", {Dof::kHeave})};
   EXPECT_EQ(DofOfAll(logs, Dof::kYaw), Dof::kYaw);
   EXPECT_EQ(DofOfAll(logs, {}), Dof::kHeave);
-  EXPECT_EQ(RefusalOf({LogAbout("b", {Dof::kHeave, Dof::kYaw})}),
+  EXPECT_EQ(RefusalOfDof({LogAbout("b", {Dof::kHeave, Dof::kYaw})}),
             "--dof: is missing, and b/log.yaml names 2 DOFs; say which.");
 }
 
 TEST(DofOfAll, IsTheOneThatAllLogsName) {
   const std::vector<Log> logs = {LogAbout("a", {Dof::kHeave}), LogAbout("b", {Dof::kHeave})};
   EXPECT_EQ(DofOfAll(logs, {}), Dof::kHeave);
-  EXPECT_EQ(RefusalOf({LogAbout("a", {Dof::kHeave}), LogAbout("b", {Dof::kYaw})}),
+  EXPECT_EQ(RefusalOfDof({LogAbout("a", {Dof::kHeave}), LogAbout("b", {Dof::kYaw})}),
             "--dof: is missing, and a/log.yaml names heave, but b/log.yaml yaw; say which.");
-  EXPECT_EQ(RefusalOf({LogAbout("a", {})}),
+  EXPECT_EQ(RefusalOfDof({LogAbout("a", {})}),
             "--dof: is missing, and a/log.yaml names 0 DOFs; say which.");
 }
 

@@ -18,9 +18,11 @@ double Tail(int degrees, double x) {
 }
 
 // 1 - (1 - p)^n, for the smallest p too.
-double AnyOf(double p, double n) { return -std::expm1(n * std::log1p(-std::min(p, 1.0 - 1e-12))); }
+double ChanceOfAny(double p, double n) {
+  return -std::expm1(n * std::log1p(-std::min(p, 1.0 - 1e-12)));
+}
 
-// The n for which AnyOf(p, n) is `any`.
+// The n for which ChanceOfAny(p, n) is `any`.
 double NumberFor(double p, double any) {
   return std::log1p(-any) / std::log1p(-std::clamp(p, 1e-300, 1.0 - 1e-12));
 }
@@ -73,11 +75,11 @@ double Significance::ThresholdAt(int suspect, double rate) const {
 double Significance::PValue(int suspect, double gain) const {
   // It leaves no trace on these logs.
   if (num_tests_.empty() || num_tests_[suspect] == 0.0) return 1.0;
-  return AnyOf(Tail(num_amounts_[suspect], gain), num_tests_[suspect]);
+  return ChanceOfAny(Tail(num_amounts_[suspect], gain), num_tests_[suspect]);
 }
 
 double Significance::FamilyWisePValue(int suspect, double gain) const {
-  return AnyOf(PValue(suspect, gain), num_families_);
+  return ChanceOfAny(PValue(suspect, gain), num_families_);
 }
 
 }  // namespace fathom

@@ -1,0 +1,64 @@
+# How everything of ours is compiled: fathom_compile(<target>), for each library and program.
+#
+# - Sources are compiled in batches (FATHOM_UNITY_BUILD), since most of the time of a source goes into
+#   reading headers. Names in anonymous namespaces therefore differ within a folder.
+# - The headers that nearly every source reads are read once, before all of them
+#   (FATHOM_PRECOMPILED_HEADERS). Each source still includes what it uses: preset `each` builds without
+#   both, one source at a time.
+option(FATHOM_UNITY_BUILD "Compile the sources of a folder in batches" ON)
+option(FATHOM_PRECOMPILED_HEADERS "Read std, Eigen and fmt once for all sources" ON)
+
+# -Wrestrict, -Warray-bounds: GCC 12 sees overlaps and ends of std::string that are not there (GCC bug
+# 105651).
+# -Wmaybe-uninitialized: it takes the string in an EffectSetting that is written in place for unset.
+function(fathom_set_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-maybe-uninitialized>
+    $<$<BOOL:${FATHOM_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# Precompiled headers only serve a target that finds and defines the same.
+function(fathom_see_common_packages target)
+  foreach(package IN ITEMS Eigen3::Eigen fmt::fmt)
+    target_include_directories(${target} SYSTEM PRIVATE
+      $<BUILD_INTERFACE:$<TARGET_PROPERTY:${package},INTERFACE_INCLUDE_DIRECTORIES>>)
+    target_compile_definitions(${target} PRIVATE
+      $<BUILD_INTERFACE:$<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>>)
+  endforeach()
+endfunction()
+
+# fathom_compile(<target> [HEADERS <target>]): HEADERS holds the precompiled headers.
+function(fathom_compile target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS" "")
+  if(NOT arg_HEADERS)
+    set(arg_HEADERS fathom_common_headers)
+  endif()
+  fathom_set_warnings(${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  if(FATHOM_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # GCC takes a source inside a batch for a header, whose classes may not use its anonymous names.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+  if(FATHOM_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${arg_HEADERS})
+    fathom_see_common_packages(${target})
+    # ccache asks for it.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  endif()
+endfunction()
+
+# fathom_precompile(<name> <header>... [LINKS <target>...]): headers to read once.
+function(fathom_precompile name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINKS")
+  if(NOT FATHOM_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  add_library(${name} OBJECT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.cc)
+  fathom_set_warnings(${name})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_precompile_headers(${name} PRIVATE ${arg_UNPARSED_ARGUMENTS})
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  fathom_see_common_packages(${name})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS})
+endfunction()
