@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -15,7 +16,7 @@ namespace fathom {
 ToolRun RunToolBinary(const std::string& name,
                       const std::vector<std::string>& arguments,
                       const std::function<void(int)>& on_start) {
-  const std::string binary = std::string(FATHOM_TOOLS_DIR) + "/" + name;
+  const std::string binary = fmt::format("{}/{}", FATHOM_TOOLS_DIR, name);
   const ChildResult result =
       RunChild({.program = binary, .arguments = arguments, .on_start = on_start});
   if (result.end == ChildEnd::kNotStarted) {

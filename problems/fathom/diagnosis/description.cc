@@ -56,10 +56,22 @@ double ShareOf(const Scored& unseen, const std::vector<ResidualTrace>& traces) {
   return ExplainedShare({&runs, 1});
 }
 
-// What a cause gains on the held-out data beside the others; where there are none, what all gain on
-// blocks left out in turn.
+// What a cause gains beside the others on blocks or logs that are left out in turn.
+double LeftOutGain(const Judgement& judgement, const Cause& cause) {
+  const FreeRunComparison& runs = judgement.runs;
+  const Choice& choice = judgement.choice;
+  const auto& effects = choice.fit().model.effects;
+  if (effects.size() == 1) return runs.gain.value;
+  StructureFit without = choice.fit();
+  without.model = WithoutCause(judgement, cause);
+  const Scored scored = Score(*runs.parts, without, judgement.search.criterion);
+  const bool acts_on_poses = effects[cause.effect_index].effect->info().needs_pose;
+  return GainOf(Beside(scored, runs.unseen), acts_on_poses).value;
+}
+
+// What a cause gains on the held-out data beside the others.
 double HeldOutGain(const Prepared& prepared, const Judgement& judgement, const Cause& cause) {
-  if (prepared.held_out.empty()) return judgement.runs.gain.value;
+  if (prepared.held_out.empty()) return LeftOutGain(judgement, cause);
   const Choice& choice = judgement.choice;
   const ExtendedModel& extended = choice.fit().model;
   const ExtendedModel without =
@@ -167,6 +179,9 @@ Diagnosis Described(const MeasuredSegments& segments,
   diagnosis.held_out_gain_high = gain.high;
   diagnosis.gain_is_in_poses = gain.is_in_poses;
   diagnosis.by_left_out_blocks = prepared.held_out.empty();
+  diagnosis.by_left_out_logs = unseen.by_log;
+  diagnosis.num_left_out_logs = gain.num_logs;
+  diagnosis.num_better_logs = gain.num_better;
 
   diagnosis.missing_force = FindMissingForce(prepared.data,
                                              prepared.has_baseline ? users : extended,

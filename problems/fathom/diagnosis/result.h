@@ -9,6 +9,7 @@
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -217,6 +218,8 @@ struct Diagnosis {
   double held_out_gain_high = 0.0;
   bool gain_is_in_poses = false;    // of causes that act on the poses alone: see Scored
   bool by_left_out_blocks = false;  // the logs hold nothing out: blocks were left out in turn
+  bool by_left_out_logs = false;    // the same, and the blocks are whole logs
+  std::size_t num_left_out_logs = 0, num_better_logs = 0;  // of them, and those that gain
 
   MissingForce missing_force;
   std::vector<ResidualTrace> traces;

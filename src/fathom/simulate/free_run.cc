@@ -3,13 +3,15 @@
 
 #include "fathom/simulate/free_run.h"
 
+#include "fathom/base/not_known.h"
 #include "fathom/simulate/fitted_start.h"
 #include "fathom/simulate/prediction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace fathom {
@@ -20,15 +22,21 @@ constexpr double kShortestBlock = 5.0;
 constexpr double kWantedBlocks = 8.0;
 constexpr size_t kFewestBlocks = 4;
 
-struct BlockSums {
+// |miss| of two models, summed.
+struct ErrorSums {
   double before = 0.0, after = 0.0;
+
+  void Add(const FreeRun& first, const FreeRun& second, std::size_t i) {
+    before += std::abs(first.predicted[i] - first.measured[i]);
+    after += std::abs(second.predicted[i] - second.measured[i]);
+  }
 };
 
 // In blocks of so many seconds each.
-std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
+std::vector<ErrorSums> SumsByBlock(std::span<const FreeRun> before,
                                    std::span<const FreeRun> after,
                                    double length) {
-  std::vector<BlockSums> blocks;
+  std::vector<ErrorSums> blocks;
   for (size_t r = 0; r < before.size(); ++r) {
     double block_end = -1e300;
     for (size_t i = 0; i < before[r].time.size(); ++i) {
@@ -36,8 +44,7 @@ std::vector<BlockSums> SumsByBlock(std::span<const FreeRun> before,
         block_end = before[r].time[i] + length;
         blocks.emplace_back();
       }
-      blocks.back().before += std::abs(before[r].predicted[i] - before[r].measured[i]);
-      blocks.back().after += std::abs(after[r].predicted[i] - after[r].measured[i]);
+      blocks.back().Add(before[r], after[r], i);
     }
   }
   return blocks;
@@ -62,6 +69,32 @@ double StudentQuantile(double freedom) {
   return z + (z3 + z) / (4.0 * freedom) +
          (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * freedom * freedom) +
          (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * freedom * freedom * freedom);
+}
+
+// 1 - sum after / sum before, with an interval over the units, NaN from fewer than `fewest`.
+// `share_edges`: neighbours share the errors about their edge.
+Gain GainOfSums(const std::vector<ErrorSums>& units, std::size_t fewest, bool share_edges) {
+  ErrorSums all;
+  for (const ErrorSums& unit : units) {
+    all.before += unit.before;
+    all.after += unit.after;
+  }
+  if (units.empty()) return {.value = kNotKnown, .low = kNotKnown, .high = kNotKnown};
+  const double left = all.after / all.before;
+  const auto n = static_cast<double>(units.size());
+  if (units.size() < fewest) return {.value = 1.0 - left, .low = kNotKnown, .high = kNotKnown};
+  double sum = 0.0, neighbours = 0.0, last = 0.0;
+  for (const ErrorSums& unit : units) {
+    const double apart = unit.after - left * unit.before;
+    sum += apart * apart;
+    neighbours += 2.0 * apart * last;
+    last = apart;
+  }
+  const double variance = (share_edges ? std::max(sum, sum + neighbours) : sum) * n / (n - 1.0);
+  const double reach = StudentQuantile(n - 1.0) * std::sqrt(variance) / all.before;
+  // No error falls below zero.
+  const double high = std::min(1.0, 1.0 - left + reach);
+  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = high};
 }
 
 }  // namespace
@@ -95,31 +128,23 @@ FitFigures FiguresOf(const ExtendedModel& model, std::span<const Segment> segmen
 }
 
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<BlockSums> blocks = SumsByBlock(before, after, BlockLength(before));
-  BlockSums all;
-  for (const BlockSums& block : blocks) {
-    all.before += block.before;
-    all.after += block.after;
+  const std::vector<ErrorSums> blocks = SumsByBlock(before, after, BlockLength(before));
+  return GainOfSums(blocks, kFewestBlocks, true);
+}
+
+Gain GainOverLogs(std::span<const FreeRun> before, std::span<const FreeRun> after) {
+  std::map<std::string, ErrorSums> by_log;
+  for (std::size_t r = 0; r < before.size(); ++r) {
+    ErrorSums& sums = by_log[before[r].log];
+    for (std::size_t i = 0; i < before[r].time.size(); ++i) sums.Add(before[r], after[r], i);
   }
-  if (blocks.empty()) return {.value = kNone, .low = kNone, .high = kNone};
-  const double left = all.after / all.before;
-  const auto n = static_cast<double>(blocks.size());
-  if (blocks.size() < kFewestBlocks) return {.value = 1.0 - left, .low = kNone, .high = kNone};
-  double sum = 0.0, neighbours = 0.0, last = 0.0;
-  for (const BlockSums& block : blocks) {
-    const double apart = block.after - left * block.before;
-    sum += apart * apart;
-    neighbours += 2.0 * apart * last;
-    last = apart;
-  }
-  // Neighbours share the errors about their edge.
-  const double variance = std::max(sum, sum + neighbours) * n / (n - 1.0);
-  const double std = std::sqrt(variance) / all.before;
-  const double reach = StudentQuantile(n - 1.0) * std;
-  // No error falls below zero.
-  const double high = std::min(1.0, 1.0 - left + reach);
-  return {.value = 1.0 - left, .low = 1.0 - left - reach, .high = high};
+  std::vector<ErrorSums> logs;
+  for (const auto& [name, sums] : by_log) logs.push_back(sums);
+  Gain gain = GainOfSums(logs, 2, false);
+  gain.num_logs = logs.size();
+  gain.num_better = std::count_if(
+      logs.begin(), logs.end(), [](const ErrorSums& log) { return log.after < log.before; });
+  return gain;
 }
 
 }  // namespace fathom

@@ -8,8 +8,10 @@
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace fathom {
@@ -20,6 +22,7 @@ struct FreeRun {
   std::vector<double> time;       // log time [s]
   std::vector<double> measured;   // velocity [m/s] or [rad/s]; displacement where there is none
   std::vector<double> predicted;  // the same
+  std::string log = {};           // whose it is, where that matters
 };
 
 // The free run of a model over a segment, from FittedStart(): the one rule by which every tool
@@ -42,7 +45,14 @@ FitFigures FiguresOf(const ExtendedModel& model, std::span<const Segment> segmen
 struct Gain {
   double value = 0.0, low = 0.0, high = 0.0;
   bool is_in_poses = false;  // of displacements within 10 s instead
+
+  // Where logs are counted: how many, and for how many the second model misses less.
+  std::size_t num_logs = 0, num_better = 0;
 };
 Gain GainOf(std::span<const FreeRun> before, std::span<const FreeRun> after);
+
+// The same where each log was left out as a whole: blocks of one run share what is special about
+// it, so the interval counts logs. NaN from fewer than two.
+Gain GainOverLogs(std::span<const FreeRun> before, std::span<const FreeRun> after);
 
 }  // namespace fathom

@@ -33,9 +33,9 @@ Diagnosis DiagnosedFlatfish(const std::string& name,
                             const std::string& effect,
                             double value,
                             int seed) {
-  const std::string data = FATHOM_DATA_DIR;
-  const Vehicle vehicle = ReadVehicleFile(data + "/vehicles/flatfish.yaml");
-  const Experiment experiment = ReadExperimentFile(data + "/experiments/" + name);
+  const std::filesystem::path data = FATHOM_DATA_DIR;
+  const Vehicle vehicle = ReadVehicleFile(data / "vehicles/flatfish.yaml");
+  const Experiment experiment = ReadExperimentFile(data / "experiments" / name);
   const ActiveEffect hidden = {FindEffect(effect), {.dof = Dof::kSurge}, {value}};
   const Log log = Synthesize(
       vehicle, experiment, std::span<const ActiveEffect>(&hidden, 1), static_cast<unsigned>(seed));

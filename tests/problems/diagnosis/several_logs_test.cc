@@ -26,6 +26,7 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
@@ -106,6 +107,32 @@ TEST(SeveralLogs, ShareWhatBelongsToTheVehicle) {
                                  RunOf("second", "thrust_dead_zone:width=12", 6)};
   const Diagnosis diagnosis = Diagnose(logs, Dof::kSurge);
   EXPECT_THAT(LabelsOf(diagnosis.extended.model), ElementsAre("thrust_dead_zone"));
+}
+
+// One run reverses badly, as with weed in its thrusters, and is long enough to speak for all in a
+// fit to all. The others contradict it, and so does a run that nobody has seen.
+TEST(SeveralLogs, NameNothingThatTheOthersDoNotConfirm) {
+  SurgeRun weedy;
+  weedy.name = "weedy";
+  weedy.input = Multisine(40.0);
+  weedy.duration = 300.0;
+  weedy.effects = "thrust_asymmetry:reverse_loss=0.5";
+  const std::vector<Log> logs = {
+      LogOf(weedy, 21), RunOf("clean", "", 22), RunOf("clean too", "", 23)};
+  DiagnosisOptions options;
+  options.effects = {FindEffect("thrust_asymmetry")};
+  const Diagnosis diagnosis = Diagnose(logs, Dof::kSurge, options);
+  EXPECT_TRUE(diagnosis.by_left_out_logs);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kUnexplained);
+  EXPECT_THAT(diagnosis.causes, IsEmpty());
+  ASSERT_TRUE(diagnosis.not_named.has_value());
+  EXPECT_EQ(diagnosis.not_named->label, "thrust_asymmetry");
+  const auto unseen = MeasuredSegmentsOf(std::vector{RunOf("unseen", "", 24)}, Dof::kSurge);
+  const auto error = [&](const ExtendedModel& model) {
+    const auto run = FreeRunOver(unseen.all.front(), model);
+    return FiguresOfRuns(std::vector{run.value()}).mae;
+  };
+  EXPECT_LT(error(diagnosis.extended.model), 1.02 * error(diagnosis.baseline.model));
 }
 
 // The part of a log that is held out is of the same run, the other log is not.

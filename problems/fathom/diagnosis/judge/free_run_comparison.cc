@@ -23,17 +23,18 @@ FitFigures TrainFigures(const TrainingData& data,
 }  // namespace
 
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
-                                   const std::vector<LeftOut>& parts,
+                                   std::shared_ptr<const LeftOutParts> parts,
                                    const StructureFit& fit,
                                    Criterion criterion,
                                    bool acts_on_poses_alone) {
   const StartedModel& users = prepared.users;
   FreeRunComparison runs;
-  runs.unseen = prepared.held_out.empty() ? Score(parts, fit, criterion)
+  runs.unseen = prepared.held_out.empty() ? Score(*parts, fit, criterion)
                                           : Score(prepared.held_out, users.model, fit.model);
   runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
   runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
   runs.gain = GainOf(runs.unseen, acts_on_poses_alone);
+  if (prepared.held_out.empty()) runs.parts = std::move(parts);
   return runs;
 }
 

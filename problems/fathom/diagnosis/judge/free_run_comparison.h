@@ -7,7 +7,7 @@
 #include "fathom/diagnosis/judge/held_out.h"
 #include "fathom/diagnosis/judge/left_out_blocks.h"
 
-#include <vector>
+#include <memory>
 
 namespace fathom {
 
@@ -16,11 +16,14 @@ struct FreeRunComparison {
   FitFigures train_before, train_after;  // from the states that the fits end with
   Scored unseen;  // on data that no fit has seen: held out, or blocks left out in turn
   Gain gain;      // of it
+
+  // What was left out in turn; null where something is held out.
+  std::shared_ptr<const LeftOutParts> parts = nullptr;
 };
 
 // `fit`: of all training data, by `criterion`. `parts`: where nothing is held out.
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
-                                   const std::vector<LeftOut>& parts,
+                                   std::shared_ptr<const LeftOutParts> parts,
                                    const StructureFit& fit,
                                    Criterion criterion,
                                    bool acts_on_poses_alone);

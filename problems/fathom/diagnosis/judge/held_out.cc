@@ -69,10 +69,12 @@ std::optional<EffectOutputs> OutputsOver(const MeasuredSegment& segment,
 // wherever the origin lies.
 FreeRun RunOf(const MeasuredSegment& segment, EffectOutputs outputs) {
   if (!segment.velocity.empty()) {
-    return {segment.stamps.velocity, segment.velocity, std::move(outputs.velocity)};
+    return {segment.stamps.velocity, segment.velocity, std::move(outputs.velocity), segment.log};
   }
-  FreeRun run = {
-      segment.stamps.displacement, segment.displacement, std::move(outputs.displacement)};
+  FreeRun run = {segment.stamps.displacement,
+                 segment.displacement,
+                 std::move(outputs.displacement),
+                 segment.log};
   const double start = run.measured.front();
   for (double& value : run.measured) value -= start;
   for (double& value : run.predicted) value -= start;
@@ -81,7 +83,7 @@ FreeRun RunOf(const MeasuredSegment& segment, EffectOutputs outputs) {
 
 // The displacements, each block put onto the straight line that was measured.
 FreeRun PosesByBlock(const MeasuredSegment& segment, const EffectOutputs& outputs) {
-  FreeRun run{segment.stamps.displacement, segment.displacement, outputs.displacement};
+  FreeRun run{segment.stamps.displacement, segment.displacement, outputs.displacement, segment.log};
   for (size_t begin = 0; begin < run.time.size();) {
     size_t end = begin;
     while (end < run.time.size() && run.time[end] < run.time[begin] + kBlock) ++end;
@@ -144,11 +146,33 @@ Scored Score(const std::vector<MeasuredSegment>& segments,
   return scored;
 }
 
+Scored Beside(const Scored& stood, const Scored& tried) {
+  Scored beside;
+  beside.by_log = tried.by_log;
+  const auto put =
+      [](const std::vector<FreeRun>& a, const std::vector<FreeRun>& b, auto* into_a, auto* into_b) {
+        for (const FreeRun& run : a) {
+          const auto same = std::find_if(b.begin(), b.end(), [&](const FreeRun& other) {
+            return other.log == run.log && other.time == run.time;
+          });
+          if (same == b.end()) continue;
+          into_a->push_back(run);
+          into_b->push_back(*same);
+        }
+      };
+  put(stood.after, tried.after, &beside.before, &beside.after);
+  put(stood.poses_after, tried.poses_after, &beside.poses_before, &beside.poses_after);
+  return beside;
+}
+
 Gain GainOf(const Scored& scored, bool acts_on_poses_alone) {
+  const auto gain_of = [&](const std::vector<FreeRun>& before, const std::vector<FreeRun>& after) {
+    return scored.by_log ? GainOverLogs(before, after) : GainOf(before, after);
+  };
   if (!acts_on_poses_alone || scored.poses_before.empty()) {
-    return GainOf(scored.before, scored.after);
+    return gain_of(scored.before, scored.after);
   }
-  Gain gain = GainOf(scored.poses_before, scored.poses_after);
+  Gain gain = gain_of(scored.poses_before, scored.poses_after);
   gain.is_in_poses = true;
   return gain;
 }

@@ -36,7 +36,13 @@ struct Scored {
   std::vector<FreeRun> before, after;
 
   std::vector<FreeRun> poses_before, poses_after;  // by PosesByBlock()
+
+  bool by_log = false;  // whole logs were left out: GainOverLogs()
 };
+
+// The runs of two models that were scored against the same third one: `before` of what stood,
+// `after` of what is tried.
+Scored Beside(const Scored& stood, const Scored& tried);
 
 // The gain; of an effect that acts on the poses alone, which velocities know nothing of, in the
 // poses, where there are both.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,12 +43,19 @@ bool Remains(const Prepared& prepared, const RemainingStructure& remaining, doub
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
-Sifted SiftedBest(const Prepared& prepared, const WeighedSearch& search, const Evidence& evidence) {
+// `logs`: several that hold nothing out, each left out in turn.
+Sifted SiftedBest(const Prepared& prepared,
+                  const std::optional<LeftOutParts>& logs,
+                  const WeighedSearch& search,
+                  const Evidence& evidence) {
   const auto sift = [&](Choice choice, Burden burden) {
     return LeaveOutTheRefuted(prepared.data, prepared.held_out, search, burden, std::move(choice));
   };
   Sifted sifted = sift(ConfirmedOnAllData(prepared.data, search), Burden::kNotToLose);
-  if (prepared.held_out.empty()) return sifted;
+  if (prepared.held_out.empty()) {
+    if (!logs || sifted.choice.chosen == 0) return sifted;
+    return LeaveOutTheUnconfirmed(prepared.data, *logs, search, std::move(sifted.choice));
+  }
   const double gain = search.found.book[sifted.choice.chosen].gain;
   if (!Remains(prepared, RemainingOf(prepared, sifted.choice, evidence), gain)) return sifted;
   // The causes may stand in for what nothing explains; unseen data tell.
@@ -59,9 +67,18 @@ Sifted SiftedBest(const Prepared& prepared, const WeighedSearch& search, const E
 // Why nothing of what was chosen is to be named after all; nothing if it is.
 std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
                                     const FreeRunComparison& runs,
-                                    bool by_left_out_blocks) {
+                                    bool by_left_out_blocks,
+                                    bool remains) {
   if (causes.empty()) return std::nullopt;
   const Gain& gain = runs.gain;
+  if (runs.unseen.by_log) {
+    // A cause may stand in for what else is missing, and two runs miss much the same.
+    if (gain.num_logs < 3 && remains) {
+      return Refusal{.reason = Refusal::Reason::kTwoLogsTellTooLittle, .refused = causes};
+    }
+    if (IsConfirmedByLogs(gain)) return std::nullopt;
+    return Refusal{.reason = Refusal::Reason::kNotConfirmedByLogs, .refused = causes, .loss = gain};
+  }
   const auto loss = RefutingGain(runs.unseen, gain.is_in_poses);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
   const bool counts = !by_left_out_blocks || gain.is_in_poses || gain.high < 0.0;
@@ -119,19 +136,24 @@ Judgement Concluded(const Prepared& prepared,
                     const Evidence& evidence,
                     const DiagnosisOptions& options) {
   const HypothesisBook& book = search.found.book;
-  const auto refusal =
-      RefusalOfAll(book[sifted.choice.chosen].suspects, runs, prepared.held_out.empty());
+  const RemainingStructure left = RemainingOf(prepared, sifted.choice, evidence);
+  const auto refusal = RefusalOfAll(book[sifted.choice.chosen].suspects,
+                                    runs,
+                                    prepared.held_out.empty(),
+                                    Remains(prepared, left, book[sifted.choice.chosen].gain));
   if (refusal) {
     sifted.choice.chosen = 0;
     sifted.refusals.push_back(*refusal);
     runs = OfUsersAlone(std::move(runs));
   }
   const int chosen = sifted.choice.chosen;
-  const RemainingStructure remaining = RemainingOf(prepared, sifted.choice, evidence);
+  const RemainingStructure remaining =
+      refusal ? RemainingOf(prepared, sifted.choice, evidence) : left;
   const bool remains = Remains(prepared, remaining, book[chosen].gain);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
-  Verdict verdict = VerdictOf(remains || refusal, chosen != 0, !rivals.empty());
+  const bool is_suspected = runs.unseen.by_log && chosen == 0 && !sifted.refusals.empty();
+  Verdict verdict = VerdictOf(remains || refusal || is_suspected, chosen != 0, !rivals.empty());
   std::optional<Coincidence> coincidence;
   if (verdict == Verdict::kExplained) coincidence = CoincidenceIn(search, chosen, separation);
   if (coincidence) verdict = Verdict::kUnexplained;
@@ -151,16 +173,15 @@ Judgement JudgedByLikelihood(const Prepared& prepared,
                              const Evidence& evidence,
                              const DiagnosisOptions& options) {
   WeighedSearch search = SearchByLikelihood(prepared, suspects, options);
-  Sifted sifted = SiftedBest(prepared, search, evidence);
-  const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
-  const auto& effects = sifted.choice.fit().model.effects;
-  const bool is_of_a_log = std::any_of(effects.begin(), effects.end(), [](const auto& active) {
-    return !active.setting.log.empty();
-  });
-  std::vector<LeftOut> parts;
-  if (prepared.held_out.empty()) {
-    parts = LeaveBlocksOut(prepared, is_of_a_log ? LeavingOut::kOfEachLog : LeavingOut::kOfAll);
+  std::optional<LeftOutParts> logs;
+  if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
+    logs = LeaveOut(prepared, LeavingOut::kLogs);
   }
+  Sifted sifted = SiftedBest(prepared, logs, search, evidence);
+  const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
+  const LeavingOut how = HowToLeaveOut(prepared.data, sifted.choice.fit().model);
+  const auto parts = std::make_shared<const LeftOutParts>(
+      logs && how == LeavingOut::kLogs ? *std::move(logs) : LeaveOut(prepared, how));
   FreeRunComparison runs = CompareWithUsers(prepared,
                                             parts,
                                             sifted.choice.fit(),
@@ -194,9 +215,11 @@ bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
 // Whether what free runs propose is named instead of what likelihood does. It predicts unseen data
 // better for certain, and by more where that is a cause that they have not refused.
 bool TakesThePlaceOf(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
-  const std::vector<FreeRun>& standing = by_likelihood.runs.unseen.after;
-  if (rung.choice.chosen == 0 || !AreOverTheSame(standing, rung.runs.unseen.after)) return false;
-  const Gain gain = GainOf(standing, rung.runs.unseen.after);
+  const Scored& standing = by_likelihood.runs.unseen;
+  if (rung.choice.chosen == 0 || !AreOverTheSame(standing.after, rung.runs.unseen.after)) {
+    return false;
+  }
+  const Gain gain = GainOf(Beside(standing, rung.runs.unseen), false);
   const bool is_better = IsBetterForCertain(gain) &&
                          (by_likelihood.choice.chosen == 0 || gain.value > kBetterThanNamed);
   return is_better && IsLikely(prepared, rung.choice.fit());

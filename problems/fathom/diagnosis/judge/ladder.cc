@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,14 +38,15 @@ double Total(const std::vector<FreeRun>& runs) {
 }  // namespace
 
 bool IsBetterForCertain(const Gain& gain) {
+  if (gain.num_logs > 0 && gain.num_better == gain.num_logs) return gain.value > kMaterial;
   if (std::isnan(gain.low)) return gain.value > kMaterialWithoutInterval;
   return gain.low > kMaterial;
 }
 
 Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int most_causes) {
   const HypothesisBook& book = search.found.book;
-  std::vector<LeftOut> parts;
-  if (prepared.held_out.empty()) parts = LeaveBlocksOut(prepared, LeavingOut::kOfAll);
+  const auto parts =
+      std::make_shared<const LeftOutParts>(LeaveOut(prepared, HowToLeaveOut(prepared.data, {})));
   Rung at;
   at.choice.fits[0] = search.baseline;
   bool is_first = true;
@@ -62,9 +64,9 @@ Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int 
       if (is_first) at.runs = best.runs = OfUsersAlone(next.runs);
       is_first = false;
       const auto& tried = next.runs.unseen.after;
-      const auto& standing = at.runs.unseen.after;
       const bool is_better =
-          AreOverTheSame(standing, tried) && IsBetterForCertain(GainOf(standing, tried));
+          AreOverTheSame(at.runs.unseen.after, tried) &&
+          IsBetterForCertain(GainOf(Beside(at.runs.unseen, next.runs.unseen), false));
       if (!is_better) continue;
       if (best.choice.chosen == at.choice.chosen || Total(tried) < Total(best.runs.unseen.after)) {
         best = std::move(next);

@@ -18,6 +18,7 @@ namespace fathom {
 namespace {
 
 constexpr int kNumFolds = 4;
+constexpr std::size_t kMostLogFolds = 8;  // with more logs, several are left out together
 
 void Append(Scored part, Scored* all) {
   for (const auto runs :
@@ -26,11 +27,28 @@ void Append(Scored part, Scored* all) {
   }
 }
 
-}  // namespace
+std::vector<std::string> LogsOf(const TrainingData& data) {
+  std::vector<std::string> logs;
+  for (const MeasuredSegment& segment : data.segments()) {
+    if (std::find(logs.begin(), logs.end(), segment.log) == logs.end()) logs.push_back(segment.log);
+  }
+  return logs;
+}
 
-std::vector<LeftOut> LeaveBlocksOut(const Prepared& prepared, LeavingOut leaving_out) {
+void AddPart(const Prepared& prepared,
+             std::vector<MeasuredSegment> left_out,
+             std::vector<MeasuredSegment> kept,
+             std::vector<LeftOut>* parts) {
+  if (kept.empty() || left_out.empty()) return;
+  const ExtendedModel& users = prepared.users.model;
+  TrainingData rest(std::move(kept), users.baseline, prepared.data.least_inertia());
+  const auto anew = FindRobustStart(rest.segments());
+  parts->push_back({std::move(left_out), std::move(rest), anew ? anew->model : users});
+}
+
+// A quarter at a time, of all data or of each log.
+std::vector<LeftOut> LeaveQuartersOut(const Prepared& prepared, bool is_by_log) {
   const TrainingData& data = prepared.data;
-  const bool is_by_log = leaving_out == LeavingOut::kOfEachLog;
   std::map<std::string, double> totals;
   for (const MeasuredSegment& segment : data.segments()) {
     totals[is_by_log ? segment.log : ""] += segment.duration();
@@ -56,24 +74,64 @@ std::vector<LeftOut> LeaveBlocksOut(const Prepared& prepared, LeavingOut leaving
       if (high > low) add(PartOf(segment, low, high), &left_out);
       if (high < end) add(PartOf(segment, high + 1e-9, end), &kept);
     }
-    if (kept.empty() || left_out.empty()) continue;
-    const ExtendedModel& users = prepared.users.model;
-    TrainingData rest(std::move(kept), users.baseline, data.least_inertia());
-    const auto anew = FindRobustStart(rest.segments());
-    parts.push_back({std::move(left_out), std::move(rest), anew ? anew->model : users});
+    AddPart(prepared, std::move(left_out), std::move(kept), &parts);
   }
   return parts;
 }
 
-Scored Score(const std::vector<LeftOut>& parts, const StructureFit& extended, Criterion criterion) {
+std::vector<LeftOut> LeaveLogsOut(const Prepared& prepared) {
+  const std::vector<std::string> logs = LogsOf(prepared.data);
+  const std::size_t num_folds = std::min(logs.size(), kMostLogFolds);
+  std::vector<LeftOut> parts;
+  for (std::size_t fold = 0; fold < num_folds; ++fold) {
+    std::vector<MeasuredSegment> kept, left_out;
+    for (const MeasuredSegment& segment : prepared.data.segments()) {
+      const auto log = std::find(logs.begin(), logs.end(), segment.log) - logs.begin();
+      (log % num_folds == fold ? left_out : kept).push_back(segment);
+    }
+    AddPart(prepared, std::move(left_out), std::move(kept), &parts);
+  }
+  return parts;
+}
+
+// A structure less the effects of logs that these data do not hold.
+ExtendedModel KnownFrom(const TrainingData& data, ExtendedModel model) {
+  const std::vector<std::string> logs = LogsOf(data);
+  std::erase_if(model.effects, [&](const ActiveEffect& active) {
+    const std::string& log = active.setting.log;
+    return !log.empty() && std::find(logs.begin(), logs.end(), log) == logs.end();
+  });
+  return model;
+}
+
+}  // namespace
+
+LeavingOut HowToLeaveOut(const TrainingData& data, const ExtendedModel& model) {
+  const auto& effects = model.effects;
+  const auto is_of_a_log = [](const ActiveEffect& active) { return !active.setting.log.empty(); };
+  if (!effects.empty() && std::all_of(effects.begin(), effects.end(), is_of_a_log)) {
+    return LeavingOut::kOfEachLog;
+  }
+  return LogsOf(data).size() > 1 ? LeavingOut::kLogs : LeavingOut::kOfAll;
+}
+
+LeftOutParts LeaveOut(const Prepared& prepared, LeavingOut how) {
+  if (!prepared.held_out.empty()) return {.how = how, .parts = {}};
+  if (how == LeavingOut::kLogs) return {.how = how, .parts = LeaveLogsOut(prepared)};
+  return {.how = how, .parts = LeaveQuartersOut(prepared, how == LeavingOut::kOfEachLog)};
+}
+
+Scored Score(const LeftOutParts& parts, const StructureFit& extended, Criterion criterion) {
   Scored scored;
-  for (const auto& [left_out, rest, users] : parts) {
+  scored.by_log = parts.how == LeavingOut::kLogs;
+  for (const auto& [left_out, rest, users] : parts.parts) {
     std::vector<InitialState> initial;
     for (const MeasuredSegment& segment : rest.segments()) initial.push_back(segment.initial);
+    const ExtendedModel known = KnownFrom(rest, extended.model);
     const StructureFit anew =
         criterion == Criterion::kFreeRun
-            ? FitBy(criterion, rest, extended.model, initial, extended.noise)
-            : FitStructure(rest, extended.model, initial, Whitener(extended.noise, rest.samples()));
+            ? FitBy(criterion, rest, known, initial, extended.noise)
+            : FitStructure(rest, known, initial, Whitener(extended.noise, rest.samples()));
     Append(Score(left_out, users, anew.model), &scored);
   }
   return scored;

@@ -23,13 +23,24 @@ struct LeftOut {
 enum class LeavingOut {
   kOfAll,      // a quarter of all data at a time
   kOfEachLog,  // of each log: what belongs to one log alone is known from its other blocks only
+  kLogs,       // one log at a time, as a whole: blocks of one run share what is special about it
 };
 
-// The quarters; none if the data are too few.
-std::vector<LeftOut> LeaveBlocksOut(const Prepared& prepared, LeavingOut leaving_out);
+// All of them.
+struct LeftOutParts {
+  LeavingOut how = LeavingOut::kOfAll;
+  std::vector<LeftOut> parts;  // empty where something is held out, or the data are too few
+};
+
+// How the data of a model are left out where nothing is held out: of several logs one at a time,
+// unless all its effects are of one log each, which no other log knows.
+LeavingOut HowToLeaveOut(const TrainingData& data, const ExtendedModel& model);
+
+LeftOutParts LeaveOut(const Prepared& prepared, LeavingOut how);
 
 // Free runs over each part, of the user's model and of a structure that is fitted anew to the rest
-// by its criterion (by likelihood: under its own noise).
-Scored Score(const std::vector<LeftOut>& parts, const StructureFit& extended, Criterion criterion);
+// by its criterion (by likelihood: under its own noise), without the effects of logs that are not
+// in the rest.
+Scored Score(const LeftOutParts& parts, const StructureFit& extended, Criterion criterion);
 
 }  // namespace fathom

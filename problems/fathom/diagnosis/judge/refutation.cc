@@ -6,6 +6,8 @@
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -15,7 +17,9 @@ namespace {
 constexpr double kLossTooMuch = 0.05;   // of held-out NMAE, at which nothing is named
 constexpr double kTraceInPoses = 0.01;  // losses that say nothing
 constexpr double kTraceInVelocities = 0.005;
-constexpr double kMaterialGain = 0.05;  // in poses, that outweighs them in velocities
+constexpr double kMaterialGain = 0.05;     // in poses, that outweighs them in velocities
+constexpr double kLeastGainOfEach = 0.01;  // over all logs, each of which gains
+constexpr int kMostInstead = 4;            // causes that are tried in the place of others
 
 double TraceOf(const Gain& gain) { return gain.is_in_poses ? kTraceInPoses : 0.0; }
 
@@ -77,6 +81,52 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
                                              : Refusal::Reason::kLosesBesideOthers,
                                .refused = {*refused},
                                .kept = book[sifted.choice.chosen].suspects});
+  }
+  return sifted;
+}
+
+bool IsConfirmedByLogs(const Gain& gain) {
+  if (gain.low > 0.0) return true;
+  return gain.num_better == gain.num_logs && gain.value > kLeastGainOfEach;
+}
+
+Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
+                              const LeftOutParts& logs,
+                              const WeighedSearch& search,
+                              Choice choice) {
+  const HypothesisBook& book = search.found.book;
+  Sifted sifted = {std::move(choice), {}};
+  std::map<int, Scored> scored;  // by hypothesis
+  const auto runs_of = [&](int index) -> const Scored& {
+    const auto found = scored.find(index);
+    if (found != scored.end()) return found->second;
+    return scored[index] = Score(logs, FitOf(book, sifted.choice, index), search.criterion);
+  };
+  // Nothing of a cause of one log alone, or where it was not tried without it.
+  const auto gain_by = [&](int suspect) -> std::optional<Gain> {
+    const int without = book.IndexWithout(sifted.choice.chosen, suspect);
+    if (!search.suspects[suspect].setting.log.empty() || without < 0) return std::nullopt;
+    const Scored beside = Beside(runs_of(without), runs_of(sifted.choice.chosen));
+    return GainOf(beside, ActOnPosesAlone({suspect}, search.suspects));
+  };
+  std::set<int> left_out;
+  for (int num_tried = 0; sifted.choice.chosen != 0; ++num_tried) {
+    const std::vector<int> causes = book[sifted.choice.chosen].suspects;
+    std::optional<Refusal> refusal;
+    for (const int suspect : causes) {
+      const auto gain = gain_by(suspect);
+      if (!gain || IsConfirmedByLogs(*gain)) continue;
+      refusal = Refusal{
+          .reason = Refusal::Reason::kNotConfirmedByLogs, .refused = {suspect}, .loss = *gain};
+      break;
+    }
+    if (!refusal) break;
+    left_out.insert(refusal->refused.front());
+    const std::size_t most_causes = causes.size() - (num_tried < kMostInstead ? 0 : 1);
+    const int next = BestWithout(left_out, most_causes, book);
+    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
+    refusal->kept = book[sifted.choice.chosen].suspects;
+    sifted.refusals.push_back(*std::move(refusal));
   }
   return sifted;
 }

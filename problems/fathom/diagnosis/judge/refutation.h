@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/judge/confirmation.h"
 #include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/judge/left_out_blocks.h"
 
 #include <optional>
 #include <vector>
@@ -14,15 +15,17 @@ namespace fathom {
 // Suspects that fit the training data and are not named, and why.
 struct Refusal {
   enum class Reason {
-    kLosesBesideOthers,  // with it the error grows on data that no fit has seen
-    kGainsNothing,       // it gains nothing for certain on them, and there is more to explain
-    kLosesOnUnseenData,  // all that was chosen: `loss`
-    kLosesInTraining,    // the same on the training data: `nmae_before`, `nmae_after`
+    kLosesBesideOthers,     // with it the error grows on data that no fit has seen
+    kGainsNothing,          // it gains nothing for certain on them, and there is more to explain
+    kLosesOnUnseenData,     // all that was chosen: `loss`
+    kLosesInTraining,       // the same on the training data: `nmae_before`, `nmae_after`
+    kTwoLogsTellTooLittle,  // only two, and what it leaves is more than noise
+    kNotConfirmedByLogs,    // logs that are left out, each in turn, do not gain by it: `loss`
   };
   Reason reason = Reason::kLosesBesideOthers;
   std::vector<int> refused = {};  // indices of suspects
   std::vector<int> kept = {};     // beside which they are refused
-  Gain loss = {};                 // below 0
+  Gain loss = {};                 // below 0; of kNotConfirmedByLogs the gain there is
   double nmae_before = 0.0, nmae_after = 0.0;
 };
 
@@ -47,6 +50,18 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
                           const WeighedSearch& search,
                           Burden burden,
                           Choice choice);
+
+// Several logs that hold nothing out: leaves out of a choice every cause of all logs that those
+// left out in turn do not confirm. The best hypothesis of no more causes without it takes the
+// place, as long as there are few.
+Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
+                              const LeftOutParts& logs,
+                              const WeighedSearch& search,
+                              Choice choice);
+
+// Whether logs that are left out in turn gain for certain (95 %), or each of them gains. Of two or
+// three logs the interval is so wide that the second counts.
+bool IsConfirmedByLogs(const Gain& gain);
 
 // The gain by which data that no fit has seen speak against what is named, where that is all there
 // is: for certain, or as far as they go by so much (5 %) that it should not be built on. Nothing if

@@ -48,9 +48,10 @@ double LongestStep(const std::vector<double>& time) {
 
 std::string NmaeNote(const Diagnosis& diagnosis, const DiagnosedModel& model) {
   if (std::isfinite(model.held_out.nmae)) {
-    return fmt::format("{} NMAE {:.3f}",
-                       diagnosis.by_left_out_blocks ? "cross-validated" : "held-out",
-                       model.held_out.nmae);
+    const char* const where = diagnosis.by_left_out_logs     ? "left-out"
+                              : diagnosis.by_left_out_blocks ? "cross-validated"
+                                                             : "held-out";
+    return fmt::format("{} NMAE {:.3f}", where, model.held_out.nmae);
   }
   return std::isfinite(model.train.nmae) ? fmt::format("NMAE {:.3f}", model.train.nmae) : "";
 }

@@ -123,7 +123,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
   const std::string nmae = fmt::format("{} NMAE", FittedQuantity(diagnosis));
   add_figure(
       nmae + ", training data", diagnosis.baseline.train.nmae, diagnosis.extended.train.nmae);
-  add_figure(nmae + (diagnosis.by_left_out_blocks ? ", cross-validated" : ", held-out data"),
+  add_figure(fmt::format("{}, {}", nmae, WhereUnseen(diagnosis)),
              diagnosis.baseline.held_out.nmae,
              diagnosis.extended.held_out.nmae);
   return table;

@@ -31,6 +31,17 @@ std::string WhyRefused(const Refusal& refusal) {
                                                       : fmt::format(" ({:.0f} to {:.0f} %)",
                                                                     -100.0 * refusal.loss.high,
                                                                     -100.0 * refusal.loss.low));
+    case Refusal::Reason::kTwoLogsTellTooLittle:
+      return "it may stand in for more that is missing, and two logs cannot tell (a third would)";
+    case Refusal::Reason::kNotConfirmedByLogs:
+      return fmt::format(
+          "logs left out in turn do not confirm it: with it the error {} in {} of {}, by {:.0f} % "
+          "in all",
+          refusal.loss.value < 0.0 ? "grows" : "falls",
+          refusal.loss.value < 0.0 ? refusal.loss.num_logs - refusal.loss.num_better
+                                   : refusal.loss.num_better,
+          refusal.loss.num_logs,
+          100.0 * std::abs(refusal.loss.value));
     case Refusal::Reason::kLosesInTraining:
       return fmt::format("the NMAE on the training data itself grows from {:.2g} to {:.2g}",
                          refusal.nmae_before,
@@ -144,6 +155,11 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has
         "training data for this test.");
   }
   const bool has_causes = judgement.choice.chosen != 0;
+  if (has_causes && judgement.runs.gain.num_logs == 2) {
+    remarks.push_back(
+        "Each of two logs was predicted by the model of the other. Two logs tell little of what "
+        "carries over to a third: predict one more before the causes are built upon.");
+  }
   for (std::string& remark : RemarksOnEvidence(judgement.evidence, has_velocity, has_causes)) {
     remarks.push_back(std::move(remark));
   }

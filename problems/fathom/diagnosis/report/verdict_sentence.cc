@@ -120,6 +120,7 @@ std::pair<std::string, std::string> ToldApart(double a, double b) {
 }
 
 std::string OnUnseenData(const Diagnosis& diagnosis) {
+  if (diagnosis.by_left_out_logs) return "on logs left out in turn";
   return diagnosis.by_left_out_blocks ? "in cross-validation" : "on held-out data";
 }
 
@@ -269,8 +270,14 @@ std::string_view FittedQuantity(const Diagnosis& diagnosis) {
   return diagnosis.has_velocity ? "velocity" : "position";
 }
 
+std::string_view WhereUnseen(const Diagnosis& diagnosis) {
+  if (diagnosis.by_left_out_logs) return "logs left out";
+  return diagnosis.by_left_out_blocks ? "cross-validated" : "held-out data";
+}
+
 std::string NameOfNmae(const Diagnosis& diagnosis) {
   const std::string_view quantity = FittedQuantity(diagnosis);
+  if (diagnosis.by_left_out_logs) return fmt::format("{} NMAE on logs left out in turn", quantity);
   return diagnosis.by_left_out_blocks ? fmt::format("cross-validated {} NMAE", quantity)
                                       : fmt::format("{} NMAE on held-out data", quantity);
 }

@@ -22,6 +22,9 @@ std::vector<std::string> VerdictParagraphs(const Diagnosis& diagnosis);
 // What MAE and NMAE are of: "velocity", or "position" where no velocity is measured.
 std::string_view FittedQuantity(const Diagnosis& diagnosis);
 
+// Where what no fit has seen comes from, in two or three words.
+std::string_view WhereUnseen(const Diagnosis& diagnosis);
+
 // What the error on unseen data is called: "velocity NMAE on held-out data", or "cross-validated
 // velocity NMAE" where the logs held nothing out.
 std::string NameOfNmae(const Diagnosis& diagnosis);

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "surge_run.h"
@@ -112,6 +114,59 @@ TEST(GainOf, HasAWiderIntervalFromFewBlocks) {
     outside += gain.low > 0.3 || gain.high < 0.3;
   }
   EXPECT_NEAR(outside, 0.05 * num_runs, 3.5 * 0.007 * num_runs);
+}
+
+// Six logs, each of which has a share of its own: the interval is Student's of five degrees of
+// freedom over the logs, however long they are.
+TEST(GainOverLogs, HasAnIntervalThatHoldsTheTrueGainOfLogs) {
+  const int num_runs = 2000;
+  std::mt19937 random(3);
+  std::normal_distribution<double> own(0.0, 0.2);
+  int outside = 0;
+  for (int k = 0; k < num_runs; ++k) {
+    std::vector<FreeRun> before, after;
+    for (int log = 0; log < 6; ++log) {
+      FreeRun run = {{}, {}, {}, std::to_string(log)};
+      for (int i = 0; i < 100; ++i) {
+        run.time.push_back(i);
+        run.measured.push_back(0.0);
+        run.predicted.push_back(1.0);
+      }
+      before.push_back(run);
+      const double left = 0.7 + own(random);
+      for (double& value : run.predicted) value = left;
+      after.push_back(run);
+    }
+    const Gain gain = GainOverLogs(before, after);
+    EXPECT_EQ(gain.num_logs, 6U);
+    outside += gain.low > 0.3 || gain.high < 0.3;
+  }
+  // A share of 2000 has a standard deviation of 0.5 %.
+  EXPECT_NEAR(outside, 0.05 * num_runs, 3.5 * 0.005 * num_runs);
+}
+
+// Two logs of which one gains 0.4 and the other loses 0.2: 0.1 in all, within 12.7 times 0.3.
+TEST(GainOverLogs, IsWideFromTwoLogs) {
+  const auto run = [](double predicted, const char* log) {
+    return FreeRun{{0.0, 1.0}, {0.0, 0.0}, {predicted, predicted}, log};
+  };
+  const Gain gain = GainOverLogs(std::vector{run(1.0, "a"), run(1.0, "b")},
+                                 std::vector{run(0.6, "a"), run(1.2, "b")});
+  EXPECT_NEAR(gain.value, 0.1, 1e-12);
+  EXPECT_NEAR(gain.low, 0.1 - 12.706 * 0.3, 1e-9);
+  EXPECT_EQ(gain.high, 1.0);
+  EXPECT_EQ(gain.num_better, 1U);
+  EXPECT_FALSE(IsConfirmedByLogs(gain));
+}
+
+TEST(IsConfirmedByLogs, OfCertainGainsAndOfGainsInEachLog) {
+  const auto gain = [](double value, double low, std::size_t better) {
+    return Gain{.value = value, .low = low, .high = 1.0, .num_logs = 5, .num_better = better};
+  };
+  EXPECT_TRUE(IsConfirmedByLogs(gain(0.3, 0.01, 4)));
+  EXPECT_FALSE(IsConfirmedByLogs(gain(0.3, -0.01, 4)));
+  EXPECT_TRUE(IsConfirmedByLogs(gain(0.3, -0.01, 5)));
+  EXPECT_FALSE(IsConfirmedByLogs(gain(0.005, -0.01, 5)));  // a trace
 }
 
 // Misses of 1 and 0.7 that share no chance: in the mean a gain of 0.3, whatever their colour.

@@ -46,7 +46,8 @@ TEST(VerdictFile, HoldsTheDocumentedFields) {
                   {"low", 0.23},
                   {"high", 0.371},
                   {"is_in_poses", false},
-                  {"by_left_out_blocks", false}}));
+                  {"by_left_out_blocks", false},
+                  {"by_left_out_logs", false}}));
 }
 
 TEST(VerdictFile, HoldsEachCause) {
