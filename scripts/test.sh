@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs every test.
+# Installs what is missing, builds everything and runs every test. Says what both took.
 #
 #   scripts/test.sh          optimised, with debug information (preset dev)
 #   scripts/test.sh asan     under the address and undefined behaviour sanitizers
@@ -7,7 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 preset=${1:-dev}
+TIMEFORMAT='CPU seconds: %U user, %S system; %R elapsed'
 scripts/install_dependencies.sh
 cmake --preset "$preset"
-cmake --build --preset "$preset" --parallel "$(nproc)"
-ctest --preset "$preset" --parallel "$(nproc)"
+echo 'Build' && time cmake --build --preset "$preset" --parallel "$(nproc)"
+echo 'Tests' && time ctest --preset "$preset" --parallel "$(nproc)"
