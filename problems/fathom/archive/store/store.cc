@@ -152,14 +152,15 @@ Store::Store(const std::filesystem::path& file) {
 Store::~Store() = default;
 
 std::optional<RunRecord> Store::FindRun(const std::string& key) {
-  if (auto run = FindRunIn(database_.get(), key)) return run;
+  auto own = FindRunIn(database_.get(), key);
+  if (own && IsFinal(*own)) return own;
   for (const auto& other : others_) {
-    if (auto run = FindRunIn(other.get(), key)) {
-      KeepRun(*run);
-      return run;
-    }
+    auto run = FindRunIn(other.get(), key);
+    if (!run || (own && !IsFinal(*run))) continue;
+    KeepRun(*run);
+    return run;
   }
-  return std::nullopt;
+  return own;
 }
 
 void Store::KeepRun(const RunRecord& run) {
@@ -307,6 +308,11 @@ void Store::Merge(const std::filesystem::path& file) {
     attach.exec();
     {
       SQLite::Transaction transaction(*database_);
+      // A run that did not come to its end, for lack of time say, gives way to one that did.
+      database_->exec(
+          fmt::format("DELETE FROM runs WHERE \"end\" <> {0} AND key IN "
+                      "(SELECT key FROM other.runs WHERE \"end\" = {0})",
+                      static_cast<int>(ChildEnd::kExited)));
       database_->exec("INSERT OR IGNORE INTO runs SELECT * FROM other.runs");
       database_->exec("INSERT OR IGNORE INTO files SELECT * FROM other.files");
       transaction.commit();
