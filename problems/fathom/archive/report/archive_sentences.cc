@@ -3,6 +3,7 @@
 
 #include "fathom/archive/report/archive_sentences.h"
 
+#include "fathom/archive/report/dives_apart.h"
 #include "fathom/archive/report/log_states.h"
 
 #include <algorithm>
@@ -35,10 +36,11 @@ std::map<std::string, std::size_t> NumDivesCompared(const Tables& tables) {
 // Vehicles of which too few dives say something, each in a sentence of its own.
 constexpr std::size_t kMostToldApart = 2;
 
-std::string QuietSentence(const std::string& vehicle, std::size_t num_dives) {
+std::string QuietSentence(const std::string& vehicle, std::size_t num_dives, bool is_apart) {
   const std::string of = vehicle.empty() ? "" : " of " + vehicle;
   if (num_dives >= kFewestDivesForChange) {
-    return fmt::format("No change over {} dives{}.", num_dives, of);
+    return is_apart ? fmt::format("No step or trend explains it over {} dives{}.", num_dives, of)
+                    : fmt::format("No change over {} dives{}.", num_dives, of);
   }
   if (num_dives == 0) {
     return fmt::format("No statement on change{}: no dive has a usable joint fit.", of);
@@ -130,7 +132,10 @@ std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
   const auto compared = NumDivesCompared(tables);
   if (compared.size() <= 1) {
     const std::size_t num_dives = compared.empty() ? 0 : compared.begin()->second;
-    if (sentences.empty()) sentences.push_back(QuietSentence("", num_dives));
+    const std::string apart =
+        DivesApartSentence(tables, compared.empty() ? "" : compared.begin()->first);
+    if (sentences.empty()) sentences.push_back(QuietSentence("", num_dives, !apart.empty()));
+    if (!apart.empty()) sentences.insert(sentences.begin(), apart);
     return sentences;
   }
   std::set<std::string> changed;
@@ -139,8 +144,10 @@ std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
   for (const auto& [vehicle, num_dives] : compared) {
     if (changed.contains(vehicle)) continue;
     auto& list = num_dives < kFewestDivesForChange ? of_few_dives : sentences;
-    list.push_back(
-        QuietSentence(vehicle.empty() ? "the vehicle without a name" : vehicle, num_dives));
+    const std::string name = vehicle.empty() ? "the vehicle without a name" : vehicle;
+    const std::string apart = DivesApartSentence(tables, vehicle);
+    if (!apart.empty()) list.push_back(fmt::format("Of {}: {}", name, apart));
+    list.push_back(QuietSentence(name, num_dives, !apart.empty()));
   }
   if (of_few_dives.size() > kMostToldApart) {
     sentences.push_back(

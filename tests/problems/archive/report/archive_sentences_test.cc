@@ -46,6 +46,49 @@ TEST(ChangeSentences, TellThatNothingChanged) {
   EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("No change over 12 dives."));
 }
 
+// Six hulls, two dives each: no step can be placed.
+TEST(ChangeSentences, SayWhereDivesDifferByFarMoreThanTheirIntervals) {
+  const double hulls[] = {5.0, 14.0, 9.0, 22.0, 5.2, 31.0};
+  ArchiveReport report;
+  AddDives(12, true, "", &report);
+  for (std::size_t dive = 0; dive < 12; ++dive) {
+    DiveFitRow& row = report.tables.dive_fits[dive];
+    row.dive = fmt::format("dive_{:02}", dive + 1);
+    row.dof = "yaw";
+    row.parameter = "inertia";
+    row.unit = "kg m^2";
+    row.value = hulls[dive / 2] + (dive % 2 == 0 ? 0.1 : -0.1);
+    row.std = 0.5;
+  }
+  EXPECT_THAT(
+      ChangeSentences(report.tables),
+      ElementsAre(
+          "The dives differ by far more than their intervals: inertia in yaw lies between 4.9 "
+          "and 31.1 kg m², at ± 0.98 to 0.98. Together stand: 5.1 in dive_01, dive_02, "
+          "dive_09, dive_10; 9 in dive_05, dive_06; 14 in dive_03, dive_04; 22 in dive_07, "
+          "dive_08; 31 in dive_11, dive_12. One model for all of them is wrong for most.",
+          "No step or trend explains it over 12 dives."));
+  // A change that was found explains its parameter.
+  ChangeRow change;
+  change.dof = "yaw";
+  change.parameter = "inertia";
+  change.text = "The inertia changes.";
+  report.tables.changes.push_back(change);
+  EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("The inertia changes."));
+}
+
+// Intervals that are right, or too narrow by half, are no difference.
+TEST(ChangeSentences, DoNotTakeScatterForADifference) {
+  ArchiveReport report;
+  AddDives(12, true, "", &report);
+  for (std::size_t dive = 0; dive < 12; ++dive) {
+    DiveFitRow& row = report.tables.dive_fits[dive];
+    row.value = 10.0 + (dive % 3 == 0 ? 1.0 : dive % 3 == 1 ? -1.0 : 0.0);
+    row.std = 0.5;
+  }
+  EXPECT_THAT(ChangeSentences(report.tables), ElementsAre("No change over 12 dives."));
+}
+
 // A family that is better counts, and held-out data count before training data.
 TEST(ChangeSentences, WarnOfPoorModels) {
   ArchiveReport report;
