@@ -3,6 +3,7 @@
 
 #include "fathom/images/video_reader.h"
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 
 #include <algorithm>
@@ -36,16 +37,6 @@ struct Freer {
 
 template <typename T>
 using Owned = std::unique_ptr<T, Freer>;
-
-void RequireFile(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw InputError(path.string() + ": there is no such file. Check the path.");
-  }
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError(path.string() + ": is a folder, expected a file.");
-  }
-}
 
 // The file with its largest picture stream.
 struct Container {
@@ -202,7 +193,7 @@ struct VideoReader::Implementation {
 
 VideoReader::VideoReader(const std::filesystem::path& path)
     : implementation_(std::make_unique<Implementation>()) {
-  RequireFile(path);
+  RequireRegularFile(path);
   // FFmpeg's own words on stderr name no file; ours follow from what it returns.
   av_log_set_level(AV_LOG_QUIET);
   Implementation& it = *implementation_;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
@@ -54,6 +55,35 @@ TEST(Files, ReplaceAFileInMemoryAsAnyOther) {
   WriteFile(file, "second");
   EXPECT_EQ(ReadFile(file), "second");
   std::filesystem::remove(file);
+}
+
+std::string WhyUnreadable(const std::filesystem::path& path) {
+  try {
+    ReadFile(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A device may never end, a pipe never begin.
+TEST(Files, AreReadFromFilesAlone) {
+  std::filesystem::create_directories(kFolder);
+  const auto link = kFolder / "link", pipe = kFolder / "unread_pipe", around = kFolder / "around";
+  for (const auto& path : {link, pipe, around}) std::filesystem::remove(path);
+  EXPECT_EQ(WhyUnreadable("/dev/zero"), "/dev/zero: is a device, expected a file.");
+  std::filesystem::create_symlink("/dev/zero", link);
+  EXPECT_EQ(WhyUnreadable(link), link.string() + ": is a device, expected a file.");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(WhyUnreadable(pipe), pipe.string() + ": is a pipe, expected a file.");
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink("gone.csv", link);
+  EXPECT_EQ(WhyUnreadable(link),
+            link.string() + ": is a link to gone.csv, which is not there. Mend the link.");
+  EXPECT_TRUE(Exists(link));
+  std::filesystem::create_symlink("around", around);
+  EXPECT_EQ(WhyUnreadable(around),
+            around.string() + ": is a link to around, which is not there. Mend the link.");
 }
 
 TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {

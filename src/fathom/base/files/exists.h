@@ -8,10 +8,10 @@
 
 namespace fathom {
 
-// Whether there is something at the path; false also where nobody may look.
+// Whether there is something at the path, a broken link among it; false also where nobody may look.
 inline bool Exists(const std::filesystem::path& path) {
   std::error_code error;
-  return std::filesystem::exists(path, error);
+  return std::filesystem::exists(std::filesystem::symlink_status(path, error));
 }
 
 }  // namespace fathom

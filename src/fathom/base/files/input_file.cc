@@ -11,20 +11,37 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace fathom {
 
-std::string ReadFile(const std::filesystem::path& path) {
+void RequireRegularFile(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw InputError(path.string() + ": there is no such file. Check the path.");
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_regular_file(status)) return;
+  if (!fs::exists(status)) {
+    const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
+    const std::string target = is_link ? fs::read_symlink(path, error).string() : "";
+    throw InputError(is_link ? fmt::format("{}: is a link to {}, which is not there. Mend the link.",
+                                           path.string(),
+                                           target)
+                             : path.string() + ": there is no such file. Check the path.");
   }
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError(path.string() + ": is a folder, expected a file.");
-  }
+  throw InputError(fmt::format("{}: is a {}, expected a file.",
+                               path.string(),
+                               fs::is_directory(status) ? "folder"
+                               : fs::is_fifo(status)    ? "pipe"
+                                                        : "device"));
+}
+
+std::string ReadFile(const std::filesystem::path& path) {
+  RequireRegularFile(path);
+  std::error_code error;
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string content;
-  const auto size = std::filesystem::file_size(path, error);  // none of a pipe
+  const auto size = std::filesystem::file_size(path, error);
   if (!error) content.reserve(size);
   std::vector<char> chunk(1 << 16);
   bool is_read = file.is_open();
