@@ -171,6 +171,12 @@ Diagnosis Described(const MeasuredSegments& segments,
   if (is_noise && !judgement.evidence.IsNegligible()) {
     diagnosis.wander_ratio = WanderRatio(prepared.data, users.residual);
   }
+  const bool is_red = std::ranges::any_of(diagnosis.findings, [](const Finding& finding) {
+    return finding.severity == Severity::kWarning;
+  });
+  const bool is_far_off = diagnosis.wander_ratio > Diagnosis::kMuchMoreThanScatter;
+  if (is_noise && (is_red || is_far_off)) diagnosis.verdict = Verdict::kUnexplained;
+  diagnosis.is_only_red = is_noise && is_red && !is_far_off;
   diagnosis.noise_nmae = NmaeOfScatter(unseen.after);
   diagnosis.coincidence = judgement.coincidence;
   diagnosis.remaining_p_value = judgement.remaining.p_value;

@@ -22,7 +22,7 @@ namespace fathom {
 
 // What a diagnosis ends with.
 enum class Verdict {
-  kConsistent,   // nothing beyond noise
+  kConsistent,   // nothing beyond noise, and nothing red is said of the data
   kExplained,    // one or more causes are named
   kAmbiguous,    // something is missing, and these logs cannot tell which of several causes it is
   kUnexplained,  // something is missing, and nothing in the catalogue accounts for it
@@ -202,8 +202,13 @@ struct Diagnosis {
   double noise_nmae = std::numeric_limits<double>::quiet_NaN();
 
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
-  // named and the rest passes for noise that wanders; else 0.
+  // named and the rest passes for noise that wanders; else 0. Above kMuchMoreThanScatter it is
+  // `unexplained`.
   double wander_ratio = 0.0;
+  static constexpr double kMuchMoreThanScatter = 3.0;
+
+  // It is `unexplained` for the red findings alone: the model has no error beyond noise.
+  bool is_only_red = false;
 
   // Why it is `unexplained` where nothing else is left.
   std::optional<Coincidence> coincidence;

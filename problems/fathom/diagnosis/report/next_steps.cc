@@ -88,7 +88,9 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
                       active.setting.log.empty() ? "this run" : active.setting.log));
     }
   }
-  if (diagnosis.verdict == Verdict::kUnexplained) {
+  if (diagnosis.is_only_red) {
+    steps.push_back("Mend what the red findings name, and diagnose the log again.");
+  } else if (diagnosis.verdict == Verdict::kUnexplained) {
     steps.push_back(
         "Check which signal the missing force follows. The cause may be a quantity that was not "
         "logged, an effect outside the catalogue (docs/adding_an_effect.md), or a slow force of "
