@@ -72,7 +72,7 @@ BundleAdjustmentSummary Adjust(std::span<const Detection> detections,
                                double huber) {
   std::vector<AdjustedFrame> frames;
   for (const TrackedView& view : track.views) {
-    frames.push_back({view.pose.world_from_camera, view.detections});
+    frames.push_back({view.pose.world_from_camera, view.detections, view.pose.noise_scale});
   }
   BundleAdjustmentOptions options;
   constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise

@@ -96,8 +96,9 @@ std::vector<AdjustedFrame> SomeFramesOf(std::span<const Sighting> after, const M
   for (std::size_t k = 0; k < after.size(); k += step) {
     const Sighting& one = after[k];
     if (!one.is_outlier) continue;
-    AdjustedFrame frame = {track.world_from_camera[one.view].pose,
-                           track.pnp.views[one.view].detections};
+    const TrackedView& view = track.pnp.views[one.view];
+    AdjustedFrame frame = {
+        track.world_from_camera[one.view].pose, view.detections, view.pose.noise_scale};
     frame.detections.push_back(one.detection);
     frames.push_back(std::move(frame));
   }

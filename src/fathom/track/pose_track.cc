@@ -75,7 +75,7 @@ std::optional<double> RobustSigma(std::span<const FrameCandidates> frames) {
 void SetSigma(PoseTrack* track) {
   double sum = 0.0, dof = 0.0;
   for (const TrackedView& view : track->views) {
-    sum += view.pose.squared_error;
+    sum += view.pose.squared_error / (view.pose.noise_scale * view.pose.noise_scale);
     dof += view.pose.degrees_of_freedom;
   }
   if (!(dof > 0.0)) return;
@@ -126,7 +126,8 @@ void TakeOver(std::span<const Detection> detections,
       if (&other == &poses[*chosen[i]] || other.used.size() < view.pose.used.size()) continue;
       const double excess = other.squared_error - view.pose.squared_error;
       if (excess < 0.0) view.is_flip_resolved = true;
-      if (std::abs(excess) < kAlmostAsWell * corner_sigma * corner_sigma) view.is_ambiguous = true;
+      const double sigma = corner_sigma * view.pose.noise_scale;
+      if (std::abs(excess) < kAlmostAsWell * sigma * sigma) view.is_ambiguous = true;
     }
     std::size_t next_used = 0;
     for (std::size_t k = 0; k < frames[i].detections.size(); ++k) {
@@ -197,7 +198,8 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
   constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise
   for (int round = 0; round < kMostRounds; ++round) {
     sigma = std::max(sigma, kSmallestSigma);
-    view_options = {.gate = options.gate * sigma, .huber = options.huber * sigma};
+    view_options = {
+        .gate = options.gate * sigma, .corner_sigma = sigma, .huber = options.huber * sigma};
     candidates = CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
     const auto chosen = ChoosePoses(candidates, {.corner_sigma = sigma});
     track.rejected = screened.rejected;
