@@ -128,14 +128,15 @@ class Frame {
   // From all that lies within the wide gate; where that explains no more than half of the frame,
   // something among them may have spoilt the fit: then from the candidate's own square, outwards.
   std::optional<Explanation> Explain(const Candidate& candidate) const {
-    auto all = Settle(candidate.world_from_camera,
-                      ExplainedBy(candidate.world_from_camera, wide_square_),
-                      gate_square_);
-    if (seen_.size() == 1 || (all && IsMost(all->used))) return AtOwnNoise(std::move(all));
-    auto grown = Grow(candidate);
-    if (grown) grown = Settle(grown->pose.world_from_camera, grown->used, gate_square_);
-    if (grown && (!all || grown->used.size() > all->used.size())) all = std::move(grown);
-    return AtOwnNoise(std::move(all));
+    constexpr std::size_t kFewestToTrim = 5;
+    auto found = AtOwnNoise(ExplainAll(candidate));
+    if (seen_.size() < kFewestToTrim || (found && IsQuiet(*found))) return found;
+    // What several have in common may have spoilt both. The noise of one that fewer than half
+    // spoil is then far less.
+    auto trimmed = AtOwnNoise(Trimmed(candidate.world_from_camera));
+    const bool is_better =
+        trimmed && IsMost(trimmed->used) && (!found || 2.0 * OwnNoise(*trimmed) < OwnNoise(*found));
+    return is_better ? trimmed : found;
   }
 
   // Squared residuals of one detection's corners, summed [px^2].
@@ -144,6 +145,53 @@ class Frame {
   }
 
  private:
+  std::optional<Explanation> ExplainAll(const Candidate& candidate) const {
+    auto all = Settle(candidate.world_from_camera,
+                      ExplainedBy(candidate.world_from_camera, wide_square_),
+                      gate_square_);
+    if (seen_.size() == 1 || (all && IsMost(all->used))) return all;
+    auto grown = Grow(candidate);
+    if (grown) grown = Settle(grown->pose.world_from_camera, grown->used, gate_square_);
+    if (grown && (!all || grown->used.size() > all->used.size())) all = std::move(grown);
+    return all;
+  }
+
+  // The pose that fits best those more than half of the detections that it fits best (least trimmed
+  // squares; Rousseeuw and Van Driessen 2006).
+  std::optional<Explanation> Trimmed(const Pose& start) const {
+    constexpr int kMostRounds = 10;
+    std::optional<Explanation> found;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Pose& pose = found ? found->pose.world_from_camera : start;
+      std::vector<std::pair<double, int>> errors;
+      for (std::size_t i = 0; i < seen_.size(); ++i) {
+        errors.emplace_back(Error(i, pose), static_cast<int>(i));
+      }
+      std::sort(errors.begin(), errors.end());
+      std::vector<int> used;
+      for (std::size_t k = 0; k <= seen_.size() / 2; ++k) used.push_back(errors[k].second);
+      std::sort(used.begin(), used.end());
+      if (found && used == found->used) return found;
+      const auto refined = Refine(used, pose, std::numeric_limits<double>::infinity());
+      if (!refined) return std::nullopt;
+      found = Explanation{*refined, std::move(used)};
+    }
+    return found;
+  }
+
+  // The corners' standard deviation, from the detection in the middle of those used [px].
+  double OwnNoise(const Explanation& found) const {
+    std::vector<double> squares;
+    for (const int i : found.used) squares.push_back(Error(i, found.pose.world_from_camera));
+    const double dof = 8.0 - 6.0 / static_cast<double>(squares.size());
+    return std::sqrt(Median(std::move(squares)) / ChiSquareAt(0.0, dof));
+  }
+
+  bool IsQuiet(const Explanation& found) const {
+    constexpr double kMostNoise = 1.5;  // over that of most frames
+    return IsMost(found.used) && OwnNoise(found) < kMostNoise * options_.corner_sigma;
+  }
+
   bool IsMost(const std::vector<int>& used) const { return 2 * used.size() > seen_.size(); }
 
   // The explanation with the gate that its own noise sets, in place of one for all frames: a wrong
@@ -157,10 +205,7 @@ class Frame {
     constexpr double kSmallestGate = 0.1;  // [px], of corners without noise
     for (int round = 0; round < kRounds; ++round) {
       if (!found || found->used.size() < kFewest || !IsMost(found->used)) return found;
-      std::vector<double> squares;
-      for (const int i : found->used) squares.push_back(Error(i, found->pose.world_from_camera));
-      const double dof = 8.0 - 6.0 / static_cast<double>(squares.size());
-      const double own = std::sqrt(Median(std::move(squares)) / ChiSquareAt(0.0, dof));
+      const double own = OwnNoise(*found);
       double gate = std::min(std::max(kGate * own, kSmallestGate), options_.gate);
       if (options_.corner_sigma > 0.0) {
         const double scale = std::clamp(own / options_.corner_sigma, 1.0, kMostNoise);

@@ -61,7 +61,8 @@ struct ViewPoseOptions {
 // are the two poses of each square; of these, the four that fit all of the frame's corners best are
 // refined, each over the corners of the detections that it explains. Where that are no more than
 // half, a wild one among them may have spoilt the fit: the set is then grown from the candidate's
-// own square, one detection at a time that one pose explains together with those before. Poses that
+// own square, one detection at a time that one pose explains together with those before. Of five or
+// more, some may agree on something wrong: fewer than half do not spoil the pose. Poses that
 // end in the same minimum are one. Every detection's marker must be in the map and have a place.
 std::vector<ViewPose> SolveView(const CameraModel& camera,
                                 const MarkerMap& map,
