@@ -56,9 +56,11 @@ double CornerNoise(const CameraModel& camera,
     const auto is_same_tag = [](const auto& a, const auto& b) { return a.first == b.first; };
     const bool is_next = i > 0 && track[i].time - track[i - 1].time <= kLongestStep;
     if (is_next && std::equal(now.begin(), now.end(), before.begin(), before.end(), is_same_tag)) {
+      const double scales =
+          std::pow(views[i].pose.noise_scale, 2) + std::pow(views[i - 1].pose.noise_scale, 2);
       for (const auto& [id, corners] : now) {
         for (std::size_t k = 0; k < 4; ++k) {
-          squares += (corners[k] - before.at(id)[k]).squaredNorm() / 2.0;
+          squares += (corners[k] - before.at(id)[k]).squaredNorm() / scales;
         }
       }
       dof += 8.0 * static_cast<double>(now.size()) - 6.0;

@@ -17,10 +17,10 @@ namespace fathom {
 // change by from one frame to the next. What stays, of a lens or a survey that does not fit, is
 // none of it, other than in MarkerTrack::corner_sigma.
 //
-//   sigma^2 = sum |r(i + 1) - r(i)|^2 / 2 / sum (2 per corner - 6 per pose)
+//   sigma^2 = sum |r(i + 1) - r(i)|^2 / (s(i + 1)^2 + s(i)^2) / sum (2 per corner - 6 per pose)
 //
-// over frames at most a second apart that rest on the same markers; views[i] is what pose i of the
-// track rests on. NaN if there are none.
+// s: the noise scale of a frame (ViewPose::noise_scale); over frames at most a second apart that
+// rest on the same markers; views[i] is what pose i of the track rests on. NaN if there are none.
 double CornerNoise(const CameraModel& camera,
                    const MarkerMap& map,
                    std::span<const Detection> detections,

@@ -4,6 +4,7 @@
 #include "fathom/marker_trajectory/marker_remarks.h"
 
 #include "fathom/marker_trajectory/lost_motion.h"
+#include "fathom/marker_trajectory/marker_conflicts.h"
 #include "fathom/marker_trajectory/moved_markers.h"
 #include "fathom/marker_trajectory/survey_misfit.h"
 
@@ -37,6 +38,7 @@ std::vector<Remark> RemarksOn(const MarkerTrack& track,
                     fmt::join(track.unplaced_ids, ", ")));
   }
   for (const MovedMarker& moved : track.moved_markers) add(RemarkOn(moved));
+  for (std::string& one : RemarksOn(FindMarkerConflicts(detections, track))) add(std::move(one));
   for (std::string& loss : RemarksOn(track.pnp, detections)) add(std::move(loss));
   add(RemarkOnSurveyMisfit(camera, detections, track));
   add(RemarkOnLostMotion(detections, track), RemarkKind::kLostMotion);

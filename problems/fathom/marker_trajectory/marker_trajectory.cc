@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/marker_trajectory/bundle/bundle_adjustment.h"
 #include "fathom/marker_trajectory/corner_noise.h"
+#include "fathom/marker_trajectory/marker_conflicts.h"
 #include "fathom/marker_trajectory/marker_remarks.h"
 #include "fathom/marker_trajectory/moved_markers.h"
 #include "fathom/marker_trajectory/place_more_markers.h"
@@ -72,7 +73,7 @@ BundleAdjustmentSummary Adjust(std::span<const Detection> detections,
                                double huber) {
   std::vector<AdjustedFrame> frames;
   for (const TrackedView& view : track.views) {
-    frames.push_back({view.pose.world_from_camera, view.detections});
+    frames.push_back({view.pose.world_from_camera, view.detections, view.pose.noise_scale});
   }
   BundleAdjustmentOptions options;
   constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise
@@ -166,6 +167,43 @@ std::vector<int> UnplacedOf(std::span<const Detection> detections, const PoseTra
   return {unplaced.begin(), unplaced.end()};
 }
 
+// Outwards from the surveyed markers, as far as views hang together. After each step all poses and
+// the places found so far are adjusted, so that errors do not add up on the way. A place that no
+// view agrees with is looked for again. Returns the track over the markers then placed.
+PoseTrack PlaceOutwards(std::span<const Detection> detections,
+                        const CameraModel& camera,
+                        const MarkerTrajectoryOptions& options,
+                        MarkerMap* placed) {
+  const MarkerMap survey = *placed;
+  constexpr int kMostTries = 3;
+  std::map<int, int> num_tries;
+  std::set<int> found;
+  PoseTrack track = TrackPoses(detections, camera, *placed, options.pose_track);
+  while (PlaceMoreMarkers(detections, camera, track, placed)) {
+    PoseTrackOptions next = options.pose_track;
+    next.first_corner_sigma = track.corner_sigma;
+    track = TrackPoses(detections, camera, *placed, next);
+    for (const Marker& marker : placed->markers) {
+      if (marker.is_surveyed && !survey.Find(marker.id)->is_surveyed) found.insert(marker.id);
+    }
+    const BundleAdjustmentSummary fit =
+        Adjust(detections, camera, *placed, found, track, options.pose_track.huber);
+    if (!fit.is_usable) continue;
+    *placed = fit.map;
+    for (Marker& marker : placed->markers) {
+      const bool is_unused =
+          found.contains(marker.id) && std::ranges::count(fit.free_ids, marker.id) == 0;
+      if (!is_unused || ++num_tries[marker.id] == kMostTries) continue;
+      marker = *survey.Find(marker.id);
+      found.erase(marker.id);
+    }
+    for (std::size_t i = 0; i < track.views.size(); ++i) {
+      track.views[i].pose.world_from_camera = fit.world_from_camera[i];
+    }
+  }
+  return track;
+}
+
 // The track without its remarks.
 MarkerTrack TrackOnce(std::span<const Detection> detections,
                       const CameraModel& camera,
@@ -175,11 +213,7 @@ MarkerTrack TrackOnce(std::span<const Detection> detections,
                       std::optional<int>* reference) {
   MarkerTrack result;
   MarkerMap placed = map;
-  result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
-  // Outwards from the surveyed markers, as far as views hang together.
-  while (PlaceMoreMarkers(detections, camera, result.pnp, &placed)) {
-    result.pnp = TrackPoses(detections, camera, placed, options.pose_track);
-  }
+  result.pnp = PlaceOutwards(detections, camera, options, &placed);
   const FreeMarkers free = FreeMarkersOf(detections, result.pnp, map, options);
   const double huber = options.pose_track.huber;
   BundleAdjustmentSummary summary = Adjust(detections, camera, placed, free.ids, result.pnp, huber);
@@ -199,6 +233,17 @@ MarkerTrack TrackOnce(std::span<const Detection> detections,
   return result;
 }
 
+// Whether a track tells of markers that agree with others for a part of the record only, and rests
+// on most of the detections.
+bool IsTold(std::span<const Detection> detections, const MarkerTrack& track) {
+  if (!track.moved_markers.empty()) return true;
+  const auto num_outliers =
+      std::ranges::count(track.pnp.rejected, Rejection::kOutlier, &RejectedDetection::reason);
+  if (3 * num_outliers > track.pnp.num_detections) return false;
+  return std::ranges::any_of(FindMarkerConflicts(detections, track),
+                             [](const MarkerConflict& one) { return !one.agrees_with.empty(); });
+}
+
 }  // namespace
 
 MarkerTrack TrackMarkers(std::span<const Detection> detections,
@@ -209,11 +254,12 @@ MarkerTrack TrackMarkers(std::span<const Detection> detections,
   std::optional<int> reference;
   MarkerTrack result = TrackOnce(detections, camera, map, body_from_camera, options, &reference);
   if (IsSurveyInDoubt(result)) {
-    // A marker that moves in the first half of a record widens the gate to where it is no outlier.
+    // A marker that moves in the first half of a record, or is seen with wrong ones for most of it,
+    // widens the gate to where it is no outlier.
     MarkerTrajectoryOptions narrow = options;
     narrow.pose_track.first_corner_sigma = result.corner_noise;
     MarkerTrack other = TrackOnce(detections, camera, map, body_from_camera, narrow, &reference);
-    if (!other.moved_markers.empty() && !IsSurveyInDoubt(other)) result = std::move(other);
+    if (IsTold(detections, other) && !IsSurveyInDoubt(other)) result = std::move(other);
   }
   result.remarks = RemarksOn(result, reference, detections, camera);
   return result;

@@ -87,6 +87,38 @@ std::optional<std::size_t> ChangeOf(const std::vector<Sighting>& sightings) {
   return best;
 }
 
+// Of the sightings from `change` on, those in frames whose pose rests on a marker that agreed with
+// this one before.
+std::vector<Sighting> AfterWithPartners(std::span<const Sighting> sightings,
+                                        std::size_t change,
+                                        std::span<const Detection> detections,
+                                        const PoseTrack& track) {
+  std::set<int> partners;
+  for (const Sighting& one : sightings.first(change)) {
+    if (one.is_outlier) continue;
+    for (const int i : track.views[one.view].detections) partners.insert(detections[i].tag_id);
+  }
+  partners.erase(detections[sightings.front().detection].tag_id);
+  std::vector<Sighting> after;
+  for (const Sighting& one : sightings.subspan(change)) {
+    const std::vector<int>& used = track.views[one.view].detections;
+    const bool has_partner =
+        std::ranges::any_of(used, [&](int i) { return partners.contains(detections[i].tag_id); });
+    if (has_partner) after.push_back(one);
+  }
+  return after;
+}
+
+// Nearly all are outliers, and most of the last.
+bool StaysMoved(std::span<const Sighting> after) {
+  const auto num_outliers = [](std::span<const Sighting> some) {
+    return static_cast<double>(std::ranges::count_if(some, &Sighting::is_outlier));
+  };
+  if (after.size() < kFewest) return false;
+  return num_outliers(after) >= kNearlyAll * static_cast<double>(after.size()) &&
+         num_outliers(after.last(kFewest)) > 0.5 * static_cast<double>(kFewest);
+}
+
 // Frames behind the change, spread over them, with the marker's detection among those that the pose
 // rests on.
 std::vector<AdjustedFrame> SomeFramesOf(std::span<const Sighting> after, const MarkerTrack& track) {
@@ -96,8 +128,9 @@ std::vector<AdjustedFrame> SomeFramesOf(std::span<const Sighting> after, const M
   for (std::size_t k = 0; k < after.size(); k += step) {
     const Sighting& one = after[k];
     if (!one.is_outlier) continue;
-    AdjustedFrame frame = {track.world_from_camera[one.view].pose,
-                           track.pnp.views[one.view].detections};
+    const TrackedView& view = track.pnp.views[one.view];
+    AdjustedFrame frame = {
+        track.world_from_camera[one.view].pose, view.detections, view.pose.noise_scale};
     frame.detections.push_back(one.detection);
     frames.push_back(std::move(frame));
   }
@@ -159,7 +192,8 @@ std::vector<MovedMarker> FindMovedMarkers(const CameraModel& camera,
     if (std::ranges::count(track.estimated_ids, id) > 0) continue;
     const std::optional<std::size_t> change = ChangeOf(sightings);
     if (!change) continue;
-    const auto after = std::span(sightings).subspan(*change);
+    const auto after = AfterWithPartners(sightings, *change, detections, track.pnp);
+    if (!StaysMoved(after)) continue;
     if (const auto moved = MoveOf(camera, detections, track, id, after)) found.push_back(*moved);
   }
   return found;

@@ -29,7 +29,8 @@ std::vector<AdjustedFrame> SomeFramesOf(const MarkerTrack& track) {
   const std::size_t step = std::max<std::size_t>(1, track.world_from_camera.size() / kMost);
   std::vector<AdjustedFrame> frames;
   for (std::size_t i = 0; i < track.world_from_camera.size(); i += step) {
-    frames.push_back({track.world_from_camera[i].pose, track.pnp.views[i].detections});
+    const TrackedView& view = track.pnp.views[i];
+    frames.push_back({track.world_from_camera[i].pose, view.detections, view.pose.noise_scale});
   }
   return frames;
 }

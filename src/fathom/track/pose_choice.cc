@@ -60,7 +60,9 @@ double StepCost(const ViewPose& from,
                 const PoseChoiceOptions& options) {
   const PoseIncrement step = StepBetween(from.world_from_camera, to.world_from_camera);
   const double variance = options.corner_sigma * options.corner_sigma;
-  PoseCovariance covariance = variance * (from.unit_covariance + to.unit_covariance);
+  const double of_from = variance * from.noise_scale * from.noise_scale;
+  const double of_to = variance * to.noise_scale * to.noise_scale;
+  PoseCovariance covariance = of_from * from.unit_covariance + of_to * to.unit_covariance;
   const double translation = speeds.translation * dt;
   const double rotation = speeds.rotation * dt;
   constexpr double kFloor = 1e-12;  // [m^2], [rad^2]: what is exact is no reason to break
@@ -70,12 +72,20 @@ double StepCost(const ViewPose& from,
   return std::min(0.5 * distance, options.most_step);
 }
 
+// What a pose costs of itself: its corners' misfit, and the detections that it leaves out.
+double PoseCost(const FrameCandidates& frame,
+                const ViewPose& pose,
+                const PoseChoiceOptions& options) {
+  const double sigma = options.corner_sigma * frame.poses.front().noise_scale;
+  const int num_left_out = frame.num_detections - static_cast<int>(pose.used.size());
+  return 0.5 * pose.squared_error / (sigma * sigma) + options.rejection * num_left_out;
+}
+
 // What it costs to leave a frame out.
 double RejectionCost(const FrameCandidates& frame, const PoseChoiceOptions& options) {
-  const bool several_agree = std::any_of(frame.poses.begin(),
-                                         frame.poses.end(),
-                                         [](const ViewPose& pose) { return pose.used.size() > 1; });
-  return several_agree ? 4.0 * options.rejection : options.rejection;
+  const ViewPose& best = frame.poses.front();  // no other one explains more
+  if (best.used.size() < 2) return options.rejection;
+  return 4.0 * options.rejection + PoseCost(frame, best, options);
 }
 
 // The frames with candidates, the only ones that can be left out, and what that costs.
@@ -140,7 +150,6 @@ std::vector<std::vector<Best>> BestTracks(std::span<const FrameCandidates> frame
                                           const SeenFrames& seen,
                                           const PoseChoiceOptions& options) {
   const Speeds speeds = SpeedsOf(frames);
-  const double variance = options.corner_sigma * options.corner_sigma;
   std::vector<std::vector<Best>> best(seen.index.size());
   // The cheapest end of a track too far back to be looked at pose by pose; its cost as if every
   // frame from the first on had been left out behind it.
@@ -156,9 +165,7 @@ std::vector<std::vector<Best>> BestTracks(std::span<const FrameCandidates> frame
     }
     for (const ViewPose& pose : frame.poses) {
       Best own = BestBefore(frames, seen, best, far, i, pose, speeds, options);
-      own.cost += 0.5 * pose.squared_error / variance;
-      const int num_left_out = frame.num_detections - static_cast<int>(pose.used.size());
-      own.cost += options.rejection * num_left_out;
+      own.cost += PoseCost(frame, pose, options);
       best[i].push_back(own);
     }
   }

@@ -59,14 +59,22 @@ std::vector<FrameCandidates> CandidatesOf(std::span<const Detection> detections,
 }
 
 // The corner sigma from the best pose of each frame: the median of the frames' mean squares, each
-// over the median of its chi-square (Wilson and Hilferty), which half of the frames may break.
+// over the median of its chi-square (Wilson and Hilferty), which half of the frames may break. The
+// best is here the quietest one that explains most of the frame.
 std::optional<double> RobustSigma(std::span<const FrameCandidates> frames) {
   std::vector<double> variances;
   for (const FrameCandidates& frame : frames) {
     if (frame.poses.empty()) continue;
-    const double dof = frame.poses.front().degrees_of_freedom;
-    variances.push_back(frame.poses.front().squared_error /
-                        (dof * std::pow(1.0 - 2.0 / (9.0 * dof), 3)));
+    const auto variance = [](const ViewPose& pose) {
+      const double dof = pose.degrees_of_freedom;
+      return pose.squared_error / (dof * std::pow(1.0 - 2.0 / (9.0 * dof), 3));
+    };
+    double least = variance(frame.poses.front());
+    for (const ViewPose& pose : frame.poses) {
+      const bool is_most = 2 * static_cast<int>(pose.used.size()) > frame.num_detections;
+      if (is_most) least = std::min(least, variance(pose));
+    }
+    variances.push_back(least);
   }
   if (variances.empty()) return std::nullopt;
   return std::sqrt(Median(std::move(variances)));
@@ -75,7 +83,7 @@ std::optional<double> RobustSigma(std::span<const FrameCandidates> frames) {
 void SetSigma(PoseTrack* track) {
   double sum = 0.0, dof = 0.0;
   for (const TrackedView& view : track->views) {
-    sum += view.pose.squared_error;
+    sum += view.pose.squared_error / (view.pose.noise_scale * view.pose.noise_scale);
     dof += view.pose.degrees_of_freedom;
   }
   if (!(dof > 0.0)) return;
@@ -126,7 +134,8 @@ void TakeOver(std::span<const Detection> detections,
       if (&other == &poses[*chosen[i]] || other.used.size() < view.pose.used.size()) continue;
       const double excess = other.squared_error - view.pose.squared_error;
       if (excess < 0.0) view.is_flip_resolved = true;
-      if (std::abs(excess) < kAlmostAsWell * corner_sigma * corner_sigma) view.is_ambiguous = true;
+      const double sigma = corner_sigma * view.pose.noise_scale;
+      if (std::abs(excess) < kAlmostAsWell * sigma * sigma) view.is_ambiguous = true;
     }
     std::size_t next_used = 0;
     for (std::size_t k = 0; k < frames[i].detections.size(); ++k) {
@@ -186,19 +195,21 @@ PoseTrack TrackPoses(std::span<const Detection> detections,
     if (has_any && frame.detections.empty()) times_set_aside.push_back(frame.time);
   }
 
-  ViewPoseOptions view_options = {.gate = options.first_gate};
   const auto squares = SquaresOf(detections, screened.frames, camera, map);
-  auto candidates = CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
+  const auto candidates_at = [&](const ViewPoseOptions& view_options) {
+    return CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
+  };
   const std::optional<double> first_sigma =
-      options.first_corner_sigma ? options.first_corner_sigma : RobustSigma(candidates);
+      options.first_corner_sigma ? options.first_corner_sigma
+                                 : RobustSigma(candidates_at({.gate = options.first_gate}));
   double sigma = first_sigma.value_or(1.0);
   // The gate follows from the sigma, and the sigma from what is inside the gate.
   constexpr int kMostRounds = 3;
   constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise
   for (int round = 0; round < kMostRounds; ++round) {
     sigma = std::max(sigma, kSmallestSigma);
-    view_options = {.gate = options.gate * sigma, .huber = options.huber * sigma};
-    candidates = CandidatesOf(detections, squares, screened.frames, camera, map, view_options);
+    const auto candidates = candidates_at(
+        {.gate = options.gate * sigma, .corner_sigma = sigma, .huber = options.huber * sigma});
     const auto chosen = ChoosePoses(candidates, {.corner_sigma = sigma});
     track.rejected = screened.rejected;
     TakeOver(detections, camera, screened.frames, candidates, chosen, sigma, &track);

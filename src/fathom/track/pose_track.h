@@ -36,8 +36,8 @@ struct TrackedView {
 struct PoseTrack {
   std::vector<TrackedView> views;  // by time; one for each frame with a pose
 
-  // Standard deviation of a corner's u and v, from the residuals, and its own error [px]. NaN
-  // without views.
+  // Standard deviation of a corner's u and v in most frames, from the residuals, and its own error
+  // [px]. That of one view is so many times its noise scale. NaN without views.
   double corner_sigma = std::numeric_limits<double>::quiet_NaN();
   double corner_sigma_std = std::numeric_limits<double>::quiet_NaN();
 
@@ -71,7 +71,7 @@ struct PoseTrackOptions {
 // The camera's poses from its detections, by PnP frame by frame; docs/vision.md. Markers that are
 // not surveyed are set aside. Throws InputError as ScreenDetections does.
 //
-//   corner sigma^2 = sum of squared residuals / (2 per corner - 6 per pose)
+//   corner sigma^2 = sum of squared residuals / noise scale^2 / (2 per corner - 6 per pose)
 //
 // so that with a single marker each frame tells it with two degrees of freedom. It holds whatever
 // the corners do not agree on: noise, but also a wrong lens, marker or survey.

@@ -3,6 +3,7 @@
 
 #include "fathom/track/view_pose.h"
 
+#include "fathom/base/median.h"
 #include "fathom/track/pose_refinement.h"
 
 #include <algorithm>
@@ -60,6 +61,20 @@ bool IsSameMinimum(const Pose& a, const Pose& b, const PoseCovariance& unit_cova
   return step.dot(unit_covariance.ldlt().solve(step)) < kSame * kSame;
 }
 
+// About the quantile of a chi-square that a standard normal has at `z` (Wilson and Hilferty 1931).
+double ChiSquareAt(double z, double dof) {
+  const double part = 2.0 / (9.0 * dof);
+  return dof * std::pow(1.0 - part + z * std::sqrt(part), 3);
+}
+
+double NoiseScaleOf(const ViewPose& view, double corner_sigma) {
+  constexpr double kOneInAThousand = 3.09;
+  if (view.used.size() < 2 || !(corner_sigma > 0.0)) return 1.0;
+  const double dof = view.degrees_of_freedom;
+  const double square = view.squared_error / (corner_sigma * corner_sigma);
+  return square > ChiSquareAt(kOneInAThousand, dof) ? std::sqrt(square / dof) : 1.0;
+}
+
 // A pose that one square of the frame proposes.
 struct Candidate {
   Pose world_from_camera;
@@ -113,12 +128,15 @@ class Frame {
   // From all that lies within the wide gate; where that explains no more than half of the frame,
   // something among them may have spoilt the fit: then from the candidate's own square, outwards.
   std::optional<Explanation> Explain(const Candidate& candidate) const {
-    auto all =
-        Settle(candidate.world_from_camera, ExplainedBy(candidate.world_from_camera, wide_square_));
-    if (seen_.size() == 1 || (all && 2 * all->used.size() > seen_.size())) return all;
-    auto grown = Grow(candidate);
-    if (grown) grown = Settle(grown->pose.world_from_camera, grown->used);
-    return grown && (!all || grown->used.size() > all->used.size()) ? grown : all;
+    constexpr std::size_t kFewestToTrim = 5;
+    auto found = AtOwnNoise(ExplainAll(candidate));
+    if (seen_.size() < kFewestToTrim || (found && IsQuiet(*found))) return found;
+    // What several have in common may have spoilt both. The noise of one that fewer than half
+    // spoil is then far less.
+    auto trimmed = AtOwnNoise(Trimmed(candidate.world_from_camera));
+    const bool is_better =
+        trimmed && IsMost(trimmed->used) && (!found || 2.0 * OwnNoise(*trimmed) < OwnNoise(*found));
+    return is_better ? trimmed : found;
   }
 
   // Squared residuals of one detection's corners, summed [px^2].
@@ -127,6 +145,83 @@ class Frame {
   }
 
  private:
+  std::optional<Explanation> ExplainAll(const Candidate& candidate) const {
+    auto all = Settle(candidate.world_from_camera,
+                      ExplainedBy(candidate.world_from_camera, wide_square_),
+                      gate_square_);
+    if (seen_.size() == 1 || (all && IsMost(all->used))) return all;
+    auto grown = Grow(candidate);
+    if (grown) grown = Settle(grown->pose.world_from_camera, grown->used, gate_square_);
+    if (grown && (!all || grown->used.size() > all->used.size())) all = std::move(grown);
+    return all;
+  }
+
+  // The pose that fits best those more than half of the detections that it fits best (least trimmed
+  // squares; Rousseeuw and Van Driessen 2006).
+  std::optional<Explanation> Trimmed(const Pose& start) const {
+    constexpr int kMostRounds = 10;
+    std::optional<Explanation> found;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Pose& pose = found ? found->pose.world_from_camera : start;
+      std::vector<std::pair<double, int>> errors;
+      for (std::size_t i = 0; i < seen_.size(); ++i) {
+        errors.emplace_back(Error(i, pose), static_cast<int>(i));
+      }
+      std::sort(errors.begin(), errors.end());
+      std::vector<int> used;
+      for (std::size_t k = 0; k <= seen_.size() / 2; ++k) used.push_back(errors[k].second);
+      std::sort(used.begin(), used.end());
+      if (found && used == found->used) return found;
+      const auto refined = Refine(used, pose, std::numeric_limits<double>::infinity());
+      if (!refined) return std::nullopt;
+      found = Explanation{*refined, std::move(used)};
+    }
+    return found;
+  }
+
+  // The corners' standard deviation, from the detection in the middle of those used [px].
+  double OwnNoise(const Explanation& found) const {
+    std::vector<double> squares;
+    for (const int i : found.used) squares.push_back(Error(i, found.pose.world_from_camera));
+    const double dof = 8.0 - 6.0 / static_cast<double>(squares.size());
+    return std::sqrt(Median(std::move(squares)) / ChiSquareAt(0.0, dof));
+  }
+
+  bool IsQuiet(const Explanation& found) const {
+    constexpr double kMostNoise = 1.5;  // over that of most frames
+    return IsMost(found.used) && OwnNoise(found) < kMostNoise * options_.corner_sigma;
+  }
+
+  bool IsMost(const std::vector<int>& used) const { return 2 * used.size() > seen_.size(); }
+
+  // The explanation with the gate that its own noise sets, in place of one for all frames: a wrong
+  // detection within a wide gate stands out against the others, and those of a noisy frame do not.
+  // The noise is that of the detection in the middle. As before where few are to tell it.
+  std::optional<Explanation> AtOwnNoise(std::optional<Explanation> found) const {
+    constexpr std::size_t kFewest = 4;
+    constexpr int kRounds = 2;
+    constexpr double kGate = 4.0;          // standard deviations of the noise
+    constexpr double kMostNoise = 3.0;     // over that of most frames
+    constexpr double kSmallestGate = 0.1;  // [px], of corners without noise
+    for (int round = 0; round < kRounds; ++round) {
+      if (!found || found->used.size() < kFewest || !IsMost(found->used)) return found;
+      const double own = OwnNoise(*found);
+      double gate = std::min(std::max(kGate * own, kSmallestGate), options_.gate);
+      if (options_.corner_sigma > 0.0) {
+        const double scale = std::clamp(own / options_.corner_sigma, 1.0, kMostNoise);
+        gate = scale * options_.gate;
+      }
+      auto next = Settle(found->pose.world_from_camera,
+                         ExplainedBy(found->pose.world_from_camera, 4.0 * gate * gate),
+                         4.0 * gate * gate);
+      if (!next || !IsMost(next->used)) return found;
+      const bool is_same = next->used == found->used;
+      found = std::move(next);
+      if (is_same) return found;
+    }
+    return found;
+  }
+
   std::vector<int> ExplainedBy(const Pose& pose, double square) const {
     std::vector<int> used;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -144,8 +239,8 @@ class Frame {
   }
 
   // Fits the pose to the detections that it explains until these stay the same. None if it comes to
-  // explain nothing.
-  std::optional<Explanation> Settle(Pose pose, std::vector<int> used) const {
+  // explain nothing. `square`: what a detection may be off, summed over its corners [px^2].
+  std::optional<Explanation> Settle(Pose pose, std::vector<int> used, double square) const {
     constexpr int kMostRounds = 5;
     for (int round = 0; round < kMostRounds && !used.empty(); ++round) {
       // The first fit may hold outliers: none of them may pull more than the gate allows.
@@ -154,7 +249,7 @@ class Frame {
       const auto refined = Refine(used, pose, huber);
       if (!refined) return std::nullopt;
       pose = refined->world_from_camera;
-      std::vector<int> next = ExplainedBy(pose, gate_square_);
+      std::vector<int> next = ExplainedBy(pose, square);
       if ((next == used && huber == options_.huber) || round + 1 == kMostRounds) {
         return Explanation{*refined, std::move(used)};
       }
@@ -276,6 +371,7 @@ std::vector<ViewPose> SolveView(const CameraModel& camera,
     view.used = std::move(explanation->used);
     for (const int i : view.used) view.squared_error += corners.Error(i, view.world_from_camera);
     view.degrees_of_freedom = 8 * static_cast<int>(view.used.size()) - 6;
+    view.noise_scale = NoiseScaleOf(view, options.corner_sigma);
     const bool is_known = std::any_of(poses.begin(), poses.end(), [&](const ViewPose& other) {
       return other.used == view.used &&
              IsSameMinimum(other.world_from_camera, view.world_from_camera, other.unit_covariance);

@@ -55,6 +55,62 @@ TEST(TrackMarkers, ReachesTheCramerRaoBoundWithOneMarker) {
   EXPECT_THAT(track.estimated_ids, IsEmpty());
 }
 
+// As many coordinates of the 20 fast frames of four records: their stated spread is known to
+// 1 / sqrt(2 * 80), and so is that of the others, of whom there are more.
+TEST(TrackMarkers, StatesTheErrorsOfNoisyFrames) {
+  const MarkerMap map = WallOfMarkers(10, 5, 0.22, 0.15);
+  for (const bool is_fast : {true, false}) {
+    PoseIncrement squares = PoseIncrement::Zero();
+    int num = 0;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      const SyntheticRecord record = MakeWallRecord(map, 100, 1.5, 0.44, seed);
+      const MarkerTrack track = TrackMarkers(record.detections, WallCamera(), map, kBodyFromCamera);
+      ASSERT_EQ(track.world_from_camera.size(), 100u);
+      for (int i = 0; i < 100; ++i) {
+        if ((i % 5 == 2) != is_fast) continue;
+        const StampedPose& found = track.world_from_camera[i];
+        const PoseIncrement error = StepBetween(found.pose, record.world_from_camera[i]);
+        squares += error.cwiseAbs2().cwiseQuotient(found.covariance.diagonal());
+        ++num;
+      }
+    }
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_NEAR(std::sqrt(squares[k] / num), 1.0, 4.0 / std::sqrt(2.0 * 80.0)) << k;
+    }
+  }
+}
+
+// Forty-eight markers along a wall, of which the first six are surveyed, and the camera goes along.
+TEST(TrackMarkers, PlacesManyMarkersAlongAWall) {
+  const MarkerMap truth = WallOfMarkers(48, 24, 0.2, 0.12);
+  MarkerMap map = truth;
+  for (Marker& marker : map.markers) {
+    if (marker.id % 24 < 3) continue;
+    marker.is_surveyed = false;
+    marker.world_from_tag = Pose();
+  }
+  std::mt19937 random(2);
+  SyntheticRecord record;
+  for (int i = 0; i < 80; ++i) {
+    const double t = 0.2 * i;
+    const double sigma = i % 3 == 0 ? 0.3 : 0.2;
+    AddWallFrame(truth, t, WallPoseAt(t, 1.3, -2.2 + 0.055 * i), sigma, &random, &record);
+  }
+  const MarkerTrack track = TrackMarkers(record.detections, WallCamera(), map, kBodyFromCamera);
+  ASSERT_TRUE(track.IsUsable()) << track.message;
+  EXPECT_EQ(track.world_from_camera.size(), 80u);
+  ASSERT_EQ(track.estimated_ids.size(), 42u);
+  for (std::size_t k = 0; k < track.estimated_ids.size(); ++k) {
+    const int id = track.estimated_ids[k];
+    // One of 42 chi-squares of 6 degrees of freedom is above 33 once in 2000 times.
+    EXPECT_LT(Square(track.map.Find(id)->world_from_tag,
+                     truth.Find(id)->world_from_tag,
+                     track.marker_covariance[k]),
+              33.0)
+        << id;
+  }
+}
+
 // Tag 0 is surveyed. Tag 1 is seen with it, tag 2 with 1 only, tag 3 with 2 only.
 TEST(TrackMarkers, PlacesMarkersOutwardsFromTheSurveyedOne) {
   MarkerMap map = FourMarkers();

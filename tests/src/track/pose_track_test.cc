@@ -236,6 +236,72 @@ TEST(TrackPoses, KeepsFramesThatTheSurveyMakesJump) {
   EXPECT_EQ(track.views.size(), 200u);
 }
 
+// What it costs to keep a frame grows with its markers; so does what it costs to leave it out.
+TEST(TrackPoses, KeepsFramesOfManyMarkers) {
+  for (const int num : {20, 28, 36}) {
+    const MarkerMap map = WallOfMarkers(num, 8, 0.11, 0.08);
+    const SyntheticRecord record = MakeWallRecord(map, 50, 1.5, 0.2, 1);
+    const PoseTrack track = TrackPoses(record.detections, WallCamera(), map);
+    ExpectNothingIsLost(track);
+    EXPECT_EQ(track.views.size(), 50u) << num;
+    EXPECT_LT(std::abs(track.corner_sigma - 0.2), 4.0 * track.corner_sigma_std) << num;
+  }
+}
+
+// Frames at 2.2 times the noise of the others are noisy, and no outliers. Ten markers tell the
+// scale of a frame to 1 / sqrt(2 * 74), 20 frames of them to 2 %; four of these.
+TEST(TrackPoses, WidensTheNoiseOfFastFrames) {
+  const MarkerMap map = WallOfMarkers(10, 5, 0.22, 0.15);
+  const SyntheticRecord record = MakeWallRecord(map, 100, 1.5, 0.44, 5);
+  const PoseTrack track = TrackPoses(record.detections, WallCamera(), map);
+  ExpectNothingIsLost(track);
+  ASSERT_EQ(track.views.size(), 100u);
+  EXPECT_THAT(track.rejected, IsEmpty());
+  double sum = 0.0;
+  int num_wide = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double scale = track.views[i].pose.noise_scale;
+    if (i % 5 == 2) sum += scale / 20.0;
+    if (i % 5 != 2 && scale > 1.0) ++num_wide;
+  }
+  EXPECT_NEAR(sum * track.corner_sigma, 0.44, 0.08 * 0.44);
+  EXPECT_LE(num_wide, 2);  // one in a thousand of 80
+}
+
+// However large a part under a half they are, and though they agree with one another.
+TEST(TrackPoses, SetsAsideMarkersThatTheSurveyHasElsewhere) {
+  const SyntheticRecord record = MakeWallRecord(TwelveMarkers(), 60, 1.3, 0.2, 1);
+  for (const int num_wrong : {1, 4}) {
+    const PoseTrack track = TrackPoses(record.detections, WallCamera(), WrongSurvey(num_wrong));
+    ExpectNothingIsLost(track);
+    EXPECT_EQ(track.views.size(), 60u);
+    int num_of_wrong = 0;
+    for (const Detection& one : record.detections) num_of_wrong += one.tag_id >= 12 - num_wrong;
+    EXPECT_EQ(NumRejected(track, Rejection::kOutlier), num_of_wrong);
+    for (const RejectedDetection& one : track.rejected) {
+      EXPECT_GE(record.detections[one.index].tag_id, 12 - num_wrong);
+    }
+    EXPECT_LT(std::abs(track.corner_sigma - 0.2), 4.0 * track.corner_sigma_std);
+  }
+}
+
+TEST(TrackPoses, LosesNoMoreFramesUnderAWiderGate) {
+  const MarkerMap map = WallOfMarkers(28, 7, 0.12, 0.08);
+  SyntheticRecord record = MakeWallRecord(map, 40, 1.5, 0.5, 3);
+  for (std::size_t i = 0; i < record.detections.size(); i += 29) {
+    for (Eigen::Vector2d& corner : record.detections[i].corners) corner.x() += 2.0;
+  }
+  std::size_t most = 0;
+  for (const double gate : {2.0, 4.0, 8.0, 16.0, 32.0}) {
+    PoseTrackOptions options;
+    options.gate = gate;
+    const PoseTrack track = TrackPoses(record.detections, WallCamera(), map, options);
+    EXPECT_GE(track.views.size(), most) << gate;
+    most = track.views.size();
+  }
+  EXPECT_EQ(most, 40u);
+}
+
 TEST(TrackPoses, CountsEverythingThatDoesNotBecomeAPose) {
   MarkerMap map = FourMarkers();
   SyntheticRecord record = MakeRecord(map, 30, 0.2, 0.3, 12);

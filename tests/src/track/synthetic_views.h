@@ -116,4 +116,76 @@ inline SyntheticRecord MakeRecord(
   return record;
 }
 
+// A wall with many markers before a camera without distortion, 640 x 480.
+inline CameraModel WallCamera() {
+  return {.width = 640,
+          .height = 480,
+          .fx = 600.0,
+          .fy = 600.0,
+          .cx = 319.5,
+          .cy = 239.5,
+          .lens = LensModel::kPlumbBob,
+          .coefficients = {0.0, 0.0, 0.0, 0.0, 0.0}};
+}
+
+// `num` markers in rows of `columns`, `pitch` [m] from centre to centre.
+inline MarkerMap WallOfMarkers(int num, int columns, double pitch, double size) {
+  const int rows = (num + columns - 1) / columns;
+  MarkerMap map;
+  for (int i = 0; i < num; ++i) {
+    const double east = (i % columns - 0.5 * (columns - 1)) * pitch;
+    const double down = (i / columns - 0.5 * (rows - 1)) * pitch;
+    map.markers.push_back(
+        {.id = i, .size = size, .family = "tag36h11", .world_from_tag = OnTheWall(east, down)});
+  }
+  return map;
+}
+
+// The camera sways before a wall at `distance` [m], `east` [m] of its middle.
+inline Pose WallPoseAt(double t, double distance, double east = 0.0) {
+  Pose pose = OnTheWall(east + 0.03 * std::sin(0.4 * t), 0.03 * std::cos(0.3 * t));
+  pose.translation.x() = 3.0 - distance + 0.1 * std::sin(0.6 * t);
+  const Eigen::Vector3d phi(
+      0.08 * std::sin(0.5 * t + 1.0), 0.1 * std::sin(0.7 * t), 0.05 * std::sin(0.8 * t));
+  pose.rotation = pose.rotation * Eigen::AngleAxisd(phi.norm(), phi.normalized());
+  return pose;
+}
+
+// Adds what the camera sees of a wall, with noise of `sigma` [px].
+inline void AddWallFrame(const MarkerMap& map,
+                         double t,
+                         const Pose& world_from_camera,
+                         double sigma,
+                         std::mt19937* random,
+                         SyntheticRecord* record) {
+  auto seen = ObserveCorners(WallCamera(), map, world_from_camera, t);
+  AddNoise(sigma, random, &seen);
+  record->time.push_back(t);
+  record->world_from_camera.push_back(world_from_camera);
+  record->detections.insert(record->detections.end(), seen.begin(), seen.end());
+}
+
+// Frames at 10 Hz, the noise 0.2 px; every fifth frame, as of a fast turn, has `fast_sigma` [px].
+inline SyntheticRecord MakeWallRecord(
+    const MarkerMap& map, int num_frames, double distance, double fast_sigma, unsigned seed) {
+  std::mt19937 random(seed);
+  SyntheticRecord record;
+  for (int i = 0; i < num_frames; ++i) {
+    const double t = 0.1 * i;
+    const double sigma = i % 5 == 2 ? fast_sigma : 0.2;
+    AddWallFrame(map, t, WallPoseAt(t, distance), sigma, &random, &record);
+  }
+  return record;
+}
+
+// Twelve markers, and a survey that has the last `num_wrong` of them 11 cm off.
+inline MarkerMap TwelveMarkers() { return WallOfMarkers(12, 4, 0.2, 0.1); }
+inline MarkerMap WrongSurvey(int num_wrong) {
+  MarkerMap map = TwelveMarkers();
+  for (int i = 12 - num_wrong; i < 12; ++i) {
+    map.markers[i].world_from_tag.translation += Eigen::Vector3d(0.0, 0.1, 0.05);
+  }
+  return map;
+}
+
 }  // namespace fathom

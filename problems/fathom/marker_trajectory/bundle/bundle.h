@@ -17,10 +17,12 @@ namespace fathom {
 struct AdjustedFrame {
   Pose world_from_camera;       // a start
   std::vector<int> detections;  // indices among all; one at least
+  double noise_scale = 1.0;     // of its corners: their sigma is so many times that of the options
 };
 
 struct BundleAdjustmentOptions {
-  // Standard deviation of a corner's u and v [px], above 0: what residuals are divided by.
+  // Standard deviation of a corner's u and v [px], above 0: what residuals are divided by, times
+  // the noise scale of the frame.
   double corner_sigma = 1.0;
 
   // A corner further off than so many corner sigmas counts linearly; infinity: never.
@@ -41,8 +43,8 @@ struct BundleAdjustmentSummary {
   std::vector<int> free_ids;
   std::vector<PoseCovariance> marker_covariance;
 
-  // From the residuals: sum of squares / (2 per corner - 6 per pose - 6 per free marker) [px]; the
-  // covariances are those of this sigma.
+  // From the residuals over their frames' noise scales: sum of squares / (2 per corner - 6 per pose
+  // - 6 per free marker) [px]; the covariances are those of this sigma.
   double corner_sigma = std::numeric_limits<double>::quiet_NaN();
   double corner_sigma_std = std::numeric_limits<double>::quiet_NaN();
 

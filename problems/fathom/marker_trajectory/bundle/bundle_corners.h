@@ -47,12 +47,13 @@ void ForEachCorner(const Bundle& bundle, Visit visit) {
       for (std::size_t i = 0; i < 4; ++i) {
         visit(frame,
               free == bundle.index_of_free_id.end() ? -1 : free->second,
-              CornerResidual{.camera = &bundle.camera,
-                             .world_from_camera = &bundle.frames[frame].world_from_camera,
-                             .world_from_tag = &marker->world_from_tag,
-                             .corner_in_tag = corners_in_tag[i],
-                             .pixel = detection.corners[i],
-                             .corner_sigma = bundle.options.corner_sigma});
+              CornerResidual{
+                  .camera = &bundle.camera,
+                  .world_from_camera = &bundle.frames[frame].world_from_camera,
+                  .world_from_tag = &marker->world_from_tag,
+                  .corner_in_tag = corners_in_tag[i],
+                  .pixel = detection.corners[i],
+                  .corner_sigma = bundle.options.corner_sigma * bundle.frames[frame].noise_scale});
       }
     }
   }

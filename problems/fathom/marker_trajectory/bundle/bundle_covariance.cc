@@ -84,13 +84,16 @@ BundleInformation InformationOf(const Bundle& end) {
 // Fills the frames' rms and the corner sigma. The factor of all variances; nothing if there are not
 // more corners than unknowns.
 std::optional<double> SetNoise(const BundleInformation& information,
+                               std::span<const AdjustedFrame> at_end,
                                double assumed_sigma,
                                BundleAdjustmentSummary* summary) {
   double sum = 0.0, dof = -static_cast<double>(information.markers.rows());
-  for (const FrameInformation& frame : information.frames) {
+  for (std::size_t i = 0; i < at_end.size(); ++i) {
+    const FrameInformation& frame = information.frames[i];
     sum += frame.squares;
     dof += 2.0 * frame.num_corners - 6.0;
-    summary->frame_rms.push_back(assumed_sigma * std::sqrt(frame.squares / frame.num_corners));
+    const double sigma = assumed_sigma * at_end[i].noise_scale;
+    summary->frame_rms.push_back(sigma * std::sqrt(frame.squares / frame.num_corners));
   }
   if (!(dof > 0.0)) return std::nullopt;
   const double factor = sum / dof;
@@ -150,7 +153,7 @@ Matrix6 WithMarkers(const FrameInformation& frame,
 
 void SetCovariances(const Bundle& end, BundleAdjustmentSummary* summary) {
   BundleInformation information = InformationOf(end);
-  const auto factor = SetNoise(information, end.options.corner_sigma, summary);
+  const auto factor = SetNoise(information, end.frames, end.options.corner_sigma, summary);
   if (!factor) {
     summary->message = "there are too few corners for the unknowns.";
     return;
