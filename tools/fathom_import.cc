@@ -158,6 +158,15 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
   const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle);
   if (suggested.is_ready) return suggested.text;
+  if (!suggested.unknown.empty()) {
+    throw InputError(fmt::format(
+        "{0}: {1}. Expected with --map a map that says which output drives which thruster, and "
+        "which "
+        "way round. This prints one to edit: fathom_import --from={0} --suggest{2} > map.yaml",
+        file.string(),
+        suggested.unknown,
+        FLAGS_vehicle.empty() ? "" : " --vehicle=" + FLAGS_vehicle));
+  }
   if (!suggested.why_not_ready.empty()) {
     throw InputError(fmt::format(
         "--vehicle={0}: does not go with {1}: {2}. Expected the vehicle of the log, or with --map "

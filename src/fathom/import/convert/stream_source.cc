@@ -61,6 +61,13 @@ const Field& FieldOf(const std::filesystem::path& file,
 
 }  // namespace
 
+double ColumnSource::InSi(double number) const {
+  constexpr double kTwiceTheMiddle = 3000.0;  // of pulses [us]
+  const double value = (number * scale + offset) * unit.factor;
+  if (!is_reversed || value == 0.0) return value;
+  return unit.dimension == Dimension::kPulse ? kTwiceTheMiddle - value : -value;
+}
+
 std::optional<Dimension> DimensionOf(std::string_view column) {
   if (column.starts_with("thruster_")) return std::nullopt;
   if (column == "voltage") return Dimension::kVoltage;
@@ -86,7 +93,8 @@ ColumnSource SourceOf(const std::filesystem::path& file,
   const std::string& channel_name = map.channel.empty() ? stream.channel : map.channel;
   const Channel& channel = ChannelOf(file, contents, column, channel_name, remarks);
   const Field& field = FieldOf(file, contents, channel, map.field);
-  ColumnSource source = {column, {channel.name, {field.name}}, {}, map.scale, map.offset};
+  ColumnSource source = {
+      column, {channel.name, {field.name}}, {}, map.scale, map.offset, map.is_reversed};
   const auto dimension = DimensionOf(column);
   if (is_plain || dimension == Dimension::kPlain) return source;
 

@@ -50,7 +50,9 @@ std::vector<Condition> ConditionsOf(const YamlMap& map) {
 }
 
 // `u: VN`, or `u: {field: VN, unit: cm/s, scale: -1, offset: 0, channel: XKF1}`.
-ColumnMap ColumnOf(const YamlMap& map, std::string_view key) {
+//
+// A thruster's may also be `reversed`.
+ColumnMap ColumnOf(const YamlMap& map, std::string_view key, bool is_thruster = false) {
   ColumnMap column;
   if (!map.HoldsMap(key)) {
     column.field = map.String(key);
@@ -62,6 +64,7 @@ ColumnMap ColumnOf(const YamlMap& map, std::string_view key) {
   column.unit = entry.String("unit", "");
   column.scale = entry.Number("scale", 1.0);
   column.offset = entry.Number("offset", 0.0);
+  if (is_thruster) column.is_reversed = entry.Boolean("reversed", false);
   if (column.scale == 0.0) entry.Fail("scale", "is 0, expected another number.");
   return column;
 }
@@ -109,7 +112,9 @@ void ReadCommand(const YamlMap& map, ImportMap* result) {
   if (!thrusters.empty() && !stream.columns.empty()) {
     map.Fail("thruster_1", "stands beside a force, expected forces or thrusters.");
   }
-  AddColumns(map, thrusters, &stream);
+  for (const std::string& name : thrusters) {
+    stream.columns.emplace_back(name, ColumnOf(map, name, /*is_thruster=*/true));
+  }
   if (stream.columns.empty()) {
     map.Fail("names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on.");
   }

@@ -43,6 +43,9 @@ struct Contents {
   std::map<std::string, double> parameters;  // settings of the autopilot, as they were at the end
 
   bool IsComplete() const { return read_bytes == size_bytes; }
+
+  // Says that ArduPilot's simulator wrote it, if its settings (SIM_...) tell.
+  void TellSimulation();
 };
 
 // Some fields of a channel.
