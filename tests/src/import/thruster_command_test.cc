@@ -66,6 +66,42 @@ TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
               testing::ElementsAre(-0.5 * 23.75, 0.5 * 47.5 + 0.5 * 35, -0.5 * 57));
 }
 
+// A pulse of 0 is off, also of a motor that turns the other way round.
+TEST(ThrusterCommand, OfAReversedMotorIsOffWhereItsPulseIs0) {
+  const ImportedLog imported =
+      ImportThrusters("t [s],a,b\n0,0,1500\n1,1900,1500\n2,1100,1500\n",
+                      "command: {unit: us, thruster_1: {field: a, reversed: true}, thruster_2: b, "
+                      "voltage: 12}\n",
+                      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, -30, 38));
+}
+
+TEST(ThrusterCommand, OfAReversedMotorChangesItsSignWhereItIsAShareOrAForce) {
+  const ImportedLog shares =
+      ImportThrusters("t [s],a [%],b [%]\n0,0,0\n1,50,0\n",
+                      "command: {thruster_1: {field: a, reversed: true}, thruster_2: b}\n",
+                      VehicleWith("1", "voltages: [16], thrust: [[-1, -40], [0, 0], [1, 50]]"));
+  EXPECT_THAT(Column(shares, "tau_surge"), testing::ElementsAre(0, -20));
+  const ImportedLog forces =
+      ImportThrusters("t [s],a [N],b [N]\n0,0,0\n1,2,3\n",
+                      "command: {thruster_1: {field: a, reversed: true}, thruster_2: b}\n",
+                      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(forces, "tau_surge"), testing::ElementsAre(0, 1));
+}
+
+TEST(ThrusterCommand, TellsWhereNoVoltageIsMeasured) {
+  std::string table = "t [s],a,b,battery\n";
+  for (int i = 0; i < 20; ++i) {
+    table += fmt::format("{},{},1500,{}\n", i, 1550 + i, i < 10 ? "14" : "");
+  }
+  const ImportedLog imported = ImportThrusters(table,
+                                               "command: {unit: us, thruster_1: a, thruster_2: b, "
+                                               "voltage: {field: battery, unit: V}}\n",
+                                               VehicleWith("us", kTable));
+  // From the 13th second on, over three steps behind the last.
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("at 7 rows of 20 no voltage is measured")));
+}
+
 TEST(ThrusterCommand, TellsCommandsBeyondTheTable) {
   const ImportedLog imported =
       ImportThrusters("t [s],a,b\n0,1500,1500\n1,2000,1500\n2,1500,1500\n",

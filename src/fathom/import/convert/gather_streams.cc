@@ -8,16 +8,22 @@
 #include "fathom/import/convert/stream_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
+
+// A channel of commands that sends nothing for so long has fallen silent.
+constexpr double kSilentSteps = 10.0;
+constexpr double kShortestSilence = 1.0;  // [s]
 
 // The columns of one stream that one channel holds.
 struct ChannelPart {
@@ -128,6 +134,60 @@ void TellLeftOut(const char* stream,
   }
 }
 
+// A command of several channels.
+ChannelSamples JoinedCommand(const std::vector<ChannelSamples>& channels,
+                             std::vector<std::string>* remarks) {
+  ChannelSamples held = Held(channels);
+  if (channels.size() == 1 || held.time.empty()) return held;
+  remarks->push_back(
+      fmt::format("command: each of {} holds its value until its next sample; the rows begin when "
+                  "all have one, at {:.3f} s.",
+                  held.channel,
+                  held.time.front()));
+  for (const ChannelSamples& channel : channels) {
+    const double silent = held.time.back() - channel.time.back();
+    const double longest = std::max(kSilentSteps * StepOf(channel), kShortestSilence);
+    if (silent <= longest) continue;
+    remarks->push_back(fmt::format(
+        "command: {} falls silent at {:.3f} s, {:.1f} s before the last command: its last value is "
+        "held.",
+        channel.channel,
+        channel.time.back(),
+        silent));
+  }
+  return held;
+}
+
+// Speeds or poses of several channels.
+ChannelSamples JoinedMeasurement(const char* name,
+                                 const std::vector<ChannelSamples>& channels,
+                                 std::vector<std::string>* remarks) {
+  std::size_t num_alone = 0;
+  ChannelSamples joined = Joined(channels, &num_alone);
+  if (channels.size() > 1) {
+    remarks->push_back(fmt::format(
+        "{}: {} are brought to the stamps of the slowest of them.", name, joined.channel));
+  }
+  if (num_alone > 0) {
+    remarks->push_back(fmt::format(
+        "{}: {} left out, where another channel has a gap.", name, Plural(num_alone, "row")));
+  }
+  return joined;
+}
+
+// Where the columns of a channel hold a quaternion.
+std::optional<std::array<std::size_t, 4>> QuaternionOf(const std::vector<ColumnSource>& columns) {
+  constexpr std::array<std::string_view, 4> kNames = {"qx", "qy", "qz", "qw"};
+  std::array<std::size_t, 4> indices = {};
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    const auto found = std::find_if(
+        columns.begin(), columns.end(), [&](const auto& c) { return c.column == kNames[k]; });
+    if (found == columns.end()) return std::nullopt;
+    indices[k] = static_cast<std::size_t>(found - columns.begin());
+  }
+  return indices;
+}
+
 // Puts the channels of a stream together, its columns in the order of the map.
 GatheredStream Assemble(const std::filesystem::path& file,
                         const char* name,
@@ -142,18 +202,12 @@ GatheredStream Assemble(const std::filesystem::path& file,
       if (part.columns[i].unit.dimension == Dimension::kAngle) Unwrap(&part.samples.values[i]);
       columns.push_back(part.columns[i]);
     }
+    part.samples.quaternion = QuaternionOf(part.columns);
     channels.push_back(std::move(part.samples));
   }
-  std::size_t num_alone = 0;
-  ChannelSamples joined = Joined(channels, &num_alone);
-  if (channels.size() > 1) {
-    remarks->push_back(fmt::format(
-        "{}: {} are brought to the stamps of the slowest of them.", name, joined.channel));
-  }
-  if (num_alone > 0) {
-    remarks->push_back(fmt::format(
-        "{}: {} left out, where another channel has a gap.", name, Plural(num_alone, "row")));
-  }
+  const bool is_command = std::string_view(name) == "command";
+  ChannelSamples joined =
+      is_command ? JoinedCommand(channels, remarks) : JoinedMeasurement(name, channels, remarks);
   if (joined.time.size() < 2) {
     throw InputError(fmt::format("{}: {} of {} has {}, expected two at least.",
                                  file.string(),

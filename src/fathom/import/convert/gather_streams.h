@@ -19,7 +19,7 @@ namespace fathom {
 struct GatheredStream {
   std::vector<std::string> columns;
   std::vector<Dimension> dimensions;  // of the columns
-  ChannelSamples samples;             // at the stamps of the slowest channel
+  ChannelSamples samples;             // at the stamps of the slowest channel; of a command at all
 };
 
 // What a map takes from a recording.
