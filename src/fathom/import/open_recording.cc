@@ -68,6 +68,12 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   if (LooksLikeMat73(first)) return OpenMatlab(path, OpenMat73(path));
   if (LooksLikeMat5(first)) return OpenMatlab(path, OpenMat5(path));
   if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
+  if (first.starts_with("\x28\xb5\x2f\xfd")) {
+    throw InputError(fmt::format(
+        "{}: is compressed by zstd as a whole, expected a plain file. This unpacks it: zstd -d {}",
+        path.string(),
+        path.string()));
+  }
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(fmt::format(
       "{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
