@@ -3,6 +3,7 @@
 
 // Bags of ROS 1 and MCAP files, written here from the formats' descriptions.
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/random_stream.h"
 #include "fathom/import/open_recording.h"
 #include "fathom/import/recording/decompress.h"
@@ -378,9 +379,30 @@ TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
               ElementsAre(HasSubstr("1 messages are compressed by zstd and cannot be unpacked")));
 }
 
-TEST(Rosbag2, SaysThatAFileIsCompressedAsAWhole) {
-  const auto path = ScratchFile("a.db3.zstd", bag::Compressed("zstd", std::string(5000, 'a')));
-  EXPECT_THAT(ErrorFrom([&] { OpenRecording(path); }), HasSubstr("unpacks it: zstd -d"));
+// As `ros2 bag record --compression-mode file` writes them.
+TEST(Rosbag2, IsUnpackedWhereItIsCompressedAsAWhole) {
+  const auto plain = ScratchFile("a.db3", "");
+  {
+    SQLite::Database database(plain.string(), SQLite::OPEN_READWRITE);
+    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
+    database.exec(
+        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+        "BLOB)");
+    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
+    database.exec(
+        "INSERT INTO messages VALUES (1, 1, 1500000000500000000, x'000100000000000000002940')");
+  }
+  const std::string packed = bag::Compressed("zstd", ReadFile(plain));
+  const auto recording = OpenRecording(ScratchFile("a.db3.zstd", packed));
+  EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
+  const auto error = [&](const std::string& bytes) {
+    return ErrorFrom([&] { OpenRecording(ScratchFile("b.db3.zstd", bytes)); });
+  };
+  EXPECT_THAT(error(packed.substr(0, packed.size() / 2)), HasSubstr("ends within a frame"));
+  EXPECT_THAT(error(bag::Compressed("zstd", std::string(std::size_t{80} << 20, '\0'))),
+              HasSubstr("unpack to over 67108864: no recording does"));
+  EXPECT_THAT(error(bag::Compressed("zstd", bag::Compressed("zstd", packed))),
+              HasSubstr("b.db3.zstd: is of no known format"));
 }
 
 TEST(Rosbag2, TellsMessagesOfNoTopic) {
