@@ -232,6 +232,9 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.mass = map.mass;
   log.held_out = map.held_out;
   log.command_unit = map.command_unit;
+  log.origin.emplace();
+  log.origin->out_of_order = std::move(gathered.out_of_order);
+  log.origin->row_counter = std::move(gathered.row_counter);
   if (gathered.command) log.command = CommandOf(file, gathered, map, vehicle, &imported.remarks);
   if (gathered.pose) {
     log.pose =

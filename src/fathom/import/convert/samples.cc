@@ -98,10 +98,12 @@ LeftOutRows Clean(ChannelSamples* samples) {
   const auto is_before = [&](std::size_t a, std::size_t b) {
     return samples->time[a] < samples->time[b];
   };
-  if (!std::is_sorted(rows.begin(), rows.end(), is_before)) {
-    left_out.was_sorted = true;
-    std::stable_sort(rows.begin(), rows.end(), is_before);
+  double latest = -std::numeric_limits<double>::infinity();
+  for (const std::size_t row : rows) {
+    if (samples->time[row] < latest) ++left_out.num_back;
+    latest = std::max(latest, samples->time[row]);
   }
+  if (left_out.num_back > 0) std::stable_sort(rows.begin(), rows.end(), is_before);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i + 1 < rows.size() && !is_before(rows[i], rows[i + 1])) {

@@ -25,7 +25,7 @@ struct ChannelSamples {
 struct LeftOutRows {
   std::size_t incomplete = 0;  // a cell is empty where another of its row is not
   std::size_t repeated = 0;    // another row of the same stamp follows it
-  bool was_sorted = false;     // stamps went back
+  std::size_t num_back = 0;    // not left out, but sorted: a stamp before the largest so far
 };
 
 // Removes rows that hold nothing, and those of `LeftOutRows`, and sorts what goes back. Of rows of

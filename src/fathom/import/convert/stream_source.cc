@@ -112,11 +112,13 @@ ColumnSource SourceOf(const std::filesystem::path& file,
                       place,
                       Quoted(column)));
     }
+    source.unit = {*dimension, 1.0};
+    source.is_unit_open = dimension == Dimension::kTime;
+    if (source.is_unit_open) return source;
     remarks->push_back(fmt::format("{} {} states no unit: taken as {}.",
                                    channel.name,
                                    Quoted(field.name),
                                    SiUnit(*dimension)));
-    source.unit = {*dimension, 1.0};
     return source;
   }
   std::optional<Unit> unit;
@@ -129,18 +131,19 @@ ColumnSource SourceOf(const std::filesystem::path& file,
     }
   }
   if (!unit) {
-    throw InputError(
-        fmt::format("{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'{}.",
-                    place,
-                    Quoted(text),
-                    dimension ? Name(*dimension) : "a pulse width, a share, a speed or a force",
-                    Quoted(column),
-                    dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'",
-                    column.starts_with("tau_")
-                        ? fmt::format("; a command that is none of these is taken as it is with "
-                                      "'command_unit: \"{}\"'",
-                                      text)
-                        : ""));
+    throw InputError(fmt::format(
+        "{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'{}.",
+        place,
+        Quoted(text),
+        dimension ? Name(*dimension) : "a pulse width, a share, a speed or a force",
+        Quoted(column),
+        dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'",
+        dimension == Dimension::kTime ? fmt::format(": 'time: {{field: {}, unit: ms}}'", field.name)
+        : column.starts_with("tau_")
+            ? fmt::format("; a command that is none of these is taken as it is with "
+                          "'command_unit: \"{}\"'",
+                          text)
+            : ""));
   }
   source.unit = *unit;
   return source;

@@ -25,6 +25,9 @@ struct ColumnSource {
   double offset = 0.0;
   bool is_reversed = false;  // of a thruster
 
+  // Of stamps whose unit nobody states: it is `unit` only once their size is known.
+  bool is_unit_open = false;
+
   double InSi(double number) const;
 };
 

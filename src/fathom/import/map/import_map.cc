@@ -69,6 +69,20 @@ ColumnMap ColumnOf(const YamlMap& map, std::string_view key, bool is_thruster = 
   return column;
 }
 
+// `time: sent`, `{field: sent, unit: ns}`, or `{seconds: secs, nanoseconds: nsecs}`.
+void ReadTime(const YamlMap& map, StreamMap* stream) {
+  if (!map.HoldsMap("time") || !map.Map("time").Has("seconds")) {
+    stream->time = ColumnOf(map, "time");
+    return;
+  }
+  const YamlMap time = map.Map("time");
+  stream->time.emplace();
+  stream->time->field = time.String("seconds");
+  stream->time->unit = "s";
+  stream->time->channel = time.String("channel", "");
+  stream->nanoseconds = time.String("nanoseconds");
+}
+
 // What all streams have; the caller adds the columns.
 StreamMap StreamOf(const YamlMap& map) {
   StreamMap stream;
@@ -81,7 +95,7 @@ StreamMap StreamOf(const YamlMap& map) {
     }
   }
   stream.delay = map.Number("delay", 0.0);
-  if (map.Has("time")) stream.time = ColumnOf(map, "time");
+  if (map.Has("time")) ReadTime(map, &stream);
   stream.where = ConditionsOf(map);
   return stream;
 }

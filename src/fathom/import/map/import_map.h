@@ -50,7 +50,8 @@ struct StreamMap {
   // The field that holds the stamps, where they are not the channel's own; with a channel: one of
   // that for each sample of the stream's.
   std::optional<ColumnMap> time;
-  double delay = 0.0;  // added to the stamps [s]
+  std::string nanoseconds;  // a field that is added to `time`, which then holds whole seconds
+  double delay = 0.0;       // added to the stamps [s]
   std::vector<Condition> where;
   std::vector<std::pair<std::string, ColumnMap>> columns;  // by the column's name in the log
 

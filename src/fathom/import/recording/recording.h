@@ -30,6 +30,7 @@ struct Channel {
   std::optional<double> first;  // smallest and largest stamp [s]; nothing without stamps
   std::optional<double> last;
   std::optional<Field> clock = {};  // the column of the stamps, where they are a column
+  bool clock_counts_rows = false;   // a column 0, 1, 2, ... that no name calls a time
 };
 
 // What a recording holds, and how much of it could be read.
