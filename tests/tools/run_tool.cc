@@ -15,7 +15,8 @@ namespace fathom {
 ToolRun RunToolBinary(const std::string& name,
                       const std::vector<std::string>& arguments,
                       const std::function<void(int)>& on_start) {
-  const std::string binary = std::string(FATHOM_TOOLS_DIR) + "/" + name;
+  std::string binary = FATHOM_TOOLS_DIR;
+  binary.append("/").append(name);
   const ChildResult result =
       RunChild({.program = binary, .arguments = arguments, .on_start = on_start});
   if (result.end == ChildEnd::kNotStarted) {
