@@ -5,11 +5,17 @@
 
 #include "fathom/archive/jobs/survey.h"
 #include "fathom/base/files/input_file.h"
+#include "fathom/base/files/leaves_its_folder.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
+#include "fathom/camera/camera_file.h"
+#include "fathom/camera/mount_file.h"
+#include "fathom/camera/tags_file.h"
 #include "fathom/check/pose_twist_check.h"
+#include "fathom/check/stamp_check.h"
+#include "fathom/images/video_reader.h"
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
@@ -30,9 +36,11 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -134,9 +142,26 @@ TableOptions TableOptionsFromFlags() {
   return FLAGS_map.empty() ? TableOptions() : ReadImportMap(FLAGS_map).table;
 }
 
+// Throws InputError for a recording that is damaged before its first sample.
+void RequireSamples(const std::filesystem::path& file, const Contents& contents) {
+  const bool has_one = std::any_of(contents.channels.begin(),
+                                   contents.channels.end(),
+                                   [](const Channel& channel) { return channel.count > 0; });
+  if (has_one || contents.IsComplete()) return;
+  throw InputError(
+      fmt::format("{}: is damaged and holds no sound message, expected one at least.{}{} {} of {} "
+                  "bytes are sound.",
+                  file.string(),
+                  contents.remarks.empty() ? "" : " In it, ",
+                  contents.remarks.empty() ? "" : contents.remarks.front(),
+                  contents.read_bytes,
+                  contents.size_bytes));
+}
+
 int List(const std::filesystem::path& file) {
   RequireOutputs({{"json", FLAGS_json}}, {FLAGS_from});
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
+  RequireSamples(file, recording->contents());
   PrintContents(file, recording->contents());
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatContents(recording->contents()));
   return 0;
@@ -147,6 +172,7 @@ int Suggest(const std::filesystem::path& file) {
   std::optional<Vehicle> vehicle;
   if (!FLAGS_vehicle.empty()) vehicle = ReadVehicleFile(FLAGS_vehicle);
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
+  RequireSamples(file, recording->contents());
   const SuggestedMap map = SuggestMap(*recording, vehicle);
   fmt::print("{}", map.text);
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
@@ -158,6 +184,15 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
   const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle);
   if (suggested.is_ready) return suggested.text;
+  if (!suggested.unknown.empty()) {
+    throw InputError(fmt::format(
+        "{0}: {1}. Expected with --map a map that says which output drives which thruster, and "
+        "which "
+        "way round. This prints one to edit: fathom_import --from={0} --suggest{2} > map.yaml",
+        file.string(),
+        suggested.unknown,
+        FLAGS_vehicle.empty() ? "" : " --vehicle=" + FLAGS_vehicle));
+  }
   if (!suggested.why_not_ready.empty()) {
     throw InputError(fmt::format(
         "--vehicle={0}: does not go with {1}: {2}. Expected the vehicle of the log, or with --map "
@@ -181,6 +216,53 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
 // The last part of a path; that of a folder too, with or without a slash at its end.
 std::string NameOf(const std::filesystem::path& path) {
   return std::filesystem::absolute(path / "").parent_path().filename().string();
+}
+
+// Reads one of the map's camera files. What is called otherwise than such a file, or is a link out
+// of the map's folder, may be anybody's: no line of it stands in a message.
+template <typename Read>
+void RequireCameraFile(const std::filesystem::path& file,
+                       const std::filesystem::path& folder,
+                       const char* key,
+                       const char* what,
+                       const Read& read) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    throw InputError(
+        fmt::format("{}: is not there. The map's camera names it as '{}'.", file.string(), key));
+  }
+  const auto real = std::filesystem::weakly_canonical(file, error);
+  const auto inside = std::filesystem::weakly_canonical(folder / ".", error);
+  const bool is_own = real.extension() == ".yaml" || real.extension() == ".yml";
+  try {
+    read(file);
+  } catch (const InputError&) {
+    if (is_own && !LeavesItsFolder(real.lexically_relative(inside))) throw;
+    throw InputError(fmt::format("{}: is no {}, expected one: the map's camera names it as '{}'.",
+                                 file.string(),
+                                 what,
+                                 key));
+  }
+}
+
+// Throws InputError for a video that is none, or a calibration, tags or mount that are none: before
+// anything of them stands in a log.
+void RequireCameraFiles(const CameraMap& camera, const std::filesystem::path& from) {
+  using Path = std::filesystem::path;
+  RequireCameraFile(from / camera.video, from, "video", "video", [](const Path& file) {
+    const VideoReader video(file);
+  });
+  RequireCameraFile(from / camera.calibration,
+                    from,
+                    "calibration",
+                    "calibration of a camera",
+                    [](const Path& file) { ReadCameraFile(file); });
+  RequireCameraFile(from / camera.tags, from, "tags", "file of tags", [](const Path& file) {
+    ReadTagsFile(file);
+  });
+  RequireCameraFile(from / camera.mount, from, "mount", "mount of a camera", [](const Path& file) {
+    ReadMountFile(file);
+  });
 }
 
 // Puts the video of the map, its calibration, tags and mount into the log's folder: a second name
@@ -228,7 +310,8 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
                            : "the map names no command, so that the log identifies nothing");
     return;
   }
-  const std::vector<Finding> findings = CheckPoseAgainstTwist(log);
+  std::vector<Finding> findings = CheckStamps(log);
+  std::ranges::move(CheckPoseAgainstTwist(log), std::back_inserter(findings));
   for (const SurveyedDof& surveyed : SurveyLog(folder, std::nullopt).dofs) {
     fmt::print("{}: {}\n",
                Name(surveyed.dof),
@@ -246,6 +329,17 @@ std::vector<TimeInterval> HeldOutBefore(const std::filesystem::path& folder) {
     return ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true}).held_out;
   } catch (const InputError&) {
     return {};
+  }
+}
+
+// Throws InputError, naming the log to be, for one that no program would read.
+void RequireReadable(const std::filesystem::path& made, const std::filesystem::path& folder) {
+  try {
+    ReadLog(made, {.may_lack_motion = true, .may_lack_command = true});
+  } catch (const InputError& error) {
+    std::string why = error.what();
+    if (why.starts_with(made.string())) why.replace(0, made.string().size(), folder.string());
+    throw InputError(why + " The log was not written: mend the map.");
   }
 }
 
@@ -269,10 +363,16 @@ int Run() {
     vehicle_file = std::filesystem::path(FLAGS_map).parent_path() / map.vehicle;
     vehicle = ReadVehicleFile(vehicle_file);
   }
+  if (map.camera) {
+    RequireCameraFiles(*map.camera, std::filesystem::path(FLAGS_map).parent_path());
+  }
   const auto recording = OpenRecording(file, map.table);
+  RequireSamples(file, recording->contents());
   ImportedLog imported = ImportLog(file, *recording, map, vehicle);
   Log& log = imported.log;
-  log.origin = {NameOf(file), ContentOfRecording(file), "map.yaml"};
+  log.origin->file = NameOf(file);
+  log.origin->content = ContentOfRecording(file);
+  log.origin->map = "map.yaml";
   if (vehicle) log.vehicle = vehicle_file.filename().string();
 
   if (log.held_out.empty()) {
@@ -289,6 +389,7 @@ int Run() {
   if (map.camera) {
     TakeCameraFiles(*map.camera, std::filesystem::path(FLAGS_map).parent_path(), made.path());
   }
+  RequireReadable(made.path(), folder);
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));

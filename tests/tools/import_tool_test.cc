@@ -211,6 +211,63 @@ TEST(ImportTool, KeepsWhatTheLogBeforeHoldsOut) {
   EXPECT_EQ(again.held_out[0].to, 120.0);
 }
 
+TEST(ImportTool, RefusesADamagedFileWithoutOneSoundMessage) {
+  const Path folder = EmptyTestFolder();
+  const std::string from =
+      "--from=" +
+      WriteTestFile(folder / "a.bag", "#ROSBAG V2.0\n" + std::string(4096, '\0')).string();
+  const ToolRun run = Import({from, "--list"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("is damaged and holds no sound message"));
+}
+
+// Nanoseconds without their leading zeros: .02 s is written as .20000000.
+TEST(ImportTool, WarnsOfStampsOutOfOrderAndMendsThemWhenTold) {
+  const Path folder = EmptyTestFolder();
+  std::string csv = "time,secs,nsecs,tau,u\n";
+  for (int i = 0; i < 300; ++i) {
+    const std::string second = std::to_string(i / 10);
+    const std::string nanoseconds = std::to_string(i % 10 * 100000000 + 20000000);
+    csv += second + "." + nanoseconds + "," + second + "," + nanoseconds + "," +
+           std::to_string(i / 40 % 2 * 10) + "," + std::to_string(0.01 * (i % 40)) + "\n";
+  }
+  WriteTestFile(folder / "dive.csv", csv);
+  const auto import = [&](const std::string& time) {
+    return Import({"--from=" + (folder / "dive.csv").string(),
+                   "--map=" + WriteTestFile(folder / "map.yaml",
+                                            "command: {" + time + "tau_surge: tau}\n" +
+                                                "velocity: {" + time + "u: u}\n")
+                                  .string(),
+                   "--out=" + (folder / "log").string(),
+                   "--overwrite"});
+  };
+  const ToolRun wrong = import("");
+  EXPECT_EQ(wrong.exit_code, 0);
+  EXPECT_THAT(wrong.err, HasSubstr("10 % of the stamps of the velocity lay before an earlier one"));
+  EXPECT_THAT(wrong.out, HasSubstr("have 8 to 9 digits behind the point"));
+  const ToolRun mended = import("time: {seconds: secs, nanoseconds: nsecs}, ");
+  EXPECT_EQ(mended.exit_code, 0);
+  EXPECT_THAT(mended.err, Not(HasSubstr("lay before an earlier one")));
+}
+
+// Nothing that no program would read.
+TEST(ImportTool, WritesNoLogWhoseCameraFilesAreNone) {
+  const Path folder = EmptyTestFolder();
+  WriteTestFile(folder / "dive.csv", "t,tau,u\n0,0,0\n0.1,1,0.1\n0.2,0,0.2\n");
+  WriteTestFile(folder / "secret.txt", "root:x:0:0\n");
+  const ToolRun run = Import({"--from=" + (folder / "dive.csv").string(),
+                              "--map=" + WriteTestFile(folder / "map.yaml",
+                                                       "command: {tau_surge: tau}\n"
+                                                       "camera: {video: secret.txt, calibration: "
+                                                       "secret.txt, tags: secret.txt, mount: "
+                                                       "secret.txt}\n")
+                                             .string(),
+                              "--out=" + (folder / "log").string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "log"));
+  EXPECT_THAT(run.err, Not(HasSubstr("root")));
+}
+
 class ImportToolOnRealLogs : public OnRealData {};
 
 // A vehicle with the first six of eight thrusters: the log drives so many.

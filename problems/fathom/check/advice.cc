@@ -110,6 +110,10 @@ constexpr Entry kAdvice[] = {
     {"repeated_block",
      {"The same data count twice: intervals are too narrow, and a jump is in the motion.",
       "Take one of the two out."}},
+    {"row_counter",
+     {"Inertia and damping are wrong by the number of rows in a second.",
+      "Say how many there are: `rate` in each stream of the map of fathom_import, or `time` where "
+      "another field holds the stamps."}},
     {"sampling_rate",
      {"The fit is slow, or sees nothing of the dynamics.", "Check the unit of `t`."}},
     {"sentinel",
@@ -117,6 +121,10 @@ constexpr Entry kAdvice[] = {
     {"short_log",
      {"Intervals are wide.", "Drive for two minutes or more, or fit several logs together."}},
     {"speed_range", {"All parameters are wrong.", "Check the unit of the speed: m/s and rad/s."}},
+    {"stamp_order",
+     {"Rows stand at wrong times: order does not mend stamps that are wrong.",
+      "Look at how the stamps are written. Where whole seconds and nanoseconds stand in columns of "
+      "their own, the map of fathom_import takes them: `time: {seconds: S, nanoseconds: N}`."}},
     {"stuck_values",
      {"A model that stands still is fitted to a vehicle that moves.",
       "Take these rows out of the file."}},

@@ -5,6 +5,7 @@
 
 #include "fathom/check/motion_check.h"
 #include "fathom/check/sanity.h"
+#include "fathom/check/stamp_check.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -69,6 +70,7 @@ LoggedQuantities QuantitiesOf(std::span<const Log> logs) {
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals) {
   std::vector<Finding> findings;
   for (const Log& log : logs) {
+    Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, signals.dof, signals.source)), &findings);
   }
   Add(CheckSanity(signals), &findings);
@@ -80,6 +82,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
   std::vector<Segment> segments;
   for (const Log& log : logs) {
     const Source source = BestSourceOf(log, dof);
+    Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
     Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
     Signals signals = SignalsOf(log, dof, {.source = source});

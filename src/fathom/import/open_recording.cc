@@ -12,6 +12,7 @@
 #include "fathom/import/message/message_recording.h"
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/joined_recording.h"
+#include "fathom/import/recording/unpacked_file.h"
 #include "fathom/import/rock/pocolog_file.h"
 #include "fathom/import/rock/typelib_definition.h"
 #include "fathom/import/ros/mcap_file.h"
@@ -49,7 +50,8 @@ bool LooksLikeText(std::string_view bytes) {
 
 std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
                                     const TableOptions& table,
-                                    bool takes_text) {
+                                    bool takes_text,
+                                    bool is_unpacked = false) {
   ByteFile file(path);
   const std::string first(file.View(0, kFirstBytes));
   if (LooksLikeDataflash(first)) return OpenDataflash(path);
@@ -68,6 +70,11 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   if (LooksLikeMat73(first)) return OpenMatlab(path, OpenMat73(path));
   if (LooksLikeMat5(first)) return OpenMatlab(path, OpenMat5(path));
   if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
+  if (LooksLikeZstd(first) && !is_unpacked) {
+    return OpenUnpacked(path, [&](const std::filesystem::path& unpacked) {
+      return OpenFile(unpacked, table, /*takes_text=*/false, /*is_unpacked=*/true);
+    });
+  }
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
   throw InputError(fmt::format(
       "{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "

@@ -25,11 +25,20 @@ struct Stream {
   const std::vector<double>* Find(std::string_view column) const;
 };
 
+// Stamps of a stream that lay before that of an earlier row, and were put in order.
+struct StampsOutOfOrder {
+  std::string stream;  // "velocity"
+  double share = 0.0;  // of its rows
+};
+
 // The recording that fathom_import made a log from.
 struct LogOrigin {
   std::string file;     // its name, without folders
   std::string content;  // ContentOf() it
   std::string map;      // a file in the log's folder: what says which channel is which stream
+
+  std::vector<StampsOutOfOrder> out_of_order;  // of the recording
+  std::string row_counter;  // its column that counts rows and was taken for stamps; may be empty
 };
 
 // What a log folder (or a single CSV) holds; docs/file_formats.md.

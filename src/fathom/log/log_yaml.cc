@@ -87,8 +87,16 @@ double VideoStartOf(const YamlMap& file) {
 std::optional<LogOrigin> OriginOf(const YamlMap& file) {
   const auto origin = file.OptionalMap("imported");
   if (!origin) return std::nullopt;
-  LogOrigin result = {
-      origin->String("file"), origin->String("content", ""), origin->String("map", "")};
+  LogOrigin result;
+  result.file = origin->String("file");
+  result.content = origin->String("content", "");
+  result.map = origin->String("map", "");
+  result.row_counter = origin->String("row_counter", "");
+  if (const auto shares = origin->OptionalMap("out_of_order")) {
+    for (const std::string& stream : shares->Keys()) {
+      result.out_of_order.push_back({stream, shares->Number(stream)});
+    }
+  }
   if (LeavesItsFolder(result.map)) {
     origin->Fail("map", fmt::format("is {}, expected a file in this folder.", Quoted(result.map)));
   }

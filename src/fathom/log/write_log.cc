@@ -67,6 +67,14 @@ std::string FormatLogYaml(const Log& log) {
     emit_text("file", log.origin->file);
     emit_text("content", log.origin->content);
     emit_text("map", log.origin->map);
+    emit_text("row_counter", log.origin->row_counter);
+    if (!log.origin->out_of_order.empty()) {
+      yaml << YAML::Key << "out_of_order" << YAML::Value << YAML::Flow << YAML::BeginMap;
+      for (const StampsOutOfOrder& stamps : log.origin->out_of_order) {
+        yaml << YAML::Key << stamps.stream << YAML::Value << fmt::format("{:.3g}", stamps.share);
+      }
+      yaml << YAML::EndMap;
+    }
     yaml << YAML::EndMap;
   }
   yaml << YAML::EndMap;

@@ -6,12 +6,14 @@
 #include <string>
 
 #include "scratch_file.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;
@@ -40,7 +42,7 @@ velocity:
   u: vx
   r: {channel: IMU, field: GyrZ, unit: deg/s}
 pose: {channel: XKF1, frame: NED, x: PN, y: PE, z: PD, roll: Roll, pitch: Pitch, yaw: Yaw}
-camera: {video: ../films/dive.mp4, start: 2026-05-03T14:30:05.25Z, tags: wall.yaml}
+camera: {video: films/dive.mp4, start: 2026-05-03T14:30:05.25Z, tags: wall.yaml}
 )");
   EXPECT_EQ(map.name, "dive_7");
   EXPECT_EQ(map.dofs.size(), 2U);
@@ -63,7 +65,7 @@ camera: {video: ../films/dive.mp4, start: 2026-05-03T14:30:05.25Z, tags: wall.ya
   EXPECT_TRUE(map.camera->is_utc);
   EXPECT_EQ(map.camera->start, 1777818605.25);  // date -u -d 2026-05-03T14:30:05Z +%s
   EXPECT_THAT(map.camera->Files(),
-              ElementsAre(Pair("dive.mp4", "../films/dive.mp4"),
+              ElementsAre(Pair("dive.mp4", "films/dive.mp4"),
                           Pair("camera.yaml", "camera.yaml"),
                           Pair("tags.yaml", "wall.yaml"),
                           Pair("mount.yaml", "mount.yaml")));
@@ -90,6 +92,12 @@ TEST(ImportMap, SaysWhatIsWrong) {
   EXPECT_THAT(error("pose: {x: a, y: b, yaw: c, frame: FLU}\n"), HasSubstr("NED, ENU or NWU"));
   EXPECT_THAT(error("velocity: {u: a}\ncamera: {start: 3}\n"), HasSubstr("'camera.video'"));
   EXPECT_THAT(error("velocity: {u: a}\ncamera: {video: films/}\n"), HasSubstr("names a folder"));
+  for (const char* path : {"/etc/shadow", "../dive.mp4", "a/../../dive.mp4"}) {
+    const std::string camera = fmt::format("velocity: {{u: a}}\ncamera: {{video: {}}}\n", path);
+    EXPECT_THAT(error(camera), HasSubstr("stays in it"));
+  }
+  EXPECT_THAT(error("velocity: {u: a}\ncamera: {video: a.mp4, mount: /etc/hostname}\n"),
+              AllOf(HasSubstr("'camera.mount' is '/etc/hostname'"), HasSubstr("stays in it")));
   EXPECT_THAT(error("velocity: {u: a}\ncamera: {video: a.mp4, start: noon}\n"),
               HasSubstr("'camera.start'"));
   EXPECT_THAT(error("table: {separator: x}\nvelocity: {u: a}\n"), HasSubstr("separator"));

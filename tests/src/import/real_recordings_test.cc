@@ -166,6 +166,7 @@ TEST_F(RealRecordings, ATelemetryLogHoldsWhatItsReferenceSays) {
   std::map<std::string, std::string> number_of;
   const auto known = {std::pair("0", "HEARTBEAT"),
                       std::pair("1", "SYS_STATUS"),
+                      std::pair("22", "PARAM_VALUE"),
                       std::pair("27", "RAW_IMU"),
                       std::pair("29", "SCALED_PRESSURE"),
                       std::pair("30", "ATTITUDE"),

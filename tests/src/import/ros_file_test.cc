@@ -3,8 +3,10 @@
 
 // Bags of ROS 1 and MCAP files, written here from the formats' descriptions.
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/random_stream.h"
 #include "fathom/import/open_recording.h"
+#include "fathom/import/recording/decompress.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -106,6 +108,43 @@ TEST(Bag, WithoutAnIndexIsReadAndTold) {
       OpenRecording(ScratchFile("a.bag", bag::Head(0) + bag::Chunk("none", BagRecords(0, 5))));
   EXPECT_EQ(recording->contents().channels[0].count, 5U);
   EXPECT_THAT(recording->contents().remarks, ElementsAre(HasSubstr("has no index")));
+}
+
+// The card of a recorder that lost power holds zeros behind what was written.
+TEST(Bag, TakesNoMessageWhoseEndLiesInAZeroedTail) {
+  const std::string whole = bag::Head(0) + bag::Chunk("none", BagRecords(1, 5));
+  std::string zeroed = whole;
+  zeroed.replace(zeroed.size() - 5, 5, 5, '\0');
+  const auto recording = OpenRecording(ScratchFile("a.bag", zeroed + std::string(4096, '\0')));
+  EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows,
+              ElementsAre(ElementsAre(0.5), ElementsAre(1), ElementsAre(1.5), ElementsAre(2)));
+  EXPECT_FALSE(recording->contents().IsComplete());
+}
+
+// Some bytes that promise gigabytes.
+TEST(Bag, IsNotUnpackedWhereAChunkIsABomb) {
+  for (const char* compression : {"bz2", "lz4"}) {
+    const std::string bomb = bag::Record(
+        {{"op", "\x05"}, {"compression", compression}, {"size", Bytes<std::uint32_t>(3000000000)}},
+        bag::Compressed(compression, std::string(1000000, '\0')));
+    const auto path =
+        ScratchFile("a.bag", bag::Head(0) + bag::Chunk("none", BagRecords(0, 2)) + bomb);
+    const auto recording = OpenRecording(path);
+    EXPECT_EQ(recording->contents().channels[0].count, 2U);
+    EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("it is not unpacked")));
+  }
+}
+
+// What it unpacks to is bounded, whatever is promised.
+TEST(Decompressed, EndsAtTheBoundOfABomb) {
+  const std::string zeros(std::size_t{80} << 20, '\0');
+  for (const auto& [name, compression] :
+       {std::pair("bz2", Compression::kBzip2), std::pair("zstd", Compression::kZstd)}) {
+    const std::string packed = bag::Compressed(name, zeros);
+    std::string buffer;
+    EXPECT_EQ(Decompressed(compression, packed, zeros.size(), &buffer).size(),
+              std::size_t{64} << 20);
+  }
 }
 
 TEST(Bag, HasOneChannelForSeveralConnectionsOfATopic) {
@@ -309,6 +348,61 @@ TEST(Mcap, WithoutChunksAndSummaryIsRead) {
   EXPECT_EQ(recording->contents().channels[0].count, 7U);
   EXPECT_TRUE(recording->contents().IsComplete());
   EXPECT_THAT(recording->contents().remarks, ElementsAre(HasSubstr("was not closed")));
+}
+
+// As `ros2 bag record --compression-mode message` writes them.
+TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
+  const auto path = ScratchFile("a.db3", "");
+  {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
+    database.exec(
+        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+        "BLOB)");
+    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
+    SQLite::Statement insert(database, "INSERT INTO messages VALUES (?, 1, ?, ?)");
+    for (int i = 0; i < 3; ++i) {
+      const std::string message = std::string("\0\1\0\0", 4) + Bytes(0.5 * i);
+      std::string packed = bag::Compressed("zstd", message);
+      if (i == 2) packed.resize(5);
+      insert.bind(1, i + 1);
+      insert.bind(2, std::int64_t{1500000000} * 1000000000 + i);
+      insert.bind(3, packed.data(), static_cast<int>(packed.size()));
+      insert.exec();
+      insert.reset();
+    }
+  }
+  const auto recording = OpenRecording(path);
+  EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows,
+              ElementsAre(ElementsAre(0.0), ElementsAre(0.5)));
+  EXPECT_THAT(recording->contents().remarks,
+              ElementsAre(HasSubstr("1 messages are compressed by zstd and cannot be unpacked")));
+}
+
+// As `ros2 bag record --compression-mode file` writes them.
+TEST(Rosbag2, IsUnpackedWhereItIsCompressedAsAWhole) {
+  const auto plain = ScratchFile("a.db3", "");
+  {
+    SQLite::Database database(plain.string(), SQLite::OPEN_READWRITE);
+    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
+    database.exec(
+        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+        "BLOB)");
+    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
+    database.exec(
+        "INSERT INTO messages VALUES (1, 1, 1500000000500000000, x'000100000000000000002940')");
+  }
+  const std::string packed = bag::Compressed("zstd", ReadFile(plain));
+  const auto recording = OpenRecording(ScratchFile("a.db3.zstd", packed));
+  EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
+  const auto error = [&](const std::string& bytes) {
+    return ErrorFrom([&] { OpenRecording(ScratchFile("b.db3.zstd", bytes)); });
+  };
+  EXPECT_THAT(error(packed.substr(0, packed.size() / 2)), HasSubstr("ends within a frame"));
+  EXPECT_THAT(error(bag::Compressed("zstd", std::string(std::size_t{80} << 20, '\0'))),
+              HasSubstr("unpack to over 67108864: no recording does"));
+  EXPECT_THAT(error(bag::Compressed("zstd", bag::Compressed("zstd", packed))),
+              HasSubstr("b.db3.zstd: is of no known format"));
 }
 
 TEST(Rosbag2, TellsMessagesOfNoTopic) {

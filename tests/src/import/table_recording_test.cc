@@ -23,6 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsNan;
+using ::testing::Not;
 
 std::string Table(int num_rows) {
   std::string text = "t [s],u [m/s]\n";
@@ -88,6 +89,53 @@ TEST(TableRecording, DoesWhatItsOptionsSay) {
 TEST(TableRecording, TakesTheFirstColumnThatGrowsForStampsOrHasNone) {
   EXPECT_TRUE(OpenText("a,b\n0,1\n1,0\n2,1\n")->contents().channels[0].first);
   EXPECT_FALSE(OpenText("a,b\n0,1\n1,0\n0,1\n")->contents().channels[0].first);
+}
+
+// A table that was saved with its index: a row is no second.
+TEST(TableRecording, TakesAColumnThatIsCalledATimeBeforeACounterOfRows) {
+  const auto recording =
+      OpenText(",original_timestamp,u\n0,1717171717000,1\n1,1717171717100,2\n2,1717171717200,3\n");
+  const ReadSamples samples = ReadAll(*recording, {"table", {"u"}});
+  EXPECT_NEAR(samples.time[2] - samples.time[0], 0.2, 1e-6);
+  EXPECT_FALSE(recording->contents().channels[0].clock_counts_rows);
+}
+
+TEST(TableRecording, TakesAnyColumnThatGrowsBeforeACounterOfRows) {
+  const auto recording = OpenText("n,clk,u\n7,0.5,1\n8,0.6,0\n9,0.7,1\n10,0.8,0\n");
+  EXPECT_EQ(recording->contents().channels[0].clock->name, "clk");
+}
+
+TEST(TableRecording, SaysWhereOnlyACounterOfRowsCouldBeTheStamps) {
+  const auto recording = OpenText("n,u\n0,1\n1,2\n2,0\n3,1\n");
+  EXPECT_TRUE(recording->contents().channels[0].clock_counts_rows);
+  EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("column 'n' counts the rows")));
+  // A name that says time makes stamps of it.
+  EXPECT_FALSE(OpenText("t,u\n0,1\n1,2\n2,0\n")->contents().channels[0].clock_counts_rows);
+}
+
+// A word of a name that says time does not make a clock of what goes up and down.
+TEST(TableRecording, TakesNoColumnForStampsThatDoesNotGrow) {
+  const auto recording = OpenText("a,response_time,u\n0.0,3,1\n0.1,1,2\n0.2,2,0\n");
+  EXPECT_EQ(recording->contents().channels[0].clock->name, "a");
+}
+
+TEST(TableRecording, SaysThatNamesAreMoreThanCells) {
+  const auto recording = OpenText("index,t,u,tau\n0,1,0\n0.1,2,0\n0.2,3,0\n");
+  EXPECT_THAT(recording->contents().remarks,
+              Contains(HasSubstr("line 1 has 4 names, the rows 3 cells")));
+  EXPECT_THAT(OpenText("# Pool, hall 2\n0,1,0,5\n0.1,2,0,5\n0.2,3,0,5\n")->contents().remarks,
+              Contains(HasSubstr("line 1 has 2 names, the rows 4 cells")));
+  EXPECT_THAT(OpenText("Test of a boat\n0,1,0\n0.1,2,0\n0.2,3,0\n")->contents().remarks,
+              Not(Contains(HasSubstr("names"))));
+}
+
+TEST(TableRecording, SaysThatNanosecondsLackTheirZeros) {
+  std::string text = "time,u\n";
+  for (int i = 0; i < 100; ++i)
+    text += fmt::format("{}.{},1\n", i / 10, i % 10 * 100000000 + 20000000);
+  const auto recording = OpenText(text);
+  EXPECT_THAT(recording->contents().remarks,
+              Contains(HasSubstr("have 8 to 9 digits behind the point")));
 }
 
 TEST(TableRecording, RefusesWhatIsNoTable) {

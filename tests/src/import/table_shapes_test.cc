@@ -7,16 +7,21 @@
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
+#include "fathom/import/suggest/suggest_map.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scratch_file.h"
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -117,6 +122,77 @@ TEST(TableShapes, DayAndTimeOfDayInTwoColumns) {
              "command: {tau_surge: Kraft}\nvelocity: {u: u}\n");
   ExpectThrustAndSpeed(log, 1777852740.0, 1e-5);
   EXPECT_EQ(*log.start, 1777852740.0);
+}
+
+// The stamp that the sender wrote, in ns since 1970, beside that of arrival.
+TEST(TableShapes, StampsOfAColumnInNanosecondsThatStatesNoUnit) {
+  std::string text = "t [s],sent,u [m/s]\n";
+  for (int i = 0; i < 10; ++i)
+    text += fmt::format("{},{},1\n", i, 1717171717000000000 + i * 100000000LL);
+  const auto file = ScratchFile("dive.csv", text);
+  const ImportedLog imported =
+      ImportLog(file,
+                *OpenRecording(file),
+                ParseImportMap("map.yaml", "dof: surge\nvelocity: {time: sent, u: u}\n"),
+                std::nullopt);
+  EXPECT_NEAR(imported.log.velocity->time.front(), 1717171717.0, 1e-6);
+  EXPECT_NEAR(imported.log.velocity->time.back(), 1717171717.9, 1e-6);
+  EXPECT_THAT(imported.remarks,
+              testing::Contains(testing::HasSubstr("'time: {field: sent, unit: s}'")));
+}
+
+// Whole seconds and nanoseconds, beside a column in which the latter lack their zeros.
+TEST(TableShapes, StampsOfSecondsAndNanosecondsInTwoColumns) {
+  std::string text = "time,secs,nsecs,u [m/s]\n";
+  for (int i = 0; i < 100; ++i) {
+    const int nanoseconds = i % 10 * 100000000 + 20000000;
+    text += fmt::format("{0}.{1},{0},{1},{2}\n", i / 10, nanoseconds, i);
+  }
+  const auto file = ScratchFile("dive.csv", text);
+  const auto import = [&](const std::string& time) {
+    return ImportLog(file,
+                     *OpenRecording(file),
+                     ParseImportMap("map.yaml", "dof: surge\nvelocity: {" + time + "u: u}\n"),
+                     std::nullopt);
+  };
+  const ImportedLog mended = import("time: {seconds: secs, nanoseconds: nsecs}, ");
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_NEAR(mended.log.velocity->time[i], 0.1 * i + 0.02, 1e-9);
+    EXPECT_EQ(mended.log.velocity->values[0][i], i);
+  }
+  EXPECT_TRUE(mended.log.origin->out_of_order.empty());
+  // .02 as .20000000 lies behind .12: of each ten rows the second.
+  const ImportedLog wrong = import("");
+  ASSERT_EQ(wrong.log.origin->out_of_order.size(), 1U);
+  EXPECT_EQ(wrong.log.origin->out_of_order[0].stream, "velocity");
+  EXPECT_NEAR(wrong.log.origin->out_of_order[0].share, 0.1, 1e-12);
+}
+
+TEST(TableShapes, TwoForcesSideBySideAreThrusters) {
+  const auto file =
+      ScratchFile("run.csv",
+                  ",original_timestamp,left_force,right_force,surge\n0,1717171717000,1,2,3\n"
+                  "1,1717171717100,1,2,4\n2,1717171717200,2,2,5\n");
+  const SuggestedMap map = SuggestMap(*OpenRecording(file), std::nullopt);
+  EXPECT_THAT(map.text,
+              testing::AllOf(testing::HasSubstr("The stamps are the column original_timestamp"),
+                             testing::HasSubstr("  thruster_1: {field: left_force, unit: N}"),
+                             testing::HasSubstr("  thruster_2: {field: right_force, unit: N}"),
+                             testing::HasSubstr("  u: {field: surge, unit: m/s}")));
+}
+
+// As `rostopic echo -p` writes them, a topic each.
+TEST(TableShapes, TablesOfOneColumnAreCalledAsTheirFiles) {
+  const auto folder = ScratchFile("topics", "").parent_path() / "echo";
+  std::filesystem::create_directory(folder);
+  const std::string rows =
+      "%time,field\n1441700935804654744,3\n1441700935904654744,3\n1441700936004654744,4\n";
+  for (const char* name : {"cmd.csv", "vel.csv"}) std::ofstream(folder / name) << rows;
+  EXPECT_THAT(SuggestMap(*OpenRecording(folder), std::nullopt).text,
+              testing::AllOf(testing::HasSubstr("  channel: cmd\n"),
+                             testing::HasSubstr("  tau_surge: {field: field, unit: N}"),
+                             testing::HasSubstr("  channel: vel\n"),
+                             testing::HasSubstr("  u: {field: field, unit: m/s}")));
 }
 
 TEST(TableShapes, NoNamesAtAll) {

@@ -9,6 +9,8 @@
 #include "fathom/import/open_recording.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,68 @@ TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
   // Starboard to the right of the middle turns to port: -y F.
   EXPECT_THAT(Column(imported, "tau_yaw"),
               testing::ElementsAre(-0.5 * 23.75, 0.5 * 47.5 + 0.5 * 35, -0.5 * 57));
+}
+
+// A pulse of 0 is off, also of a motor that turns the other way round.
+TEST(ThrusterCommand, OfAReversedMotorIsOffWhereItsPulseIs0) {
+  const ImportedLog imported =
+      ImportThrusters("t [s],a,b\n0,0,1500\n1,1900,1500\n2,1100,1500\n",
+                      "command: {unit: us, thruster_1: {field: a, reversed: true}, thruster_2: b, "
+                      "voltage: 12}\n",
+                      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, -30, 38));
+}
+
+TEST(ThrusterCommand, OfAReversedMotorChangesItsSignWhereItIsAShareOrAForce) {
+  const ImportedLog shares =
+      ImportThrusters("t [s],a [%],b [%]\n0,0,0\n1,50,0\n",
+                      "command: {thruster_1: {field: a, reversed: true}, thruster_2: b}\n",
+                      VehicleWith("1", "voltages: [16], thrust: [[-1, -40], [0, 0], [1, 50]]"));
+  EXPECT_THAT(Column(shares, "tau_surge"), testing::ElementsAre(0, -20));
+  const ImportedLog forces =
+      ImportThrusters("t [s],a [N],b [N]\n0,0,0\n1,2,3\n",
+                      "command: {thruster_1: {field: a, reversed: true}, thruster_2: b}\n",
+                      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(forces, "tau_surge"), testing::ElementsAre(0, 1));
+}
+
+// Two topics: one at 10 Hz, the other written on change only, once.
+TEST(ThrusterCommand, OfSeveralChannelsHoldsEachValueUntilTheNext) {
+  std::string port = "t [s],f [N]\n";
+  for (int i = 0; i < 100; ++i) port += fmt::format("{:.1f},{}\n", 0.1 * i, i);
+  const auto folder = ScratchFile("port.csv", port).parent_path() / "topics";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "port.csv") << port;
+  std::ofstream(folder / "starboard.csv") << "t [s],f [N]\n0.45,100\n1.25,200\n";
+  const ImportedLog imported =
+      ImportLog(folder,
+                *OpenRecording(folder),
+                ParseImportMap("map.yaml",
+                               "command: {thruster_1: {channel: port, field: f}, "
+                               "thruster_2: {channel: starboard, field: f}}\n"),
+                ParseVehicleFile("v.yaml", VehicleWith("us", kTable)));
+  const Stream& command = *imported.log.command;
+  EXPECT_EQ(command.time.front(), 0.45);
+  EXPECT_EQ(command.time.size(), 95U + 2U);  // 0.5 to 9.9 s of port, and both of starboard
+  const auto forces = Column(imported, "tau_surge");
+  EXPECT_EQ(forces[0], 4 + 100);
+  EXPECT_EQ(forces[8], 12 + 100);  // at 1.2 s
+  EXPECT_EQ(forces[9], 12 + 200);  // at 1.25 s
+  EXPECT_EQ(forces.back(), 99 + 200);
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("starboard falls silent at 1.250 s")));
+}
+
+TEST(ThrusterCommand, TellsWhereNoVoltageIsMeasured) {
+  std::string table = "t [s],a,b,battery\n";
+  for (int i = 0; i < 20; ++i) {
+    table += fmt::format("{},{},1500,{}\n", i, 1550 + i, i < 10 ? "14" : "");
+  }
+  const ImportedLog imported = ImportThrusters(table,
+                                               "command: {unit: us, thruster_1: a, thruster_2: b, "
+                                               "voltage: {field: battery, unit: V}}\n",
+                                               VehicleWith("us", kTable));
+  // From the 13th second on, over three steps behind the last.
+  EXPECT_THAT(imported.remarks, Contains(HasSubstr("at 7 rows of 20 no voltage is measured")));
 }
 
 TEST(ThrusterCommand, TellsCommandsBeyondTheTable) {

@@ -26,6 +26,7 @@ using namespace tlog;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 const char kVehicle[] =
     "name: two\nmass: 20\nsize: [1, 1, 1]\n"
@@ -35,9 +36,19 @@ const char kVehicle[] =
     "  - {name: port, position: [0, -0.5, 0], direction: [1, 0, 0], thrust_table: T}\n"
     "  - {name: starboard, position: [0, 0.5, 0], direction: [1, 0, 0], thrust_table: T}\n";
 
+std::string Setting(const std::string& name, float value, int system = 1, int component = 1) {
+  std::string payload = Bytes(value) + Bytes<std::uint16_t>(888) + Bytes<std::uint16_t>(1) + name;
+  payload.resize(24, '\0');
+  return Packet2(1600000000000000, 22, payload + '\x09', 220, system, component);
+}
+
+const std::string kSettings = Setting("SERVO1_FUNCTION", 33.0F) +
+                              Setting("SERVO2_FUNCTION", 34.0F) + Setting("MOT_1_DIRECTION", 1.0F) +
+                              Setting("MOT_2_DIRECTION", 1.0F);
+
 // Heads east and moves east at 2 m/s: 2 m/s ahead. The port thruster drives every other time.
-std::string Dive(int millivolts = 14000) {
-  std::string bytes;
+std::string Dive(int millivolts = 14000, const std::string& settings = kSettings) {
+  std::string bytes = settings;
   for (int i = 0; i < 20; ++i) {
     const std::uint64_t time = 1600000000000000 + 250000 * i;
     const auto half_turn = static_cast<float>(std::numbers::pi / 2);
@@ -83,6 +94,34 @@ TEST(TlogMap, TakesOutputsAndTheMotionOfTheEkf) {
   EXPECT_NEAR(imported.log.velocity->Find("v")->at(3), 0.0, 1e-6);
   EXPECT_NEAR(imported.log.velocity->Find("r")->at(3), 0.03, 1e-6);
   EXPECT_NEAR(imported.log.pose->Find("y")->at(3), 1.5, 1e-6);
+}
+
+// The settings of another system, and of another component of this one, are not this autopilot's.
+TEST(TlogMap, TakesOutputsAndDirectionsFromTheSettingsThatItHeard) {
+  const std::string swapped =
+      Setting("SERVO1_FUNCTION", 34.0F) + Setting("SERVO2_FUNCTION", 33.0F) +
+      Setting("MOT_1_DIRECTION", 1.0F) + Setting("MOT_2_DIRECTION", -1.0F) +
+      Setting("SERVO1_FUNCTION", 33.0F, 2) + Setting("SERVO1_FUNCTION", 33.0F, 1, 100);
+  const auto file = ScratchFile("dive.tlog", Dive(14000, swapped));
+  const auto recording = OpenRecording(file);
+  const Vehicle vehicle = ParseVehicleFile("v.yaml", kVehicle);
+  const SuggestedMap map = SuggestMap(*recording, vehicle);
+  ASSERT_TRUE(map.is_ready) << map.text;
+  EXPECT_THAT(map.text,
+              AllOf(HasSubstr("  thruster_1: servo2_raw  # SERVO2_FUNCTION is 33\n"),
+                    HasSubstr("  thruster_2: {field: servo1_raw, reversed: true}")));
+  // Full pulse to the reversed starboard thruster: full astern, half way from -30 to -40 N.
+  const ImportedLog imported =
+      ImportLog(file, *recording, ParseImportMap("map.yaml", map.text), vehicle);
+  EXPECT_DOUBLE_EQ(imported.log.command->Find("tau_surge")->at(3), -35.0);
+  EXPECT_DOUBLE_EQ(imported.log.command->Find("tau_yaw")->at(3), 17.5);
+}
+
+TEST(TlogMap, SaysFirstThatItIsNotReadyWhereItHeardNoSettings) {
+  const SuggestedMap map = SuggestMap(*OpenRecording(ScratchFile("dive.tlog", Dive(14000, ""))),
+                                      ParseVehicleFile("v.yaml", kVehicle));
+  EXPECT_FALSE(map.is_ready);
+  EXPECT_THAT(map.text, StartsWith("# Not ready: which output drives which motor is not known"));
 }
 
 // Seconds since the autopilot was switched on are no date.

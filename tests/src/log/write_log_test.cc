@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/log/log_yaml.h"
 #include "fathom/log/read_log.h"
 
 #include <bit>
@@ -109,6 +110,18 @@ TEST(WriteLog, IsReadBackToTheBit) {
   const Log log = FullLog();
   WriteLog(folder, log);
   ExpectSameLog(ReadLog(folder), log);
+}
+
+TEST(WriteLog, KeepsWhatIsOddAboutTheStampsOfARecording) {
+  Log log;
+  log.name = "odd";
+  log.dofs = {Dof::kSurge};
+  log.origin = {"dive.csv", "", "", {{"velocity", 0.0984}}, "index"};
+  const Log again = ParseLogYaml("log.yaml", FormatLogYaml(log));
+  EXPECT_EQ(again.origin->row_counter, "index");
+  ASSERT_EQ(again.origin->out_of_order.size(), 1U);
+  EXPECT_EQ(again.origin->out_of_order[0].stream, "velocity");
+  EXPECT_EQ(again.origin->out_of_order[0].share, 0.0984);
 }
 
 TEST(WriteLog, WritesOnlyWhatThereIs) {

@@ -7,6 +7,7 @@
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/recording/recording.h"
 #include "fathom/import/units/unit.h"
+#include "fathom/log/log.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +20,7 @@ namespace fathom {
 struct GatheredStream {
   std::vector<std::string> columns;
   std::vector<Dimension> dimensions;  // of the columns
-  ChannelSamples samples;             // at the stamps of the slowest channel
+  ChannelSamples samples;             // at the stamps of the slowest channel; of a command at all
 };
 
 // What a map takes from a recording.
@@ -28,6 +29,8 @@ struct GatheredStreams {
   std::optional<ChannelSamples> voltage;  // one column [V]
   std::optional<GatheredStream> velocity;
   std::optional<GatheredStream> pose;
+  std::vector<StampsOutOfOrder> out_of_order;
+  std::string row_counter;  // a column that counts rows and was taken for the stamps; else empty
   std::vector<std::string> remarks;
 };
 

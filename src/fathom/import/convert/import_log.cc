@@ -20,6 +20,10 @@ namespace {
 
 constexpr double kLongestVoltageGap = 60.0;  // [s] that a measured voltage stands for
 
+// A voltage that is taken from farther away than this is told.
+constexpr double kCloseSteps = 3.0;
+constexpr double kShortestClose = 1.0;  // [s]
+
 // One unit for all thrusters: that of a command.
 Dimension ThrusterDimension(const std::filesystem::path& file, const GatheredStream& command) {
   const Dimension first = command.dimensions.front();
@@ -42,11 +46,29 @@ std::vector<double> VoltageAt(const std::filesystem::path& file,
     const ChannelSamples& measured = *gathered.voltage;
     std::vector<double> voltage = InterpolatedAt(measured, time, kLongestVoltageGap).front();
     // Before the first and behind the last measurement the nearest one holds, as in a gap.
+    const double close = std::max(kCloseSteps * StepOf(measured), kShortestClose);
+    std::size_t num_far = 0;
+    double farthest = 0.0;
     for (std::size_t row = 0; row < time.size(); ++row) {
       if (std::isfinite(voltage[row])) continue;
       const auto after = std::lower_bound(measured.time.begin(), measured.time.end(), time[row]);
       const auto index = after == measured.time.begin() ? 0 : after - measured.time.begin() - 1;
       voltage[row] = measured.values.front()[index];
+      const double distance = std::abs(time[row] - measured.time[index]);
+      if (distance > close) ++num_far;
+      farthest = std::max(farthest, distance);
+    }
+    if (num_far > 0) {
+      remarks->push_back(
+          fmt::format("command: at {} of {} no voltage is measured: the one before is held, or at "
+                      "the begin the first, over up to {:.1f} s. {} has samples from {:.3f} to "
+                      "{:.3f} s.",
+                      Plural(num_far, "row"),
+                      time.size(),
+                      farthest,
+                      measured.channel,
+                      measured.time.front(),
+                      measured.time.back()));
     }
     return voltage;
   }
@@ -210,6 +232,9 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.mass = map.mass;
   log.held_out = map.held_out;
   log.command_unit = map.command_unit;
+  log.origin.emplace();
+  log.origin->out_of_order = std::move(gathered.out_of_order);
+  log.origin->row_counter = std::move(gathered.row_counter);
   if (gathered.command) log.command = CommandOf(file, gathered, map, vehicle, &imported.remarks);
   if (gathered.pose) {
     log.pose =

@@ -15,7 +15,8 @@
 
 namespace fathom {
 
-// A log that was made from a recording, and what the way there left out or assumed.
+// A log that was made from a recording, and what the way there left out or assumed. Its origin says
+// what is odd about the stamps of the recording; the caller adds its names.
 struct ImportedLog {
   Log log;
   std::vector<std::string> remarks;

@@ -61,6 +61,13 @@ const Field& FieldOf(const std::filesystem::path& file,
 
 }  // namespace
 
+double ColumnSource::InSi(double number) const {
+  constexpr double kTwiceTheMiddle = 3000.0;  // of pulses [us]
+  const double value = (number * scale + offset) * unit.factor;
+  if (!is_reversed || value == 0.0) return value;
+  return unit.dimension == Dimension::kPulse ? kTwiceTheMiddle - value : -value;
+}
+
 std::optional<Dimension> DimensionOf(std::string_view column) {
   if (column.starts_with("thruster_")) return std::nullopt;
   if (column == "voltage") return Dimension::kVoltage;
@@ -86,7 +93,8 @@ ColumnSource SourceOf(const std::filesystem::path& file,
   const std::string& channel_name = map.channel.empty() ? stream.channel : map.channel;
   const Channel& channel = ChannelOf(file, contents, column, channel_name, remarks);
   const Field& field = FieldOf(file, contents, channel, map.field);
-  ColumnSource source = {column, {channel.name, {field.name}}, {}, map.scale, map.offset};
+  ColumnSource source = {
+      column, {channel.name, {field.name}}, {}, map.scale, map.offset, map.is_reversed};
   const auto dimension = DimensionOf(column);
   if (is_plain || dimension == Dimension::kPlain) return source;
 
@@ -104,11 +112,13 @@ ColumnSource SourceOf(const std::filesystem::path& file,
                       place,
                       Quoted(column)));
     }
+    source.unit = {*dimension, 1.0};
+    source.is_unit_open = dimension == Dimension::kTime;
+    if (source.is_unit_open) return source;
     remarks->push_back(fmt::format("{} {} states no unit: taken as {}.",
                                    channel.name,
                                    Quoted(field.name),
                                    SiUnit(*dimension)));
-    source.unit = {*dimension, 1.0};
     return source;
   }
   std::optional<Unit> unit;
@@ -121,18 +131,19 @@ ColumnSource SourceOf(const std::filesystem::path& file,
     }
   }
   if (!unit) {
-    throw InputError(
-        fmt::format("{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'{}.",
-                    place,
-                    Quoted(text),
-                    dimension ? Name(*dimension) : "a pulse width, a share, a speed or a force",
-                    Quoted(column),
-                    dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'",
-                    column.starts_with("tau_")
-                        ? fmt::format("; a command that is none of these is taken as it is with "
-                                      "'command_unit: \"{}\"'",
-                                      text)
-                        : ""));
+    throw InputError(fmt::format(
+        "{} is in {}, expected {} for {}: {}. Say its unit in the map with 'unit'{}.",
+        place,
+        Quoted(text),
+        dimension ? Name(*dimension) : "a pulse width, a share, a speed or a force",
+        Quoted(column),
+        dimension ? UnitsOf(*dimension) : "'us', '%', 'Hz', 'rpm', 'N'",
+        dimension == Dimension::kTime ? fmt::format(": 'time: {{field: {}, unit: ms}}'", field.name)
+        : column.starts_with("tau_")
+            ? fmt::format("; a command that is none of these is taken as it is with "
+                          "'command_unit: \"{}\"'",
+                          text)
+            : ""));
   }
   source.unit = *unit;
   return source;

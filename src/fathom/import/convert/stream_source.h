@@ -15,15 +15,20 @@
 
 namespace fathom {
 
-// A column of a stream as a recording holds it.
+// A column of a stream as a recording holds it. A reversed motor turns the other way round: its
+// command changes sign, and its pulse p becomes 3000 us - p; a pulse of 0 stays off.
 struct ColumnSource {
   std::string column;   // its name in the log
   Selection selection;  // of one field
   Unit unit;            // of the number, after `scale` and `offset`
   double scale = 1.0;
   double offset = 0.0;
+  bool is_reversed = false;  // of a thruster
 
-  double InSi(double number) const { return (number * scale + offset) * unit.factor; }
+  // Of stamps whose unit nobody states: it is `unit` only once their size is known.
+  bool is_unit_open = false;
+
+  double InSi(double number) const;
 };
 
 // The dimension that a column of a log holds: of "u" a speed, of "tau_yaw" a moment, of "voltage" a

@@ -148,6 +148,7 @@ void DataflashRecording::List(ByteFile* file) {
   std::stable_sort(contents_.channels.begin(),
                    contents_.channels.end(),
                    [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  contents_.TellSimulation();
   if (walk.skipped_bytes > 0) {
     contents_.remarks.push_back(
         fmt::format("{} of {} bytes belong to no message, the first at byte {}: damage, or a type "

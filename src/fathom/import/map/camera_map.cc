@@ -3,9 +3,14 @@
 
 #include "fathom/import/map/camera_map.h"
 
+#include "fathom/base/files/leaves_its_folder.h"
+#include "fathom/base/quoted.h"
 #include "fathom/base/utc_time.h"
 
 #include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
 
 namespace fathom {
 
@@ -25,6 +30,20 @@ CameraMap CameraMapOf(const YamlMap& map) {
   camera.calibration = map.String("calibration", "camera.yaml");
   camera.tags = map.String("tags", "tags.yaml");
   camera.mount = map.String("mount", "mount.yaml");
+  // As log.yaml's files: a map that came from elsewhere takes none but its own.
+  const std::array<std::pair<std::string_view, const std::string*>, 4> files = {
+      {{"video", &camera.video},
+       {"calibration", &camera.calibration},
+       {"tags", &camera.tags},
+       {"mount", &camera.mount}}};
+  for (const auto& [key, file] : files) {
+    if (!LeavesItsFolder(*file)) continue;
+    map.Fail(
+        key,
+        fmt::format("is {}, expected a path from the map's folder on that stays in it. Put the "
+                    "file beside the map.",
+                    Quoted(*file)));
+  }
   if (!map.Has("start")) return camera;
   if (const auto utc = ParseUtc(map.String("start"))) {
     camera.start = *utc;

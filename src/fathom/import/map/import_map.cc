@@ -50,7 +50,9 @@ std::vector<Condition> ConditionsOf(const YamlMap& map) {
 }
 
 // `u: VN`, or `u: {field: VN, unit: cm/s, scale: -1, offset: 0, channel: XKF1}`.
-ColumnMap ColumnOf(const YamlMap& map, std::string_view key) {
+//
+// A thruster's may also be `reversed`.
+ColumnMap ColumnOf(const YamlMap& map, std::string_view key, bool is_thruster = false) {
   ColumnMap column;
   if (!map.HoldsMap(key)) {
     column.field = map.String(key);
@@ -62,8 +64,23 @@ ColumnMap ColumnOf(const YamlMap& map, std::string_view key) {
   column.unit = entry.String("unit", "");
   column.scale = entry.Number("scale", 1.0);
   column.offset = entry.Number("offset", 0.0);
+  if (is_thruster) column.is_reversed = entry.Boolean("reversed", false);
   if (column.scale == 0.0) entry.Fail("scale", "is 0, expected another number.");
   return column;
+}
+
+// `time: sent`, `{field: sent, unit: ns}`, or `{seconds: secs, nanoseconds: nsecs}`.
+void ReadTime(const YamlMap& map, StreamMap* stream) {
+  if (!map.HoldsMap("time") || !map.Map("time").Has("seconds")) {
+    stream->time = ColumnOf(map, "time");
+    return;
+  }
+  const YamlMap time = map.Map("time");
+  stream->time.emplace();
+  stream->time->field = time.String("seconds");
+  stream->time->unit = "s";
+  stream->time->channel = time.String("channel", "");
+  stream->nanoseconds = time.String("nanoseconds");
 }
 
 // What all streams have; the caller adds the columns.
@@ -78,7 +95,7 @@ StreamMap StreamOf(const YamlMap& map) {
     }
   }
   stream.delay = map.Number("delay", 0.0);
-  if (map.Has("time")) stream.time = ColumnOf(map, "time");
+  if (map.Has("time")) ReadTime(map, &stream);
   stream.where = ConditionsOf(map);
   return stream;
 }
@@ -109,7 +126,9 @@ void ReadCommand(const YamlMap& map, ImportMap* result) {
   if (!thrusters.empty() && !stream.columns.empty()) {
     map.Fail("thruster_1", "stands beside a force, expected forces or thrusters.");
   }
-  AddColumns(map, thrusters, &stream);
+  for (const std::string& name : thrusters) {
+    stream.columns.emplace_back(name, ColumnOf(map, name, /*is_thruster=*/true));
+  }
   if (stream.columns.empty()) {
     map.Fail("names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on.");
   }

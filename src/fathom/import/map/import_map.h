@@ -27,11 +27,12 @@ enum class Frame {
 
 // Where a column of a log comes from.
 struct ColumnMap {
-  std::string channel;  // empty: the stream's
-  std::string field;    // its name, or its number from 1 on
-  std::string unit;     // empty: the stream's, or what the recording states, or SI
-  double scale = 1.0;   // of the number as it stands, with its sign
-  double offset = 0.0;  // added after the scale, in the same unit
+  std::string channel;       // empty: the stream's
+  std::string field;         // its name, or its number from 1 on
+  std::string unit;          // empty: the stream's, or what the recording states, or SI
+  double scale = 1.0;        // of the number as it stands, with its sign
+  double offset = 0.0;       // added after the scale, in the same unit
+  bool is_reversed = false;  // of a thruster: the motor turns the other way round
 };
 
 // Samples of a channel count where a field has this value.
@@ -49,7 +50,8 @@ struct StreamMap {
   // The field that holds the stamps, where they are not the channel's own; with a channel: one of
   // that for each sample of the stream's.
   std::optional<ColumnMap> time;
-  double delay = 0.0;  // added to the stamps [s]
+  std::string nanoseconds;  // a field that is added to `time`, which then holds whole seconds
+  double delay = 0.0;       // added to the stamps [s]
   std::vector<Condition> where;
   std::vector<std::pair<std::string, ColumnMap>> columns;  // by the column's name in the log
 

@@ -137,10 +137,16 @@ std::string_view FromZstd(std::string_view data, std::size_t size, std::string* 
 
 }  // namespace
 
+std::size_t MostUnpackedOf(std::size_t num_compressed) {
+  constexpr std::size_t kRatio = 1000, kLeast = std::size_t{64} << 20, kMost = std::size_t{1} << 30;
+  return num_compressed > kMost / kRatio ? kMost : std::max(kLeast, kRatio * num_compressed);
+}
+
 std::string_view Decompressed(Compression compression,
                               std::string_view data,
                               std::size_t size,
                               std::string* buffer) {
+  if (compression != Compression::kNone) size = std::min(size, MostUnpackedOf(data.size()));
   switch (compression) {
     case Compression::kBzip2:
       return FromBzip2(data, size, buffer);

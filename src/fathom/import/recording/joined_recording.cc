@@ -104,6 +104,7 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
       known->second.name = name;
       if (!is_new) Join(channel, &known->second);
     }
+    for (const auto& [name, value] : of_part.parameters) contents_.parameters[name] = value;
     contents_.read_bytes += of_part.read_bytes;
     contents_.size_bytes += of_part.size_bytes;
     for (const std::string& remark : of_part.remarks) {

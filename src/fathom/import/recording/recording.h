@@ -30,6 +30,7 @@ struct Channel {
   std::optional<double> first;  // smallest and largest stamp [s]; nothing without stamps
   std::optional<double> last;
   std::optional<Field> clock = {};  // the column of the stamps, where they are a column
+  bool clock_counts_rows = false;   // a column 0, 1, 2, ... that no name calls a time
 };
 
 // What a recording holds, and how much of it could be read.
@@ -43,6 +44,9 @@ struct Contents {
   std::map<std::string, double> parameters;  // settings of the autopilot, as they were at the end
 
   bool IsComplete() const { return read_bytes == size_bytes; }
+
+  // Says that ArduPilot's simulator wrote it, if its settings (SIM_...) tell.
+  void TellSimulation();
 };
 
 // Some fields of a channel.

@@ -201,6 +201,14 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
         continue;
       }
       if (chunk->size > kLargestRecord || chunk->stored_size > kLargestRecord) break;
+      if (chunk->size > MostUnpackedOf(static_cast<std::size_t>(chunk->stored_size))) {
+        walk.remarks.push_back(fmt::format(
+            "the chunk at byte {} says that its {} bytes unpack to {}: it is not unpacked.",
+            records,
+            chunk->stored_size,
+            chunk->size));
+        break;
+      }
       const std::string_view plain =
           Decompressed(*chunk->compression,
                        file.View(records, static_cast<std::size_t>(chunk->stored_size)),

@@ -69,6 +69,7 @@ class BagWalk {
 
   bool is_indexed() const { return index_at_ != 0; }
   std::uint64_t num_unknown() const { return num_unknown_; }
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
   struct Connection {
@@ -80,6 +81,9 @@ class BagWalk {
   bool AddConnection(const BagRecord& record);
   bool TakeMessage(const BagRecord& record);
   bool TakeChunk(std::string_view plain);
+
+  // Whether the file goes on with zeros there.
+  bool IsZeroAt(std::uint64_t at) const;
 
   // Hands on the times of the chunk that ends there, out of the index behind it. False, and none is
   // handed on, where there is no sound one, or the chunk holds the first message of a connection.
@@ -98,6 +102,7 @@ class BagWalk {
   std::uint64_t index_at_ = 1;     // where the bag says that its index is: not 0 if it is closed
   std::uint64_t num_unknown_ = 0;  // messages of no connection
   std::string buffer_;             // of a chunk that was compressed
+  std::vector<std::string> remarks_;
 };
 
 bool BagWalk::AddConnection(const BagRecord& record) {
@@ -174,14 +179,30 @@ std::optional<std::uint64_t> BagWalk::StepOverChunk(const BagRecord& record,
   // The records of a plain chunk are the next ones in the file: no chunk has to fit into memory.
   if (*compression == Compression::kNone) return data;
   const auto stored = static_cast<std::size_t>(std::min(end - data, kLargestBagRecord));
+  if (*size > MostUnpackedOf(stored)) {
+    remarks_.push_back(
+        fmt::format("the chunk at byte {} says that its {} bytes unpack to {}: it is not unpacked.",
+                    data,
+                    stored,
+                    *size));
+    return std::nullopt;
+  }
   const std::string_view plain =
       Decompressed(*compression, file_->View(data, stored), *size, &buffer_);
   if (!TakeChunk(plain) || plain.size() < *size) return std::nullopt;
   return end;
 }
 
+// A card that loses power leaves zeros behind what was written: a message that ends in zeros before
+// them was not written to its end.
+bool BagWalk::IsZeroAt(std::uint64_t at) const {
+  constexpr std::size_t kEnough = 64;  // a record begins with its length, which is not 0
+  const std::string_view bytes = file_->View(at, kEnough);
+  return bytes.size() == kEnough && bytes.find_first_not_of('\0') == std::string_view::npos;
+}
+
 std::optional<std::uint64_t> BagWalk::Step(std::uint64_t at) {
-  const auto record = BagRecordIn(file_, at);
+  auto record = BagRecordIn(file_, at);
   if (!record) return std::nullopt;
   const std::uint64_t data = at + record->data_offset;
   const std::uint64_t end = data + record->data_size;
@@ -191,6 +212,10 @@ std::optional<std::uint64_t> BagWalk::Step(std::uint64_t at) {
   } else if (record->op == kBagConnection) {
     if (!AddConnection(*record)) return std::nullopt;
   } else if (record->op == kBagMessage) {
+    if (record->data.ends_with('\0')) {
+      if (IsZeroAt(end)) return std::nullopt;
+      record = BagRecordIn(file_, at);  // its view is gone
+    }
     if (!TakeMessage(*record)) return std::nullopt;
   } else if (record->op == kBagChunk) {
     next = StepOverChunk(*record, data, end);
@@ -212,6 +237,7 @@ ContainerWalk WalkBag(const std::filesystem::path& path,
     if (!next) break;
     walk.read_bytes = *next;
   }
+  walk.remarks = bag.remarks();
   if (walk.read_bytes < file.size()) {
     walk.remarks.push_back(
         fmt::format("the bag is cut or damaged at byte {}: what is before it, and "

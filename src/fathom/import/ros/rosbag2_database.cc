@@ -4,10 +4,13 @@
 #include "fathom/import/ros/rosbag2_database.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/import/recording/decompress.h"
 #include "fathom/import/ros/known_types.h"
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <SQLiteCpp/Database.h>
@@ -16,6 +19,9 @@
 
 namespace fathom {
 namespace {
+
+// Messages of `ros2 bag record --compression-mode message` begin so, and plain ones (CDR) with 0.
+constexpr std::string_view kZstdMagic = "\x28\xb5\x2f\xfd";
 
 // A file whose -wal was not copied with it is complete as it stands.
 SQLite::Database OpenReadOnly(const std::filesystem::path& path) {
@@ -69,6 +75,8 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
   ContainerWalk walk;
   walk.size_bytes = std::filesystem::file_size(path_);
   std::uint64_t num_unknown = 0;  // messages of no topic
+  std::uint64_t num_broken = 0;   // that cannot be unpacked
+  std::string buffer;             // of a message that was compressed
   try {
     SQLite::Database database = OpenReadOnly(path_);
     const auto definitions = DefinitionsOf(&database);
@@ -99,7 +107,16 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
       const SQLite::Column data = messages.getColumn(2);
       const auto size = static_cast<std::size_t>(data.getBytes());
       walk.read_bytes += size;
-      take(channel->second, time, {static_cast<const char*>(data.getBlob()), size});
+      std::string_view message(static_cast<const char*>(data.getBlob()), size);
+      if (message.starts_with(kZstdMagic)) {
+        const std::size_t most = MostUnpackedOf(size);
+        message = Decompressed(Compression::kZstd, message, most, &buffer);
+        if (message.empty() || message.size() == most) {
+          ++num_broken;
+          continue;
+        }
+      }
+      take(channel->second, time, message);
     }
     walk.read_bytes = walk.size_bytes;
   } catch (const SQLite::Exception& error) {
@@ -107,6 +124,10 @@ ContainerWalk Rosbag2Database::Walk(std::vector<MessageChannel>* channels,
         fmt::format("the database is damaged ({}): {} bytes of messages could be read.",
                     error.what(),
                     walk.read_bytes));
+  }
+  if (num_broken > 0) {
+    walk.remarks.push_back(fmt::format(
+        "{} messages are compressed by zstd and cannot be unpacked, or to too much.", num_broken));
   }
   if (num_unknown > 0) {
     walk.remarks.push_back(fmt::format("{} messages belong to no topic.", num_unknown));

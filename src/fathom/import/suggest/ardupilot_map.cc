@@ -5,6 +5,7 @@
 
 #include "fathom/import/suggest/autopilot_readiness.h"
 #include "fathom/import/suggest/channel_facts.h"
+#include "fathom/import/suggest/motor_outputs.h"
 
 #include <string>
 #include <vector>
@@ -14,24 +15,20 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostRcouOutputs = 14;  // C1 to C14 of RCOU
-
-// How many outputs, from the first on, ever send a pulse.
-int NumRcouOutputs(const Recording& recording, const std::string& channel) {
-  std::vector<std::string> fields;
-  for (int i = 1; i <= kMostRcouOutputs; ++i) fields.push_back(fmt::format("C{}", i));
-  return NumThatReach(recording, channel, fields, kShortestPulse);
-}
-
-// Whether ArduSub turns the pulses of this motor around: MOT_n_DIRECTION is -1.
-bool IsReversed(const Contents& contents, int motor) {
-  const auto direction = contents.parameters.find(fmt::format("MOT_{}_DIRECTION", motor));
-  return direction != contents.parameters.end() && direction->second < 0.0;
+// RCOU holds C1 to C14; RCO2 and RCO3 of newer logs hold those behind.
+std::optional<FieldPlace> PlaceOfOutput(const Contents& contents, int output) {
+  const std::string field = fmt::format("C{}", output);
+  for (const char* type : {"RCOU", "RCO2", "RCO3"}) {
+    const std::string channel = FirstChannelOf(contents, type);
+    if (HasField(contents, channel, field)) return FieldPlace{channel, field};
+  }
+  return std::nullopt;
 }
 
 // The lines of the command.
 std::string ArduPilotCommandText(const Recording& recording,
                                  const std::string& outputs,
+                                 const MotorOutputs& motors,
                                  const std::optional<Vehicle>& vehicle) {
   const Contents& contents = recording.contents();
   std::string text = fmt::format("command:\n  channel: {}\n  unit: us\n", outputs);
@@ -42,16 +39,8 @@ std::string ArduPilotCommandText(const Recording& recording,
     text += "  voltage: 16  # the log measures none: what was it?\n";
   }
   const int num_thrusters =
-      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumRcouOutputs(recording, outputs);
-  for (int i = 1; i <= num_thrusters; ++i) {
-    text += IsReversed(contents, i)
-                ? fmt::format(
-                      "  thruster_{0}: {{field: C{0}, scale: -1, offset: 3000}}  "
-                      "# MOT_{0}_DIRECTION is -1\n",
-                      i)
-                : fmt::format("  thruster_{0}: C{0}\n", i);
-  }
-  return text;
+      static_cast<int>(vehicle ? vehicle->thrusters.size() : motors.motors.size());
+  return text + ThrusterLines(motors, num_thrusters, outputs);
 }
 
 std::string MotionText(const Contents& contents, const std::string& ekf) {
@@ -80,17 +69,22 @@ SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicl
       "# A log of ArduSub. The motion is its EKF's: without a DVL or a camera aiding it, position\n"
       "# and horizontal speed are not measured at all.\n";
   const std::string outputs = FirstChannelOf(contents, "RCOU");
-  const int num_outputs = outputs.empty() ? 0 : NumRcouOutputs(recording, outputs);
+  const MotorOutputs motors =
+      outputs.empty()
+          ? MotorOutputs()
+          : MotorOutputsOf(recording, [&](int output) { return PlaceOfOutput(contents, output); });
+  const int num_outputs = static_cast<int>(motors.motors.size());
   const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
   if (!driven)
     map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   std::string ekf = FirstChannelOf(contents, "XKF1");
   if (ekf.empty()) ekf = FirstChannelOf(contents, "NKF1");
-  if (!outputs.empty()) map.text += ArduPilotCommandText(recording, outputs, driven);
+  if (!outputs.empty()) map.text += ArduPilotCommandText(recording, outputs, motors, driven);
   if (!ekf.empty()) map.text += MotionText(contents, ekf);
   if (outputs.empty()) map.text += "# no RCOU: the log has no thruster outputs.\n";
   if (ekf.empty()) map.text += "# no XKF1 or NKF1: the log has no motion.\n";
   JudgeReadiness(!outputs.empty() && !ekf.empty(), num_outputs, vehicle, &map);
+  TellUnknownOutputs(motors, &map);
   return map;
 }
 

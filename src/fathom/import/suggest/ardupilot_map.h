@@ -13,7 +13,8 @@ namespace fathom {
 
 // The map of an ArduSub log: thruster outputs (RCOU) at the battery's voltage (BAT), velocity and
 // pose of the EKF (XKF1, or NKF1 of old logs) and rates of the gyros (IMU). Ready where it has
-// both and the vehicle is known, whose thrusters are the first outputs: all of these send pulses.
+// both, the settings say which output drives which motor, and the vehicle is known, whose thrusters
+// are the motors: all of these send pulses.
 SuggestedMap ArdupilotMap(const Recording& recording, const std::optional<Vehicle>& vehicle);
 
 }  // namespace fathom

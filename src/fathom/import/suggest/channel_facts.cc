@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace fathom {
 
@@ -24,21 +23,44 @@ bool HasField(const Contents& contents, const std::string& channel, std::string_
   });
 }
 
+std::vector<bool> ThatReach(const Recording& recording,
+                            std::span<const FieldPlace> places,
+                            double value) {
+  std::vector<Selection> selections;
+  std::vector<std::vector<std::size_t>> indices;  // of the fields of a selection, in `places`
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].field.empty()) continue;
+    const auto found = std::find_if(selections.begin(), selections.end(), [&](const auto& s) {
+      return s.channel == places[i].channel;
+    });
+    const auto index = static_cast<std::size_t>(found - selections.begin());
+    if (found == selections.end()) {
+      selections.push_back({places[i].channel, {}});
+      indices.emplace_back();
+    }
+    selections[index].fields.push_back(places[i].field);
+    indices[index].push_back(i);
+  }
+  std::vector<bool> reaches(places.size(), false);
+  if (selections.empty()) return reaches;
+  recording.Read(selections, [&](std::size_t s, double, std::span<const double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] >= value) reaches[indices[s][i]] = true;
+    }
+  });
+  return reaches;
+}
+
 int NumThatReach(const Recording& recording,
                  const std::string& channel,
                  std::span<const std::string> fields,
                  double value) {
-  Selection selection = {channel, {}};
+  std::vector<FieldPlace> places;
   for (const std::string& field : fields) {
     if (!HasField(recording.contents(), channel, field)) break;
-    selection.fields.push_back(field);
+    places.push_back({channel, field});
   }
-  std::vector<bool> reaches(selection.fields.size(), false);
-  recording.Read({&selection, 1}, [&](std::size_t, double, std::span<const double> values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i] >= value) reaches[i] = true;
-    }
-  });
+  const std::vector<bool> reaches = ThatReach(recording, places, value);
   return static_cast<int>(std::find(reaches.begin(), reaches.end(), false) - reaches.begin());
 }
 

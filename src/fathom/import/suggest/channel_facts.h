@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fathom {
 
@@ -20,6 +21,17 @@ constexpr double kShortestPulse = 800;
 std::string FirstChannelOf(const Contents& contents, std::string_view type);
 
 bool HasField(const Contents& contents, const std::string& channel, std::string_view field);
+
+// Where a field is.
+struct FieldPlace {
+  std::string channel;
+  std::string field;
+};
+
+// Which of these fields ever reach a value. One without a name does not.
+std::vector<bool> ThatReach(const Recording& recording,
+                            std::span<const FieldPlace> places,
+                            double value);
 
 // How many of these fields, from the first on, ever reach a value. Those that the channel does not
 // have end the list.

@@ -38,6 +38,7 @@ const std::vector<Names>& CommandNames() {
         "force",
         "fx",
         "forcex",
+        "tau1",
         "surgeforce",
         "thrustx",
         "wrenchforcex",
@@ -46,12 +47,30 @@ const std::vector<Names>& CommandNames() {
         "kraft",
         "cmd",
         "command"}},
-      {"tau_sway", {"tausway", "tauy", "fy", "forcey", "swayforce", "wrenchforcey", "yforce"}},
+      {"tau_sway",
+       {"tausway", "tauy", "tau2", "fy", "forcey", "swayforce", "wrenchforcey", "yforce"}},
       {"tau_heave", {"tauheave", "tauz", "fz", "forcez", "heaveforce", "wrenchforcez", "zforce"}},
       {"tau_roll", {"tauroll", "tauk"}},
       {"tau_pitch", {"taupitch", "taum"}},
       {"tau_yaw",
-       {"tauyaw", "torque", "taun", "mz", "torquez", "yawtorque", "yawmoment", "wrenchtorquez"}}};
+       {"tauyaw",
+        "torque",
+        "taun",
+        "tau3",
+        "mz",
+        "torquez",
+        "yawtorque",
+        "yawmoment",
+        "wrenchtorquez"}},
+      {"thruster_1",
+       {"leftforce", "forceleft", "leftthrust", "thrustleft", "portforce", "portthrust"}},
+      {"thruster_2",
+       {"rightforce",
+        "forceright",
+        "rightthrust",
+        "thrustright",
+        "starboardforce",
+        "starboardthrust"}}};
   return kNames;
 }
 
@@ -118,13 +137,13 @@ std::vector<Found> FindByNames(const std::vector<Names>& table,
   const Channel& channel = named.channel;
   std::vector<Found> all;
   for (const Names& entry : table) {
-    const auto dimension = DimensionOf(entry.column);
+    const Dimension dimension = DimensionOf(entry.column).value_or(Dimension::kForce);
     std::optional<std::size_t> best;
     for (const std::string_view name : entry.names) {
       for (std::size_t i = 0; i < channel.fields.size(); ++i) {
         const Field& field = channel.fields[i];
         const bool is_free = std::find(taken->begin(), taken->end(), field.name) == taken->end();
-        const bool fits = field.unit.empty() || FindUnit(field.unit, *dimension).has_value();
+        const bool fits = field.unit.empty() || FindUnit(field.unit, dimension).has_value();
         if (!best && is_free && fits && LettersOf(field.name) == name) best = i;
       }
     }
@@ -138,6 +157,16 @@ std::vector<Found> FindByNames(const std::vector<Names>& table,
 bool Has(const std::vector<Found>& found, std::string_view column) {
   return std::any_of(
       found.begin(), found.end(), [&](const Found& f) { return f.column == column; });
+}
+
+// Two thrusters, one on each side, in place of forces on the vehicle; or what is left without them.
+std::vector<Found> ForcesOrThrusters(std::vector<Found> found) {
+  const auto is_thruster = [](const Found& f) { return f.column.starts_with("thruster_"); };
+  const bool are_thrusters =
+      Has(found, "thruster_1") && Has(found, "thruster_2") &&
+      std::count_if(found.begin(), found.end(), is_thruster) == std::ssize(found);
+  if (!are_thrusters) std::erase_if(found, is_thruster);
+  return found;
 }
 
 // Quoted where YAML would read something else.
@@ -172,7 +201,7 @@ std::string StreamText(const char* stream,
   text += frame;
   for (const Found& f : found) {
     if (f.field.unit.empty()) {
-      const std::string_view unit = SiUnit(*DimensionOf(f.column));
+      const std::string_view unit = SiUnit(DimensionOf(f.column).value_or(Dimension::kForce));
       text += fmt::format(
           "  {}: {{{}field: {}, unit: {}}}  # states no unit: is it this?\n",
           f.column,
@@ -226,7 +255,7 @@ SuggestedMap MapByNames(const Contents& contents) {
   for (const NamedChannel& channel : channels) {
     std::vector<std::string> taken;
     if (channel.channel.clock) taken.push_back(channel.channel.clock->name);
-    keep_better(channel, FindByNames(CommandNames(), channel, &taken), &command);
+    keep_better(channel, ForcesOrThrusters(FindByNames(CommandNames(), channel, &taken)), &command);
     std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
     const bool is_pose =
         Has(of_pose, "x") && Has(of_pose, "y") && (Has(of_pose, "qw") || Has(of_pose, "yaw"));
@@ -245,6 +274,9 @@ SuggestedMap MapByNames(const Contents& contents) {
         unused.push_back(names_channel ? place.channel + " " + place.field : place.field);
       }
     }
+  }
+  if (command.channel != nullptr && Has(command.found, "thruster_1")) {
+    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   }
   if (command.channel != nullptr) {
     map.text += StreamText("command",

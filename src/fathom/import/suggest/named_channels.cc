@@ -79,6 +79,16 @@ bool IsTimeArray(const Channel& channel) {
          (letters == "t" || letters == "time" || letters == "stamp" || letters == "timestamp");
 }
 
+// Of a table with one column beside its stamps, whose name says nothing, the name of the table:
+// "cmd" of cmd.csv, as `rostopic echo -p` writes %time and field.
+void NameByTable(Channel* channel) {
+  if (channel->type != "table" || !channel->clock || channel->fields.size() != 2) return;
+  const auto is_clock = [&](const Field& field) { return field.number == channel->clock->number; };
+  Field& field = is_clock(channel->fields[0]) ? channel->fields[1] : channel->fields[0];
+  const std::string letters = LastPart(field.name);
+  if (letters == "field" || letters == "data" || letters == "value") field.name = channel->name;
+}
+
 }  // namespace
 
 std::vector<NamedChannel> NamedChannels(const Contents& contents) {
@@ -99,6 +109,7 @@ std::vector<NamedChannel> NamedChannels(const Contents& contents) {
       }
     }
     if (!is_array) {
+      NameByTable(&own.channel);
       all.push_back(std::move(own));
       continue;
     }

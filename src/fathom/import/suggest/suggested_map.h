@@ -18,6 +18,10 @@ struct SuggestedMap {
   // Why it is not, where the vehicle that was given does not go with it; else empty.
   std::string why_not_ready;
 
+  // What has to be known for it and the recording does not say: which output drives which motor.
+  // Else empty.
+  std::string unknown;
+
   // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.
   bool needs_vehicle = false;
 };

@@ -5,6 +5,7 @@
 
 #include "fathom/import/suggest/autopilot_readiness.h"
 #include "fathom/import/suggest/channel_facts.h"
+#include "fathom/import/suggest/motor_outputs.h"
 
 #include <string>
 #include <vector>
@@ -14,18 +15,11 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostServoOutputs = 16;  // of SERVO_OUTPUT_RAW
-constexpr double kNoVoltage = 65535;   // [mV]: "not sent by autopilot", in all 16 bits
-
-// How many outputs, from the first on, ever send a pulse.
-int NumServoOutputs(const Recording& recording, const std::string& channel) {
-  std::vector<std::string> fields;
-  for (int i = 1; i <= kMostServoOutputs; ++i) fields.push_back(fmt::format("servo{}_raw", i));
-  return NumThatReach(recording, channel, fields, kShortestPulse);
-}
+constexpr double kNoVoltage = 65535;  // [mV]: "not sent by autopilot", in all 16 bits
 
 std::string TlogCommandText(const Recording& recording,
                             const std::string& outputs,
+                            const MotorOutputs& motors,
                             const std::optional<Vehicle>& vehicle) {
   const Contents& contents = recording.contents();
   std::string text = fmt::format("command:\n  channel: \"{}\"\n  unit: us\n", outputs);
@@ -38,9 +32,8 @@ std::string TlogCommandText(const Recording& recording,
     text += "  voltage: 16  # the log measures none: what was it?\n";
   }
   const int num_thrusters =
-      vehicle ? static_cast<int>(vehicle->thrusters.size()) : NumServoOutputs(recording, outputs);
-  for (int i = 1; i <= num_thrusters; ++i) text += fmt::format("  thruster_{0}: servo{0}_raw\n", i);
-  return text;
+      static_cast<int>(vehicle ? vehicle->thrusters.size() : motors.motors.size());
+  return text + ThrusterLines(motors, num_thrusters, outputs);
 }
 
 std::string MotionText(const std::string& position, const std::string& attitude) {
@@ -68,7 +61,14 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
       "# without a DVL or a camera aiding it, position and horizontal speed are not measured at "
       "all.\n";
   const std::string outputs = FirstChannelOf(contents, "SERVO_OUTPUT_RAW");
-  const int num_outputs = outputs.empty() ? 0 : NumServoOutputs(recording, outputs);
+  const auto place_of = [&](int output) -> std::optional<FieldPlace> {
+    const std::string field = fmt::format("servo{}_raw", output);
+    if (!HasField(contents, outputs, field)) return std::nullopt;
+    return FieldPlace{outputs, field};
+  };
+  const MotorOutputs motors =
+      outputs.empty() ? MotorOutputs() : MotorOutputsOf(recording, place_of);
+  const int num_outputs = static_cast<int>(motors.motors.size());
   const std::optional<Vehicle> driven = IfDriven(vehicle, num_outputs);
   if (!driven)
     map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
@@ -76,7 +76,7 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
   const std::string attitude = FirstChannelOf(contents, "ATTITUDE");
   const bool has_motion = !position.empty() && !attitude.empty();
   if (!outputs.empty()) {
-    map.text += TlogCommandText(recording, outputs, driven);
+    map.text += TlogCommandText(recording, outputs, motors, driven);
   } else {
     map.text += "# no SERVO_OUTPUT_RAW: the log has no thruster outputs.\n";
   }
@@ -86,6 +86,7 @@ SuggestedMap TlogMap(const Recording& recording, const std::optional<Vehicle>& v
     map.text += "# no LOCAL_POSITION_NED and ATTITUDE: the log has no motion.\n";
   }
   JudgeReadiness(!outputs.empty() && has_motion, num_outputs, vehicle, &map);
+  TellUnknownOutputs(motors, &map);
   return map;
 }
 

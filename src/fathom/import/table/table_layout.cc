@@ -190,6 +190,27 @@ std::vector<Field> FindColumns(const std::vector<Line>& lines,
   return columns;
 }
 
+// On names above the rows that are more or fewer than their cells; empty where there are none.
+std::string OnNamesOfAnotherNumber(const std::vector<Line>& lines, const Reading& reading) {
+  const std::ptrdiff_t last = reading.first_row - 1;
+  if (last < 0 || !HeaderCells(lines[last], reading).empty()) return {};
+  CellSplitter splitter(reading.style.separator);
+  const auto& names = splitter.Split(WithoutCommentSign(lines[last].text));
+  const bool are_names =
+      names.size() > 1 && std::none_of(names.begin(), names.end(), [&](std::string_view name) {
+        return KindOf(name, reading.style.decimal) == Cell::kValue;
+      });
+  if (!are_names) return {};
+  return fmt::format(
+      "line {} has {} names, the rows {} cells: which name is whose is not known, and the columns "
+      "are "
+      "called 1 to {}. Mend that line, or name columns by their numbers.",
+      lines[last].number,
+      names.size(),
+      reading.num_cells,
+      reading.num_cells);
+}
+
 // Two columns of one name cannot be told apart: the later ones get their number.
 void MakeUnique(std::vector<Field>* columns) {
   for (std::size_t i = 0; i < columns->size(); ++i) {
@@ -252,6 +273,7 @@ TableLayout FindTableLayout(ByteFile* file, const TableOptions& options) {
   layout.style = best.style;
   layout.columns = FindColumns(lines, best, header);
   MakeUnique(&layout.columns);
+  if (!header) layout.remark = OnNamesOfAnotherNumber(lines, best);
   layout.first_row = lines[best.first_row].offset;
   layout.first_row_line = lines[best.first_row].number;
   return layout;

@@ -29,6 +29,7 @@ struct TableLayout {
   std::vector<Field> columns;   // "1", "2", ... where the file names none
   std::uint64_t first_row = 0;  // where the rows begin [bytes]
   std::int64_t first_row_line = 1;
+  std::string remark;  // on names that do not fit; may be empty
 };
 
 // Finds the layout from the first lines of a file: the separator and decimal sign that make the

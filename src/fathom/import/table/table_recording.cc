@@ -11,6 +11,7 @@
 #include "fathom/import/table/text_lines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -64,6 +65,51 @@ struct ColumnTally {
   std::string first_text;
 };
 
+// The digits behind the point of the stamps, and how many stamps go back.
+struct StampDigits {
+  std::size_t fewest = 0;
+  std::size_t most = 0;
+  std::uint64_t num_stamps = 0;
+  std::uint64_t num_back = 0;
+  double latest = -INFINITY;
+
+  void Take(double time, std::string_view cell) {
+    const std::size_t point = cell.find_last_of(".,");
+    std::size_t count = 0;
+    while (point != std::string_view::npos && point + 1 + count < cell.size() &&
+           std::isdigit(static_cast<unsigned char>(cell[point + 1 + count])) != 0) {
+      ++count;
+    }
+    fewest = num_stamps == 0 ? count : std::min(fewest, count);
+    most = std::max(most, count);
+    ++num_stamps;
+    if (time < latest) ++num_back;
+    latest = std::max(latest, time);
+  }
+};
+
+// Digits behind the point that miss their leading zeros: .02 s is written as ".20000000", and lies
+// behind .11 s.
+void TellUnpadded(const StampDigits& digits,
+                  const std::optional<Field>& clock,
+                  std::vector<std::string>* remarks) {
+  constexpr double kShareOfAccidents = 0.01;
+  if (!clock || digits.fewest == digits.most ||
+      static_cast<double>(digits.num_back) <
+          kShareOfAccidents * static_cast<double>(digits.num_stamps)) {
+    return;
+  }
+  remarks->push_back(fmt::format(
+      "column {}: {} of {} stamps lie before an earlier one, and have {} to {} digits behind the "
+      "point: their leading zeros are missing. Where other columns hold whole seconds and "
+      "nanoseconds, the map's streams take these: 'time: {{seconds: SECS, nanoseconds: NSECS}}'.",
+      Quoted(clock->name),
+      digits.num_back,
+      digits.num_stamps,
+      digits.fewest,
+      digits.most));
+}
+
 TableRecording::TableRecording(const std::filesystem::path& path, const TableOptions& options)
     : path_(path) {
   ByteFile file(path);
@@ -104,6 +150,7 @@ void TableRecording::List() {
   StampReader stamp_reader(stamps_, layout_.style.decimal);
   std::vector<ColumnTally> tallies(layout_.columns.size());
   std::uint64_t without_stamp = 0;
+  StampDigits digits;
   const PassedOver passed_over =
       ForEachRow([&](std::int64_t line, const std::vector<std::string_view>& cells) {
         const auto time = stamp_reader.Read(cells);
@@ -112,6 +159,7 @@ void TableRecording::List() {
           return;
         }
         channel_stamps.Add(time.value_or(NAN));
+        if (time) digits.Take(*time, cells[stamps_.column]);
         for (std::size_t i = 0; i < cells.size(); ++i) {
           if (IsEmptyCell(cells[i])) continue;
           if (ParseCell(cells[i], layout_.style.decimal)) {
@@ -132,6 +180,9 @@ void TableRecording::List() {
   channel.type = "table";
   channel_stamps.WriteTo(&channel);
   if (stamps_.column >= 0) channel.clock = layout_.columns[stamps_.column];
+  channel.clock_counts_rows = stamps_.counts_rows;
+  if (!layout_.remark.empty()) contents_.remarks.push_back(layout_.remark);
+  TellUnpadded(digits, channel.clock, &contents_.remarks);
   if (!stamps_.remark.empty()) contents_.remarks.push_back(stamps_.remark);
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     const Field& field = layout_.columns[i];

@@ -97,6 +97,62 @@ int FindByName(const std::vector<Field>& columns) {
   return -1;
 }
 
+// The words of a name, in lower case: "original", "time", "stamp" of "original_timeStamp".
+std::vector<std::string> WordsOf(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool begins =
+        std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    if (std::isalnum(c) == 0 || begins) words.emplace_back();
+    if (std::isalnum(c) != 0) words.back() += static_cast<char>(std::tolower(c));
+  }
+  return words;
+}
+
+// By a word in a name, of a column that holds a date or only grows; -1 if there is none.
+int FindByWord(const TableLayout& layout, const std::vector<std::vector<std::string>>& rows) {
+  constexpr std::array<std::string_view, 5> kWords = {
+      "timestamp", "stamp", "time", "timestamps", "datetime"};
+  for (int i = 0; i < std::ssize(layout.columns); ++i) {
+    const std::vector<std::string> words = WordsOf(layout.columns[i].name);
+    const bool is_called_so = std::any_of(words.begin(), words.end(), [&](const auto& word) {
+      return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+    });
+    const bool is_clock =
+        OnlyGrows(rows, i, layout.style.decimal) || ParseTextStamp(FirstCell(rows, i)).has_value();
+    if (is_called_so && is_clock) return i;
+  }
+  return -1;
+}
+
+// Whether a column holds whole numbers that grow by 1 each row.
+bool CountsRows(const std::vector<std::vector<std::string>>& rows, int column, char decimal) {
+  std::optional<double> last;
+  for (const auto& row : rows) {
+    const auto number = ParseCell(Cell(row, column), decimal);
+    if (!number || *number != std::floor(*number) || (last && *number != *last + 1.0)) return false;
+    last = *number;
+  }
+  return rows.size() >= 3;
+}
+
+// The first column that only grows: the first of all, or behind one that counts rows another.
+void FindGrowing(const TableLayout& layout,
+                 const std::vector<std::vector<std::string>>& rows,
+                 StampRule* rule) {
+  const char decimal = layout.style.decimal;
+  if (!OnlyGrows(rows, 0, decimal)) return;
+  rule->column = 0;
+  if (!CountsRows(rows, 0, decimal)) return;
+  for (int i = 1; i < std::ssize(layout.columns); ++i) {
+    if (!OnlyGrows(rows, i, decimal) || CountsRows(rows, i, decimal)) continue;
+    rule->column = i;
+    return;
+  }
+  rule->counts_rows = true;
+}
+
 // The first column beside `column` that holds days, or times of day; -1 if there is none.
 int FindText(const std::vector<Field>& columns,
              const std::vector<std::vector<std::string>>& rows,
@@ -134,7 +190,7 @@ void SetNumberRule(const Field& column,
                    StampRule* rule) {
   std::string unit = options.time_unit.empty() ? NameAndUnit(column).second : options.time_unit;
   if (unit.empty()) {
-    unit = number > 1e17 ? "ns" : number > 1e14 ? "us" : number > 1e11 ? "ms" : "s";
+    unit = UnitOfStamp(number);
     rule->remark = fmt::format("column {} states no unit: its stamps are taken as {}.",
                                Quoted(column.name),
                                unit == "s" ? "seconds" : unit + " since 1970");
@@ -187,14 +243,21 @@ StampRule FindStamps(const std::string& file,
     }
   } else {
     rule.column = FindByName(layout.columns);
+    if (rule.column < 0) rule.column = FindByWord(layout, rows);
     if (rule.column < 0) rule.column = FindText(layout.columns, rows, /*has_date=*/true, -1);
     if (rule.column < 0) rule.column = FindText(layout.columns, rows, /*has_date=*/false, -1);
-    if (rule.column < 0 && OnlyGrows(rows, 0, layout.style.decimal)) rule.column = 0;
+    if (rule.column < 0) FindGrowing(layout, rows, &rule);
   }
   if (rule.column < 0) return rule;
   const Field& column = layout.columns[rule.column];
   const std::string_view first = FirstCell(rows, rule.column);
-  if (ParseTextStamp(first)) {
+  if (rule.counts_rows) {
+    rule.remark = fmt::format(
+        "column {} counts the rows and is taken for stamps of 1 s, as no other column could be. "
+        "The "
+        "map's 'rate' says how many rows a second has.",
+        Quoted(column.name));
+  } else if (ParseTextStamp(first)) {
     SetTextRule(layout.columns, rows, &rule);
   } else if (const auto number = ParseCell(first, layout.style.decimal)) {
     SetNumberRule(column, options, *number, file, &rule);

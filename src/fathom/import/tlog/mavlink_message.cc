@@ -41,6 +41,11 @@ constexpr MavlinkDefinition kMavlinkDefinitions[] = {
      "uint16_t voltage_battery mV;int16_t current_battery cA;uint16_t drop_rate_comm c%;"
      "uint16_t errors_comm;uint16_t errors_count1;uint16_t errors_count2;"
      "uint16_t errors_count3;uint16_t errors_count4;int8_t battery_remaining %"},
+    {22,
+     "PARAM_VALUE",
+     220,
+     "float param_value;uint16_t param_count;uint16_t param_index;char[16] param_id;"
+     "uint8_t param_type"},
     {27,
      "RAW_IMU",
      144,

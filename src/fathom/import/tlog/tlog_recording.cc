@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +52,49 @@ std::string_view WholePayload(const TlogPacket& packet,
   return *buffer;
 }
 
+// The settings (PARAM_VALUE) that autopilots state.
+class TlogSettings {
+ public:
+  void Take(const TlogPacket& packet, std::string_view payload);
+
+  // Of the first system that drives outputs; ArduPilot's, whose whole numbers are sent as floats.
+  // Others send their bits.
+  std::map<std::string, double> OfTheVehicle() const;
+
+ private:
+  std::map<int, std::map<std::string, double>> by_system_;
+  std::set<int> drives_;           // systems that send SERVO_OUTPUT_RAW
+  std::set<int> is_no_ardupilot_;  // by their HEARTBEAT
+};
+
+void TlogSettings::Take(const TlogPacket& packet, std::string_view payload) {
+  constexpr std::uint32_t kHeartbeat = 0, kParamValue = 22, kServoOutputRaw = 36;
+  constexpr double kArduPilot = 3.0;  // MAV_AUTOPILOT_ARDUPILOTMEGA
+  constexpr std::size_t kMostSettings = 10000;
+  if (packet.component != 1) return;  // MAV_COMP_ID_AUTOPILOT1
+  if (packet.id == kServoOutputRaw) drives_.insert(packet.system);
+  if (packet.id == kHeartbeat) {
+    const double autopilot = ValueOf(*FindMavlinkMessage(kHeartbeat)->Find("autopilot"), payload);
+    if (autopilot != kArduPilot) is_no_ardupilot_.insert(packet.system);
+  }
+  if (packet.id != kParamValue) return;
+  const MavlinkMessage& message = *FindMavlinkMessage(kParamValue);
+  std::string_view name =
+      payload.substr(std::min(payload.size(), message.Find("param_id[0]")->offset), 16);
+  name = name.substr(0, name.find('\0'));
+  auto& settings = by_system_[packet.system];
+  if (settings.size() >= kMostSettings) return;
+  settings[std::string(name)] = ValueOf(*message.Find("param_value"), payload);
+}
+
+std::map<std::string, double> TlogSettings::OfTheVehicle() const {
+  for (const int system : drives_) {
+    const auto settings = by_system_.find(system);
+    if (settings != by_system_.end() && !is_no_ardupilot_.contains(system)) return settings->second;
+  }
+  return {};
+}
+
 class TlogRecording final : public Recording {
  public:
   explicit TlogRecording(const std::filesystem::path& path);
@@ -74,6 +118,8 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
   std::map<TlogSource, ChannelStamps> stamps;
   std::map<std::uint32_t, std::uint64_t> unknown;
   std::uint64_t num_others = 0;
+  TlogSettings settings;
+  std::string buffer;
   const TlogWalk walk = ForEachTlogPacket(&file, [&](const TlogPacket& packet) {
     if (FindMavlinkMessage(packet.id) == nullptr) {
       const auto counted = unknown.find(packet.id);
@@ -92,6 +138,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
       return;
     }
     stamps[source].Add(packet.time);
+    settings.Take(packet, WholePayload(packet, *FindMavlinkMessage(packet.id), &buffer));
   });
   if (stamps.empty()) {
     throw InputError(path_.string() +
@@ -100,6 +147,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
   }
   contents_.format = "tlog";
   contents_.utc_of_zero = 0.0;
+  contents_.parameters = settings.OfTheVehicle();
   contents_.size_bytes = file.size();
   contents_.read_bytes = file.size() - walk.skipped_bytes - walk.cut_bytes;
   std::map<std::uint32_t, int> num_senders;
@@ -112,6 +160,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
                        ? message.name
                        : fmt::format("{} ({}/{})", message.name, source.system, source.component);
     for (std::size_t i = 0; i < message.numbers.size(); ++i) {
+      if (message.numbers[i].type == PackedType::kChar) continue;  // of a text
       channel.fields.push_back({message.numbers[i].name, message.units[i]});
     }
     channel_stamps.WriteTo(&channel);
@@ -121,6 +170,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
   std::stable_sort(contents_.channels.begin(),
                    contents_.channels.end(),
                    [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  contents_.TellSimulation();
   TellWalk(walk);
   TellUnknown(unknown, num_others);
 }

@@ -203,6 +203,10 @@ std::optional<Unit> FindUnit(std::string_view text) {
   return Search(text, [](const NamedUnit&) { return true; });
 }
 
+std::string_view UnitOfStamp(double stamp) {
+  return stamp > 1e17 ? "ns" : stamp > 1e14 ? "us" : stamp > 1e11 ? "ms" : "s";
+}
+
 std::string UnitsOf(Dimension dimension) {
   std::string text;
   for (const NamedUnit& named : kUnits) {

@@ -46,6 +46,10 @@ std::optional<Unit> FindUnit(std::string_view text, Dimension dimension);
 // Of any dimension, the first that has a unit of this name.
 std::optional<Unit> FindUnit(std::string_view text);
 
+// The unit of stamps that state none, by their size: "ns", "us" or "ms" since 1970, else "s".
+// Nobody dives before 1973.
+std::string_view UnitOfStamp(double stamp);
+
 // "'m', 'cm', 'mm', ...": the names of the units of a dimension.
 std::string UnitsOf(Dimension dimension);
 
