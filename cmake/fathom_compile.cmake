@@ -1,11 +1,13 @@
 # How everything of ours is compiled: fathom_compile(<target>), for each library and program.
 #
-# - Sources are compiled in batches (FATHOM_UNITY_BUILD), since most of the time of a source goes into
-#   reading headers. Names in anonymous namespaces therefore differ within a folder.
+# - Sources are compiled in batches (FATHOM_BATCHES), since most of the time of a source goes into
+#   reading headers. Names in anonymous namespaces therefore differ within a folder. A batch names its
+#   sources from the top of the project, where CMake's own unity builds write absolute paths: ccache then
+#   knows it in any clone.
 # - The headers that nearly every source reads are read once, before all of them
 #   (FATHOM_PRECOMPILED_HEADERS). Each source still includes what it uses: preset `each` builds without
 #   both, one source at a time.
-option(FATHOM_UNITY_BUILD "Compile the sources of a folder in batches" ON)
+option(FATHOM_BATCHES "Compile the sources of a folder in batches" ON)
 option(FATHOM_PRECOMPILED_HEADERS "Read std, Eigen and fmt once for all sources" ON)
 
 # -Wrestrict, -Warray-bounds, -Wstringop-overflow: GCC 12 sees overlaps and ends of std::string that are
@@ -27,6 +29,38 @@ function(fathom_see_common_packages target)
   endforeach()
 endfunction()
 
+# Puts batches of eight in the place of a target's sources, but for generated ones and those with the
+# property SKIP_UNITY_BUILD_INCLUSION.
+function(fathom_batch_sources target)
+  get_target_property(sources ${target} SOURCES)
+  set(single "")
+  set(batched "")
+  foreach(source IN LISTS sources)
+    get_source_file_property(is_single ${source} SKIP_UNITY_BUILD_INCLUSION)
+    cmake_path(IS_ABSOLUTE source is_generated)
+    if(is_single OR (is_generated AND source MATCHES "^${PROJECT_BINARY_DIR}/"))
+      list(APPEND single ${source})
+    else()
+      cmake_path(ABSOLUTE_PATH source NORMALIZE)
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+      list(APPEND batched "#include \"${source}\"\n")
+    endif()
+  endforeach()
+  set(batches "")
+  list(LENGTH batched count)
+  set(first 0)
+  while(first LESS count)
+    list(SUBLIST batched ${first} 8 includes)
+    list(JOIN includes "" CONTENT)
+    set(batch ${CMAKE_CURRENT_BINARY_DIR}/${target}_from_${first}.cc)
+    file(CONFIGURE OUTPUT ${batch} CONTENT "${CONTENT}" @ONLY)
+    list(APPEND batches ${batch})
+    math(EXPR first "${first} + 8")
+  endwhile()
+  set_target_properties(${target} PROPERTIES SOURCES "${batches};${single}")
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+endfunction()
+
 # fathom_compile(<target> [HEADERS <target>]): HEADERS holds the precompiled headers.
 function(fathom_compile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS" "")
@@ -35,8 +69,8 @@ function(fathom_compile target)
   endif()
   fathom_set_warnings(${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  if(FATHOM_UNITY_BUILD)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(FATHOM_BATCHES)
+    fathom_batch_sources(${target})
     # GCC takes a source inside a batch for a header, whose classes may not use its anonymous names.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()

@@ -151,7 +151,7 @@ int Run() {
     const BatchPlan plan = PlanBatch(options);
     fmt::print("{}", FormatPlan(plan, options.version));
     if (!FLAGS_slurm.empty()) {
-      WriteFile(FLAGS_slurm, SlurmScript(options, FLAGS_plan, FLAGS_report));
+      WriteFile(FLAGS_slurm, SlurmScript(options, FLAGS_plan, FLAGS_report, FLAGS_csv));
       fmt::print("\n{}", HowToSubmit(FLAGS_slurm, FLAGS_plan));
     }
     return kExitUsable;

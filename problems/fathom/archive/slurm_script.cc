@@ -32,14 +32,20 @@ std::string FlagsOf(const BatchOptions& options) {
 
 }  // namespace
 
-std::string SlurmScript(const BatchOptions& options, int num_parts, const fs::path& report) {
+std::string SlurmScript(const BatchOptions& options,
+                        int num_parts,
+                        const fs::path& report,
+                        const fs::path& csv) {
   if (num_parts < 1 || num_parts > 10000) {
     throw InputError(fmt::format("--plan: is {}, expected 1 to 10000 parts.", num_parts));
   }
   // Room for the parent and the file cache beside the programs.
   const double memory = options.jobs * options.memory_limit + 500.0;
-  const std::string last_flags =
-      report.empty() ? "" : " --report=" + ShellWord(fs::absolute(report).string());
+  const auto flag = [](const char* name, const fs::path& file) {
+    if (file.empty()) return std::string();
+    return fmt::format(" --{}={}", name, ShellWord(fs::absolute(file).string()));
+  };
+  const std::string last_flags = flag("report", report) + flag("csv", csv);
   return fmt::format(
       R"(#!/bin/bash
 #SBATCH --job-name=fathom

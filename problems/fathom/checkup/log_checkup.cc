@@ -152,10 +152,10 @@ std::string PlaceOfKeys(const Log& log) {
 LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
                    const std::vector<TimeInterval>& held_out) {
-  const Survey survey = SurveyLog(path, dof);
   Log log = OpenLog(
       path, {.dof = dof, .held_out = held_out, .may_lack_motion = true, .may_lack_command = true});
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
+  const Survey survey = SurveyOf(log);
   LogCheckup checkup;
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);

@@ -189,6 +189,8 @@ TEST_F(SlurmScriptTest, ReservesProcessorsAndMemoryForAllPrograms) {
 }
 
 TEST_F(SlurmScriptTest, RefusesNoPartsAndTooMany) {
+  EXPECT_THAT(SlurmScript(options_, 3, "", "/shared/fits.csv"),
+              HasSubstr(R"("${flags[@]}" --csv=/shared/fits.csv)"));
   EXPECT_THROW(SlurmScript(options_, 0, ""), InputError);
   EXPECT_THROW(SlurmScript(options_, 10001, ""), InputError);
   EXPECT_THAT(HowToSubmit("my job", 8), HasSubstr("sbatch --parsable --array=0-7 'my job'"));

@@ -134,7 +134,10 @@ constexpr double kFirstEpoch = 1e9;
 }  // namespace
 
 Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof) {
-  Log log = OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true});
+  return SurveyOf(OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}));
+}
+
+Survey SurveyOf(Log log) {
   Survey survey;
   survey.dive = log.dive;
   survey.vehicle = log.vehicle;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/log/log.h"
 
 #include <filesystem>
 #include <limits>
@@ -39,6 +40,9 @@ struct Survey {
 //
 // `dof`: of a single CSV. Throws InputError as OpenLog() does.
 Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof);
+
+// The same of a log that was opened already, with what it holds out.
+Survey SurveyOf(Log log);
 
 // As JSON, schema "fathom-survey-1", and back. ParseSurvey throws InputError if it is none.
 std::string FormatSurvey(const Survey& survey);

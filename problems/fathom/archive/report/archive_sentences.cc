@@ -54,19 +54,40 @@ std::string QuietSentence(const std::string& vehicle, std::size_t num_dives, boo
       kFewestDivesForChange);
 }
 
-// "950 ok, 30 partial": the states of `counts` that do or do not give a model, known ones first.
-std::string Listed(const std::map<std::string, std::size_t>& counts, bool gives_model) {
+// By state, how many logs have a red finding.
+std::map<std::string, std::size_t> RedByState(const Tables& tables) {
+  std::set<std::string> red;
+  for (const FindingRow& finding : tables.findings) {
+    if (finding.severity == "red") red.insert(finding.log);
+  }
+  std::map<std::string, std::size_t> counts;
+  for (const LogRow& log : tables.logs) {
+    if (red.contains(log.path)) ++counts[log.status];
+  }
+  return counts;
+}
+
+// "950 ok, 2 of them with red findings; 30 partial": the states of `counts` that do or do not give
+// a model, known ones first. `red`: of those that do.
+std::string Listed(const std::map<std::string, std::size_t>& counts,
+                   bool gives_model,
+                   const std::map<std::string, std::size_t>& red) {
   std::vector<std::string> names = StatesInOrder();
   for (const auto& [state, count] : counts) {
     if (std::ranges::find(names, state) == names.end()) names.push_back(state);
   }
   std::vector<std::string> parts;
+  bool is_long = false;
   for (const std::string& name : names) {
     const auto found = counts.find(name);
     if (found == counts.end() || GivesModel(name) != gives_model) continue;
     parts.push_back(fmt::format("{} {}", found->second, StateText(name)));
+    const auto of_them = red.find(name);
+    if (!gives_model || of_them == red.end()) continue;
+    parts.back() += fmt::format(", {} of them with red findings", of_them->second);
+    is_long = true;
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return fmt::format("{}", fmt::join(parts, is_long ? "; " : ", "));
 }
 
 std::string OtherFiles(const std::map<std::string, int>& files) {
@@ -189,10 +210,12 @@ std::string LogsSentence(const ArchiveReport& report) {
 
   std::string text =
       fmt::format("{} in {}: ", Counted(num_logs, "log"), Counted(dives.size(), "dive"));
-  text += num_models == 0 ? "none gave a model"
-                          : fmt::format("{} gave a model ({})", num_models, Listed(counts, true));
+  const std::map<std::string, std::size_t> red = RedByState(report.tables);
+  text += num_models == 0
+              ? "none gave a model"
+              : fmt::format("{} gave a model ({})", num_models, Listed(counts, true, red));
   if (num_models < num_logs) {
-    text += fmt::format(", {} did not ({})", num_logs - num_models, Listed(counts, false));
+    text += fmt::format(", {} did not ({})", num_logs - num_models, Listed(counts, false, red));
   }
   return text + "." + OtherFiles(report.other_files);
 }

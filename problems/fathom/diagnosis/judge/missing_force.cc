@@ -17,17 +17,31 @@ namespace {
 
 constexpr double kCommandRateStep = 0.5;  // [s]
 
-double RmsOf(const Eigen::VectorXd& values) {
-  return std::sqrt(values.squaredNorm() /
-                   std::max<double>(1.0, static_cast<double>(values.size())));
+// Of the rows of one channel; 0 if it has none.
+double RmsOf(const Eigen::VectorXd& values,
+             const std::vector<NoiseSample>& samples,
+             NoiseChannel channel) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    if (samples[row].channel != channel) continue;
+    sum += values(static_cast<Eigen::Index>(row)) * values(static_cast<Eigen::Index>(row));
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
-// With a disturbance strong enough to carry what the baseline misses.
-NoiseModel WithDisturbance(NoiseModel noise, double damping_rate, const StartedModel& baseline) {
+// With a disturbance strong enough to carry what the baseline misses, in speed or in place.
+NoiseModel WithDisturbance(NoiseModel noise,
+                           double damping_rate,
+                           const std::vector<NoiseSample>& samples,
+                           const Eigen::VectorXd& residual) {
   noise.damping_rate = damping_rate;
   noise.disturbance.time = 1.5;
-  const double missed = std::max(RmsOf(baseline.residual), 1e-9);
-  noise.disturbance.std = std::max(noise.disturbance.std, missed / noise.disturbance.time);
+  const double time = noise.disturbance.time;
+  const double missed = std::max({RmsOf(residual, samples, NoiseChannel::kVelocity),
+                                  RmsOf(residual, samples, NoiseChannel::kDisplacement) / time,
+                                  1e-9});
+  noise.disturbance.std = std::max(noise.disturbance.std, missed / time);
   return noise;
 }
 
@@ -50,7 +64,7 @@ MissingForce FindMissingForce(const TrainingData& data,
   const auto& samples = data.samples();
   const double inertia = baseline.model.baseline.inertia;
   const NoiseModel wandering =
-      WithDisturbance(noise, data.DampingRate(baseline.model.baseline), baseline);
+      WithDisturbance(noise, data.DampingRate(baseline.model.baseline), samples, baseline.residual);
   const SmoothedDisturbance smoothed = SmoothDisturbance(
       wandering, samples, std::span(baseline.residual.data(), baseline.residual.size()));
   const Eigen::VectorXd added = baseline.residual - extended.residual;

@@ -8,6 +8,8 @@
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -69,6 +71,13 @@ FitFigures ReadFigures(const JsonValue& json) {
   FitFigures figures;
   figures.mae = NumberIfThere(json, "mae");
   figures.nmae = NumberIfThere(json, "nmae");
+  if (const double duration = NumberIfThere(json, "duration"); std::isfinite(duration)) {
+    figures.duration = duration;
+  }
+  const double num_samples = NumberIfThere(json, "n");
+  if (num_samples >= 0.0 && num_samples <= std::numeric_limits<int>::max()) {
+    figures.num_samples = static_cast<int>(num_samples);
+  }
   return figures;
 }
 

@@ -4,6 +4,8 @@
 #include "fathom/archive/jobs/survey.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/open_log.h"
+#include "fathom/signal/signals.h"
 
 #include <cmath>
 #include <filesystem>
@@ -47,6 +49,15 @@ Survey SurveyOf(int rows, const Signal& command, const Signal& speed) {
 SurveyedDof OnlyDofOf(const Survey& survey) {
   EXPECT_EQ(survey.dofs.size(), 1u);
   return survey.dofs.empty() ? SurveyedDof{} : survey.dofs.front();
+}
+
+// What is held out on the command line counts, not only what log.yaml says.
+TEST(Survey, KnowsWhatIsHeldOutOfALogThatWasOpened) {
+  SurveyOf(601, Square, Speed);
+  const auto file = std::filesystem::path(FATHOM_SCRATCH_DIR) /
+                    "Survey.KnowsWhatIsHeldOutOfALogThatWasOpened.csv";
+  Log log = OpenLog(file, {.dof = Dof::kSurge, .held_out = {{0.0, 60.0}}});
+  EXPECT_EQ(OnlyDofOf(fathom::SurveyOf(std::move(log))).why_not, kAllIsHeldOut);
 }
 
 TEST(Survey, TakesARunUnderASquareWave) {

@@ -158,6 +158,19 @@ TEST(LogsSentence, CountsEveryState) {
             "unreadable, 1 duplicate).");
 }
 
+// A model of data that are wrong is no success.
+TEST(LogsSentence, SaysHowManyOfThoseThatGaveAModelAreRed) {
+  ArchiveReport report = WithStates({"ok", "ok", "ok", "partial"});
+  for (const char* log : {"log 0", "log 0", "log 2", "log 3"}) {
+    FindingRow row;
+    row.log = log;
+    row.severity = std::string(log) == "log 3" ? "yellow" : "red";
+    report.tables.findings.push_back(row);
+  }
+  EXPECT_EQ(LogsSentence(report),
+            "4 logs in 1 dive: 4 gave a model (3 ok, 2 of them with red findings; 1 partial).");
+}
+
 TEST(LogsSentence, CountsAStateThatItDoesNotKnow) {
   EXPECT_EQ(LogsSentence(WithStates({"ok", "on_fire", ""})),
             "3 logs in 1 dive: 1 gave a model (1 ok), 2 did not (1 no state, 1 on fire).");

@@ -57,6 +57,14 @@ TEST(ModelFile, KeepsEveryNumberToTheBit) {
   EXPECT_EQ(out.covariance, in.covariance);
 }
 
+TEST(ModelFile, KeepsHowManySamplesItsFiguresAreOf) {
+  FittedModel in = Example();
+  in.train = {.mae = 0.01, .nmae = 0.1, .num_samples = 1234, .duration = 61.7};
+  const FittedModel out = ParseModel("m.json", FormatModel(in));
+  EXPECT_EQ(out.train.num_samples, 1234);
+  EXPECT_EQ(out.train.duration, 61.7);
+}
+
 // A slow propeller, and damping from two other DOFs: the same effect twice, with different
 // partners.
 FittedModel ExampleWithEffects() {
