@@ -188,9 +188,12 @@ TEST_F(SlurmScriptTest, ReservesProcessorsAndMemoryForAllPrograms) {
   EXPECT_THAT(script, HasSubstr("\n#SBATCH --requeue\n"));
 }
 
-TEST_F(SlurmScriptTest, RefusesNoPartsAndTooMany) {
+TEST_F(SlurmScriptTest, TheMergeWritesTheTable) {
   EXPECT_THAT(SlurmScript(options_, 3, "", "/shared/fits.csv"),
               HasSubstr(R"("${flags[@]}" --csv=/shared/fits.csv)"));
+}
+
+TEST_F(SlurmScriptTest, RefusesNoPartsAndTooMany) {
   EXPECT_THROW(SlurmScript(options_, 0, ""), InputError);
   EXPECT_THROW(SlurmScript(options_, 10001, ""), InputError);
   EXPECT_THAT(HowToSubmit("my job", 8), HasSubstr("sbatch --parsable --array=0-7 'my job'"));
