@@ -57,6 +57,10 @@ ActiveEffect ReadEffect(const JsonValue& json, Dof dof, const std::vector<std::s
   active.effect = &EffectNamedIn(json.Member("effect"));
   active.setting.dof = dof;
   const EffectInfo& info = active.effect->info();
+  if (!CanActAlong(info, dof)) {
+    json.Member("effect").Fail(fmt::format(
+        "is {}, an effect that does not act along {}", Quoted(std::string(info.name)), Name(dof)));
+  }
   std::vector<std::string> keys = {"effect", "reference_force", "log"};
   if (info.has_partner()) {
     keys.insert(keys.begin() + 1, "partner");
