@@ -20,6 +20,7 @@ namespace {
 // What stands beside an effect in a verdict's causes, for a reader.
 const std::vector<std::string> kKeysOfCause = {"place",
                                                "parameters",
+                                               "thruster",
                                                "p_value",
                                                "delta_bic",
                                                "heldout_gain",
