@@ -27,11 +27,14 @@
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -91,6 +94,14 @@ Log WithSourceFromFlag(Log log) {
     throw InputError(fmt::format("--source={}: {} has no such source.", FLAGS_source, log.name));
   }
   return log;
+}
+
+// As the vehicle file in the log says; opening the log told what is wrong with that.
+std::vector<Thruster> ThrustersOf(const Log& log) {
+  const std::filesystem::path file = log.path / log.vehicle;
+  std::error_code error;
+  if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return {};
+  return ReadVehicleFile(file).thrusters;
 }
 
 struct Logs {
@@ -158,9 +169,10 @@ void WritePage(Page page, const Logs& logs) {
 
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
-  const DiagnosisOptions options = OptionsFromFlags();
+  DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
+  options.thrusters = ThrustersOf(logs.all.front());
   Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
   PrintWarnings(diagnosis.findings);
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {

@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kMostSamples = 6000;  // of a stream: the oracle's time is spent per sample
 
-// FlatFish's, with a sway and a quadratic surge damping that its paper does not tell.
+// FlatFish's, with a sway, a roll and a quadratic surge damping that its paper does not tell.
 constexpr std::array<UncoupledModel<double>, 6> kTypical = {{{851.0, 50.0, 39.6, 0.0},
                                                              {1200.0, 400.0, 60.0, 0.0},
                                                              {1511.0, 1200.0, 60.0, 0.0},
-                                                             {},
+                                                             {150.0, 120.0, 25.0, 0.0},
                                                              {},
                                                              {302.0, 279.0, 27.0, 0.0}}};
 

@@ -126,6 +126,8 @@ SizedEffect DrawShape(const ActiveEffect& effect,
       {"coulomb_friction", {0.4, [=](double s) { return Values{s * F}; }}},
       {"steady_current", {0.8, [=](double s) { return Values{sign * s * V}; }}},
       {"position_stiffness", {1.0, [=](double s) { return Values{s * F / scales.length}; }}},
+      {"righting_moment",
+       {1.0, [=](double s) { return Values{s * F / std::min(scales.length, 1.0)}; }}},
       {"buoyancy_step",
        {0.8,
         [=](double s) {

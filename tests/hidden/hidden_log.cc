@@ -63,8 +63,11 @@ Cast DrawCast(const std::vector<const Effect*>& hidden,
               std::vector<ActiveEffect>* effects) {
   Cast cast;
   cast.dof = chance.OneOf(kDriven);
-  for (const Effect* effect : hidden)
-    cast.needs_pose = cast.needs_pose || effect->info().needs_pose;
+  for (const Effect* effect : hidden) {
+    const EffectInfo& info = effect->info();
+    cast.needs_pose = cast.needs_pose || info.needs_pose || info.needs_displacement;
+    if (!CanActAlong(info, cast.dof)) cast.dof = Dof::kRoll;
+  }
   const auto with_partner = std::find_if(
       hidden.begin(), hidden.end(), [](const Effect* e) { return e->info().has_partner(); });
   std::vector<Dof> partners;
@@ -88,6 +91,7 @@ Cast DrawCast(const std::vector<const Effect*>& hidden,
   const int num_idle = chance.Is(0.35) ? 1 + chance.Index(2) : 0;
   for (int i = 0; i < num_idle; ++i) {
     const Dof idle = chance.OneOf(kDriven);
+    // A vehicle that yaws while it rolls pitches too.
     const bool would_turn = idle == Dof::kYaw && cast.needs_pose && cast.dof != Dof::kHeave;
     if (idle != cast.dof && !would_turn) Add(idle, &partners);
   }

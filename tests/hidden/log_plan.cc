@@ -19,8 +19,11 @@ bool CanStandTogether(const EffectInfo& a, const EffectInfo& b) {
   const auto turns = [](const EffectInfo& info) {
     return info.name == "lever_arm" || info.name == "coriolis_coupling";
   };
+  // Those of roll alone stand with those of any DOF that need no other one.
+  const auto tilts = [](const EffectInfo& info) { return info.acts_along != nullptr; };
   return a.name != b.name && !(a.has_partner() && b.has_partner()) && !(turns(a) && b.needs_pose) &&
-         !(turns(b) && a.needs_pose);
+         !(turns(b) && a.needs_pose) && !(tilts(a) && b.has_partner()) &&
+         !(tilts(b) && a.has_partner());
 }
 
 }  // namespace

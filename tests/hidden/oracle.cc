@@ -76,7 +76,9 @@ class Oracle {
   // Every effect but the true ones, and true ones with another partner, on top of `fitted`.
   void TryInPlaceOf(const KnownNoiseFit& fitted, const std::vector<ActiveEffect>& truth) {
     for (const Effect* effect : EffectCatalogue()) {
-      if (effect->info().needs_pose && !run_.has_displacement()) continue;
+      const EffectInfo& info = effect->info();
+      if (!CanActAlong(info, hidden_.dof)) continue;
+      if ((info.needs_pose || info.needs_displacement) && !run_.has_displacement()) continue;
       for (const Dof partner : PartnersOf(effect->info())) {
         ActiveEffect rival;
         rival.effect = effect;

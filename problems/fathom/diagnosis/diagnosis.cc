@@ -11,6 +11,8 @@
 #include "fathom/diagnosis/fit/identified_model.h"
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
+#include "fathom/diagnosis/judge/weak_thruster.h"
+#include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/search/suspects.h"
@@ -64,6 +66,10 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
     return begun;
   }
   Diagnosis diagnosis = Described(segments, prepared, judgement, std::move(begun));
+  for (Cause& cause : diagnosis.causes) {
+    const double std = EffectStds(diagnosis.extended, cause.effect_index).front();
+    cause.thruster = WeakThrusterOf(EffectOfCause(diagnosis, cause), std, options.thrusters);
+  }
   const FittedModel extended = ModelOf(diagnosis, diagnosis.extended);
   if (auto finding = CheckInertia(extended, BodyOf(logs))) {
     diagnosis.findings.push_back(*std::move(finding));

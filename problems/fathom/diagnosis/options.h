@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/vehicle/effect.h"
+#include "fathom/vehicle/thruster.h"
 
 #include <cstdint>
 #include <string>
@@ -27,6 +28,9 @@ struct DiagnosisOptions {
 
   // The effects that are tried; empty: EffectCatalogue().
   std::vector<const Effect*> effects;
+
+  // Of the vehicle, to say which of them a crosstalk comes down to; empty: not known.
+  std::vector<Thruster> thrusters;
 
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;

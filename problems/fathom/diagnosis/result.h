@@ -100,6 +100,13 @@ struct DecidingRun {
   bool decides = true;  // false: none of this kind can, and the text says what could
 };
 
+// A thruster that pushes less along the DOF than its place and direction in the vehicle file say.
+struct WeakThruster {
+  std::string name;
+  double change = 0.0;  // of what it gives along the DOF, as a share: -1 for nothing left
+  double std = 0.0;
+};
+
 // A cause that the data call for.
 struct Cause {
   int effect_index = 0;  // in Diagnosis::extended.model.effects
@@ -108,6 +115,7 @@ struct Cause {
   double held_out_gain = 0.0;  // 1 - NMAE with / NMAE without it
   std::vector<Alternative> alternatives;
   DecidingRun experiment;
+  std::optional<WeakThruster> thruster = {};  // what a crosstalk comes down to
 };
 
 // What the logs leave room for of an effect that is not named.

@@ -17,6 +17,10 @@ std::string_view Name(Place place) {
   return "";
 }
 
+bool CanActAlong(const EffectInfo& info, Dof dof) {
+  return info.acts_along == nullptr || info.acts_along(dof);
+}
+
 bool CanBePartner(const EffectInfo& info, Dof dof, Dof partner) {
   if (!info.partner || partner == dof) return false;
   return info.partner->rule == nullptr || info.partner->rule(dof, partner);

@@ -51,6 +51,12 @@ struct EffectInfo {
 
   std::optional<PartnerInfo> partner = {};
 
+  // Which DOFs it can act along. Null: any.
+  bool (*acts_along)(Dof dof) = nullptr;
+
+  // True where its equation needs the displacement as measured, not from the start of a segment.
+  bool needs_displacement = false;
+
   // True where the displacement itself must be measured, beside the velocity, for the effect to
   // leave any trace.
   bool needs_pose = false;
@@ -69,6 +75,10 @@ struct EffectInfo {
 
   bool has_partner() const { return partner.has_value(); }
 };
+
+// Whether the effect can act along `dof`. As below, one rule for what is hidden, looked for and
+// read.
+bool CanActAlong(const EffectInfo& info, Dof dof);
 
 // Whether `partner` can take part in the effect along `dof`; false where nothing takes part. The
 // one rule for what is hidden and for what is looked for.

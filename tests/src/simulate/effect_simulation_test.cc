@@ -302,6 +302,35 @@ TEST(EffectSimulation, SwingsOnASpringAsTheClosedFormDoes) {
   }
 }
 
+// Undamped and let go at rest at the angle A, a righting moment K swings with the period
+//
+//   4 sqrt(J / K) F(sin(A / 2)),   F the complete elliptic integral of the first kind,
+//
+// which is 2 pi sqrt(J / K) at small angles.
+TEST(EffectSimulation, SwingsInARightingMomentAsAPendulumDoes) {
+  const double inertia = 0.35, moment = 1.4;
+  for (const double angle : {0.01, 0.9, 2.0}) {
+    const double period =
+        4.0 * std::sqrt(inertia / moment) * std::comp_ellint_1(std::sin(0.5 * angle));
+    EffectInputs inputs;
+    inputs.command = {{0.0}, {0.0}};
+    OutputStamps stamps;
+    for (int i = 0; i <= 8; ++i) stamps.displacement.push_back(0.25 * i * period);
+    const EffectSimulation simulation(&inputs, stamps);
+    const ExtendedModel model = {{inertia, 0.0, 0.0, 0.0},
+                                 {{FindEffect("righting_moment"), {.dof = Dof::kRoll}, {moment}}}};
+    EffectOutputs outputs;
+    ASSERT_TRUE(simulation.Run(model, {0.0, angle}, &outputs));
+    for (int i = 0; i <= 8; ++i) {
+      const double expected = i % 4 == 0 ? angle : i % 4 == 2 ? -angle : 0.0;
+      // Two swings take some 80 steps of w h = 0.2, each late by (w h)^5 / 120 = 3e-6 of phase; at
+      // large angles harmonics, which are later, take part.
+      EXPECT_NEAR(outputs.displacement[i], expected, 1e-3 * angle) << angle << ", " << i;
+    }
+  }
+  EXPECT_NEAR(4.0 * std::comp_ellint_1(std::sin(0.005)), 2.0 * std::numbers::pi, 1e-4);
+}
+
 TEST(EffectSimulation, TakesAnEffectFromOutsideTheLibrary) {
   const Effect effect = EffectOf<SquareRootDrag>();
   const EffectInputs inputs = Inputs();

@@ -358,7 +358,7 @@ class EveryHiddenEffect : public testing::TestWithParam<const Effect*> {
       if (parameter.search == Search::kFrequencyOfRun) value = 0.7;
       if (parameter.name == "slope") value = 0.1;
       if (parameter.name == "rate" && parameter.quantity.force > 0.0) value = 20.0;
-      if (parameter.name == "stiffness") value = 5.0;
+      if (parameter.name == "stiffness" || parameter.name == "moment") value = 5.0;
       if (parameter.name == "limit") value = 25.0;
       if (parameter.name == "exponent") value = 1.3;
       if (parameter.search == Search::kShape) value = 2.0;

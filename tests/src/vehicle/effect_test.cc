@@ -107,6 +107,7 @@ TEST(EffectLaws, ResistInTheWater) {
   EXPECT_NEAR(Resistance("coulomb_friction", {6.0}, 0.004), 6.0 * std::tanh(0.8), kClose);
   EXPECT_NEAR(Resistance("coulomb_friction", {6.0}, -0.4), -6.0, kClose);
   EXPECT_NEAR(Resistance("position_stiffness", {3.0}, 0.4), 7.5, kClose);
+  EXPECT_NEAR(Resistance("righting_moment", {3.0}, 0.4), 3.0 * std::sin(2.5), kClose);
   EXPECT_EQ(Resistance("buoyancy_step", {5.0, 30.0}, 0.4, 29.8), 0.0);
   EXPECT_NEAR(Resistance("buoyancy_step", {5.0, 30.0}, 0.4, 30.05), 3.75, kClose);
   EXPECT_NEAR(Resistance("buoyancy_drift", {0.02}, 0.4, 30.0), 0.6, kClose);
@@ -207,6 +208,17 @@ TEST(EffectCatalogue, SaysOfEachEffectWhatItReadsOfOtherDofs) {
   }
 }
 
+// Weight rights what tilts: roll and pitch.
+TEST(EffectCatalogue, KnowsAlongWhichDofsAnEffectCanAct) {
+  for (const Effect* effect : EffectCatalogue()) {
+    for (const Dof dof : kAllDofs) {
+      const bool tilts = dof == Dof::kRoll || dof == Dof::kPitch;
+      EXPECT_EQ(CanActAlong(effect->info(), dof), tilts || effect->info().name != "righting_moment")
+          << effect->info().name << ", " << Name(dof);
+    }
+  }
+}
+
 // v + omega x r: a rotation about another axis moves the sensor along this one.
 TEST(EffectCatalogue, KnowsWhichDofsCanTakePart) {
   const auto partners = [](const char* name, Dof dof) {
@@ -249,7 +261,7 @@ TEST(EffectCatalogue, HoldsEachNameOnceAndEachNullWithinItsBounds) {
       EXPECT_LE(parameter.null, parameter.upper) << info.name;
     }
   }
-  EXPECT_EQ(names.size(), 29u);  // docs/effects.md
+  EXPECT_EQ(names.size(), 30u);  // docs/effects.md
 }
 
 std::string TextOf(const std::string& file) {

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/cause_text.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -41,6 +42,12 @@ std::string Sizes(const Diagnosis& diagnosis, const Cause& cause) {
         is_at_bound ? " (its physical bound)" : ""));
   }
   return fmt::format("{}", fmt::join(sizes, ", "));
+}
+
+// "-100.0 % (± 0.2 %)".
+std::string ChangeText(const WeakThruster& thruster) {
+  return fmt::format(
+      "{:.1f} % (± {:.2g} %)", 100.0 * thruster.change, 100.0 * kStdsOf95 * thruster.std);
 }
 
 // "a lag of the thrusters (thruster_lag)".
@@ -101,6 +108,12 @@ std::string PlacesText(const Diagnosis& diagnosis, const Cause& cause) {
 std::string AdviceText(const Diagnosis& diagnosis, const Cause& cause) {
   const ActiveEffect& active = EffectOfCause(diagnosis, cause);
   const EffectInfo& info = active.effect->info();
+  if (cause.thruster) {
+    return fmt::format(
+        "Look at thruster {}: its propeller, its cable, and its place and direction in the vehicle "
+        "file.",
+        cause.thruster->name);
+  }
   const std::vector<double>& command = diagnosis.missing_force.command;
   const Quantity& quantity = info.parameters.front().quantity;
   const bool is_force = quantity.force == 1.0 && quantity.speed == 0.0 && quantity.time == 0.0;
@@ -122,6 +135,10 @@ std::string ReasonText(const Diagnosis& diagnosis,
   const EffectInfo& info = active.effect->info();
   std::string reason = fmt::format(
       "{} ({}), {}", info.cause, LabelOf(info, active.setting), Sizes(diagnosis, cause));
+  if (cause.thruster) {
+    reason += fmt::format(
+        ", which is thruster({}) at {}", cause.thruster->name, ChangeText(*cause.thruster));
+  }
   const std::vector<Alternative> alternatives = AlternativesOf(cause);
   if (alternatives.empty()) return reason;
   if (alternatives.size() > kMostListed) {

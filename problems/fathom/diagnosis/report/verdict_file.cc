@@ -70,6 +70,11 @@ Json FormatCause(const Diagnosis& diagnosis, const Cause& cause) {
   Json json = FormatEffect(*active.effect, active.setting);
   json["parameters"] = FormatParameters(
       diagnosis, info, active.values, EffectStds(diagnosis.extended, cause.effect_index));
+  if (cause.thruster) {
+    json["thruster"] = {{"name", cause.thruster->name},
+                        {"change", cause.thruster->change},
+                        {"std", cause.thruster->std}};
+  }
   json["p_value"] = cause.p_value;
   json["delta_bic"] = cause.delta_bic;
   json["heldout_gain"] = cause.held_out_gain;

@@ -78,6 +78,8 @@ std::vector<Suspect> SuspectsFor(const MeasuredSegments& segments,
   std::vector<Suspect> suspects;
   for (const Effect* effect : effects) {
     const EffectInfo& info = effect->info();
+    if (!CanActAlong(info, dof)) continue;
+    if (info.needs_displacement && !segments.has_displacement) continue;
     if (info.needs_pose && !CanShowInPoses(segments, info)) continue;
     const EffectLaw<double>& law = effect->law<double>();
     const bool reads_velocity = law.reading || law.follow_reading;

@@ -48,6 +48,26 @@ const Effect* EffectOfName(const std::string& name, std::span<const Effect* cons
       fmt::format("{} is no effect, expected one of {}.", Quoted(name), fmt::join(names, ", ")));
 }
 
+// The DOF that an effect acts along where none is given: the experiment's first that it can.
+Dof FirstDof(const EffectInfo& info, const Experiment& experiment) {
+  for (const Drive& drive : experiment.drives) {
+    if (CanActAlong(info, drive.dof)) return drive.dof;
+  }
+  return experiment.drives.front().dof;
+}
+
+void RequireActsAlong(const EffectInfo& info, Dof dof) {
+  if (CanActAlong(info, dof)) return;
+  std::vector<std::string_view> names;
+  for (const Dof other : kAllDofs) {
+    if (CanActAlong(info, other)) names.push_back(Name(other));
+  }
+  FailEffects(fmt::format("{} does not act along {}, expected an experiment that drives {}.",
+                          info.name,
+                          Name(dof),
+                          fmt::join(names, " or ")));
+}
+
 std::string PartnerNames(const EffectInfo& info, Dof dof, const Experiment& experiment) {
   std::vector<std::string_view> names;
   for (const Drive& drive : experiment.drives) {
@@ -139,14 +159,16 @@ GivenEffect ParseGivenEffect(const std::string& text,
   const std::vector<std::string> parts = Split(text, ':');
   std::string name = parts[0];
   GivenEffect given;
-  given.dof = experiment.drives.front().dof;
+  std::optional<Dof> dof;
   const std::size_t dot = name.find('.');
   if (dot != std::string::npos && name.substr(0, dot) != "unlisted") {
-    given.dof = DrivenDof(name.substr(0, dot), experiment);
+    dof = DrivenDof(name.substr(0, dot), experiment);
     name = name.substr(dot + 1);
   }
   given.effect = EffectOfName(name, effects);
   const EffectInfo& info = given.effect->info();
+  given.dof = dof ? *dof : FirstDof(info, experiment);
+  RequireActsAlong(info, given.dof);
   given.values.resize(info.parameters.size());
   std::optional<Dof> partner;
   for (std::size_t i = 1; i < parts.size(); ++i) ParseKey(parts[i], experiment, &given, &partner);

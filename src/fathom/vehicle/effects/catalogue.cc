@@ -42,6 +42,7 @@ const std::vector<Effect>& Effects() {
       EffectOf<CoulombFriction>(),
       EffectOf<SteadyCurrent>(),
       EffectOf<PositionStiffness>(),
+      EffectOf<RightingMoment>(),
       EffectOf<BuoyancyStep>(),
       EffectOf<BuoyancyDrift>(),
       EffectOf<PeriodicForce>(),

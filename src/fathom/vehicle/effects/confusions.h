@@ -40,6 +40,10 @@ inline constexpr Confusion kDragOverSpeed = {
 inline constexpr Confusion kStepOrDrift = {
     "The same experiment again, longer, with a pause at rest."};
 
+inline constexpr Confusion kSpringOrRighting = {
+    "Tilt the vehicle by more than a radian: the moment of a spring keeps growing, a righting "
+    "moment is largest at 90 degrees."};
+
 inline constexpr Confusion kSpringOrDrift = {
     "Move away and return: the force of a spring returns with the position, a drift does not."};
 

@@ -31,12 +31,41 @@ struct PositionStiffness {
                 "a force that grows with the displacement, such as the pull of a tether, "
                 "buoyancy that changes with depth, or a restoring moment",
             .advice = "Give the tether slack, or keep the spring in the model.",
-            .confusions = {&kSpringOrDrift, &kSpringOrStep}};
+            .confusions = {&kSpringOrRighting, &kSpringOrDrift, &kSpringOrStep}};
   }
   template <typename T>
   static EffectLaw<T> Law() {
     return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
       return p[0] * water.position;
+    }};
+  }
+};
+
+struct RightingMoment {
+  static bool TiltsTheVehicle(Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; }
+
+  static EffectInfo Info() {
+    return {
+        .name = "righting_moment",
+        .place = Place::kWater,
+        .scope = Scope::kVehicle,
+        .parameters = {{.name = "moment",
+                        .quantity = kMomentOfSine,
+                        .null = 0.0,
+                        .lower = -kInfinity,
+                        .upper = kInfinity,
+                        .drawn = {0.1, 1.0, natural::RightingMoment}}},
+        .acts_along = TiltsTheVehicle,
+        .needs_displacement = true,
+        .cause = "a righting moment, that of weight below the centre of buoyancy",
+        .advice = "Keep it in the model. Below zero the vehicle is top-heavy: move weight down.",
+        .confusions = {&kSpringOrRighting, &kSpringOrDrift, &kSpringOrStep}};
+  }
+  template <typename T>
+  static EffectLaw<T> Law() {
+    return {.resistance = [](const T* p, const WaterState<T>& water, const Instant<T>&) {
+      using std::sin;
+      return p[0] * sin(water.position);
     }};
   }
 };

@@ -27,6 +27,10 @@ inline double PowerDrag(const NaturalScales& n) { return n.own.force / std::pow(
 inline double CubicDrag(const NaturalScales& n) { return n.own.force / std::pow(n.own.speed, 3.0); }
 inline double WashDrag(const NaturalScales& n) { return 1.0 / (n.own.speed * n.own.speed); }
 inline double Stiffness(const NaturalScales& n) { return n.own.force / n.own.length; }
+// As a spring at small angles; a moment no larger than the command's where angles are large.
+inline double RightingMoment(const NaturalScales& n) {
+  return n.own.force / std::fmin(n.own.length, 1.0);
+}
 inline double Coupling(const NaturalScales& n) { return n.own.force / n.partner.speed; }
 inline double Coriolis(const NaturalScales& n) {
   return n.own.force / (n.partner.speed * n.yaw.speed);

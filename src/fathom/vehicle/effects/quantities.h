@@ -20,6 +20,8 @@ inline constexpr Quantity kArm = {"m", "m"};  // of a rotation rate
 inline constexpr Quantity kForce = {"N", "N m", 1, 0, 0};
 inline constexpr Quantity kForceRate = {"N/s", "N m/s", 1, 0, -1};
 inline constexpr Quantity kStiffness = {"N/m", "N m/rad", 1, -1, -1};
+// Of the sine of an angle. A stiffness in size: the command need not reach it, as it does a force.
+inline constexpr Quantity kMomentOfSine = {"N", "N m", 1, -1, -1};
 inline constexpr Quantity kLinearDrag = {"kg/s", "kg m^2/s", 1, -1, 0};
 inline constexpr Quantity kCubicDrag = {"N s^3/m^3", "N m s^3/rad^3", 1, -3, 0};
 inline constexpr Quantity kMass = {"kg", "kg m^2", 1, -1, 1};

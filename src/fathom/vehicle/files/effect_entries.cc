@@ -20,6 +20,7 @@ namespace {
 // What stands beside an effect in a verdict's causes, for a reader.
 const std::vector<std::string> kKeysOfCause = {"place",
                                                "parameters",
+                                               "thruster",
                                                "p_value",
                                                "delta_bic",
                                                "heldout_gain",
@@ -57,6 +58,10 @@ ActiveEffect ReadEffect(const JsonValue& json, Dof dof, const std::vector<std::s
   active.effect = &EffectNamedIn(json.Member("effect"));
   active.setting.dof = dof;
   const EffectInfo& info = active.effect->info();
+  if (!CanActAlong(info, dof)) {
+    json.Member("effect").Fail(fmt::format(
+        "is {}, an effect that does not act along {}", Quoted(std::string(info.name)), Name(dof)));
+  }
   std::vector<std::string> keys = {"effect", "reference_force", "log"};
   if (info.has_partner()) {
     keys.insert(keys.begin() + 1, "partner");

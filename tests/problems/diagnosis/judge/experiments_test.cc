@@ -33,6 +33,7 @@ TEST(DecidingExperiment, IsThatOfEffectsPage) {
       {"coulomb_friction", "cubic_damping", "range of speeds"},
       {"position_stiffness", "buoyancy_drift", "away and return"},
       {"position_stiffness", "buoyancy_step", "away and return"},
+      {"position_stiffness", "righting_moment", "more than a radian"},
       {"thruster_lag", "sensor_lag", "quadratic drag"},
       {"velocity_coupling", "thrust_crosstalk", "other DOF moves without being commanded"},
       {"sensor_misalignment", "velocity_coupling", "other DOF moves without being commanded"},

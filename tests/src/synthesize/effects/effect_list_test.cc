@@ -122,6 +122,10 @@ TEST(EffectList, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("buoyancy_step:jump"), HasSubstr("'jump' sets no parameter"));
   EXPECT_EQ(MessageOf("thruster_lag:time_constant=fast"),
             "--effects: thruster_lag's time_constant is 'fast', expected a number from 0 to 20.");
+  EXPECT_EQ(MessageOf("righting_moment"),
+            "--effects: righting_moment does not act along surge, expected an experiment that "
+            "drives roll or pitch.");
+  EXPECT_THAT(MessageOf("yaw.righting_moment"), HasSubstr("does not act along yaw"));
   EXPECT_EQ(
       MessageOf("thrust_dead_zone:width=inf"),
       "--effects: thrust_dead_zone's width is 'inf', expected a finite number of at least 0.");
@@ -152,26 +156,34 @@ TEST_P(DrawnSizes, ChangeTheLogVisiblyButDoNotDrownIt) {
   // Two levels do not show a thrust curve.
   experiment.drives[0].input = {0.0, ChirpInput{20.0, 0.1, 1.5, 60.0}};
   if (GetParam()->info().needs_pose) experiment.drives.resize(1);
-  const auto scales = ScalesOf(Probe(), experiment, 1);
-  const Log plain = Synthesize(Probe(), experiment, 1);
+  Vehicle vehicle = Probe();
+  if (!CanActAlong(GetParam()->info(), Dof::kSurge)) {
+    vehicle.models = {};
+    vehicle.models[Index(Dof::kRoll)] = Probe().models[Index(Dof::kSurge)];
+    experiment.drives.resize(1);
+    experiment.drives[0].dof = Dof::kRoll;
+  }
+  const auto scales = ScalesOf(vehicle, experiment, 1);
+  const Scales& scale = scales[Index(experiment.drives[0].dof)];
+  const Log plain = Synthesize(vehicle, experiment, 1);
   double least = 1e9, most = 0.0;
   for (int seed = 1; seed <= 10; ++seed) {
     const auto effects =
         ParseEffectList(std::string(GetParam()->info().name), experiment, scales, seed);
-    const Log log = Synthesize(Probe(), experiment, effects, 1);
+    const Log log = Synthesize(vehicle, experiment, effects, 1);
     double change = 0.0;
     if (GetParam()->info().needs_pose) {
       for (std::size_t i = 0; i < plain.pose->time.size(); ++i) {
         // A clock's offset moves the vehicle by its speed times it.
         const double late = log.pose->time[i] - plain.pose->time[i];
         const double moved = log.pose->values[0][i] - plain.pose->values[0][i];
-        change += std::pow(moved / scales[0].length, 2) +
-                  std::pow(late * scales[0].speed / scales[0].length, 2);
+        change +=
+            std::pow(moved / scale.length, 2) + std::pow(late * scale.speed / scale.length, 2);
       }
     } else {
       for (std::size_t i = 0; i < plain.velocity->time.size(); ++i) {
         const double moved = log.velocity->values[0][i] - plain.velocity->values[0][i];
-        change += std::pow(moved / scales[0].speed, 2);
+        change += std::pow(moved / scale.speed, 2);
       }
     }
     change = std::sqrt(change / plain.velocity->time.size());
