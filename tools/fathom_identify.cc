@@ -3,12 +3,18 @@
 
 // One DOF's model from one log, or from several together, by one identifier family.
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/check/motion_check.h"
+#include "fathom/check/stamp_check.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/log_identification.h"
 #include "fathom/comparison/run_agreement_text.h"
+#include "fathom/free_decay/decay_text.h"
+#include "fathom/free_decay/log_decay.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
@@ -18,9 +24,14 @@
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/model_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -43,6 +54,12 @@ DEFINE_string(
     "Output error of several logs: shared (one buoyancy in all) or per_log (each its own; "
     "inertia and damping are shared).");
 DEFINE_string(model, "", "Write the model to this JSON file.");
+DEFINE_double(decay_from,
+              std::numeric_limits<double>::quiet_NaN(),
+              "Take the log for a free decay from this time on [s], where nothing drives the "
+              "vehicle: with a command only where that is 0. A log without a command is one "
+              "anyway.");
+DEFINE_string(json, "", "Of a free decay: write what it tells to this JSON file.");
 
 DECLARE_string(held_out);
 
@@ -53,11 +70,12 @@ const ToolInfo kInfo = {
     "fathom_identify",
     "Identifies the motion model of one degree of freedom from logs.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
-    "[--offset=shared|per_log] [--model=FILE]",
+    "[--offset=shared|per_log] [--model=FILE] [--decay_from=SECONDS] [--json=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
     "Several logs, as --log=A --log=B or --log=A,B, are fitted together, each with its own initial "
     "state, and with --offset=per_log its own buoyancy. The family joint uses "
-    "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md.",
+    "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md. A log "
+    "without a command is a free decay, which tells damping by inertia: docs/free_decay.md.",
     {"log"}};
 
 LogIdentificationOptions OptionsFromFlags() {
@@ -74,7 +92,7 @@ LogIdentificationOptions OptionsFromFlags() {
 }
 
 std::vector<Log> LogsFromFlags(const LogIdentificationOptions& options) {
-  std::vector<Log> logs = ReadLogsFromFlags(options.dof);
+  std::vector<Log> logs = ReadLogsFromFlags(options.dof, false, true);
   if (options.source == Source::kCamera || options.family == Family::kJoint) {
     for (Log& log : logs) AddCameraSource(&log);
   }
@@ -131,11 +149,103 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
   return provenance;
 }
 
+bool HasDecayFrom() { return !std::isnan(FLAGS_decay_from); }
+
+// Whether the logs are to be taken for free decays. Throws InputError if some are and some not.
+bool AreFreeDecays(const std::vector<Log>& logs, const LogIdentificationOptions& options) {
+  if (HasDecayFrom()) return true;
+  if (std::ranges::all_of(logs, [](const Log& log) { return log.command.has_value(); }) &&
+      !options.dof && logs.front().dofs.size() != 1) {
+    return false;  // the identification says that --dof is missing
+  }
+  const Dof dof = DofOfAll(logs, options.dof);
+  const auto found =
+      std::ranges::find_if(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
+  if (found == logs.end()) return false;
+  for (const Log& log : logs) {
+    if (IsFreeDecay(log, dof)) continue;
+    throw InputError(fmt::format(
+        "--log: nothing drives {} in {}, but a command does in {}; expected logs of one kind. "
+        "Identify the driven ones alone, or give --decay_from to take all for free decays.",
+        Name(dof),
+        found->path.string(),
+        log.path.string()));
+  }
+  return true;
+}
+
+void RefuseFlagsOfDrivenLogs(const LogIdentificationOptions& options) {
+  if (options.family != Family::kOutputError) {
+    throw InputError(fmt::format(
+        "--family: is {}, which needs a command; expected none, or output_error: nothing drives "
+        "this log. Record what was commanded, or leave --family out for a free decay.",
+        Name(options.family)));
+  }
+  if (options.offset != OffsetScope::kShared) {
+    throw InputError("--offset: is per_log, expected none: a free decay has one constant force.");
+  }
+}
+
+std::map<std::string, std::string> DecayProvenance(const LogDecay& decay) {
+  std::map<std::string, std::string> provenance = {
+      {"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
+      {"family", "free_decay"},
+      {"source", std::string(Name(decay.source))},
+      {"velocity", FLAGS_velocity},
+      {"held_out", FLAGS_held_out},
+      {"version", FATHOM_VERSION}};
+  if (HasDecayFrom()) provenance["decay_from"] = fmt::format("{}", FLAGS_decay_from);
+  return provenance;
+}
+
+int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& options) {
+  RefuseFlagsOfDrivenLogs(options);
+  LogDecayOptions decay_options;
+  decay_options.dof = options.dof;
+  decay_options.source = options.source;
+  if (HasDecayFrom()) decay_options.from = FLAGS_decay_from;
+  const LogDecay decay = FitLogDecay(logs, decay_options);
+  std::vector<Finding> findings;
+  for (const Log& log : logs) {
+    std::ranges::move(CheckStamps(log), std::back_inserter(findings));
+    std::ranges::move(CheckMotion(log, decay.dof, decay.source), std::back_inserter(findings));
+  }
+  findings = WarningsFirst(std::move(findings));
+  PrintWarnings(findings);
+  PrintNotes(findings);
+  PrintText(stdout, FormatDecay(decay));
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatDecayJson(decay, FLAGS_log));
+  if (!decay.summary.IsUsable()) {
+    PrintText(stderr, "fathom_identify: no usable model: " + decay.summary.message + "\n");
+    return kExitNoFit;
+  }
+  if (FLAGS_model.empty()) return kExitUsable;
+  std::optional<FittedModel> model = ModelOf(decay);
+  if (!model) {
+    throw InputError(fmt::format(
+        "--model: a model needs {}. --json writes what this decay tells.",
+        decay.has_stiffness
+            ? "a DOF that nothing pulls back: a model file holds no stiffness"
+            : fmt::format("the inertia, expected `inertia: {{{}: ...}}` in the vehicle file",
+                          Name(decay.dof))));
+  }
+  model->provenance = DecayProvenance(decay);
+  model->log_fingerprints = FingerprintsOf(logs);
+  WriteFile(FLAGS_model, FormatModel(*model));
+  return kExitUsable;
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   const LogIdentificationOptions options = OptionsFromFlags();
-  RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
+  RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(options);
+  if (AreFreeDecays(logs, options)) return RunFreeDecay(logs, options);
+  if (!FLAGS_json.empty()) {
+    throw InputError(
+        "--json: goes with a free decay, expected none: a command drives this log. --model writes "
+        "the model.");
+  }
   std::vector<std::string> fingerprints = FingerprintsOf(logs);
   LogIdentification identified = IdentifyFromLogs(std::move(logs), options);
   Print(identified);

@@ -304,10 +304,15 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
         folder.string());
     return;
   }
-  if (!log.command || (!log.velocity && !log.pose)) {
-    fmt::print("note: {}.\n",
-               log.command ? "the map names no motion, so that the log identifies nothing"
-                           : "the map names no command, so that the log identifies nothing");
+  if (!log.velocity && !log.pose) {
+    fmt::print("note: the map names no motion, so that the log identifies nothing.\n");
+    return;
+  }
+  if (!log.command) {
+    fmt::print(
+        "note: the map names no command, so that the log is taken for a free decay: it tells "
+        "damping by inertia.\nnext: fathom_check --log={}\n",
+        folder.string());
     return;
   }
   std::vector<Finding> findings = CheckStamps(log);

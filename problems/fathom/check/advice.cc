@@ -48,6 +48,9 @@ constexpr Entry kAdvice[] = {
       "Turn the sign of the command or of the motion around. Check that the column is a speed and "
       "no "
       "acceleration."}},
+    {"free_decay",
+     {"Only ratios to the inertia come of it, but no error of a command is in them.",
+      "Give `inertia` in the vehicle file for the parameters themselves: docs/free_decay.md."}},
     {"gap",
      {"None of its own: the log is cut into pieces there.", "Find out why the sensor paused."}},
     {"held_samples",

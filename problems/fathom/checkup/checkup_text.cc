@@ -86,6 +86,15 @@ std::vector<std::string> UsableDofs(const LogCheckup& checkup) {
   return usable;
 }
 
+// Those that nothing drives, and whose damping a free decay tells.
+std::vector<std::string> DecayingDofs(const LogCheckup& checkup) {
+  std::vector<std::string> decaying;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (dof.decays) decaying.emplace_back(Name(dof.dof));
+  }
+  return decaying;
+}
+
 // Of these, those whose model fits poorly.
 std::vector<std::string> PoorDofs(const LogCheckup& checkup) {
   std::vector<std::string> poor;
@@ -123,6 +132,12 @@ std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_se
 std::string Verdict(const LogCheckup& checkup) {
   if (std::string first = ExplainFirst(AllFindings(checkup)); !first.empty()) return first;
   const std::vector<std::string> usable = UsableDofs(checkup);
+  if (const std::vector<std::string> decays = DecayingDofs(checkup);
+      usable.empty() && !decays.empty()) {
+    return fmt::format(
+        "Nothing drives this log. Its free decay tells the damping of {} by the inertia.",
+        Listed(decays));
+  }
   if (usable.empty()) return "Nothing in this log can be identified.";
   const std::vector<std::string> poor = PoorDofs(checkup);
   std::vector<std::string> good;
@@ -148,6 +163,10 @@ std::string NextStep(const LogCheckup& checkup) {
   if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
   if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
   const std::vector<std::string> usable = UsableDofs(checkup);
+  if (const std::vector<std::string> decays = DecayingDofs(checkup);
+      usable.empty() && !decays.empty()) {
+    return fmt::format("fathom_identify --log={} --dof={}", log, decays[0]);
+  }
   if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
   const std::string step =
       fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);

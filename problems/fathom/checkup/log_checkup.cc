@@ -14,16 +14,22 @@
 #include "fathom/check/pose_flips.h"
 #include "fathom/check/pose_jumps.h"
 #include "fathom/check/pose_twist_check.h"
+#include "fathom/check/stamp_check.h"
 #include "fathom/comparison/log_identification.h"
+#include "fathom/free_decay/decay_text.h"
+#include "fathom/free_decay/log_decay.h"
 #include "fathom/marker_trajectory/open_log.h"
+#include "fathom/report/format_value.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -141,6 +147,53 @@ void Identify(const Log& log, DofCheckup* checkup) {
   checkup->model = std::move(identified.result);
 }
 
+// What a log that nothing drives tells. It lacks no command then: that is no finding.
+void LookAtDecay(const Log& log, DofCheckup* checkup) {
+  const Dof dof = checkup->dof;
+  LogDecay decay;
+  try {
+    decay = FitLogDecay({&log, 1}, {.dof = dof});
+  } catch (const InputError& error) {
+    checkup->why_not = error.what();
+    return;
+  }
+  std::erase_if(checkup->findings,
+                [](const Finding& finding) { return finding.code == "constant_command"; });
+  if (!log.command) {
+    const Source source = BestSourceOf(log, dof);
+    Add(CheckStamps(log), &checkup->findings);
+    Add(CheckMotion(log, dof, source), &checkup->findings);
+  }
+  const FreeDecaySummary& summary = decay.summary;
+  if (!summary.IsUsable()) {
+    checkup->why_not = fmt::format("no command, and no free decay: {}", summary.message);
+    return;
+  }
+  checkup->why_not.clear();
+  checkup->decays = true;
+  std::vector<std::string> told;
+  for (const DecayQuantity& quantity : QuantitiesOf(decay)) {
+    told.push_back(fmt::format("{} {}",
+                               quantity.name,
+                               WithInterval(quantity.value,
+                                            quantity.std,
+                                            UnitText(quantity.unit),
+                                            quantity.lower_bound,
+                                            std::numeric_limits<double>::infinity())));
+  }
+  checkup->findings.push_back(
+      {Severity::kNote,
+       "free_decay",
+       fmt::format(
+           "{}, so that this is a free decay, from {}. It tells {}. "
+           "fathom_identify --log={} --dof={}",
+           log.command ? "The command is 0 throughout" : "There is no command",
+           TimesOf(decay.stretches.front(), MotionStream(log, dof, decay.source).time.front()),
+           fmt::join(told, ", "),
+           log.path.string(),
+           Name(dof))});
+}
+
 }  // namespace
 
 bool IsSingleCsv(const Log& log) { return std::filesystem::is_regular_file(log.path); }
@@ -175,6 +228,7 @@ LogCheckup CheckUp(const std::filesystem::path& path,
   }
   for (const SurveyedDof& surveyed : survey.dofs) {
     if (dof && surveyed.dof != *dof) continue;
+    const bool may_decay = IsFreeDecay(log, surveyed.dof) && !SourcesOf(log, surveyed.dof).empty();
     DofCheckup of_dof;
     of_dof.dof = surveyed.dof;
     of_dof.why_not = surveyed.why_not;
@@ -183,6 +237,7 @@ LogCheckup CheckUp(const std::filesystem::path& path,
     } else {
       of_dof.findings = FindingsWithoutFit(log, of_dof.dof);
     }
+    if (may_decay) LookAtDecay(log, &of_dof);
     of_dof.findings = WarningsFirst(std::move(of_dof.findings));
     checkup.dofs.push_back(std::move(of_dof));
   }

@@ -34,8 +34,10 @@ struct DofCheckup {
   Dof dof = Dof::kSurge;
   std::string why_not;  // it cannot be identified; empty: it can
   std::vector<Finding> findings;
+  bool decays =
+      false;  // nothing drives it, and a free decay tells its damping: a finding says what
 
-  // Where it can be identified, of the best source that the log has:
+  // Where it can be identified by its command, of the best source that the log has:
   HeldCommand command;
   std::optional<Signals> signals;
   Excitation excitation;

@@ -9,6 +9,7 @@
 #include "fathom/log/log_streams.h"
 #include "fathom/log/log_yaml.h"
 #include "fathom/log/pose_remarks.h"
+#include "fathom/log/single_csv.h"
 
 #include <algorithm>
 #include <utility>
@@ -75,7 +76,8 @@ Log ParseSingleCsv(const std::string& name,
                    Dof dof,
                    const std::vector<TimeInterval>& held_out) {
   CsvSpec spec;
-  spec.required = {"tau", "v"};
+  const bool is_decay = IsSingleCsvDecay(text);
+  spec.required = is_decay ? std::vector<std::string>{"v"} : std::vector<std::string>{"tau", "v"};
   CsvTable table = ParseCsvTable(name, text, spec);
   RefuseStampsThatAreNotSeconds(table, table);
 
@@ -86,9 +88,11 @@ Log ParseSingleCsv(const std::string& name,
   if (const std::string remark = table.Remark(); !remark.empty()) {
     log.remarks.push_back({RemarkKind::kGeneral, remark});
   }
-  log.command = Stream{.time = table.stream.time,
-                       .columns = {std::string(ForceColumn(dof))},
-                       .values = {*table.stream.Find("tau")}};
+  if (!is_decay) {
+    log.command = Stream{.time = table.stream.time,
+                         .columns = {std::string(ForceColumn(dof))},
+                         .values = {*table.stream.Find("tau")}};
+  }
   log.velocity = Stream{.time = table.stream.time,
                         .columns = {std::string(VelocityColumn(dof))},
                         .values = {*table.stream.Find("v")}};

@@ -65,8 +65,9 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   if (!Exists(folder / "log.yaml")) RefuseFolder(folder);
   if (!options.may_lack_command && !Exists(folder / "command.csv")) {
     throw InputError(
-        fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track "
-                    "does without them. See docs/file_formats.md.",
+        fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track, "
+                    "and fathom_identify of a free decay, do without them. See "
+                    "docs/file_formats.md.",
                     folder.string()));
   }
   const bool has_own_velocity = Exists(folder / "velocity.csv");
@@ -133,7 +134,8 @@ Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
     throw InputError(path.string() + ": there is no such log folder or CSV file. Check the path.");
   }
   const std::string text = ReadFile(path);
-  if (!IsSingleCsvLog(text)) RefuseForeignFile(path, text);
+  const bool is_log = IsSingleCsvLog(text) || (options.may_lack_command && IsSingleCsvDecay(text));
+  if (!is_log) RefuseForeignFile(path, text);
   if (!options.dof) {
     throw InputError(
         path.string() +

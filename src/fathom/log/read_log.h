@@ -27,7 +27,8 @@ struct ReadLogOptions {
   // for images.
   bool may_lack_motion = false;
 
-  // True: a folder without command.csv will do, where only the motion is asked for.
+  // True: a folder without command.csv will do, or a single CSV `t,v`, where only the motion is
+  // asked for.
   bool may_lack_command = false;
 };
 

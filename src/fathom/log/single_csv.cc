@@ -35,6 +35,10 @@ bool IsSingleCsvLog(std::string_view text) {
   return columns.contains("t") && columns.contains("tau") && columns.contains("v");
 }
 
+bool IsSingleCsvDecay(std::string_view text) {
+  return ColumnsOf(text) == std::set<std::string>{"t", "v"};
+}
+
 bool IsMeantAsSingleCsvLog(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::set<std::string> columns;

@@ -11,6 +11,10 @@ namespace fathom {
 // else.
 bool IsSingleCsvLog(std::string_view text);
 
+// Whether it names t and v and nothing else: a free decay. A further column may be a force with a
+// mistake in its name.
+bool IsSingleCsvDecay(std::string_view text);
+
 // Whether it names two of them at least, perhaps with units or behind a byte order mark: one with a
 // mistake rather than another program's file.
 bool IsMeantAsSingleCsvLog(std::string_view text);

@@ -93,25 +93,31 @@ std::vector<std::string> InputsFromFlags() {
   return inputs;
 }
 
-Log ReadLogFromFlags(const std::string& path, std::optional<Dof> dof, bool may_lack_motion) {
+Log ReadLogFromFlags(const std::string& path,
+                     std::optional<Dof> dof,
+                     bool may_lack_motion,
+                     bool may_lack_command) {
   ReadLogOptions options;
   options.dof = dof;
   options.velocity = FLAGS_velocity;
   options.held_out = HeldOutFromFlag();
   options.may_lack_motion = may_lack_motion;
+  options.may_lack_command = may_lack_command;
   Log log = OpenLog(path, options);
   PrintRemarks(log, 0);
   return log;
 }
 
-std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof, bool may_lack_motion) {
+std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof,
+                                   bool may_lack_motion,
+                                   bool may_lack_command) {
   const std::vector<std::string> paths = LogPathsFromFlags();
   if (!FLAGS_velocity.empty() && paths.size() > 1) {
     throw InputError("--velocity: belongs to one log, expected a single --log with it.");
   }
   std::vector<Log> logs;
   for (const std::string& path : paths) {
-    logs.push_back(ReadLogFromFlags(path, dof, may_lack_motion));
+    logs.push_back(ReadLogFromFlags(path, dof, may_lack_motion, may_lack_command));
   }
   RequireDifferentData(logs);
   if (!may_lack_motion) RequireTrainingData(logs);

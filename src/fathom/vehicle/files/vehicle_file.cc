@@ -176,6 +176,11 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   vehicle.name = file.String("name");
   if (file.Has("mass")) vehicle.mass = NumberAbove0(file, "mass");
   if (file.Has("size")) vehicle.size = ReadSize(file);
+  if (const auto inertia = file.OptionalMap("inertia")) {
+    for (const Dof dof : kAllDofs) {
+      if (inertia->Has(Name(dof))) vehicle.inertia[Index(dof)] = NumberAbove0(*inertia, Name(dof));
+    }
+  }
   for (const YamlMap& map : file.OptionalMaps("thrust_tables")) {
     vehicle.thrust_tables.push_back(ReadThrustTable(map));
   }

@@ -23,8 +23,10 @@ namespace fathom {
 // What a vehicle file tells about a vehicle; docs/file_formats.md.
 struct Vehicle {
   std::string name;
-  std::optional<double> mass;              // dry [kg], above 0
-  std::optional<Eigen::Vector3d> size;     // length, width, height [m], above 0
+  std::optional<double> mass;           // dry [kg], above 0
+  std::optional<Eigen::Vector3d> size;  // length, width, height [m], above 0
+  // Mass plus added mass, by Index(Dof) [kg] or [kg m^2], above 0; what free decays are scaled by.
+  std::array<std::optional<double>, 6> inertia;
   std::vector<Thruster> thrusters;         // may be empty: commands are then forces
   std::vector<ThrustTable> thrust_tables;  // that thrusters name
 

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/free_decay/log_decay.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// A number that a decay tells, with its standard deviation.
+struct DecayQuantity {
+  std::string name;  // "linear_damping / inertia", or "linear_damping" where the inertia is known
+  std::string unit;  // "1/s"
+  double value = 0.0;
+  double std = 0.0;
+  double lower_bound = 0.0;
+};
+
+// The ratios, then where the inertia is known the parameters.
+std::vector<DecayQuantity> QuantitiesOf(const LogDecay& decay);
+
+// What a terminal shows of it.
+std::string FormatDecay(const LogDecay& decay);
+
+// The file format fathom-decay-1; docs/free_decay.md. `log`: as --log names it.
+std::string FormatDecayJson(const LogDecay& decay, const std::string& log);
+
+// The model of a usable decay with a known inertia; nothing without one, or with a stiffness, which
+// a model file does not hold. Its inertia is taken as exact.
+std::optional<FittedModel> ModelOf(const LogDecay& decay);
+
+}  // namespace fathom
