@@ -151,27 +151,27 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
 
 bool HasDecayFrom() { return !std::isnan(FLAGS_decay_from); }
 
-// Whether the logs are to be taken for free decays. Throws InputError if some are and some not.
+// Whether the logs are to be taken for free decays. One whose command is 0 throughout may stand
+// among driven ones, one without a command may not: throws InputError then.
 bool AreFreeDecays(const std::vector<Log>& logs, const LogIdentificationOptions& options) {
   if (HasDecayFrom()) return true;
-  if (std::ranges::all_of(logs, [](const Log& log) { return log.command.has_value(); }) &&
-      !options.dof && logs.front().dofs.size() != 1) {
-    return false;  // the identification says that --dof is missing
+  const auto lacks_command = [](const Log& log) { return !log.command.has_value(); };
+  const auto without = std::ranges::find_if(logs, lacks_command);
+  if (without == logs.end()) {
+    if (options.family != Family::kOutputError) return false;
+    // The identification says that --dof is missing.
+    if (!options.dof && logs.front().dofs.size() != 1) return false;
   }
   const Dof dof = DofOfAll(logs, options.dof);
-  const auto found =
-      std::ranges::find_if(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
-  if (found == logs.end()) return false;
-  for (const Log& log : logs) {
-    if (IsFreeDecay(log, dof)) continue;
-    throw InputError(fmt::format(
-        "--log: nothing drives {} in {}, but a command does in {}; expected logs of one kind. "
-        "Identify the driven ones alone, or give --decay_from to take all for free decays.",
-        Name(dof),
-        found->path.string(),
-        log.path.string()));
-  }
-  return true;
+  const auto driven =
+      std::ranges::find_if_not(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
+  if (driven == logs.end()) return true;
+  if (without == logs.end()) return false;
+  throw InputError(fmt::format(
+      "--log: {} has no command, but {} has one; expected logs of one kind. Identify them one by "
+      "one, or give --decay_from to take both for free decays.",
+      without->path.string(),
+      driven->path.string()));
 }
 
 void RefuseFlagsOfDrivenLogs(const LogIdentificationOptions& options) {

@@ -372,6 +372,20 @@ INSTANTIATE_TEST_SUITE_P(Table,
                          ::testing::ValuesIn(Table()),
                          [](const auto& info) { return info.param.name; });
 
+TEST(CheckTool, SaysOfALogWithoutACommandThatItIsAFreeDecay) {
+  std::string text = "t,v\n";
+  for (int i = 0; i < 300; ++i) {
+    const double t = 0.05 * i;
+    const double v = 0.7 * std::exp(-0.3 * t) + 0.002 * std::sin(40.0 * t);
+    text += std::to_string(t) + "," + std::to_string(v) + "\n";
+  }
+  const std::string csv = WriteTestFile(EmptyTestFolder() / "decay.csv", text).string();
+  const ToolRun run = RunToolBinary("fathom_check", {"--log=" + csv, "--dof=yaw"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("yellow  free_decay        There is no command, so that this is"));
+  EXPECT_THAT(run.out, HasSubstr("next: fathom_identify --log=" + csv + " --dof=yaw"));
+}
+
 TEST(CheckTool, IsGreenOnSoundLogs) {
   const Path folder = EmptyTestFolder();
   for (const bool is_slow : {false, true}) {

@@ -279,5 +279,62 @@ TEST(IdentifyTool, TakesLogsOneByOneAndBetweenCommas) {
   EXPECT_EQ(out, one_by_one.out);
 }
 
+// A speed of 0.7 rad/s that decays by a = 0.2 1/s and b = 0.48 per rad: v = a v0 e / (a + b v0 (1 -
+// e)), e = exp(-a t).
+std::string DecayCsv() {
+  std::string text = "t,v\n";
+  const double a = 0.2, b = 0.48, v0 = 0.7;
+  for (int i = 0; i < 300; ++i) {
+    const double t = 0.05 * i, e = std::exp(-a * t);
+    // A ripple in place of noise.
+    const double v = a * v0 * e / (a + b * v0 * (1.0 - e)) + 0.002 * std::sin(40.0 * t);
+    text += std::to_string(t) + "," + std::to_string(v) + "\n";
+  }
+  return text;
+}
+
+TEST(IdentifyTool, ALogWithoutACommandIsAFreeDecay) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "decay.csv", DecayCsv());
+  const Path json = folder / "decay.json";
+  const ToolRun run = RunToolBinary(
+      "fathom_identify", {"--log=" + csv.string(), "--dof=yaw", "--json=" + json.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("yaw: free decay over"));
+  const auto decay = JsonOf(json);
+  EXPECT_EQ(decay["schema"], "fathom-decay-1");
+  EXPECT_NEAR(decay["parameters"]["linear_damping / inertia"]["value"], 0.2, 0.01);
+  EXPECT_NEAR(decay["parameters"]["quadratic_damping / inertia"]["value"], 0.48, 0.02);
+
+  const ToolRun model = RunToolBinary(
+      "fathom_identify", {"--log=" + csv.string(), "--dof=yaw", "--model=" + json.string()});
+  EXPECT_EQ(model.exit_code, 1);
+  EXPECT_THAT(model.err, HasSubstr("--model: a model needs the inertia, expected `inertia:"));
+}
+
+TEST(IdentifyTool, ScalesAFreeDecayByTheInertiaOfTheVehicleFile) {
+  const Path folder = EmptyTestFolder().concat("_log");
+  WriteTestFile(folder / "log.yaml", "name: turn\ndof: yaw\nvehicle: rov.yaml\n");
+  WriteTestFile(folder / "rov.yaml", "name: rov\nmass: 20\ninertia: {yaw: 5}\n");
+  std::string text = DecayCsv();
+  text.replace(text.find('v'), 1, "r");
+  WriteTestFile(folder / "velocity.csv", text);
+  const auto model = IdentifiedModel({"--log=" + folder.string(), "--dof=yaw"});
+  EXPECT_EQ(model["provenance"]["family"], "free_decay");
+  EXPECT_EQ(model["parameters"]["inertia"]["value"], 5.0);
+  EXPECT_NEAR(model["parameters"]["linear_damping"]["value"], 1.0, 0.05);
+}
+
+TEST(IdentifyTool, AMotionThatDoesNotDecayEndsWithExitCodeTwo) {
+  std::string text = "t,v\n";
+  for (int i = 0; i < 200; ++i) {
+    text += std::to_string(0.1 * i) + "," + std::to_string(0.01 * i) + "\n";
+  }
+  const Path csv = WriteTestFile(EmptyTestFolder() / "rise.csv", text);
+  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + csv.string(), "--dof=yaw"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("no usable model: Nothing decays"));
+}
+
 }  // namespace
 }  // namespace fathom

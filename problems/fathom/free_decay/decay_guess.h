@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include "fathom/free_decay/free_decay.h"
+#include "fathom/free_decay/decay_options.h"
+#include "fathom/free_decay/decay_stretch.h"
 
 #include <span>
 

@@ -3,9 +3,12 @@
 
 #pragma once
 
-#include "fathom/free_decay/free_decay.h"
+#include "fathom/free_decay/decay_motion.h"
+#include "fathom/free_decay/decay_options.h"
+#include "fathom/free_decay/decay_stretch.h"
 #include "fathom/solve/active_set.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>

@@ -87,17 +87,6 @@ void AddCaveats(const FreeDecayOptions& options, FreeDecaySummary* summary) {
 
 }  // namespace
 
-std::vector<std::string> FreeDecayOptions::Problems() const {
-  std::vector<std::string> problems;
-  if (!(huber_k > 0.0)) {
-    problems.push_back(fmt::format("huber_k is {}, expected above 0", huber_k));
-  }
-  if (max_noise_order < 0) {
-    problems.push_back(fmt::format("max_noise_order is {}, expected at least 0", max_noise_order));
-  }
-  return problems;
-}
-
 FreeDecaySummary FitFreeDecay(std::span<const DecayStretch> stretches,
                               const FreeDecayOptions& options) {
   constexpr int kFewestPerUnknown = 3, kMostPasses = 4;

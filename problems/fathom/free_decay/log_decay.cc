@@ -82,7 +82,7 @@ Choice Choose(const Log& log,
   if (from) {
     choice.stretches = FromThenOn(train, *from);
     choice.note =
-        fmt::format("{}: {}; taken from {:g} s on, as --decay_from says.", of_log, why, *from);
+        fmt::format("{}: {}; taken from {} s on, as --decay_from says.", of_log, why, asked);
     return choice;
   }
   std::vector<ChosenStretch> found = WhereSpeedDecays(train);

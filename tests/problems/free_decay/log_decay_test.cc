@@ -88,6 +88,7 @@ TEST(LogDecay, CountsFromTheFirstSampleOfEpochStamps) {
   const LogDecay decay = FitLogDecay({&log, 1}, {.from = 12.0});
   ExpectTruth(decay);
   EXPECT_NEAR(decay.stretches.at(0).from, 1.5e9 + 12.0, 1e-6);
+  EXPECT_THAT(FormatDecay(decay), HasSubstr("taken from 12 s on, as --decay_from says."));
   EXPECT_THROW(FitLogDecay({&log, 1}, {.from = 30.0}), InputError);
 }
 

@@ -171,6 +171,15 @@ TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {
   EXPECT_THAT(TextsOf(log.remarks), ElementsAre("run.csv: 1 further column is not read: n."));
 }
 
+TEST(ReadLog, ReadsASingleCsvOfAFreeDecayWhereNoCommandIsNeeded) {
+  const auto file = Folder({{"run.csv", "t,v\n0,0.5\n0.1,0.6\n"}}) / "run.csv";
+  const Log log = ReadLog(file, {.dof = Dof::kYaw, .may_lack_command = true});
+  EXPECT_FALSE(log.command.has_value());
+  ASSERT_TRUE(log.velocity.has_value());
+  EXPECT_EQ(log.velocity->columns, std::vector<std::string>{"r"});
+  EXPECT_THROW(ReadLog(file, {.dof = Dof::kYaw}), InputError);
+}
+
 TEST(ReadLog, NeedsTheDofOfASingleCsv) {
   const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
   try {

@@ -77,7 +77,16 @@ TEST(VehicleFile, LeavesMassAndSizeOpenWhereItDoesNotKnowThem) {
   EXPECT_FALSE(vehicle.size);
 }
 
+TEST(VehicleFile, ReadsTheInertiasThatItKnows) {
+  const Vehicle vehicle = ParseVehicleFile("v.yaml", "name: a\ninertia: {surge: 40, yaw: 5.45}\n");
+  EXPECT_EQ(vehicle.inertia[Index(Dof::kSurge)], 40.0);
+  EXPECT_EQ(vehicle.inertia[Index(Dof::kYaw)], 5.45);
+  EXPECT_FALSE(vehicle.inertia[Index(Dof::kSway)].has_value());
+}
+
 TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
+  EXPECT_EQ(Error("name: a\ninertia: {yaw: 0}\n"),
+            "v.yaml:2: key 'inertia.yaw' is 0, expected a number above 0.");
   EXPECT_EQ(Error("name: a\nmass: -2\nsize: [1, 1, 1]\n"),
             "v.yaml:2: key 'mass' is -2, expected a number above 0.");
   EXPECT_EQ(
@@ -87,7 +96,7 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
-            "thrust_tables, thrusters, "
+            "inertia, thrust_tables, thrusters, "
             "models. Correct or remove it.");
 }
 
