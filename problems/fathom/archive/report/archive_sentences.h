@@ -11,9 +11,6 @@
 
 namespace fathom {
 
-// Of fewer dives with a usable joint fit nothing is said about change.
-inline constexpr std::size_t kFewestDivesForChange = 5;
-
 // What changed over the dives, the surest first. Of a vehicle without a change: that there is none,
 // or that too few dives have a usable joint fit to tell. Last, where many models of single logs are
 // poor, that changes can hide behind that. At least one sentence.

@@ -3,7 +3,6 @@
 
 #include "fathom/archive/report/dives_apart.h"
 
-#include "fathom/archive/report/archive_sentences.h"
 #include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 

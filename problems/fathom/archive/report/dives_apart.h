@@ -5,9 +5,13 @@
 
 #include "fathom/archive/store/tables.h"
 
+#include <cstddef>
 #include <string>
 
 namespace fathom {
+
+// Of fewer dives with a usable joint fit nothing is said about change.
+inline constexpr std::size_t kFewestDivesForChange = 5;
 
 // Says which parameter of a vehicle differs most between dives, where dives differ by far more than
 // their intervals: how far, and which dives stand together. For example of dives in pairs, each

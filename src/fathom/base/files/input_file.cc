@@ -23,10 +23,11 @@ void RequireRegularFile(const std::filesystem::path& path) {
   if (!fs::exists(status)) {
     const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
     const std::string target = is_link ? fs::read_symlink(path, error).string() : "";
-    throw InputError(is_link ? fmt::format("{}: is a link to {}, which is not there. Mend the link.",
-                                           path.string(),
-                                           target)
-                             : path.string() + ": there is no such file. Check the path.");
+    throw InputError(is_link
+                         ? fmt::format("{}: is a link to {}, which is not there. Mend the link.",
+                                       path.string(),
+                                       target)
+                         : path.string() + ": there is no such file. Check the path.");
   }
   throw InputError(fmt::format("{}: is a {}, expected a file.",
                                path.string(),
