@@ -205,9 +205,10 @@ TEST(ModelFile, RefusesAnEffectItCannotSimulate) {
       error_with(R"({"effect": "ghost"})"),
       HasSubstr("m.json: 'structure.effects[0].effect' is 'ghost', an effect that this version "
                 "cannot simulate, expected one of time_offset, thrust_dead_zone, "));
-  EXPECT_THAT(error_with(R"({"effect": "righting_moment"})"),
-              HasSubstr("effects[0].effect' is 'righting_moment', an effect that does not act along "
-                        "heave"));
+  EXPECT_THAT(
+      error_with(R"({"effect": "righting_moment"})"),
+      HasSubstr("effects[0].effect' is 'righting_moment', an effect that does not act along "
+                "heave"));
   EXPECT_THAT(error_with(R"({"effect": "velocity_coupling"})"),
               HasSubstr("'structure.effects[0].partner' is missing"));
   EXPECT_THAT(
