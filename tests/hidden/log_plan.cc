@@ -31,7 +31,14 @@ bool CanStandTogether(const EffectInfo& a, const EffectInfo& b) {
 std::vector<LogPlan> DrawPlans(const PlanSizes& sizes, std::uint64_t seed) {
   std::vector<LogPlan> plans;
   for (int i = 0; i < sizes.nothing; ++i) plans.push_back({HiddenClass::kNothing, {}, i});
-  const auto catalogue = EffectCatalogue();
+  // Effects of some DOFs alone come last and in no pair: they leave the draws of the others alone.
+  const auto all = EffectCatalogue();
+  std::vector<const Effect*> catalogue(all.begin(), all.end());
+  const auto first_of_some =
+      std::stable_partition(catalogue.begin(), catalogue.end(), [](const Effect* effect) {
+        return effect->info().acts_along == nullptr;
+      });
+  const auto num_of_any = static_cast<int>(first_of_some - catalogue.begin());
   for (const Effect* effect : catalogue) {
     for (int i = 0; i < sizes.per_effect; ++i)
       plans.push_back({HiddenClass::kOneEffect, {effect}, i});
@@ -40,8 +47,8 @@ std::vector<LogPlan> DrawPlans(const PlanSizes& sizes, std::uint64_t seed) {
   for (int i = 0; i < sizes.two_effects; ++i) {
     int first = 0, second = 0;
     do {
-      first = chance.Index(static_cast<int>(catalogue.size()));
-      second = chance.Index(static_cast<int>(catalogue.size()));
+      first = chance.Index(num_of_any);
+      second = chance.Index(num_of_any);
     } while (first >= second ||
              !CanStandTogether(catalogue[first]->info(), catalogue[second]->info()));
     plans.push_back({HiddenClass::kTwoEffects, {catalogue[first], catalogue[second]}, i});

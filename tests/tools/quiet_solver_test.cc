@@ -57,10 +57,10 @@ TEST_P(QuietSolver, KeepsItsLogToItself) {
 INSTANTIATE_TEST_SUITE_P(
     OfEachTool,
     QuietSolver,
-    ::testing::Values(
-        Hopeless{"fathom_identify", "--dof", 0.0, "1e6", "the search did not converge"},
-        Hopeless{"fathom_compare", "--dofs", 0.0, "1e6", "the search did not converge"},
-        Hopeless{"fathom_diagnose", "--dof", 10.0, "1e3", "no diagnosis: "}),
+    ::testing::Values(Hopeless{"fathom_identify", "--dof", 0.0, "1e6", "search did not converge"},
+                      Hopeless{
+                          "fathom_compare", "--dofs", 0.0, "1e6", "the search did not converge"},
+                      Hopeless{"fathom_diagnose", "--dof", 10.0, "1e3", "no diagnosis: "}),
     [](const auto& info) { return info.param.tool; });
 
 // No motion under 1e9 N can be simulated.

@@ -174,9 +174,8 @@ Diagnosis Described(const MeasuredSegments& segments,
   const bool is_red = std::ranges::any_of(diagnosis.findings, [](const Finding& finding) {
     return finding.severity == Severity::kWarning;
   });
-  const bool is_far_off = diagnosis.wander_ratio > Diagnosis::kMuchMoreThanScatter;
-  if (is_noise && (is_red || is_far_off)) diagnosis.verdict = Verdict::kUnexplained;
-  diagnosis.is_only_red = is_noise && is_red && !is_far_off;
+  diagnosis.is_only_red = is_noise && is_red;
+  if (diagnosis.is_only_red) diagnosis.verdict = Verdict::kUnexplained;
   diagnosis.noise_nmae = NmaeOfScatter(unseen.after);
   diagnosis.coincidence = judgement.coincidence;
   diagnosis.remaining_p_value = judgement.remaining.p_value;

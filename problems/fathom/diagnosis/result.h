@@ -210,10 +210,8 @@ struct Diagnosis {
   double noise_nmae = std::numeric_limits<double>::quiet_NaN();
 
   // RMS of the baseline's error over what of it scatters from sample to sample, where nothing is
-  // named and the rest passes for noise that wanders; else 0. Above kMuchMoreThanScatter it is
-  // `unexplained`.
+  // named and the rest passes for noise that wanders; else 0.
   double wander_ratio = 0.0;
-  static constexpr double kMuchMoreThanScatter = 3.0;
 
   // It is `unexplained` for the red findings alone: the model has no error beyond noise.
   bool is_only_red = false;

@@ -202,7 +202,7 @@ class Frame {
     constexpr int kRounds = 2;
     constexpr double kGate = 4.0;          // standard deviations of the noise
     constexpr double kMostNoise = 3.0;     // over that of most frames
-    constexpr double kSmallestGate = 0.1;  // [px], of corners without noise
+    constexpr double kSmallestGate = 1.0;  // [px], of what is no noise: lens, printing, edges
     for (int round = 0; round < kRounds; ++round) {
       if (!found || found->used.size() < kFewest || !IsMost(found->used)) return found;
       const double own = OwnNoise(*found);

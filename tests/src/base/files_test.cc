@@ -7,6 +7,7 @@
 #include "fathom/base/input_error.h"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 
@@ -93,7 +94,7 @@ TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   RequireWritableFile(pipe);
   std::string seen;
-  std::thread reader([&] { seen = ReadFile(pipe); });
+  std::thread reader([&] { std::getline(std::ifstream(pipe), seen); });
   WriteFile(pipe, "through");
   reader.join();
   EXPECT_EQ(seen, "through");

@@ -20,6 +20,8 @@
 namespace fathom {
 namespace {
 
+constexpr double kMuchMoreThanScatter = 3.0;  // at which an error without a cause needs a word
+
 constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
 
 // "38 % of the error of your surge model that is not noise"; "Part of the error of your surge
@@ -224,19 +226,19 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
   std::string text;
   const std::string logs = Capitalised(TheseLogs(diagnosis));
   const char* const show = diagnosis.logs.size() <= 1 ? "shows" : "show";
-  if (diagnosis.verdict == Verdict::kConsistent) {
+  if (diagnosis.verdict == Verdict::kConsistent && diagnosis.wander_ratio > kMuchMoreThanScatter) {
     text = fmt::format(
-        "{} {} no error of your {} model beyond noise.", logs, show, Name(diagnosis.dof));
-  } else if (diagnosis.wander_ratio > Diagnosis::kMuchMoreThanScatter) {
-    text = fmt::format(
-        "{} {} no cause for the error of your {} model. The error is {:.0f} times the scatter from "
-        "sample to sample. It varies slowly, as under slow random forces or with a drifting "
-        "sensor, "
-        "and it follows nothing that was logged. It is noise, or its cause is not in the log.",
+        "{} {} no cause for the error of your {} model. The error is {:.0f} times the scatter "
+        "from sample to sample. It varies slowly, as under slow random forces or with a "
+        "drifting sensor, and it follows nothing that was logged. It is noise, or its cause is "
+        "not in the log: here `consistent` does not mean that the model is right.",
         logs,
         show,
         Name(diagnosis.dof),
         diagnosis.wander_ratio);
+  } else if (diagnosis.verdict == Verdict::kConsistent) {
+    text = fmt::format(
+        "{} {} no error of your {} model beyond noise.", logs, show, Name(diagnosis.dof));
   } else if (diagnosis.not_named) {
     text = fmt::format(
         "Part of the error of your {} model is not noise. It fits best with {}, but {}: no cause "

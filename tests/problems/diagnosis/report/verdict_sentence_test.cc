@@ -52,14 +52,16 @@ TEST(VerdictSentence, OfAnAmbiguousLog) {
 }
 
 // Three times the scatter and more is no noise that anyone would expect.
-TEST(VerdictSentence, SaysHowFarTheErrorIsAboveTheScatter) {
+TEST(VerdictSentence, SaysThatConsistentSaysLittleWhereTheErrorIsWellAboveTheScatter) {
   Diagnosis diagnosis = ConsistentDiagnosis();
-  diagnosis.verdict = Verdict::kUnexplained;
   diagnosis.wander_ratio = 5.1;
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr("The error is 5 times the scatter from sample to sample."));
   EXPECT_THAT(VerdictSentence(diagnosis),
-              HasSubstr("It is noise, or its cause is not in the log."));
+              HasSubstr("It is noise, or its cause is not in the log: here `consistent` does not "
+                        "mean that the model is right."));
+  diagnosis.wander_ratio = 2.9;
+  EXPECT_EQ(VerdictSentence(diagnosis), VerdictSentence(ConsistentDiagnosis()));
 }
 
 TEST(VerdictSentence, SaysThatRedDataMakeAWrongModel) {
