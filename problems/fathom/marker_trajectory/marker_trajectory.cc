@@ -70,23 +70,14 @@ BundleAdjustmentSummary Adjust(std::span<const Detection> detections,
                                const MarkerMap& map,
                                const std::set<int>& free_ids,
                                const PoseTrack& track,
-                               double huber,
-                               bool is_survey_open = false) {
+                               double huber) {
   std::vector<AdjustedFrame> frames;
-  double sum = 0.0, freedom = 0.0;
   for (const TrackedView& view : track.views) {
-    const double scale = is_survey_open ? 1.0 : view.pose.noise_scale;
-    frames.push_back({view.pose.world_from_camera, view.detections, scale});
-    sum += view.pose.squared_error;
-    freedom += view.pose.degrees_of_freedom;
+    frames.push_back({view.pose.world_from_camera, view.detections, view.pose.noise_scale});
   }
   BundleAdjustmentOptions options;
   constexpr double kSmallestSigma = 1e-6;  // [px], of corners without noise
   if (!frames.empty()) options.corner_sigma = std::max(track.corner_sigma, kSmallestSigma);
-  // What a wrong survey misses is no noise of the frames, and not to be taken for outliers.
-  if (is_survey_open && freedom > 0.0) {
-    options.corner_sigma = std::max(std::sqrt(sum / freedom), kSmallestSigma);
-  }
   options.huber = huber;
   return AdjustBundle(
       camera, map, SeenOf(free_ids, detections, track), detections, frames, options);
@@ -225,8 +216,7 @@ MarkerTrack TrackOnce(std::span<const Detection> detections,
   result.pnp = PlaceOutwards(detections, camera, options, &placed);
   const FreeMarkers free = FreeMarkersOf(detections, result.pnp, map, options);
   const double huber = options.pose_track.huber;
-  BundleAdjustmentSummary summary =
-      Adjust(detections, camera, placed, free.ids, result.pnp, huber, free.reference.has_value());
+  BundleAdjustmentSummary summary = Adjust(detections, camera, placed, free.ids, result.pnp, huber);
   if (summary.is_usable && !summary.free_ids.empty()) {
     // With the markers in place the gate is as narrow as the corners allow: once more.
     placed = summary.map;
