@@ -10,12 +10,14 @@
 option(FATHOM_BATCHES "Compile the sources of a folder in batches" ON)
 option(FATHOM_PRECOMPILED_HEADERS "Read std, Eigen and fmt once for all sources" ON)
 
-# -Wrestrict, -Warray-bounds, -Wstringop-overflow: GCC 12 sees overlaps and ends of std::string that are
-# not there (GCC bug 105651), and in precompiled headers it no longer knows that they are the system's.
+# -Wrestrict, -Warray-bounds, -Wstringop-overflow and -overread: GCC 12 sees overlaps and ends of
+# std::string that are not there (GCC bug 105651), and in precompiled headers it no longer knows that they
+# are the system's.
 # -Wmaybe-uninitialized: it takes the string in an EffectSetting that is written in place for unset.
 function(fathom_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-maybe-uninitialized>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
+      -Wno-maybe-uninitialized>
     $<$<BOOL:${FATHOM_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
