@@ -12,7 +12,8 @@ bin=build/release/tools
 
 scripts/install_dependencies.sh
 cmake --preset release
-cmake --build --preset release --parallel "$(nproc)" --target tools
+cmake --build --preset release --parallel "$(nproc)" --target \
+  fathom_compare fathom_identify fathom_simulate fathom_synthesize fathom_diagnose fathom_batch
 mkdir -p "$out"
 
 run() {

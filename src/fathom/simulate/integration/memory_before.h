@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/base/flattened.h"
 #include "fathom/simulate/integration/instants.h"
 #include "fathom/simulate/integration/scalar_model.h"
 #include "fathom/simulate/partner_signals.h"
@@ -25,12 +26,12 @@ using ThrusterStates = std::array<T, kMostEffects>;
 // The mean force of a step in which `command` is held, from `begin` on the command's clock; moves
 // the thrusters' states on.
 template <typename T>
-T MeanForce(const EffectStack<T>& effects,
-            double command,
-            const T& begin,
-            const T& duration,
-            Instants<T>* instants,
-            ThrusterStates<T>* thrust) {
+FATHOM_FLATTENED T MeanForce(const EffectStack<T>& effects,
+                             double command,
+                             const T& begin,
+                             const T& duration,
+                             Instants<T>* instants,
+                             ThrusterStates<T>* thrust) {
   const auto at = [&](std::size_t k) -> const Instant<T>& {
     return instants->OnCommandClock(k, T(begin + 0.5 * duration));
   };

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/base/flattened.h"
 #include "fathom/simulate/integration/instants.h"
 #include "fathom/simulate/integration/scalar_model.h"
 
@@ -58,7 +59,7 @@ class WaterIntegrator {
     }
   }
 
-  T Acceleration(const RunState<T>& at, const T& mean_force, const T& s) {
+  FATHOM_FLATTENED T Acceleration(const RunState<T>& at, const T& mean_force, const T& s) {
     const EffectStack<T>& effects = model_.effects;
     const T force = acts_at_speed_ ? effects.ForceAtSpeed(mean_force, at.velocity) : mean_force;
     if (!acts_on_water_) return model_.baseline.Acceleration(at.velocity, force);
