@@ -16,6 +16,11 @@ struct Entry {
 
 // By code.
 constexpr Entry kAdvice[] = {
+    {"arrival_stamps",
+     {"A sample is told to lie where it arrived: inertia and a delay come out too large, and "
+      "speeds "
+      "from poses are wrong.",
+      "Log the sensor's own stamps, or give the map its `rate` in place of the stamps."}},
     {"camera_delay",
      {"Models from the two sources differ in their dynamics, and in a fit of both each spoils the "
       "other.",

@@ -123,7 +123,7 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion) {
   }
   const double step = motion.SlowestStep();
   if (IsDelayed(likeness(0.0), best, best_delay) &&
-      std::abs(best_delay) > std::max(kLeastDelay, 2.0 * step)) {
+      std::abs(best_delay) > std::max(kLeastDelay, 2.0 * step - 1e-6)) {
     return FindingOf(motion,
                      Severity::kNote,
                      "pose_twist_delay",

@@ -164,6 +164,26 @@ bool Varies(std::span<const Segment> segments) {
   return false;
 }
 
+// Stamps that a link wrote as it delivered: several at once, then none for a while.
+std::optional<Finding> CheckBatches(const Eigen::ArrayXd& step) {
+  constexpr double kShort = 0.5, kLong = 2.0;             // of the mean step
+  constexpr double kShareShort = 0.3, kShareLong = 0.08;  // of all steps
+  const double n = static_cast<double>(step.size()), mean = step.mean();
+  const auto num_short = static_cast<double>((step < kShort * mean).count());
+  const auto num_long = static_cast<double>((step > kLong * mean).count());
+  if (num_short < kShareShort * n || num_long < kShareLong * n) return std::nullopt;
+  return Finding{
+      Severity::kWarning,
+      "arrival_stamps",
+      fmt::format("The motion's stamps come in batches: {:.0f} % of the steps are under half the "
+                  "mean of {:.3g} s, {:.0f} % over twice it, the longest {:.3g} s. They look like "
+                  "times of arrival over a link.",
+                  100.0 * num_short / n,
+                  mean,
+                  100.0 * num_long / n,
+                  step.maxCoeff())};
+}
+
 void CheckStamps(const Samples& samples, Findings* findings) {
   const double median = Median({samples.step.begin(), samples.step.end()});
   if (median < kShortestStep || median > kLongestStep) {
@@ -174,6 +194,10 @@ void CheckStamps(const Samples& samples, Findings* findings) {
                      kShortestStep,
                      kLongestStep),
          findings);
+  }
+  if (auto batches = CheckBatches(samples.step)) {
+    findings->push_back(*std::move(batches));
+    return;
   }
   const Eigen::ArrayXd ratio = samples.step / median;
   const auto num_odd = ((ratio - 1.0).abs() > kJitter).count();

@@ -6,6 +6,8 @@
 #include "fathom/base/median.h"
 #include "fathom/signal/filters/savitzky_golay.h"
 #include "fathom/signal/pose_velocity.h"
+#include "fathom/signal/split_at_gaps.h"
+#include "fathom/simulate/run_start.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,17 @@ double At(std::span<const double> time, std::span<const double> values, double t
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
+// The step in which a sample of the log usually lies. Where stamps come in batches, that is the
+// time between them.
+double UsualStep(std::span<const double> time) {
+  double squares = 0.0;
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    const double step = time[i] - time[i - 1];
+    if (step <= kLongestGap) squares += step * step;
+  }
+  return squares / (time.back() - time.front());
+}
+
 double Spread(std::span<const double> values) {
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const double value : values) {
@@ -58,7 +71,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
   SavitzkyGolayOptions options;
   options.order = 2;
   const auto window_of = [](std::span<const double> time) {
-    return std::max(kTwinWindow, 6.0 * MedianStep(time));
+    return std::max(kTwinWindow, 6.0 * UsualStep(time));
   };
   options.window = std::max(window_of(pose.time), window_of(velocity.time));
   const Poses poses = PosesOf(pose);
@@ -67,7 +80,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
   for (const Dof dof : kAllDofs) {
     const std::string column(VelocityColumn(dof));
     const std::vector<double>* twist = velocity.Find(column);
-    if (twist == nullptr) continue;
+    if (twist == nullptr || !TellsMotion(pose, dof)) continue;
     std::vector<double> along(from_pose.velocity.size(), kNan), in_world;
     if (!IsAngular(dof)) in_world = along;
     for (std::size_t i = 0; i < along.size(); ++i) {
@@ -76,8 +89,9 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
       if (in_world.empty()) continue;
       in_world[i] = (poses.world_from_body[i] * from_pose.velocity[i].head<3>())[Index(dof)];
     }
-    // Smoothed as the poses are, so that noise counts alike in both.
-    std::vector<double> smooth = SavitzkyGolay(velocity.time, *twist, 0, options);
+    // Smoothed as the poses are, so that fast motion and noise count alike in both.
+    std::vector<double> smooth =
+        SavitzkyGolay(velocity.time, WayAlong(velocity.time, *twist, 0), 1, options);
     const double least = IsAngular(dof) ? kLeastRate : kLeastSpeed;
     if (Spread(along) < least || Spread(smooth) < least) continue;
     motions.push_back({dof,

@@ -59,7 +59,8 @@ struct Log {
 
   std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
   std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame
-  std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body
+  std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body. Attitude alone, z
+                                   // alone, or both, where no more is known
 
   // tag_id u0 v0 ... u3 v3 [px]: corners of markers, a row for each tag of each frame. What they
   // mean takes the calibration: fathom/camera/detections_file.h, camera_rig.h.

@@ -7,11 +7,30 @@
 
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
+namespace {
+
+void RequireColumns(const std::string& name,
+                    const Stream& stream,
+                    std::initializer_list<const char*> columns,
+                    const char* what) {
+  for (const char* column : columns) {
+    if (stream.Find(column) != nullptr) continue;
+    throw InputError(fmt::format("{}:1: column '{}' is missing, expected all of {} for {}.",
+                                 name,
+                                 column,
+                                 fmt::join(columns, ", "),
+                                 what));
+  }
+}
+
+}  // namespace
 
 CsvTable ParseCommand(const std::string& name, const std::string& text) {
   CsvSpec spec;
@@ -51,8 +70,12 @@ CsvTable ParseVelocity(const std::string& name, const std::string& text) {
 
 CsvTable ParsePose(const std::string& name, const std::string& text) {
   CsvSpec spec;
-  spec.required = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+  spec.at_least_one_of = {"x", "y", "z", "qx", "qy", "qz", "qw"};
   CsvTable table = ParseCsvTable(name, text, spec);
+  const auto has = [&](const char* column) { return table.stream.Find(column) != nullptr; };
+  if (has("x") || has("y")) RequireColumns(name, table.stream, {"x", "y", "z"}, "a position");
+  if (!has("qx") && !has("qy") && !has("qz") && !has("qw")) return table;
+  RequireColumns(name, table.stream, {"qx", "qy", "qz", "qw"}, "an attitude");
 
   const auto& qx = *table.stream.Find("qx");
   const auto& qy = *table.stream.Find("qy");

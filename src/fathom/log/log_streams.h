@@ -18,7 +18,8 @@ CsvTable ParseCommand(const std::string& name, const std::string& text);
 // Some of u v w p q r.
 CsvTable ParseVelocity(const std::string& name, const std::string& text);
 
-// x y z qx qy qz qw; quaternions of length 1 within 1e-3.
+// x y z, z alone or none of them, and qx qy qz qw or none of them, but something; quaternions of
+// length 1 within 1e-3.
 CsvTable ParsePose(const std::string& name, const std::string& text);
 
 // tag_id u0 v0 u1 v1 u2 v2 u3 v3; stamps may repeat, ids are whole numbers from 0 on.

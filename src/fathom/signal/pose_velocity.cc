@@ -11,8 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include <glog/logging.h>
+#include <string_view>
 
 namespace fathom {
 namespace {
@@ -70,21 +69,28 @@ Poses Poses::Between(size_t begin, size_t end) const {
   return {cut(time), cut(position), cut(world_from_body)};
 }
 
+bool TellsMotion(const Stream& pose, Dof dof) {
+  if (IsAngular(dof)) return pose.Find("qw") != nullptr;
+  return pose.Find(dof == Dof::kHeave ? "z" : "x") != nullptr;
+}
+
 Poses PosesOf(const Stream& pose) {
-  const auto column = [&](const char* name) -> const std::vector<double>& {
-    const auto* values = pose.Find(name);
-    CHECK(values != nullptr) << "A pose stream has a column " << name;
-    return *values;
-  };
-  const auto &x = column("x"), &y = column("y"), &z = column("z");
-  const auto &qx = column("qx"), &qy = column("qy"), &qz = column("qz"), &qw = column("qw");
   Poses poses;
   poses.time = pose.time;
+  poses.position.assign(pose.time.size(), Eigen::Vector3d::Zero());
+  poses.world_from_body.assign(pose.time.size(), Eigen::Quaterniond::Identity());
+  for (const int axis : {0, 1, 2}) {
+    const auto* values = pose.Find(std::string_view("xyz").substr(axis, 1));
+    if (values == nullptr) continue;
+    for (size_t i = 0; i < values->size(); ++i) poses.position[i][axis] = (*values)[i];
+  }
+  const auto *qx = pose.Find("qx"), *qy = pose.Find("qy"), *qz = pose.Find("qz"),
+             *qw = pose.Find("qw");
+  if (qw == nullptr) return poses;
   for (size_t i = 0; i < pose.time.size(); ++i) {
-    poses.position.emplace_back(x[i], y[i], z[i]);
-    Eigen::Quaterniond q = Eigen::Quaterniond(qw[i], qx[i], qy[i], qz[i]).normalized();
-    if (i > 0 && q.dot(poses.world_from_body.back()) < 0.0) q.coeffs() *= -1.0;
-    poses.world_from_body.push_back(q);
+    Eigen::Quaterniond q = Eigen::Quaterniond((*qw)[i], (*qx)[i], (*qy)[i], (*qz)[i]).normalized();
+    if (i > 0 && q.dot(poses.world_from_body[i - 1]) < 0.0) q.coeffs() *= -1.0;
+    poses.world_from_body[i] = q;
   }
   return poses;
 }

@@ -24,7 +24,12 @@ struct Poses {
   Poses Between(size_t begin, size_t end) const;
 };
 
-// The poses of a stream with columns x y z qx qy qz qw.
+// Whether a pose stream tells the motion in a DOF. Turns take an attitude, heave takes z: without x
+// and y it is the vertical motion, and without an attitude the vehicle's that stays level.
+bool TellsMotion(const Stream& pose, Dof dof);
+
+// The poses of a stream with some of the columns x y z qx qy qz qw. What it does not hold is 0 and
+// no turn: ask TellsMotion() which DOFs they mean anything in.
 Poses PosesOf(const Stream& pose);
 
 // The velocity of a body from its poses; docs/signal.md (5) to (7).

@@ -135,6 +135,12 @@ Measured MeasuredAlong(Dof dof, const Stream& stream, Source source) {
     return measured;
   }
   measured.poses = PosesOf(stream);
+  if (dof == Dof::kHeave && stream.Find("x") == nullptr) {
+    measured.remarks.push_back(
+        fmt::format("The poses hold {}: heave is taken for the vertical motion{}.",
+                    stream.Find("qw") == nullptr ? "z alone" : "no x and y",
+                    stream.Find("qw") == nullptr ? " of a vehicle that stays level" : ""));
+  }
   measured.observed = DisplacementAlong(dof, measured.poses);
   const double turn = IsAngular(dof) ? 0.0 : AxisTurn(dof, measured.poses.world_from_body);
   measured.has_displacement = turn <= kLargestAxisTurn;

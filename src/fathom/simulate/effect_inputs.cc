@@ -28,6 +28,7 @@ std::vector<SampledSignal> VelocitiesFromPoses(const Stream& stream) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!body.velocity[i].allFinite()) continue;
     for (const Dof dof : kAllDofs) {
+      if (!TellsMotion(stream, dof)) continue;
       signals[Index(dof)].time.push_back(poses.time[i]);
       signals[Index(dof)].value.push_back(body.velocity[i][Index(dof)]);
     }

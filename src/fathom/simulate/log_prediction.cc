@@ -4,6 +4,7 @@
 #include "fathom/simulate/log_prediction.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/signal/pose_velocity.h"
 #include "fathom/signal/signals.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
@@ -58,7 +59,9 @@ std::vector<Stretch> StretchesOf(const Log& log, Dof dof, const HeldCommand& com
     stretch.segment.time.assign(time.begin() + begin, time.begin() + end);
     stretch.segment.velocity.assign(measured.begin() + begin, measured.begin() + end);
     stretch.segment.command = command.Between(time[range.begin], time[range.end - 1]);
-    stretch.position = log.pose ? PositionAt(log, dof, time[range.begin]) : way[range.begin];
+    stretch.position = log.pose && TellsMotion(*log.pose, dof)
+                           ? PositionAt(log, dof, time[range.begin])
+                           : way[range.begin];
   };
   for (const SampleRange& range : SplitAtGaps(std::span(time).first(first))) {
     add(range, LogPart::kOutside);

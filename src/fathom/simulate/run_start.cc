@@ -31,7 +31,7 @@ Line LineThrough(double start, std::span<const double> time, std::span<const dou
 }
 
 double PositionAt(const Log& log, Dof dof, double time) {
-  if (!log.pose) return 0.0;
+  if (!log.pose || !TellsMotion(*log.pose, dof)) return 0.0;
   const Poses poses = PosesOf(*log.pose);
   const std::vector<double> position = DisplacementAlong(dof, poses);
   const auto next = std::lower_bound(poses.time.begin(), poses.time.end(), time);

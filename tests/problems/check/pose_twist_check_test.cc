@@ -58,6 +58,47 @@ TEST(PoseAgainstTwist, SaysNothingOfOneMotionMeasuredTwice) {
   EXPECT_THAT(CheckPoseAgainstTwist(TwoMotions([](double, double*, double*) {})), IsEmpty());
 }
 
+// A roll that changes its speed within a window of the filter, measured without noise.
+TEST(PoseAgainstTwist, SaysNothingOfAFastMotion) {
+  Log log;
+  log.pose = Stream{{}, {"qx", "qy", "qz", "qw"}, std::vector<std::vector<double>>(4)};
+  log.velocity = Stream{{}, {"p"}, {{}}};
+  constexpr double kRate = 5.0;  // [rad/s]
+  for (int i = 0; i < 3000; ++i) {
+    const double t = 0.02 * i, roll = 0.3 * std::sin(kRate * t) + 0.2 * std::sin(0.4 * t);
+    log.pose->time.push_back(t);
+    const double row[] = {std::sin(roll / 2), 0.0, 0.0, std::cos(roll / 2)};
+    for (int k = 0; k < 4; ++k) log.pose->values[k].push_back(row[k]);
+    log.velocity->time.push_back(t);
+    log.velocity->values[0].push_back(0.3 * kRate * std::cos(kRate * t) +
+                                      0.2 * 0.4 * std::cos(0.4 * t));
+  }
+  EXPECT_THAT(CheckPoseAgainstTwist(log), IsEmpty());
+}
+
+// One motion at an even rate, whose samples arrive in batches of one to six: the truth is a factor
+// of 1.
+TEST(PoseAgainstTwist, SaysNothingOfTheScaleWhereStampsAreThoseOfArrival) {
+  RandomStream random(5, "arrival");
+  Log log;
+  log.pose =
+      Stream{{}, {"x", "y", "z", "qx", "qy", "qz", "qw"}, std::vector<std::vector<double>>(7)};
+  log.velocity = Stream{{}, {"u"}, {{}}};
+  for (int i = 0; i < 1000;) {
+    const int batch = 1 + static_cast<int>(6.0 * random.Uniform());
+    for (int k = 0; k < batch; ++k, ++i) {
+      const double t = 0.12 * i, arrival = 0.12 * (i - k + batch) + 0.04 * k;
+      const double row[] = {1.2 * std::sin(0.5 * t), 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+      log.pose->time.push_back(arrival);
+      for (int j = 0; j < 7; ++j)
+        log.pose->values[j].push_back(row[j] + (j < 3 ? 0.002 * random.Normal() : 0.0));
+      log.velocity->time.push_back(arrival);
+      log.velocity->values[0].push_back(0.6 * std::cos(0.5 * t) + 0.02 * random.Normal());
+    }
+  }
+  EXPECT_THAT(CheckPoseAgainstTwist(log), IsEmpty());
+}
+
 TEST(PoseAgainstTwist, FindsAWrongSignOfOneAxis) {
   const auto findings =
       CheckPoseAgainstTwist(TwoMotions([](double, double*, double* r) { *r = -*r; }));

@@ -120,6 +120,28 @@ TEST(Sanity, NotesJitterAndGaps) {
 }
 
 // Clean runs under a random command: a warning is an alarm, so a false one must be rare.
+// Samples at 10 Hz that arrive four at once are told; as many that are dropped are not.
+TEST(Sanity, FindsStampsThatCameInBatches) {
+  Log log = SineLog(0.0);
+  std::vector<double>& time = log.velocity->time;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    time[i] = 0.4 * static_cast<double>(i / 4 + 1) + 0.01 * static_cast<double>(i % 4);
+  }
+  const auto findings = CheckSanity(SignalsOf(log, Dof::kSurge));
+  EXPECT_THAT(findings, Has("arrival_stamps"));
+  EXPECT_THAT(findings, Not(Has("jitter")));
+
+  Log dropped = SineLog(0.0);
+  Stream sparse = {.time = {}, .columns = {"u"}, .values = {{}}};
+  for (std::size_t i = 0; i < 3000; ++i) {
+    if (i % 5 > 2) continue;
+    sparse.time.push_back(dropped.velocity->time[i]);
+    sparse.values[0].push_back(dropped.velocity->values[0][i]);
+  }
+  dropped.velocity = sparse;
+  EXPECT_THAT(CheckSanity(SignalsOf(dropped, Dof::kSurge)), Not(Has("arrival_stamps")));
+}
+
 TEST(Sanity, RarelyWarnsWithoutReason) {
   int num_warnings = 0;
   const int num_runs = 200;

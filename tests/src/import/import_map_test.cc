@@ -86,7 +86,7 @@ TEST(ImportMap, SaysWhatIsWrong) {
   EXPECT_THAT(error("command: {frame: NED, tau_surge: a}\n"), HasSubstr("FRD or FLU"));
   EXPECT_THAT(error("command: {tau_surge: a, thruster_1: b}\n"), HasSubstr("thruster_1"));
   EXPECT_THAT(error("command: {thruster_1: a, thruster_3: b}\n"), HasSubstr("thruster_3"));
-  EXPECT_THAT(error("pose: {x: a, yaw: b}\n"), HasSubstr("x and y"));
+  EXPECT_THAT(error("pose: {x: a, yaw: b}\n"), HasSubstr("one of x and y"));
   EXPECT_THAT(error("pose: {x: a, y: b}\n"), HasSubstr("an attitude"));
   EXPECT_THAT(error("pose: {x: a, y: b, qx: c, qw: d}\n"), HasSubstr("qx qy qz qw"));
   EXPECT_THAT(error("pose: {x: a, y: b, yaw: c, frame: FLU}\n"), HasSubstr("NED, ENU or NWU"));

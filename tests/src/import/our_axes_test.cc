@@ -97,6 +97,32 @@ TEST(OurAxes, TellsWhatAPoseLacks) {
               testing::ElementsAre(HasSubstr("no z"), HasSubstr("no roll"), HasSubstr("no pitch")));
 }
 
+// A roll of 0.2 rad to starboard, without a position; 3 m of height where z is up.
+TEST(OurAxes, TakesAnAttitudeWithoutAPosition) {
+  const Stream roll = Poses(Twice({"roll"}, {0.2}), Frame::kNed);
+  EXPECT_THAT(roll.columns, testing::ElementsAre("qx", "qy", "qz", "qw"));
+  EXPECT_NEAR(roll.values[0][0], std::sin(0.1), 1e-12);
+  EXPECT_NEAR(roll.values[3][0], std::cos(0.1), 1e-12);
+  const Stream height = Poses(Twice({"z"}, {3.0}), Frame::kNwu);
+  EXPECT_THAT(height.columns, testing::ElementsAre("z"));
+  EXPECT_EQ(height.values[0][0], -3.0);
+  std::vector<std::string> remarks;
+  const Stream both =
+      PosesOf("file", Twice({"z", "qx", "qy", "qz", "qw"}, {3, 0, 0, 0, 1}), Frame::kNed, &remarks);
+  EXPECT_THAT(both.columns, testing::ElementsAre("z", "qx", "qy", "qz", "qw"));
+  EXPECT_THAT(remarks, testing::IsEmpty());
+}
+
+TEST(OurAxes, RefusesAVelocityOverGroundWithoutAnAttitude) {
+  EXPECT_THAT(
+      ErrorFrom([] {
+        std::vector<std::string> remarks;
+        const Stream height = Poses(Twice({"z"}, {3.0}), Frame::kNed);
+        BodyVelocitiesOf("file", Twice({"u", "v", "w"}, {1, 0, 0}), Frame::kNed, height, &remarks);
+      }),
+      HasSubstr("whose attitude turns it into the body"));
+}
+
 TEST(OurAxes, RefusesQuaternionsThatAreNone) {
   EXPECT_THAT(
       ErrorFrom([] {

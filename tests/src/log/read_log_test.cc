@@ -344,10 +344,14 @@ TEST(ReadLog, RefusesCommandsThatAreUnclear) {
 }
 
 TEST(ReadLog, RefusesPosesThatAreNone) {
-  EXPECT_EQ(
-      Error({{"pose.csv", "t,x,y,z,qw,qx,qy\n0,1,2,3,1,0,0\n1,1,2,3,1,0,0\n"}}),
-      "pose.csv:1: column 'qz' is missing, found t, x, y, z, qw, qx, qy; expected t, x, y, z, qx, "
-      "qy, qz, qw.");
+  EXPECT_EQ(Error({{"pose.csv", "t,x,y,z,qw,qx,qy\n0,1,2,3,1,0,0\n1,1,2,3,1,0,0\n"}}),
+            "pose.csv:1: column 'qz' is missing, expected all of qx, qy, qz, qw for an attitude.");
+  EXPECT_EQ(Error({{"pose.csv", "t,x,qx,qy,qz,qw\n0,1,0,0,0,1\n1,1,0,0,0,1\n"}}),
+            "pose.csv:1: column 'y' is missing, expected all of x, y, z for a position.");
+  EXPECT_THAT(Error({{"pose.csv", "t,roll\n0,1\n1,1\n"}}),
+              HasSubstr("at least one of x, y, z, qx, qy, qz, qw"));
+  EXPECT_EQ(Error({{"pose.csv", "t,z\n0.5,1\n0.6,1\n"}}), "no error");
+  EXPECT_EQ(Error({{"pose.csv", "t,qx,qy,qz,qw\n0.5,0,0,0,1\n0.6,0,0,0,1\n"}}), "no error");
   const std::string header = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n";
   EXPECT_EQ(
       Error({{"pose.csv", header + "0.6,1,2,3,0,0.6,0,0.7\n"}}),

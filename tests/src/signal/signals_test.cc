@@ -132,6 +132,46 @@ TEST(Signals, TakeVelocityAndPositionFromPoses) {
   EXPECT_EQ(signals.source, Source::kCamera);
 }
 
+// What a depth sensor alone tells is heave, what an attitude alone tells are the turns; no more.
+TEST(Signals, TakeFromAPartOfAPoseWhatItTells) {
+  TankRun run = StepRun(60.0);
+  Log& log = run.log;
+  log.command->columns = {"tau_heave"};
+  log.velocity.reset();
+  const Stream pose = *log.pose;
+  log.pose = Stream{pose.time, {"z"}, {run.x}};
+  const Signals heave = SignalsOf(log, Dof::kHeave, {.source = Source::kCamera});
+  ASSERT_EQ(heave.train[0].position.size(), run.x.size());
+  for (size_t i = 0; i < run.x.size(); ++i)
+    EXPECT_NEAR(heave.train[0].position[i], run.x[i], 1e-12);
+  EXPECT_THAT(heave.remarks, Contains(HasSubstr("stays level")));
+
+  const auto error = [&](Dof dof) -> std::string {
+    try {
+      log.command->columns = {std::string(ForceColumn(dof))};
+      SignalsOf(log, dof, {.source = Source::kCamera});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error(Dof::kSurge), HasSubstr("tells nothing of surge; expected a position"));
+  EXPECT_THAT(error(Dof::kRoll), HasSubstr("tells nothing of roll; expected an attitude"));
+
+  std::vector<double> sines, cosines;  // of half a roll as large as the way was
+  for (const double x : run.x) {
+    sines.push_back(std::sin(0.5 * x));
+    cosines.push_back(std::cos(0.5 * x));
+  }
+  const std::vector<double> none(run.x.size(), 0.0);
+  log.pose = Stream{pose.time, {"qx", "qy", "qz", "qw"}, {sines, none, none, cosines}};
+  log.command->columns = {"tau_roll"};
+  const Signals roll = SignalsOf(log, Dof::kRoll, {.source = Source::kCamera});
+  ASSERT_EQ(roll.train[0].position.size(), run.x.size());
+  for (size_t i = 0; i < run.x.size(); ++i) EXPECT_NEAR(roll.train[0].position[i], run.x[i], 1e-9);
+  EXPECT_THAT(error(Dof::kHeave), HasSubstr("tells nothing of heave; expected z"));
+}
+
 TEST(Signals, TakeTheMeasuredVelocityAsItIs) {
   const TankRun run = StepRun(30.0);
   const Signals signals = SignalsOf(run.log, Dof::kSurge);

@@ -25,8 +25,9 @@ LogChannels ChannelsOf(const Log& log, const std::string& name, Dof dof) {
   }
   channels.displacement = PoseCoordinate(log, name, dof, &channels.remarks);
   if (!channels.velocity && !channels.displacement) {
-    if (log.pose && !log.velocity) throw InputError(channels.remarks.back());
-    MotionStream(log, dof, Source::kPoseEstimator);
+    const bool has_poses_alone = log.pose && !log.velocity;
+    MotionStream(log, dof, has_poses_alone ? Source::kCamera : Source::kPoseEstimator);
+    throw InputError(channels.remarks.back());
   }
   return channels;
 }

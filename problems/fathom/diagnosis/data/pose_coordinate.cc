@@ -77,7 +77,7 @@ std::optional<SampledSignal> PoseCoordinate(const Log& log,
                                             const std::string& name,
                                             Dof dof,
                                             std::vector<std::string>* remarks) {
-  if (!log.pose) return std::nullopt;
+  if (!log.pose || !TellsMotion(*log.pose, dof)) return std::nullopt;
   if (log.pose->time.size() < kFewestPoses) {
     remarks->push_back(fmt::format("{}: holds {} poses, expected at least {} to use them.",
                                    name,

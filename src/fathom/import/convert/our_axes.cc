@@ -64,8 +64,12 @@ Eigen::Quaterniond FromYawPitchRoll(double yaw, double pitch, double roll) {
 
 void TellMissing(const GatheredStream& gathered, std::vector<std::string>* remarks) {
   const bool has_quaternion = Find(gathered, "qw") != nullptr;
+  const bool has_angle = Find(gathered, "roll") != nullptr || Find(gathered, "pitch") != nullptr ||
+                         Find(gathered, "yaw") != nullptr;
+  const bool has_position = Find(gathered, "x") != nullptr;
   for (const char* column : {"z", "roll", "pitch", "yaw"}) {
-    const bool is_asked = std::string_view(column) == "z" || !has_quaternion;
+    const bool is_asked =
+        std::string_view(column) == "z" ? has_position : has_angle && !has_quaternion;
     if (is_asked && Find(gathered, column) == nullptr) {
       remarks->push_back(fmt::format("pose: the map names no {}, so it is 0.", column));
     }
@@ -76,8 +80,8 @@ void TellMissing(const GatheredStream& gathered, std::vector<std::string>* remar
 // gap.
 std::optional<Eigen::Quaterniond> AttitudeAt(const Stream& pose, double time) {
   const auto attitude = [&](std::size_t row) {
-    return Eigen::Quaterniond(
-        pose.values[6][row], pose.values[3][row], pose.values[4][row], pose.values[5][row]);
+    const auto part = [&](const char* column) { return (*pose.Find(column))[row]; };
+    return Eigen::Quaterniond(part("qw"), part("qx"), part("qy"), part("qz"));
   };
   const auto after = std::lower_bound(pose.time.begin(), pose.time.end(), time);
   if (after == pose.time.end()) return std::nullopt;
@@ -144,10 +148,14 @@ Stream PosesOf(const std::filesystem::path& file,
   const auto* y = Find(gathered, "y");
   const auto* z = Find(gathered, "z");
   const auto* qw = Find(gathered, "qw");
+  const bool has_attitude = qw != nullptr || Find(gathered, "roll") != nullptr ||
+                            Find(gathered, "pitch") != nullptr || Find(gathered, "yaw") != nullptr;
   const Eigen::Matrix3d ned_from_world = NedFromWorld(frame);
   const Eigen::Matrix3d body_from_frd = FrdFromBody(frame).transpose();
   Stream poses;
-  poses.columns = {"x", "y", "z", "qx", "qy", "qz", "qw"};
+  if (x != nullptr) poses.columns = {"x", "y"};
+  if (x != nullptr || z != nullptr) poses.columns.emplace_back("z");
+  if (has_attitude) poses.columns.insert(poses.columns.end(), {"qx", "qy", "qz", "qw"});
   poses.values.resize(poses.columns.size());
   std::size_t num_lost = 0;
   for (std::size_t row = 0; row < gathered.samples.time.size(); ++row) {
@@ -164,13 +172,19 @@ Stream PosesOf(const std::filesystem::path& file,
       continue;
     }
     const Eigen::Vector3d position =
-        ned_from_world * Eigen::Vector3d((*x)[row], (*y)[row], At(z, row));
+        ned_from_world * Eigen::Vector3d(At(x, row), At(y, row), At(z, row));
     Eigen::Quaterniond ned_from_frd(ned_from_world * attitude.normalized().toRotationMatrix() *
                                     body_from_frd);
     ned_from_frd.normalize();
     poses.time.push_back(gathered.samples.time[row]);
-    for (int i = 0; i < 3; ++i) poses.values[i].push_back(position[i]);
-    for (int i = 0; i < 4; ++i) poses.values[3 + i].push_back(ned_from_frd.coeffs()[i]);
+    std::size_t column = 0;
+    for (const int axis : {0, 1, 2}) {
+      if (x != nullptr || (axis == 2 && z != nullptr)) {
+        poses.values[column++].push_back(position[axis]);
+      }
+    }
+    if (!has_attitude) continue;
+    for (const double part : ned_from_frd.coeffs()) poses.values[column++].push_back(part);
   }
   if (num_lost > 0) {
     remarks->push_back(fmt::format("pose: {} left out, whose quaternion is not of length 1.",
@@ -204,7 +218,7 @@ Stream BodyVelocitiesOf(const std::filesystem::path& file,
           ": velocity: is along the axes of the world, expected all of u, v, w to turn "
           "it into the body.");
     }
-    if (!pose) {
+    if (!pose || pose->Find("qw") == nullptr) {
       throw InputError(file.string() +
                        ": velocity: is along the axes of the world, expected the map to give the "
                        "pose too, whose attitude turns it into the body.");

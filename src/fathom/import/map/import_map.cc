@@ -158,10 +158,17 @@ StreamMap PoseOf(const YamlMap& map) {
   const auto has = [&](std::string_view name) { return stream.Find(name) != nullptr; };
   const bool has_angle = has("roll") || has("pitch") || has("yaw");
   const int num_quaternion = has("qx") + has("qy") + has("qz") + has("qw");
-  if (!has("x") || !has("y")) map.Fail("names no column x and y, expected a position.");
+  if (has("x") != has("y")) map.Fail("names one of x and y, expected both or none.");
   if (num_quaternion % 4 != 0) map.Fail("names a part of a quaternion, expected qx qy qz qw.");
-  if ((num_quaternion == 4) == has_angle) {
-    map.Fail("expected an attitude: qx qy qz qw, or some of roll, pitch, yaw, not both.");
+  if (num_quaternion == 4 && has_angle) {
+    map.Fail("names a quaternion and angles, expected qx qy qz qw, or some of roll, pitch, yaw.");
+  }
+  const bool has_attitude = num_quaternion == 4 || has_angle;
+  if (has("x") && !has_attitude) {
+    map.Fail("names no attitude, expected an attitude: qx qy qz qw, or some of roll, pitch, yaw.");
+  }
+  if (!has_attitude && !has("z")) {
+    map.Fail("names no column, expected a position, an attitude or both, or z alone.");
   }
   return stream;
 }

@@ -257,8 +257,12 @@ SuggestedMap MapByNames(const Contents& contents) {
     if (channel.channel.clock) taken.push_back(channel.channel.clock->name);
     keep_better(channel, ForcesOrThrusters(FindByNames(CommandNames(), channel, &taken)), &command);
     std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
-    const bool is_pose =
-        Has(of_pose, "x") && Has(of_pose, "y") && (Has(of_pose, "qw") || Has(of_pose, "yaw"));
+    const bool has_position = Has(of_pose, "x") && Has(of_pose, "y");
+    const bool is_pose = Has(of_pose, "qw") || (has_position && Has(of_pose, "yaw")) ||
+                         (Has(of_pose, "roll") && Has(of_pose, "pitch"));
+    if (!has_position) {
+      std::erase_if(of_pose, [](const Found& f) { return f.column == "x" || f.column == "y"; });
+    }
     if (Has(of_pose, "qw")) {
       std::erase_if(of_pose, [](const Found& f) {
         return f.column == "roll" || f.column == "pitch" || f.column == "yaw";

@@ -3,6 +3,8 @@
 
 #include "fathom/signal/sources/choose_source.h"
 
+#include "fathom/signal/pose_velocity.h"
+
 namespace fathom {
 
 std::vector<Source> SourcesOf(const Log& log, Dof dof) {
@@ -10,7 +12,7 @@ std::vector<Source> SourcesOf(const Log& log, Dof dof) {
   if (log.velocity && log.velocity->Find(VelocityColumn(dof)) != nullptr) {
     sources.push_back(Source::kPoseEstimator);
   }
-  if (log.pose) sources.push_back(Source::kCamera);
+  if (log.pose && TellsMotion(*log.pose, dof)) sources.push_back(Source::kCamera);
   return sources;
 }
 

@@ -4,6 +4,7 @@
 #include "fathom/signal/sources/log_column.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/signal/pose_velocity.h"
 
 #include <filesystem>
 #include <optional>
@@ -86,6 +87,15 @@ const Stream& MotionStream(const Log& log, Dof dof, Source source) {
                     file,
                     VelocityColumn(dof),
                     fmt::join(stream->columns, ", ")));
+  }
+  if (camera && !TellsMotion(*stream, dof)) {
+    throw InputError(fmt::format("{}: holds {}, which tells nothing of {}; expected {}.",
+                                 file,
+                                 fmt::join(stream->columns, ", "),
+                                 Name(dof),
+                                 IsAngular(dof)       ? "an attitude (qx, qy, qz, qw)"
+                                 : dof == Dof::kHeave ? "z"
+                                                      : "a position (x, y, z)"));
   }
   return *stream;
 }

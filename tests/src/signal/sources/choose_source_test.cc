@@ -15,7 +15,8 @@ using ::testing::IsEmpty;
 Log WithBothSources() {
   Log log;
   log.velocity = {.time = {0.0}, .columns = {"u"}, .values = {{0.1}}};
-  log.pose.emplace();
+  log.pose = Stream{.time = {}, .columns = {"x", "y", "z", "qx", "qy", "qz", "qw"}, .values = {}};
+  log.pose->values.resize(7);
   return log;
 }
 
