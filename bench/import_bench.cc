@@ -477,6 +477,33 @@ bool MeasurePeers(const fs::path& folder) {
   return holds;
 }
 
+// Tables of one number of cells take one time, however many columns they have.
+bool MeasureWideTables(const fs::path& folder) {
+  constexpr int kCells = 2'000'000;
+  constexpr double kMostRatio = 3.0;
+  std::vector<double> seconds;
+  for (const int columns : {100, 100'000}) {
+    const fs::path path = folder / "wide.csv";
+    std::ofstream file(path, std::ios::binary);
+    for (int i = 0; i < columns; ++i) file << (i == 0 ? "t" : fmt::format(",c{}", i));
+    for (int row = 0; row < kCells / columns; ++row) {
+      file << '\n' << 0.1 * row;
+      for (int i = 1; i < columns; ++i) file << ',' << (i + row) % 7;
+    }
+    file << '\n';
+    file.close();
+    seconds.push_back(CpuSecondsOf([&] { ListAndRead(path); }));
+  }
+  const double ratio = seconds[1] / seconds[0];
+  return Report(fmt::format("Time of a csv of 100000 columns ({:.2f} s) to one of 100 ({:.2f} s)",
+                            seconds[1],
+                            seconds[0]),
+                ratio,
+                "",
+                ratio <= kMostRatio,
+                fmt::format("at most {:.0f}", kMostRatio));
+}
+
 bool MeasureMemory(const fs::path& folder) {
   bool holds = true;
   const fs::path bag = folder / "large.bag", map = folder / "map.yaml";
@@ -522,9 +549,10 @@ int main() {
   int exit_code = 2;
   try {
     const bool memory = fathom::MeasureMemory(folder);
+    const bool wide = fathom::MeasureWideTables(folder);
     const bool formats = fathom::MeasureFormats(folder);
     const bool peers = fathom::MeasurePeers(folder);
-    exit_code = memory && formats && peers ? 0 : 1;
+    exit_code = memory && wide && formats && peers ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "import_bench: {}\n", error.what());
   }

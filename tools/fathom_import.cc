@@ -10,6 +10,7 @@
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/quoted.h"
 #include "fathom/camera/camera_file.h"
 #include "fathom/camera/mount_file.h"
 #include "fathom/camera/tags_file.h"
@@ -50,7 +51,7 @@ DEFINE_string(
     from,
     "",
     "The recording: a CSV of any shape, a .BIN of ArduPilot, a .ulg of PX4, a .tlog, a bag "
-    "of ROS, a .mat of MATLAB, a log of Rock, or a folder of such files.");
+    "of ROS, a .mat of MATLAB, a .npy or .npz of numpy, a log of Rock, or a folder of such files.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
@@ -83,7 +84,7 @@ std::string Heading(const std::filesystem::path& file, const Contents& contents)
   std::size_t num_fields = 0;
   for (const Channel& channel : contents.channels) num_fields += channel.fields.size();
   std::string text = fmt::format("{}: {}, {:.0f} kB, {}, {}",
-                                 file.string(),
+                                 ShownOnOneLine(file.string()),
                                  contents.format,
                                  kilobytes,
                                  Plural(contents.channels.size(), "channel"),
@@ -103,7 +104,7 @@ std::string FieldsText(const Channel& channel) {
   std::string text;
   for (const Field& field : channel.fields) {
     const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
-    const std::string entry = (text.empty() ? "" : ", ") + field.name + unit;
+    const std::string entry = (text.empty() ? "" : ", ") + ShownOnOneLine(field.name + unit);
     if (!FLAGS_wide && text.size() + entry.size() > kMostCharacters) return text + ", ...";
     text += entry;
   }
@@ -125,8 +126,8 @@ void PrintContents(const std::filesystem::path& file, const Contents& contents) 
     const bool has_span = channel.count > 3 && channel.first && *channel.last > *channel.first;
     const double span = has_span ? *channel.last - *channel.first : 0.0;
     table.rows.push_back(
-        {{channel.name,
-          channel.type,
+        {{ShownOnOneLine(channel.name),
+          ShownOnOneLine(channel.type),
           std::to_string(channel.count),
           channel.first ? fmt::format("{:.3f}", *channel.first) : "-",
           channel.last ? fmt::format("{:.3f}", *channel.last) : "-",
@@ -174,7 +175,7 @@ int Suggest(const std::filesystem::path& file) {
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
   RequireSamples(file, recording->contents());
   const SuggestedMap map = SuggestMap(*recording, vehicle);
-  fmt::print("{}", map.text);
+  fmt::print("{}", ShownOnLines(map.text));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
   return 0;
 }

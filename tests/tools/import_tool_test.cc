@@ -78,6 +78,21 @@ TEST(ImportTool, ListsWhatAFileHolds) {
 }
 
 // The suggested map, saved as it is, imports the file.
+TEST(ImportTool, ShowsNoControlCharactersOfAForeignFile) {
+  const Path folder = EmptyTestFolder();
+  const Path file = folder / "a\x1b[2J.csv";
+  // Text to the reader, which looks at the first 4096 bytes.
+  std::ofstream(file) << "t,v [m/s]," << std::string(5000, 'x')
+                      << ",tau\x1b]0;title\x07 [N]\n0,1,1,1\n1,1,2,2\n2,1,3,3\n3,2,4,4\n";
+  for (const char* what : {"--list", "--suggest", "--map=none.yaml"}) {
+    const ToolRun run = Import({"--from=" + file.string(), what});
+    EXPECT_THAT(run.out + run.err, Not(HasSubstr("\x1b"))) << what;
+    EXPECT_THAT(run.out + run.err, Not(HasSubstr("\x07"))) << what;
+  }
+  EXPECT_THAT(Import({"--from=" + file.string(), "--list", "--wide"}).out,
+              HasSubstr("tau\\x1b]0;title\\x07"));
+}
+
 TEST(ImportTool, SuggestsAMapThatImports) {
   const Path folder = EmptyTestFolder();
   const ToolRun suggested = Import({"--from=" + kPool, "--suggest"});

@@ -10,7 +10,10 @@
 #include "fathom/import/matlab/mat73_file.h"
 #include "fathom/import/matlab/matlab_recording.h"
 #include "fathom/import/message/message_recording.h"
+#include "fathom/import/numpy/npy_header.h"
+#include "fathom/import/numpy/numpy_recording.h"
 #include "fathom/import/recording/byte_file.h"
+#include "fathom/import/recording/decompress.h"
 #include "fathom/import/recording/joined_recording.h"
 #include "fathom/import/recording/unpacked_file.h"
 #include "fathom/import/rock/pocolog_file.h"
@@ -70,18 +73,20 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   if (LooksLikeMat73(first)) return OpenMatlab(path, OpenMat73(path));
   if (LooksLikeMat5(first)) return OpenMatlab(path, OpenMat5(path));
   if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
+  if (LooksLikeNpy(first)) return OpenNpy(path);
+  if (LooksLikeNpz(first)) return OpenNpz(path);
   if (LooksLikeZstd(first) && !is_unpacked) {
     return OpenUnpacked(path, [&](const std::filesystem::path& unpacked) {
       return OpenFile(unpacked, table, /*takes_text=*/false, /*is_unpacked=*/true);
     });
   }
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
-  throw InputError(fmt::format(
-      "{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
-      "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS, a .mat of MATLAB or a log "
-      "of Rock.",
-      path.string(),
-      first.empty() ? "empty" : "of no known format"));
+  throw InputError(
+      fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
+                  "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS, a .mat of MATLAB, a "
+                  ".npy or .npz of numpy or a log of Rock.",
+                  path.string(),
+                  first.empty() ? "empty" : "of no known format"));
 }
 
 bool IsCalledTable(const std::filesystem::path& path) {
@@ -124,6 +129,21 @@ std::unique_ptr<Recording> OpenFolder(const std::filesystem::path& folder,
   return JoinRecordings(folder, std::move(parts), std::move(remarks));
 }
 
+bool HasKnownBegin(std::string_view first) {
+  return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
+         LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first) ||
+         LooksLikeMat73(first) || LooksLikeMat5(first) || LooksLikeMat4(first) ||
+         LooksLikeNpy(first) || LooksLikeNpz(first);
+}
+
+// Of a file that is compressed as a whole, as `ros2 bag record --compression-mode file` leaves it,
+// the begin tells. It does not tell whose database it is: the name does.
+bool IsCompressedRecording(const std::filesystem::path& file, std::string_view first) {
+  std::string buffer;
+  const std::string_view begin = Decompressed(Compression::kZstd, first, kFirstBytes, &buffer);
+  return LooksLikeSqlite(begin) ? file.stem().extension() == ".db3" : HasKnownBegin(begin);
+}
+
 }  // namespace
 
 std::unique_ptr<Recording> OpenRecording(const std::filesystem::path& path,
@@ -139,9 +159,7 @@ bool IsRecording(const std::filesystem::path& file) {
     const std::string first(bytes.View(0, kFirstBytes));
     // Of other databases there are many.
     if (LooksLikeSqlite(first)) return OpenRosbag2Database(file) != nullptr;
-    return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
-           LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first) ||
-           LooksLikeMat73(first) || LooksLikeMat5(first) || LooksLikeMat4(first);
+    return LooksLikeZstd(first) ? IsCompressedRecording(file, first) : HasKnownBegin(first);
   } catch (const InputError&) {
     return false;
   }

@@ -4,6 +4,7 @@
 #include "fathom/log/log_text.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
 #include "fathom/log/hold_out.h"
 #include "fathom/log/log_clocks.h"
 #include "fathom/log/log_streams.h"
@@ -83,7 +84,7 @@ Log ParseSingleCsv(const std::string& name,
 
   Log log;
   log.path = name;
-  log.name = log.path.stem().string();
+  log.name = ShownOnOneLine(log.path.stem().string());
   log.dofs = {dof};
   if (const std::string remark = table.Remark(); !remark.empty()) {
     log.remarks.push_back({RemarkKind::kGeneral, remark});

@@ -108,7 +108,7 @@ std::optional<LogOrigin> OriginOf(const YamlMap& file) {
 Log ParseLogYaml(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   Log log;
-  log.name = file.String("name");
+  log.name = file.Name("name");
   log.dofs = DofsOf(file);
   log.vehicle = file.String("vehicle", "");
   log.notes = file.String("notes", "");

@@ -71,6 +71,12 @@ camera: {video: films/dive.mp4, start: 2026-05-03T14:30:05.25Z, tags: wall.yaml}
                           Pair("mount.yaml", "mount.yaml")));
 }
 
+TEST(ImportMap, HasANameThatHoldsSomethingOrNone) {
+  EXPECT_THAT(
+      ErrorFrom([] { ParseImportMap("m.yaml", "dof: surge\nname: \"\"\nvelocity: {u: 2}"); }),
+      HasSubstr("m.yaml:2: key 'name' is empty, expected a name."));
+}
+
 TEST(ImportMap, SaysWhatIsWrong) {
   const auto error = [](const std::string& text) {
     return ErrorFrom([&] { ParseImportMap("map.yaml", text); });

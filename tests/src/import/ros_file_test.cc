@@ -127,19 +127,19 @@ TEST(Bag, IsNotUnpackedWhereAChunkIsABomb) {
     const std::string bomb = bag::Record(
         {{"op", "\x05"}, {"compression", compression}, {"size", Bytes<std::uint32_t>(3000000000)}},
         bag::Compressed(compression, std::string(1000000, '\0')));
-    const auto path =
-        ScratchFile("a.bag", bag::Head(0) + bag::Chunk("none", BagRecords(0, 2)) + bomb);
+    const auto path = ScratchFile(std::string(compression) + "_bomb.bag",
+                                  bag::Head(0) + bag::Chunk("none", BagRecords(0, 2)) + bomb);
     const auto recording = OpenRecording(path);
     EXPECT_EQ(recording->contents().channels[0].count, 2U);
     EXPECT_THAT(recording->contents().remarks, Contains(HasSubstr("it is not unpacked")));
   }
 }
 
-// What it unpacks to is bounded, whatever is promised.
+// What it unpacks to is bounded, whatever is promised. LZ4 never gives over 255 times its bytes.
 TEST(Decompressed, EndsAtTheBoundOfABomb) {
   const std::string zeros(std::size_t{80} << 20, '\0');
   for (const auto& [name, compression] :
-       {std::pair("bz2", Compression::kBzip2), std::pair("zstd", Compression::kZstd)}) {
+       {std::pair("bz2", Compression::kBzip2), {"zstd", Compression::kZstd}}) {
     const std::string packed = bag::Compressed(name, zeros);
     std::string buffer;
     EXPECT_EQ(Decompressed(compression, packed, zeros.size(), &buffer).size(),
@@ -351,6 +351,25 @@ TEST(Mcap, WithoutChunksAndSummaryIsRead) {
 }
 
 // As `ros2 bag record --compression-mode message` writes them.
+// Some bytes that promise a hundred megabytes.
+TEST(Mcap, IsNotUnpackedWhereAChunkIsABomb) {
+  const std::string sound = McapHead() + McapChunk("", McapSchemaAndChannel() + McapMessages(0, 2));
+  for (const char* compression : {"lz4", "zstd"}) {
+    const std::string stored = bag::Compressed(compression, std::string(100000, '\0'));
+    const std::string bomb = McapRecord(
+        6,
+        Bytes<std::uint64_t>(0) + Bytes<std::uint64_t>(1) + Bytes<std::uint64_t>(100000000) +
+            Bytes<std::uint32_t>(0) + bag::WithLength(compression) +
+            Bytes(static_cast<std::uint64_t>(stored.size())) + stored);
+    const auto recording = OpenRecording(
+        ScratchFile(std::string(compression) + "_bomb.mcap", sound + bomb + McapEnd()));
+    EXPECT_EQ(ChannelNamed(recording->contents(), "/depth").count, 2U);
+    EXPECT_THAT(recording->contents().remarks,
+                Contains(AllOf(HasSubstr(std::to_string(stored.size()) + " bytes unpack to"),
+                               HasSubstr("100000000: it is not unpacked"))));
+  }
+}
+
 TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
   const auto path = ScratchFile("a.db3", "");
   {
@@ -395,6 +414,11 @@ TEST(Rosbag2, IsUnpackedWhereItIsCompressedAsAWhole) {
   const std::string packed = bag::Compressed("zstd", ReadFile(plain));
   const auto recording = OpenRecording(ScratchFile("a.db3.zstd", packed));
   EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
+  EXPECT_TRUE(IsRecording(ScratchFile("a.db3.zstd", packed)));
+  // A compressed file of another kind is none, nor is another database.
+  EXPECT_FALSE(IsRecording(ScratchFile("text.zstd", bag::Compressed("zstd", "t,u\n0,1\n"))));
+  EXPECT_FALSE(IsRecording(ScratchFile("a.sqlite.zstd", packed)));
+  EXPECT_FALSE(IsRecording(ScratchFile("a.db3.zstd", packed.substr(0, 6))));
   const auto error = [&](const std::string& bytes) {
     return ErrorFrom([&] { OpenRecording(ScratchFile("b.db3.zstd", bytes)); });
   };

@@ -3,6 +3,7 @@
 
 #include "fathom/tool/print_text.h"
 
+#include "fathom/base/quoted.h"
 #include "fathom/tool/broken_lines.h"
 
 #include <unistd.h>
@@ -12,7 +13,8 @@ namespace fathom {
 void PrintText(std::FILE* stream, const std::string& text) {
   constexpr std::size_t kWidth = 100;
   const bool is_terminal = isatty(fileno(stream)) == 1;
-  std::fputs((is_terminal ? BrokenLines(text, kWidth) : text).c_str(), stream);
+  const std::string shown = ShownOnLines(text);
+  std::fputs((is_terminal ? BrokenLines(shown, kWidth) : shown).c_str(), stream);
 }
 
 }  // namespace fathom

@@ -260,7 +260,7 @@ int ReportProblems(const std::string& name, const std::function<int()>& run) {
   }
   if (problem.empty()) return exit_code;
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}\n", name, problem);
+  fmt::print(stderr, "{}: {}\n", name, ShownOnLines(problem));
   return exit_code;
 }
 

@@ -4,6 +4,7 @@
 #include "fathom/tool/wide_flag.h"
 
 #include "fathom/base/plural.h"
+#include "fathom/base/quoted.h"
 
 #include <cstddef>
 
@@ -21,7 +22,7 @@ Table ShownInTerminal(const Table& table, std::vector<std::string>* left_out) {
 
 std::string TableForTerminal(const Table& table) {
   std::vector<std::string> left_out;
-  const std::string text = FormatTable(ShownInTerminal(table, &left_out));
+  const std::string text = ShownOnLines(FormatTable(ShownInTerminal(table, &left_out)));
   if (left_out.empty()) return text;
   return text + fmt::format("({} more with --wide)\n", Plural(left_out.size(), "column"));
 }

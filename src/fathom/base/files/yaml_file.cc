@@ -143,6 +143,17 @@ std::string YamlMap::String(std::string_view key, const std::string& if_missing)
   return Has(key) ? String(key) : if_missing;
 }
 
+std::string YamlMap::Name(std::string_view key) const {
+  std::string name = String(key);
+  if (name.find_first_not_of(' ') == std::string::npos) {
+    Fail(key, "is empty, expected a name.");
+  }
+  if (ShownOnOneLine(name) != name) {
+    Fail(key, fmt::format("is {}, expected a name without control characters.", Quoted(name)));
+  }
+  return name;
+}
+
 double YamlMap::Number(std::string_view key) const {
   return NumberOf(*document_, Require(key, "a finite number"));
 }
@@ -251,7 +262,11 @@ void YamlMap::Fail(std::string_view problem) const { FailAt(*document_, *node_, 
 YamlMap ParseYaml(const std::string& name, const std::string& text) {
   auto document = ParseYamlTree(name, text);
   const YamlNode* const root = &document->root;
-  if (root->kind != Kind::kMap) FailKind(*document, *root, "keys and values ('key: value')");
+  if (root->kind != Kind::kMap) {
+    // A text may be any file of anybody: it does not stand in the message.
+    const std::string found = root->kind == Kind::kText ? "a text" : Describe(*root);
+    FailAt(*document, *root, fmt::format("is {}, expected keys and values ('key: value').", found));
+  }
   return YamlMap(std::move(document), root);
 }
 

@@ -44,6 +44,10 @@ class YamlMap {
   // Without a default the key must be there. Strings may be empty only if quoted.
   std::string String(std::string_view key) const;
   std::string String(std::string_view key, const std::string& if_missing) const;
+
+  // A string that is not empty and holds no control characters, which a terminal would obey.
+  std::string Name(std::string_view key) const;
+
   double Number(std::string_view key) const;
   double Number(std::string_view key, double if_missing) const;
   std::int64_t Integer(std::string_view key) const;

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/quoted.h"
 #include "fathom/import/convert/gather_streams.h"
 #include "fathom/import/convert/our_axes.h"
 
@@ -226,7 +227,7 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   imported.remarks = recording.contents().remarks;
   imported.remarks.insert(imported.remarks.end(), gathered.remarks.begin(), gathered.remarks.end());
   Log& log = imported.log;
-  log.name = map.name.empty() ? file.stem().string() : map.name;
+  log.name = map.name.empty() ? ShownOnOneLine(file.stem().string()) : map.name;
   log.dive = map.dive;
   log.notes = map.notes;
   log.mass = map.mass;

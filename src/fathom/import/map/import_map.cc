@@ -248,7 +248,7 @@ ImportMap ReadImportMap(const std::filesystem::path& path) {
 ImportMap ParseImportMap(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   ImportMap map;
-  map.name = file.String("name", "");
+  if (file.Has("name")) map.name = file.Name("name");
   map.dofs = DofsOf(file);
   map.vehicle = file.String("vehicle", "");
   if (file.Has("mass")) {

@@ -19,9 +19,11 @@ constexpr std::size_t kInflateStep = std::size_t{1} << 18;  // [bytes]
 std::optional<std::string> Inflated(ByteFile* file,
                                     std::uint64_t offset,
                                     std::uint64_t count,
-                                    std::size_t most) {
+                                    std::size_t most,
+                                    DeflateFrame frame) {
   z_stream stream = {};
-  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  const int window = frame == DeflateFrame::kZlib ? MAX_WBITS : -MAX_WBITS;
+  if (inflateInit2(&stream, window) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
   std::string out;
   // Deflate shrinks to a thousandth at most. Memory that is reserved and not touched is not taken.

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +19,7 @@ namespace fathom {
 namespace {
 
 constexpr std::size_t kMostNames = 40;
+constexpr std::size_t kFewFields = 20;
 
 // "'a', 'b', ...".
 std::string Listed(const std::vector<std::string>& names) {
@@ -43,10 +47,19 @@ const Channel& FindChannel(const Contents& contents,
                                  Quoted(selection.channel),
                                  Listed(names)));
   }
+  // Of many fields of many, one search each would take their product.
+  const auto& fields = channel->fields;
+  std::set<std::string_view> known;
+  if (selection.fields.size() > kFewFields) {
+    for (const Field& field : fields) known.insert(field.name);
+  }
+  const auto is_there = [&](const std::string& name) {
+    if (!known.empty()) return known.contains(name);
+    return std::any_of(
+        fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+  };
   for (const std::string& name : selection.fields) {
-    const auto& fields = channel->fields;
-    if (std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; }))
-      continue;
+    if (is_there(name)) continue;
     std::vector<std::string> names;
     for (const Field& field : fields) names.push_back(field.name);
     throw InputError(fmt::format("{}: {}has no field {}, expected one of {}.",

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/recording/find_channel.h"
+#include "fathom/import/recording/joined_clocks.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,12 +19,27 @@
 namespace fathom {
 namespace {
 
-double FirstStampOf(const Recording& recording) {
+// A file with what is to be added to its stamps [s].
+struct TimedPart {
+  std::string file;
+  std::unique_ptr<Recording> recording;
+  double shift = 0.0;
+};
+
+// On the common clock.
+double FirstStampOf(const TimedPart& part) {
   double first = std::numeric_limits<double>::infinity();
-  for (const Channel& channel : recording.contents().channels) {
-    if (channel.first) first = std::min(first, *channel.first);
+  for (const Channel& channel : part.recording->contents().channels) {
+    if (channel.first) first = std::min(first, *channel.first + part.shift);
   }
   return first;
+}
+
+// With its stamps on the common clock.
+Channel Shifted(Channel channel, double shift) {
+  if (channel.first) *channel.first += shift;
+  if (channel.last) *channel.last += shift;
+  return channel;
 }
 
 // Appends the fields that are new.
@@ -55,35 +71,77 @@ class JoinedRecording final : public Recording {
 
  private:
   // What a part's channel is called here.
-  std::string NameOf(const RecordingPart& part, const Channel& channel) const {
+  std::string NameOf(const TimedPart& part, const Channel& channel) const {
     return names_of_several_types_.contains(channel.name) ? part.file + "/" + channel.name
                                                           : channel.name;
   }
 
+  void PutOnOneClock(std::vector<RecordingPart> parts);
+
+  // Throws InputError where two files that are read count on clocks of unknown difference.
+  void RefuseConflicts(std::span<const Selection> selections) const;
+
   std::filesystem::path folder_;
-  std::vector<RecordingPart> parts_;
+  std::vector<TimedPart> parts_;
   std::set<std::string> names_of_several_types_;
+  std::vector<ClockConflict> conflicts_;
   Contents contents_;
 };
+
+void JoinedRecording::PutOnOneClock(std::vector<RecordingPart> parts) {
+  std::vector<ClockOfPart> clocks;
+  for (const RecordingPart& part : parts)
+    clocks.push_back({part.file, &part.recording->contents()});
+  JoinedClocks joined = JoinClocks(clocks);
+  contents_.utc_of_zero = joined.utc_of_zero;
+  conflicts_ = std::move(joined.conflicts);
+  contents_.remarks.insert(contents_.remarks.end(), joined.remarks.begin(), joined.remarks.end());
+  for (const ClockConflict& conflict : conflicts_) {
+    contents_.remarks.push_back(conflict.why + ". They are not read together.");
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts_.push_back({std::move(parts[i].file), std::move(parts[i].recording), joined.shifts[i]});
+  }
+  std::stable_sort(parts_.begin(), parts_.end(), [](const TimedPart& a, const TimedPart& b) {
+    return std::pair(FirstStampOf(a), a.file) < std::pair(FirstStampOf(b), b.file);
+  });
+}
+
+void JoinedRecording::RefuseConflicts(std::span<const Selection> selections) const {
+  if (conflicts_.empty()) return;
+  std::set<std::string> read;
+  for (const TimedPart& part : parts_) {
+    for (const Channel& channel : part.recording->contents().channels) {
+      const std::string name = NameOf(part, channel);
+      if (std::any_of(selections.begin(), selections.end(), [&](const Selection& selection) {
+            return selection.channel == name;
+          })) {
+        read.insert(part.file);
+      }
+    }
+  }
+  for (const ClockConflict& conflict : conflicts_) {
+    if (!read.contains(conflict.first) || !read.contains(conflict.second)) continue;
+    throw InputError(fmt::format("{}: {}, expected files of one clock. Import each by itself.",
+                                 folder_.string(),
+                                 conflict.why));
+  }
+}
 
 JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
                                  std::vector<RecordingPart> parts,
                                  std::vector<std::string> remarks)
-    : folder_(folder), parts_(std::move(parts)) {
+    : folder_(folder) {
   contents_.remarks = std::move(remarks);
-  if (parts_.empty()) {
+  if (parts.empty()) {
     throw InputError(fmt::format("{}: holds no recording that can be read.{}",
                                  folder.string(),
                                  contents_.remarks.empty() ? "" : " " + contents_.remarks.front()));
   }
-  std::stable_sort(
-      parts_.begin(), parts_.end(), [](const RecordingPart& a, const RecordingPart& b) {
-        return std::pair(FirstStampOf(*a.recording), a.file) <
-               std::pair(FirstStampOf(*b.recording), b.file);
-      });
+  PutOnOneClock(std::move(parts));
   std::map<std::string, std::string> type_of;
   std::set<std::string> formats;
-  for (const RecordingPart& part : parts_) {
+  for (const TimedPart& part : parts_) {
     formats.insert(part.recording->contents().format);
     for (const Channel& channel : part.recording->contents().channels) {
       const auto [known, is_new] = type_of.emplace(channel.name, channel.type);
@@ -94,11 +152,11 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
     }
   }
   contents_.format = formats.size() == 1 ? *formats.begin() : "several";
-  contents_.utc_of_zero = parts_.front().recording->contents().utc_of_zero;
   std::map<std::string, Channel> channels;
-  for (const RecordingPart& part : parts_) {
+  for (const TimedPart& part : parts_) {
     const Contents& of_part = part.recording->contents();
-    for (const Channel& channel : of_part.channels) {
+    for (const Channel& own : of_part.channels) {
+      const Channel channel = Shifted(own, part.shift);
       const std::string name = NameOf(part, channel);
       const auto [known, is_new] = channels.try_emplace(name, channel);
       known->second.name = name;
@@ -110,7 +168,6 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
     for (const std::string& remark : of_part.remarks) {
       contents_.remarks.push_back(part.file + ": " + remark);
     }
-    if (of_part.utc_of_zero != contents_.utc_of_zero) contents_.utc_of_zero.reset();
   }
   for (auto& [name, channel] : channels) contents_.channels.push_back(std::move(channel));
 }
@@ -118,8 +175,9 @@ JoinedRecording::JoinedRecording(const std::filesystem::path& folder,
 std::vector<std::string> JoinedRecording::Read(std::span<const Selection> selections,
                                                const SampleSink& sink) const {
   for (const Selection& selection : selections) FindChannel(contents_, folder_, selection);
+  RefuseConflicts(selections);
   std::vector<std::string> remarks;
-  for (const RecordingPart& part : parts_) {
+  for (const TimedPart& part : parts_) {
     std::vector<Selection> of_part;
     // By selection of the part: which of ours it is, and the places of its fields in that.
     std::vector<std::pair<std::size_t, std::vector<std::size_t>>> ours;
@@ -145,12 +203,13 @@ std::vector<std::string> JoinedRecording::Read(std::span<const Selection> select
     }
     if (of_part.empty()) continue;
     std::vector<double> all;
+    const double shift = part.shift;
     const auto found = part.recording->Read(
         of_part, [&](std::size_t selection, double time, std::span<const double> values) {
           const auto& [index, places] = ours[selection];
           all.assign(selections[index].fields.size(), std::numeric_limits<double>::quiet_NaN());
           for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = values[k];
-          sink(index, time, all);
+          sink(index, time + shift, all);
         });
     for (const std::string& remark : found) remarks.push_back(part.file + ": " + remark);
   }

@@ -179,7 +179,7 @@ std::string YamlText(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
+    quoted += ShownOnOneLine({&c, 1});  // \x.. is YAML's own
   }
   return quoted + "\"";
 }

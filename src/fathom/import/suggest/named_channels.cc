@@ -55,7 +55,7 @@ std::string NameOfColumn(const std::string& array, std::size_t index) {
   return "";
 }
 
-// What the field of an array of a .mat is called.
+// What the field of an array of a .mat or .npz is called.
 std::string NameOf(const Channel& channel, std::size_t index) {
   if (channel.fields.size() == 1) return channel.name.substr(channel.name.rfind('.') + 1);
   const std::string name = NameOfColumn(channel.name, index);
@@ -94,9 +94,10 @@ void NameByTable(Channel* channel) {
 std::vector<NamedChannel> NamedChannels(const Contents& contents) {
   std::vector<NamedChannel> all;
   std::map<std::uint64_t, NamedChannel> of_count;  // arrays without stamps
+  // Arrays of MATLAB or numpy, whose columns may have no other name than a number.
+  const bool has_arrays = contents.format.starts_with("mat") || contents.format.starts_with("np");
   for (const Channel& channel : contents.channels) {
-    const bool is_mat = contents.format.starts_with("mat");
-    const bool is_array = is_mat && !channel.first;
+    const bool is_array = has_arrays && !channel.first;
     NamedChannel own;
     own.channel = channel;
     NamedChannel& named = is_array ? of_count[channel.count] : own;
@@ -104,7 +105,7 @@ std::vector<NamedChannel> NamedChannels(const Contents& contents) {
       named.places.push_back({channel.name, channel.fields[i].name});
       if (is_array) {
         named.channel.fields.push_back({NameOf(channel, i), "", 0});
-      } else if (is_mat) {
+      } else if (has_arrays) {
         named.channel.fields[i].name = NameInStruct(channel.fields[i].name);
       }
     }

@@ -23,10 +23,10 @@ struct NamedChannel {
   std::string time_channel;        // an array with a stamp for each sample; empty: there is none
 };
 
-// The channels of a recording. Of a .mat, all arrays without stamps that have as many samples are
-// one, and their fields have the names of the arrays: "u" of an array u; of an array eta, whose
-// columns have numbers, x, y, z, roll, pitch, yaw. The only column of a table, "field" or "data",
-// is called as the table.
+// The channels of a recording. Of a .mat, .npy or .npz, all arrays without stamps that have as many
+// samples are one, and their fields have the names of the arrays: "u" of an array u; of an array
+// eta, whose columns have numbers, x, y, z, roll, pitch, yaw. The only column of a table, "field"
+// or "data", is called as the table.
 std::vector<NamedChannel> NamedChannels(const Contents& contents);
 
 }  // namespace fathom

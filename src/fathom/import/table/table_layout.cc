@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -213,11 +215,11 @@ std::string OnNamesOfAnotherNumber(const std::vector<Line>& lines, const Reading
 
 // Two columns of one name cannot be told apart: the later ones get their number.
 void MakeUnique(std::vector<Field>* columns) {
+  std::set<std::string> taken;
   for (std::size_t i = 0; i < columns->size(); ++i) {
-    const auto end = columns->begin() + static_cast<std::ptrdiff_t>(i);
-    const bool is_taken = std::any_of(
-        columns->begin(), end, [&](const Field& f) { return f.name == (*columns)[i].name; });
-    if (is_taken) (*columns)[i].name += fmt::format("#{}", i + 1);
+    std::string& name = (*columns)[i].name;
+    if (taken.contains(name)) name += fmt::format("#{}", i + 1);
+    taken.insert(name);
   }
 }
 

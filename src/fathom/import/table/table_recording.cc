@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -221,13 +222,15 @@ void TableRecording::List() {
 
 std::vector<std::string> TableRecording::Read(std::span<const Selection> selections,
                                               const SampleSink& sink) const {
-  std::vector<std::vector<int>> columns;
+  std::map<std::string_view, std::size_t> column_of;
+  for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
+    column_of.emplace(layout_.columns[i].name, i);
+  }
+  std::vector<std::vector<std::size_t>> columns;
   for (const Selection& selection : selections) {
     FindChannel(contents_, path_, selection);
     auto& indices = columns.emplace_back();
-    for (const std::string& field : selection.fields) {
-      indices.push_back(FindColumn(layout_.columns, field));
-    }
+    for (const std::string& field : selection.fields) indices.push_back(column_of.at(field));
   }
   StampReader stamp_reader(stamps_, layout_.style.decimal);
   std::vector<double> values;
@@ -236,7 +239,7 @@ std::vector<std::string> TableRecording::Read(std::span<const Selection> selecti
     if (!time && stamps_.column >= 0) return;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       values.clear();
-      for (const int column : columns[i]) {
+      for (const std::size_t column : columns[i]) {
         values.push_back(ParseCell(cells[column], layout_.style.decimal).value_or(NAN));
       }
       sink(i, time.value_or(NAN), values);

@@ -89,12 +89,15 @@ bool OnlyGrows(const std::vector<std::vector<std::string>>& rows, int column, ch
 
 // By name; -1 if none is called so.
 int FindByName(const std::vector<Field>& columns) {
-  for (const std::string_view name : kNames) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (NameAndUnit(columns[i]).first == name) return static_cast<int>(i);
-    }
+  auto surest = kNames.end();
+  int found = -1;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto at = std::find(kNames.begin(), surest, NameAndUnit(columns[i]).first);
+    if (at == surest) continue;
+    surest = at;
+    found = static_cast<int>(i);
   }
-  return -1;
+  return found;
 }
 
 // The words of a name, in lower case: "original", "time", "stamp" of "original_timeStamp".

@@ -97,8 +97,8 @@ class Header {
 
   void RefuseWhatHoldsNoNames() const {
     if (cells_.size() == 1 && cells_[0].find_first_of(";\t") != std::string::npos) {
-      Fail(fmt::format("the columns {} are separated by {}, expected commas.",
-                       Quoted(cells_[0]),
+      // The line may be anybody's: it does not stand in the message.
+      Fail(fmt::format("the columns are separated by {}, expected commas.",
                        cells_[0].find(';') != std::string::npos ? "';'" : "tabs"));
     }
     if (std::all_of(cells_.begin(), cells_.end(), [](const std::string& cell) {

@@ -172,7 +172,7 @@ Experiment ReadExperimentFile(const std::filesystem::path& path) {
 Experiment ParseExperiment(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   Experiment experiment;
-  experiment.name = file.String("name");
+  experiment.name = file.Name("name");
   experiment.notes = file.String("notes", "");
   experiment.start_time = NumberWithin(file, "start_time", 0.0, 1e10, 0.0);
   experiment.duration = Positive(file, "duration");

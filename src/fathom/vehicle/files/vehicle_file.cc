@@ -55,7 +55,7 @@ void RequireIncreasing(const YamlMap& map,
 
 ThrustTable ReadThrustTable(const YamlMap& map) {
   ThrustTable table;
-  table.name = map.String("name");
+  table.name = map.Name("name");
   map.Ignore("source");
   table.command_unit = map.String("command");
   if (table.command_unit != "us" && table.command_unit != "1") {
@@ -80,7 +80,7 @@ ThrustTable ReadThrustTable(const YamlMap& map) {
 
 Thruster ReadThruster(const YamlMap& map, const std::vector<ThrustTable>& tables) {
   Thruster thruster;
-  thruster.name = map.String("name");
+  thruster.name = map.Name("name");
   thruster.position = Vector(map, "position");
   thruster.direction = Vector(map, "direction");
   const double length = thruster.direction.stableNorm();
@@ -173,7 +173,7 @@ Vehicle ReadVehicleFile(const std::filesystem::path& path) {
 Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   Vehicle vehicle;
-  vehicle.name = file.String("name");
+  vehicle.name = file.Name("name");
   if (file.Has("mass")) vehicle.mass = NumberAbove0(file, "mass");
   if (file.Has("size")) vehicle.size = ReadSize(file);
   if (const auto inertia = file.OptionalMap("inertia")) {

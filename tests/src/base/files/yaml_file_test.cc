@@ -163,8 +163,25 @@ TEST(YamlFile, RefusesAnEmptyFileAndOneThatIsNoMap) {
             "v.yaml: is empty, expected keys and values ('key: value').");
   EXPECT_EQ(ParseError("- 1\n- 2\n"),
             "v.yaml:1: is a list of 2, expected keys and values ('key: value').");
-  EXPECT_EQ(ParseError("t,tau,v"),
-            "v.yaml:1: is 't,tau,v', expected keys and values ('key: value').");
+  EXPECT_EQ(ParseError("t,tau,v"), "v.yaml:1: is a text, expected keys and values ('key: value').");
+}
+
+TEST(YamlFile, ANameHoldsSomethingAndNothingThatATerminalObeys) {
+  const auto error_of = [](const std::string& text) -> std::string {
+    try {
+      return ParseYaml("v.yaml", text).Name("name");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(error_of("name: Fl\xc3\xa4"
+                     "che 7"),
+            "Fl\xc3\xa4"
+            "che 7");
+  EXPECT_EQ(error_of("a: 1\nname: \"\""), "v.yaml:2: key 'name' is empty, expected a name.");
+  EXPECT_EQ(error_of("name: \"  \""), "v.yaml:1: key 'name' is empty, expected a name.");
+  EXPECT_EQ(error_of("name: \"a\\x1b[2J\""),
+            "v.yaml:1: key 'name' is 'a\\x1b[2J', expected a name without control characters.");
 }
 
 TEST(YamlFile, RefusesRepeatedKeysAliasesTagsAndSecondDocuments) {

@@ -129,9 +129,9 @@ TEST(CsvTable, RefusesAHeaderThatIsNone) {
       "velocity.csv:1: the first line holds numbers, expected the column names t and at least "
       "one of u, v, w, p, q, r.");
   EXPECT_EQ(Error("t;u\n0;1\n"),
-            "velocity.csv:1: the columns 't;u' are separated by ';', expected commas.");
+            "velocity.csv:1: the columns are separated by ';', expected commas.");
   EXPECT_EQ(Error("t\tu\n0\t1\n"),
-            "velocity.csv:1: the columns 't\\x09u' are separated by tabs, expected commas.");
+            "velocity.csv:1: the columns are separated by tabs, expected commas.");
   EXPECT_EQ(Error("t,,u\n0,1,2\n"), "velocity.csv:1: column 2 has no name, expected one.");
 }
 
