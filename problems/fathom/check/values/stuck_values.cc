@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace fathom {
@@ -21,6 +22,7 @@ constexpr double kFewEqual = 0.05;            // of the steps
 // How the values go on outside long runs.
 struct UsualSteps {
   double jump = 0.0;         // LargeJump() of those that are not 0
+  double mean = 0.0;         // of those that are not 0
   double equal_share = 0.0;  // of those that are 0
 };
 
@@ -39,8 +41,26 @@ UsualSteps UsualStepsOf(std::span<const double> time,
   }
   if (changes.empty()) return {};
   const auto num_steps = static_cast<double>(changes.size() + num_equal);
+  const double mean =
+      std::accumulate(changes.begin(), changes.end(), 0.0) / static_cast<double>(changes.size());
   return {.jump = LargeJump(std::move(changes)),
+          .mean = mean,
           .equal_share = static_cast<double>(num_equal) / num_steps};
+}
+
+// Whether the values come to rest in a run, as those of a vehicle without noise do, or leave it
+// from rest where it is the first: some steps next to it are far smaller than the usual ones.
+bool ComesToRest(std::span<const double> values, const EqualRun& run, const UsualSteps& usual) {
+  constexpr std::size_t kNumSteps = 5;
+  constexpr double kSmall = 0.1;
+  const bool is_first = run.first == 0;
+  const std::size_t begin = is_first ? run.last : run.first - std::min(run.first, kNumSteps);
+  const std::size_t end = is_first ? std::min(run.last + kNumSteps, values.size() - 1) : run.first;
+  if (end - begin < kNumSteps) return false;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (std::abs(values[i + 1] - values[i]) > kSmall * usual.mean) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -60,7 +80,7 @@ std::optional<StuckValues> FindStuckValues(std::span<const double> time,
     const bool jumps = std::max(jump_in, jump_out) > usual.jump;
     const bool never_rests = value != 0.0 && usual.equal_share < kFewEqual &&
                              time[run.last] - time[run.first] >= kShortestWithoutJump;
-    if (!jumps && !never_rests) continue;
+    if ((!jumps && !never_rests) || ComesToRest(values, run, usual)) continue;
     if (run.NumRows() > (stuck.num_rows == 0 ? 0 : stuck.longest.NumRows())) stuck.longest = run;
     stuck.num_rows += run.NumRows();
   }

@@ -21,6 +21,8 @@ struct StuckValues {
 // - the values before or after it are far from, by the usual step from row to row; or that
 // - lasts five seconds, is not 0, and stands in a column that otherwise changes in every row.
 //
+// Nothing of that is a value in which the column comes to rest by ever smaller steps.
+//
 // `time`: stamps of the values [s], increasing.
 std::optional<StuckValues> FindStuckValues(std::span<const double> time,
                                            std::span<const double> values);

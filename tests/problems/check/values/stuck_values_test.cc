@@ -3,6 +3,9 @@
 
 #include "fathom/check/values/stuck_values.h"
 
+#include <cmath>
+#include <vector>
+
 #include "values/noisy_motion.h"
 #include <gtest/gtest.h>
 
@@ -36,6 +39,20 @@ TEST(StuckValues, AreNotThoseOfAVehicleAtRestOrOfACoarseSensor) {
   EXPECT_FALSE(FindStuckValues(motion.time, Rounded(motion.value, 0.1)));
   EXPECT_FALSE(FindStuckValues(motion.time, Rounded(motion.value, 0.5)));
   EXPECT_FALSE(FindStuckValues(motion.time, std::vector<double>(600, 0.3)));
+}
+
+// A speed of a simulation, without noise, written with six digits: each step of the force takes it
+// towards a steady value with a time constant of 0.3 s, and it stays there.
+TEST(StuckValues, AreNotThoseOfAMotionThatComesToRestWithoutNoise) {
+  std::vector<double> time, value;
+  double v = 0.0, steady = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    if (i % 150 == 100) steady = 0.2 + 0.1 * ((i / 150 * 7) % 5);
+    time.push_back(0.1 * i);
+    value.push_back(std::round(v * 1e6) / 1e6);
+    v += (steady - v) * (1.0 - std::exp(-0.1 / 0.3));
+  }
+  EXPECT_FALSE(FindStuckValues(time, value));
 }
 
 }  // namespace
