@@ -8,6 +8,7 @@
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
@@ -150,8 +151,9 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Cause& cause : diagnosis.causes) names.push_back(LabelsOf(diagnosis, cause));
   if (!names.empty()) {
-    facts.push_back(
-        {names.size() == 1 ? "cause" : "causes", fmt::format("{}", fmt::join(names, "; "))});
+    facts.push_back({std::string(names.size() == 1 ? "cause" : "causes") +
+                         (AreUnconfirmed(diagnosis) ? ", not confirmed" : ""),
+                     fmt::format("{}", fmt::join(names, "; "))});
   }
   if (std::isfinite(diagnosis.explained_share)) {
     facts.push_back({"squared error beyond scatter, explained",
