@@ -12,6 +12,7 @@
 #include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
@@ -153,7 +154,7 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   if (!names.empty()) {
     facts.push_back({std::string(names.size() == 1 ? "cause" : "causes") +
                          (AreUnconfirmed(diagnosis) ? ", not confirmed" : ""),
-                     fmt::format("{}", fmt::join(names, "; "))});
+                     InWords(fmt::format("{}", fmt::join(names, "; ")))});
   }
   if (std::isfinite(diagnosis.explained_share)) {
     facts.push_back({"squared error beyond scatter, explained",
@@ -196,6 +197,7 @@ std::vector<std::string> LeadOf(const Diagnosis& diagnosis) {
   if (std::string first = ExplainFirst(diagnosis.findings); !first.empty()) {
     lead.insert(lead.begin(), std::move(first));
   }
+  for (std::string& paragraph : lead) paragraph = InWords(paragraph);
   return lead;
 }
 
@@ -204,7 +206,7 @@ std::vector<std::string> LeadOf(const Diagnosis& diagnosis) {
 Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
   Page page;
   page.title = TitleOf(diagnosis);
-  page.lead = {fmt::format("There is no diagnosis: {}", why)};
+  page.lead = {InWords(fmt::format("There is no diagnosis: {}", why))};
   page.warnings = WarningsOf(diagnosis);
   PageSection notes;
   notes.heading = "Remarks";
