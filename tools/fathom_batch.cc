@@ -18,6 +18,7 @@
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/programs_folder.h"
 #include "fathom/tool/progress.h"
+#include "fathom/tool/progress_lines.h"
 #include "fathom/tool/tool.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
+#include <unistd.h>
 
 DEFINE_string(archive, "", "A folder with logs in it, at any depth. Nothing is written into it.");
 DEFINE_string(results, "", "An SQLite database; made if it is missing, continued if it is there.");
@@ -118,17 +120,32 @@ BatchOptions OptionsFromFlags() {
   return options;
 }
 
+// "log 3 of 17, 2.1 a minute, 7 min left"
+std::string LineOf(const BatchProgress& progress, double seconds) {
+  return fmt::format(
+      "{} {} of {}{}", progress.noun, progress.done, progress.total, PaceText(progress, seconds));
+}
+
+// In a terminal one line that changes, elsewhere a line a minute.
 BatchSummary RunBatchWithProgress(const BatchOptions& options) {
   std::optional<Progress> line;
+  std::optional<ProgressLines> lines;
+  if (isatty(STDERR_FILENO) != 1) {
+    lines.emplace(kInfo.name, "no log is done yet", std::chrono::minutes(1));
+  }
   std::string noun;
   auto start = std::chrono::steady_clock::now();
   return RunBatch(options, [&](const BatchProgress& progress) {
     if (progress.noun != noun) {
       noun = progress.noun;
-      line.emplace(noun);
+      if (!lines) line.emplace(noun);
       start = std::chrono::steady_clock::now();
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (lines) {
+      lines->Show(LineOf(progress, seconds.count()));
+      return;
+    }
     line->Show(static_cast<int>(progress.done),
                static_cast<int>(progress.total),
                PaceText(progress, seconds.count()));

@@ -49,8 +49,11 @@ const ToolInfo kInfo = {
     "parameter would be known; where a long dive is excited, and what to hold out; of several "
     "logs, "
     "which carry the information. Each finding says what it does to a model and what to do: "
-    "docs/check.md. Exit code 2: a finding is red.",
-    {"log"}};
+    "docs/check.md.",
+    {"log"},
+    {},
+    "0: no finding is red; 1: a log or a flag cannot be used; 2: a finding is red. A log of "
+    "--archive that cannot be used stands in its table and changes no exit code"};
 
 // Several logs: which of them carry the information.
 int CheckLogs(const std::vector<std::string>& paths) {

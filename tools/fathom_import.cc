@@ -168,6 +168,25 @@ int List(const std::filesystem::path& file) {
   return 0;
 }
 
+// On stderr: stdout is the map.
+void TellDamage(const std::filesystem::path& file, const Contents& contents) {
+  if (contents.IsComplete()) return;
+  PrintText(stderr, Heading(file, contents) + "\n");
+  for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
+}
+
+// Throws InputError for a recording in which nothing was recognised.
+void RequireAStream(const std::filesystem::path& file,
+                    const Contents& contents,
+                    const SuggestedMap& map) {
+  if (map.NamesAStream()) return;
+  throw InputError(fmt::format(
+      "{0}: nothing in it was recognised, expected {1}. fathom_import --from={0} --list says what "
+      "it holds; docs/import.md says how a map is written by hand.",
+      file.string(),
+      WhatIsLookedFor(contents.format)));
+}
+
 int Suggest(const std::filesystem::path& file) {
   RequireOutputs({{"json", FLAGS_json}}, {FLAGS_from});
   std::optional<Vehicle> vehicle;
@@ -175,6 +194,8 @@ int Suggest(const std::filesystem::path& file) {
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
   RequireSamples(file, recording->contents());
   const SuggestedMap map = SuggestMap(*recording, vehicle);
+  TellDamage(file, recording->contents());
+  RequireAStream(file, recording->contents(), map);
   fmt::print("{}", ShownOnLines(map.text));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
   return 0;

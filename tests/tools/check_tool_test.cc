@@ -678,6 +678,21 @@ TEST(CheckTool, SaysThatLogsOfOneVehicleDisagree) {
               HasSubstr("disagree on the inertia in surge"));
 }
 
+// A log that never moves gives no model; two others weigh a fifth of what they move with.
+TEST(CheckTool, AcquitsNoLogWithoutAModelAndTellsOfUnusualInertias) {
+  const Path folder = EmptyTestFolder();
+  std::vector<Path> logs;
+  for (int seed = 1; seed < 4; ++seed) {
+    logs.push_back(SmallLogWith(folder, fmt::format("run_{}", seed), "", seed));
+    WriteTestFile(logs.back() / "log.yaml", "name: run\ndof: surge\nmass: 9\n");
+  }
+  WriteTestFile(logs[2] / "log.yaml", "name: run\ndof: heave\nmass: 9\n");
+  const std::string verdict = CheckSeveral(logs, folder)["verdict"];
+  EXPECT_THAT(verdict, HasSubstr("Nothing red speaks against 2 of 3 logs, but"));
+  EXPECT_THAT(verdict, HasSubstr(logs[2].string() + " gives no model"));
+  EXPECT_THAT(verdict, HasSubstr("the inertia in surge is 4.4 times the dry mass in 2 of 3 logs"));
+}
+
 // What it proposes to hold out of several logs leaves enough to identify.
 TEST(CheckTool, ProposesWholeLogsToHoldOut) {
   const Path folder = EmptyTestFolder();

@@ -128,6 +128,29 @@ TEST(ImportTool, MakesTheSameLogOfAMat) {
   }
 }
 
+TEST(ImportTool, RefusesToSuggestAMapOfWhatItDoesNotKnow) {
+  const Path folder = EmptyTestFolder();
+  const Path file = WriteTestFile(folder / "beans.csv", "a,beans,peas\n1,2,3\n2,3,4\n3,4,5\n");
+  const ToolRun run = Import({"--from=" + file.string(), "--suggest"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr(file.string() + ": nothing in it was recognised, expected fields"),
+                    HasSubstr("tau_surge"),
+                    HasSubstr("--list")));
+}
+
+TEST(ImportTool, TellsDamageBesideTheMapThatItSuggests) {
+  const Path folder = EmptyTestFolder();
+  const std::string whole = TextOf(kPool);
+  const Path file = WriteTestFile(folder / "cut.csv", whole.substr(0, whole.size() - 8));
+  const ToolRun run = Import({"--from=" + file.string(), "--suggest"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("tau_surge: Thrust"));
+  EXPECT_THAT(run.err, HasSubstr("incomplete: "));
+  EXPECT_THAT(run.err, HasSubstr("note: the file ends within a row"));
+}
+
 TEST(ImportTool, SuggestsTheColumnOfTheStampsAsTheClock) {
   const ToolRun run = RunToolBinary("fathom_import", {"--from=" + kPool, "--suggest"});
   EXPECT_THAT(run.out, HasSubstr("\n# The stamps are the column Time [ms].\n"));

@@ -70,6 +70,12 @@ constexpr Entry kAdvice[] = {
     {"lost_values",
      {"The zeros are taken for motion: inertia grows, and effects are named that do not exist.",
       "Take the rows without a reading out of the file that is named."}},
+    {"mass",
+     {"None of its own, but units are checked by the mass: a wrong one hides a wrong unit, or "
+      "names "
+      "one that is right.",
+      "Weigh the vehicle. Mend `mass` in log.yaml, or leave it out: then the vehicle file's "
+      "counts."}},
     {"no_model",
      {"This log alone gives none.",
       "Drive what the sentence asks for. If it asks for nothing, look for a wrong sign, clock or "

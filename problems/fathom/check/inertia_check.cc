@@ -89,18 +89,25 @@ std::string ExplainedBy(double inertia, const Body& body) {
   return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));
 }
 
-}  // namespace
-
-double MostInertia(Dof dof, const Body& body) {
-  const double as_a_rule = kMostMasses * body.mass;
-  if (!body.size) return as_a_rule;
+// The added mass of a plate as large as the face across the motion; 0 where that is not known.
+double PlateMass(Dof dof, const Body& body) {
+  if (!body.size) return 0.0;
   std::vector<double> face;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != Index(dof)) face.push_back((*body.size)[axis]);
   }
   const auto [shorter, longer] = std::minmax(face[0], face[1]);
-  const double plate = kWater * std::numbers::pi / 4.0 * shorter * shorter * longer;
-  return std::max(as_a_rule, kBoxOverPlate * (body.mass + plate));
+  return kWater * std::numbers::pi / 4.0 * shorter * shorter * longer;
+}
+
+}  // namespace
+
+double MostInertia(Dof dof, const Body& body) {
+  return std::max(kMostMasses * body.mass, kBoxOverPlate * (body.mass + PlateMass(dof, body)));
+}
+
+double UsualInertia(Dof dof, const Body& body) {
+  return std::max(kUsualMasses * body.mass, body.mass + PlateMass(dof, body));
 }
 
 std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body) {

@@ -39,6 +39,10 @@ struct Body {
 // water that no one weighs: hence the 2. Without a size, five masses.
 double MostInertia(Dof dof, const Body& body);
 
+// The most that is usual: three masses, or with a size m + rho pi/4 a^2 b where that is more. What
+// lies between that and MostInertia() is no mistake by itself.
+double UsualInertia(Dof dof, const Body& body);
+
 // An inertia against the body of the vehicle: a warning of code "inertia" if its 95 % interval lies
 // below the dry mass, or above MostInertia(). A vehicle cannot move with less than its mass, and
 // the water that a body takes along adds once or twice that. The sentence names the mistakes that

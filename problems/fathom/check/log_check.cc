@@ -3,6 +3,7 @@
 
 #include "fathom/check/log_check.h"
 
+#include "fathom/check/mass_check.h"
 #include "fathom/check/motion_check.h"
 #include "fathom/check/sanity.h"
 #include "fathom/check/stamp_check.h"
@@ -38,14 +39,28 @@ std::vector<Finding> OfLog(const Log& log, std::size_t num_logs, std::vector<Fin
   return findings;
 }
 
-// Length, width and height of the vehicle [m], where the log names a vehicle file that knows them.
-std::optional<std::array<double, 3>> SizeOf(const Log& log) {
+// What the log names as its vehicle file; nothing where that is none, or is not there.
+std::optional<Vehicle> VehicleOf(const Log& log) {
   const std::filesystem::path file = log.path / log.vehicle;
   std::error_code error;
   if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return std::nullopt;
-  const std::optional<Eigen::Vector3d> size = ReadVehicleFile(file).size;
-  if (!size) return std::nullopt;
-  return std::array{size->x(), size->y(), size->z()};
+  return ReadVehicleFile(file);
+}
+
+// Length, width and height of the vehicle [m], where the log names a vehicle file that knows them.
+std::optional<std::array<double, 3>> SizeOf(const Log& log) {
+  const std::optional<Vehicle> vehicle = VehicleOf(log);
+  if (!vehicle || !vehicle->size) return std::nullopt;
+  return std::array{vehicle->size->x(), vehicle->size->y(), vehicle->size->z()};
+}
+
+// The masses of log.yaml and of the vehicle file that it names.
+std::vector<Finding> CheckMassOf(const Log& log) {
+  const std::optional<Vehicle> vehicle = VehicleOf(log);
+  if (!log.mass || !vehicle || !vehicle->mass) return {};
+  std::vector<Finding> findings;
+  if (auto finding = CheckMass(*log.mass, *vehicle->mass)) findings.push_back(*std::move(finding));
+  return findings;
 }
 
 // Whether command.csv holds speeds of thrusters: forces have been made of them by now.
@@ -71,6 +86,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
   std::vector<Finding> findings;
   for (const Log& log : logs) {
     Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
+    Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, signals.dof, signals.source)), &findings);
   }
   Add(CheckSanity(signals), &findings);
@@ -83,6 +99,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
   for (const Log& log : logs) {
     const Source source = BestSourceOf(log, dof);
     Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
+    Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
     Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
     Signals signals = SignalsOf(log, dof, {.source = source});

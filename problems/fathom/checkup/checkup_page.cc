@@ -8,6 +8,7 @@
 #include "fathom/checkup/finding_picture.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/report/page.h"
+#include "fathom/vehicle/effects/in_words.h"
 
 #include <algorithm>
 #include <iterator>
@@ -92,10 +93,10 @@ void AddCharts(const DofCheckup& dof, PageSection* section) {
 std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origin) {
   Page page;
   page.title = fmt::format("Check of {}", checkup.log.name);
-  page.lead = {Verdict(checkup)};
+  page.lead = {InWords(Verdict(checkup))};
   const auto tell = [&](const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
-      if (finding.severity == Severity::kWarning) page.lead.push_back(finding.sentence);
+      if (finding.severity == Severity::kWarning) page.lead.push_back(InWords(finding.sentence));
     }
   };
   tell(checkup.findings);

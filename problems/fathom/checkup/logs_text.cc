@@ -5,6 +5,7 @@
 
 #include "fathom/checkup/left_out_dofs.h"
 #include "fathom/checkup/listed_findings.h"
+#include "fathom/checkup/logs_verdict.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/page.h"
 #include "fathom/vehicle/parameters.h"
@@ -40,29 +41,6 @@ double StdOf(const Eigen::MatrixXd& covariance, int parameter) {
   return std::sqrt(covariance(parameter, parameter));
 }
 
-// A spread that logs that agree show once in a thousand times.
-bool IsApart(const Spread& spread) { return spread.freedom > 0 && spread.p_value < 1e-3; }
-
-std::vector<std::string> Disagreements(const DofOfLogs& of_dof) {
-  std::vector<std::string> sentences;
-  for (std::size_t p = 0; p < kNumParameters; ++p) {
-    const Spread& spread = of_dof.agreement.spreads[p];
-    if (!IsApart(spread)) continue;
-    std::string name(kParameterInfo[p].name);
-    std::ranges::replace(name, '_', ' ');
-    sentences.push_back(
-        fmt::format("The logs disagree on the {} in {}: it scatters {:.1f} times as far as the "
-                    "logs know it (chi-square {:.3g} of {}). They are not of one vehicle in one "
-                    "state, or a model of four numbers misses something.",
-                    name,
-                    Name(of_dof.dof),
-                    std::sqrt(spread.chi_squared / spread.freedom),
-                    spread.chi_squared,
-                    spread.freedom));
-  }
-  return sentences;
-}
-
 std::string FindingLines(const CheckedLog& log) {
   std::string text;
   for (const ListedFinding& finding : ListedFindings(log.checkup)) {
@@ -76,22 +54,6 @@ std::string FindingLines(const CheckedLog& log) {
 
 constexpr const char* kMoreOfEachLog =
     "fathom_check of one log alone says what its findings do to a model, and what to do.";
-
-std::string Sentence(const std::vector<CheckedLog>& logs, std::span<const DofOfLogs> dofs) {
-  const auto num_red =
-      std::ranges::count_if(logs, [](const CheckedLog& log) { return HasRed(log.checkup); });
-  const bool agree = std::ranges::all_of(
-      dofs, [](const DofOfLogs& of_dof) { return Disagreements(of_dof).empty(); });
-  if (num_red == 0 && !agree) {
-    return fmt::format("Nothing speaks against each of these {} logs, but they disagree.",
-                       logs.size());
-  }
-  if (num_red == 0) return fmt::format("Nothing speaks against these {} logs.", logs.size());
-  return fmt::format("{} of {} logs {} red findings, which have to be explained first.",
-                     num_red,
-                     logs.size(),
-                     num_red == 1 ? "has" : "have");
-}
 
 Table InformationTable(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof) {
   Table table;
@@ -175,7 +137,7 @@ Json ParameterJson(const std::vector<CheckedLog>& logs, const DofOfLogs& of_dof,
 std::string FormatLogs(const std::vector<CheckedLog>& logs,
                        std::span<const DofOfLogs> dofs,
                        TableFormat format) {
-  std::string text = Sentence(logs, dofs) + "\n\n" + FormatCheckedLogs(logs, format);
+  std::string text = LogsVerdict(logs, dofs) + "\n\n" + FormatCheckedLogs(logs, format);
   std::string findings;
   for (const CheckedLog& log : logs) findings += FindingLines(log);
   if (!findings.empty()) text += findings + kMoreOfEachLog + "\n";
@@ -213,7 +175,7 @@ std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const 
                        {"held_out", std::move(held_out)}});
   }
   const Json json = {{"schema", "fathom-check-logs-1"},
-                     {"verdict", Sentence(logs, dofs)},
+                     {"verdict", LogsVerdict(logs, dofs)},
                      {"logs", std::move(of_logs)},
                      {"dofs", std::move(of_dofs)},
                      {"left_out", LeftOutDofs(logs)}};
@@ -225,7 +187,7 @@ std::string RenderLogsPage(const std::vector<CheckedLog>& logs,
                            const PageOrigin& origin) {
   Page page;
   page.title = fmt::format("Check of {} logs", logs.size());
-  page.lead = {Sentence(logs, dofs)};
+  page.lead = {LogsVerdict(logs, dofs)};
   page.footer = kColourKey;
   page.origin = origin;
   PageSection findings;

@@ -62,6 +62,12 @@ size_t NumLogs(const std::vector<PlacedSegment>& placed) {
   return logs.size();
 }
 
+// Of data that are `which`: "held-out velocity NMAE 0.030", "held-out velocity diverges".
+std::string NoteOn(const char* which, double nmae) {
+  return std::isfinite(nmae) ? fmt::format("{}velocity NMAE {:.3f}", which, nmae)
+                             : fmt::format("{}velocity diverges", which);
+}
+
 }  // namespace
 
 TimePanel ResponsePanel(const DofComparison& comparison) {
@@ -74,9 +80,7 @@ TimePanel ResponsePanel(const DofComparison& comparison) {
     if (!row.is_usable || !std::isfinite(row.fitted.train.nmae)) continue;
     Series& response = panel.responses.emplace_back();
     response.name = ModelName(row);
-    response.note = fmt::format("{}velocity NMAE {:.3f}",
-                                comparison.HasHeldOut() ? "held-out " : "",
-                                ScoreOf(comparison, row));
+    response.note = NoteOn(comparison.HasHeldOut() ? "held-out " : "", ScoreOf(comparison, row));
     response.is_faded = taken != nullptr && &row != taken;
   }
   const std::vector<PlacedSegment> placed = InOrderOfTime(comparison);

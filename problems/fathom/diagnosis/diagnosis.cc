@@ -53,7 +53,8 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   begun.findings = CheckLogs(logs, dof);
   begun.message = WhyNoModel(begun.findings);
   if (!begun.IsUsable()) return begun;
-  const Preparation preparation = Prepare(segments, dof, IdentifiedModelOf(logs, dof));
+  const Identified identified = IdentifiedModelOf(logs, dof);
+  const Preparation preparation = Prepare(segments, dof, identified.model);
   begun.remarks = RemarksOnData(segments, preparation);
   begun.message = preparation.message;
   if (!preparation.prepared) return begun;
@@ -62,9 +63,10 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const std::vector<Suspect> suspects = SuspectsIn(segments, evidence, options, dof);
   const Judgement judgement = Judge(prepared, suspects, evidence, options);
   if (!prepared.has_baseline && judgement.choice.chosen == 0) {
-    begun.message = NoBaseline(dof);
+    begun.message = prepared.why_no_baseline;
     return begun;
   }
+  if (prepared.has_baseline) AddRemarksOn(identified, &begun.remarks);
   Diagnosis diagnosis = Described(segments, prepared, judgement, std::move(begun));
   for (Cause& cause : diagnosis.causes) {
     const double std = EffectStds(diagnosis.extended, cause.effect_index).front();

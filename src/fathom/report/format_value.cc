@@ -130,8 +130,11 @@ int DecimalsFor(double size) {
 
 std::string RoundedAt(double value, int decimals) {
   constexpr int kMostDecimals = 6;
+  constexpr int kFewestDigits = 3;
   const bool needs_power = decimals > kMostDecimals || std::abs(value) >= kLargest;
-  return needs_power ? fmt::format("{:.3g}", value) : Rounded(value, decimals);
+  if (!needs_power) return Rounded(value, decimals);
+  const int digits = value == 0.0 ? 1 : FirstDigit(value, kMostDigits) + decimals + 1;
+  return fmt::format("{:.{}g}", value, std::clamp(digits, kFewestDigits, kMostDigits));
 }
 
 }  // namespace fathom

@@ -37,8 +37,8 @@ std::string WithInterval(
 // stand before the point.
 int DecimalsFor(double size);
 
-// The number with so many decimals: "1090" of 1086 with -1. No more than six, and none of a million
-// and beyond, which get three digits and a power of ten.
+// The number with so many decimals: "1090" of 1086 with -1. With more than six, and of a million
+// and beyond, as many significant digits as end there, three at least: "0.0005994", "1.2346e+08".
 std::string RoundedAt(double value, int decimals);
 
 }  // namespace fathom

@@ -153,7 +153,9 @@ std::string TickLabel(double tick, double step) {
     return fmt::format(
         "{:.{}f}", tick, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
   }
-  return fmt::format("{:.4g}", tick);
+  // As many digits as tell one tick from the next.
+  const double digits = std::floor(std::log10(std::abs(tick))) - std::floor(std::log10(step)) + 1.0;
+  return fmt::format("{:.{}g}", tick, static_cast<int>(std::clamp(digits, 4.0, 15.0)));
 }
 
 std::string ParameterChartHtml(const ParameterPanel& panel, Palette& palette) {

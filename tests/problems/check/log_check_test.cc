@@ -59,6 +59,17 @@ TEST(LogCheck, TakesTheBodyThatTheLogsAgreeOn) {
   EXPECT_FALSE(BodyOf(std::vector{one, other}));
 }
 
+// flatfish.yaml weighs 274 kg; the log's mass is in t.
+TEST(LogCheck, WarnsOfAMassThatIsNotTheVehicles) {
+  Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  log.path = FATHOM_DATA_DIR "/vehicles";
+  log.vehicle = "flatfish.yaml";
+  log.mass = 274.0;
+  EXPECT_THAT(WarningsOf(log, Dof::kSurge), IsEmpty());
+  log.mass = 0.274;
+  EXPECT_THAT(WarningsOf(log, Dof::kSurge), ElementsAre(HasSubstr("the vehicle file 274 kg")));
+}
+
 TEST(LogCheck, KnowsWhatTheLogsHold) {
   Log forces, speeds;
   forces.mass = 274.0;

@@ -52,6 +52,12 @@ TEST(ResponsePanel, ShowsTheFreeRunOfEachModel) {
   EXPECT_EQ(panel.responses[0].note, "held-out velocity NMAE 0.030");
 }
 
+TEST(ResponsePanel, SaysThatARunDivergesInPlaceOfItsFigure) {
+  const TimePanel panel =
+      ResponsePanel(HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, NAN)}));
+  EXPECT_EQ(panel.responses[0].note, "held-out velocity diverges");
+}
+
 TEST(CommandPanel, HoldsTheCommandOverTheTimeOfTheMotion) {
   DofComparison comparison = HandmadeDof({HandmadeRow(Family::kOutputError, 0.02, 0.03)});
   for (Segment& segment : comparison.scored.train) {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -223,6 +224,36 @@ TEST(MeasuredSegmentsOf, TellsLogsOfOneNameByTheirFolders) {
   for (size_t k = 0; k < 3; ++k) EXPECT_EQ(segments.all[k].log, names[k]);
   logs[1].path = logs[0].path;
   EXPECT_NE(DistinctNames(logs)[0], DistinctNames(logs)[1]);
+}
+
+// One run's vehicle was heavier. Birge's rule by hand, on what each run says alone: the weighted
+// mean's deviation times how far the runs scatter by it.
+TEST(SeveralLogs, HaveABaselineWithIntervalsAsWideAsTheyDiffer) {
+  DiagnosisOptions options;
+  options.effects = {FindEffect("thruster_lag")};
+  std::vector<Log> logs;
+  double weights = 0.0, sum = 0.0, sum_of_squares = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    SurgeRun run;
+    run.name = "run_" + std::to_string(k);
+    run.input = Multisine(40.0);
+    run.duration = 150.0;
+    run.model.inertia = k == 2 ? 1000.0 : 890.0;
+    logs.push_back(LogOf(run, 31 + k));
+    const Diagnosis alone = Diagnose(std::span(&logs.back(), 1), Dof::kSurge, options);
+    const double value = alone.baseline.model.baseline.inertia;
+    const double weight = 1.0 / alone.baseline.covariance(kInertia, kInertia);
+    weights += weight;
+    sum += weight * value;
+    sum_of_squares += weight * value * value;
+  }
+  const double chi_squared = sum_of_squares - sum * sum / weights;
+  const double mean_std = std::sqrt(chi_squared / 3.0 / weights);
+  const Diagnosis together = Diagnose(logs, Dof::kSurge, options);
+  const double std = std::sqrt(together.baseline.covariance(kInertia, kInertia));
+  EXPECT_GT(chi_squared, 30.0);
+  EXPECT_NEAR(std, mean_std, 0.02 * mean_std);
+  EXPECT_THAT(together.remarks, Contains(testing::HasSubstr("widened: inertia by a factor of ")));
 }
 
 }  // namespace

@@ -122,5 +122,16 @@ TEST(WithInterval, WritesHugeNumbersWithAPowerOfTen) {
             "3.21e+07 N (3.01e+07 to 3.41e+07 N)");
 }
 
+// A small motor's inertia, known to 2e-7 kg m^2: 1.96 * 2e-7 = 4e-7.
+TEST(WithInterval, KeepsTheDigitsOfASmallNumber) {
+  EXPECT_EQ(WithInterval(5.9941e-4, 2.0e-7, "kg m^2", 0.0, kInfinity),
+            "0.0005994 kg m² (0.000599 to 0.0005998 kg m²)");
+}
+
+TEST(WithInterval, KeepsTheDigitsOfALargeNumber) {
+  EXPECT_EQ(WithInterval(2.3456e6, 1.2e3, "kg", 0.0, kInfinity),
+            "2.346e+06 kg (2.343e+06 to 2.348e+06 kg)");
+}
+
 }  // namespace
 }  // namespace fathom

@@ -84,6 +84,7 @@ TEST(ParameterChart, TicksAreRoundNumbers) {
   EXPECT_EQ(TickLabel(0.75, 0.05), "0.75");
   EXPECT_EQ(TickLabel(-20.0, 10.0), "-20");
   EXPECT_EQ(TickLabel(1e-18, 0.1), "0");
+  EXPECT_EQ(TickLabel(5.9941e-4, 1e-8), "0.00059941");
 }
 
 TEST(ParameterChart, PlacesDotAndBarInPercentOfTheRange) {

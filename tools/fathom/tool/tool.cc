@@ -176,8 +176,7 @@ void PrintHelp(const ToolInfo& info) {
   }
   fmt::print("\nExample:\n\n  {}\n", info.example);
   if (!info.details.empty()) fmt::print("\n{}\n", info.details);
-  fmt::print(
-      "\nExit code 0: a usable result; 1: input or flags cannot be used; 2: no usable fit.\n");
+  fmt::print("\nExit code {}.\n", info.exit_codes);
 }
 
 void PrintFlags() {

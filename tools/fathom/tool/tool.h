@@ -22,6 +22,9 @@ struct ToolInfo {
 
   // The text flag that an argument without a name is the value of; empty: there is none.
   std::string positional_flag = {};
+
+  // What the exit codes mean.
+  std::string exit_codes = "0: a usable result; 1: input or flags cannot be used; 2: no usable fit";
 };
 
 // The frame of every tool: reads the flags that gflags knows from the tools' own files, calls

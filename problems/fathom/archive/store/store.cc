@@ -32,6 +32,16 @@ constexpr const char* kOwnTables = R"(
 // In `done`, of the dives; a path never is empty.
 constexpr const char* kDives = "";
 
+// What `work` on a database gives. Throws InputError, naming the file, for what SQLite says.
+template <typename Work>
+auto Named(const SQLite::Database& database, const Work& work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw InputError(fmt::format("{}: {}.", database.getFilename(), error.what()));
+  }
+}
+
 template <typename Row>
 void SelectInto(SQLite::Database* database, const char* order, std::vector<Row>* rows) {
   *rows = Select<Row>(database, ColumnsOf<Row>().names, order);
@@ -86,34 +96,38 @@ void RequireOurs(const std::filesystem::path& file, SQLite::Database* database) 
 
 // The run of that key in one database.
 std::optional<RunRecord> FindRunIn(SQLite::Database* database, const std::string& key) {
-  SQLite::Statement select(*database,
-                           "SELECT key, program, arguments, version, limits, \"end\", exit_code, "
-                           "signal, seconds, peak_mb, output, message FROM runs WHERE key = ?");
-  select.bind(1, key);
-  if (!select.executeStep()) return std::nullopt;
-  RunRecord run;
-  run.key = select.getColumn(0).getString();
-  run.program = select.getColumn(1).getString();
-  run.arguments = select.getColumn(2).getString();
-  run.version = select.getColumn(3).getString();
-  run.limits = select.getColumn(4).getString();
-  run.end = static_cast<ChildEnd>(select.getColumn(5).getInt());
-  run.exit_code = select.getColumn(6).getInt();
-  run.signal = select.getColumn(7).getInt();
-  run.seconds = select.getColumn(8).getDouble();
-  run.peak_mb = select.getColumn(9).getDouble();
-  run.output = select.getColumn(10).getString();
-  run.message = select.getColumn(11).getString();
-  return run;
+  return Named(*database, [&] {
+    SQLite::Statement select(*database,
+                             "SELECT key, program, arguments, version, limits, \"end\", exit_code, "
+                             "signal, seconds, peak_mb, output, message FROM runs WHERE key = ?");
+    select.bind(1, key);
+    if (!select.executeStep()) return std::optional<RunRecord>();
+    RunRecord run;
+    run.key = select.getColumn(0).getString();
+    run.program = select.getColumn(1).getString();
+    run.arguments = select.getColumn(2).getString();
+    run.version = select.getColumn(3).getString();
+    run.limits = select.getColumn(4).getString();
+    run.end = static_cast<ChildEnd>(select.getColumn(5).getInt());
+    run.exit_code = select.getColumn(6).getInt();
+    run.signal = select.getColumn(7).getInt();
+    run.seconds = select.getColumn(8).getDouble();
+    run.peak_mb = select.getColumn(9).getDouble();
+    run.output = select.getColumn(10).getString();
+    run.message = select.getColumn(11).getString();
+    return std::optional(std::move(run));
+  });
 }
 
 void AddKnownContents(SQLite::Database* database, std::map<std::string, KnownContent>* known) {
-  SQLite::Statement select(*database, "SELECT path, stamps, content FROM files");
-  while (select.executeStep()) {
-    known->try_emplace(
-        select.getColumn(0).getString(),
-        KnownContent{select.getColumn(1).getString(), select.getColumn(2).getString()});
-  }
+  Named(*database, [&] {
+    SQLite::Statement select(*database, "SELECT path, stamps, content FROM files");
+    while (select.executeStep()) {
+      known->try_emplace(
+          select.getColumn(0).getString(),
+          KnownContent{select.getColumn(1).getString(), select.getColumn(2).getString()});
+    }
+  });
 }
 
 }  // namespace
@@ -164,21 +178,23 @@ std::optional<RunRecord> Store::FindRun(const std::string& key) {
 }
 
 void Store::KeepRun(const RunRecord& run) {
-  SQLite::Statement insert(
-      *database_, "INSERT OR REPLACE INTO runs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  insert.bind(1, run.key);
-  insert.bind(2, run.program);
-  insert.bind(3, run.arguments);
-  insert.bind(4, run.version);
-  insert.bind(5, run.limits);
-  insert.bind(6, static_cast<int>(run.end));
-  insert.bind(7, run.exit_code);
-  insert.bind(8, run.signal);
-  insert.bind(9, run.seconds);
-  insert.bind(10, run.peak_mb);
-  insert.bind(11, run.output);
-  insert.bind(12, run.message);
-  insert.exec();
+  Named(*database_, [&] {
+    SQLite::Statement insert(
+        *database_, "INSERT OR REPLACE INTO runs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(1, run.key);
+    insert.bind(2, run.program);
+    insert.bind(3, run.arguments);
+    insert.bind(4, run.version);
+    insert.bind(5, run.limits);
+    insert.bind(6, static_cast<int>(run.end));
+    insert.bind(7, run.exit_code);
+    insert.bind(8, run.signal);
+    insert.bind(9, run.seconds);
+    insert.bind(10, run.peak_mb);
+    insert.bind(11, run.output);
+    insert.bind(12, run.message);
+    insert.exec();
+  });
 }
 
 std::map<std::string, KnownContent> Store::KnownContents() const {
@@ -189,98 +205,115 @@ std::map<std::string, KnownContent> Store::KnownContents() const {
 }
 
 void Store::KeepContents(const std::map<std::string, KnownContent>& contents) {
-  if (contents.empty()) return;
-  SQLite::Transaction transaction(*database_);
-  SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO files VALUES(?, ?, ?)");
-  for (const auto& [path, known] : contents) {
-    insert.bind(1, path);
-    insert.bind(2, known.stamps);
-    insert.bind(3, known.content);
-    insert.exec();
-    insert.reset();
-  }
-  transaction.commit();
+  Named(*database_, [&] {
+    if (contents.empty()) return;
+    SQLite::Transaction transaction(*database_);
+    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO files VALUES(?, ?, ?)");
+    for (const auto& [path, known] : contents) {
+      insert.bind(1, path);
+      insert.bind(2, known.stamps);
+      insert.bind(3, known.content);
+      insert.exec();
+      insert.reset();
+    }
+    transaction.commit();
+  });
 }
 
 void Store::ReplaceLogs(const std::vector<StoredLog>& logs) {
-  if (logs.empty()) return;
-  SQLite::Transaction transaction(*database_);
-  for (const StoredLog& log : logs) {
-    DeleteLog(log.row.path, database_.get());
-    Insert(std::vector<LogRow>{log.row}, database_.get());
-    Insert(log.rows.fits, database_.get());
-    Insert(log.rows.scores, database_.get());
-    Insert(log.rows.verdicts, database_.get());
-    Insert(log.rows.causes, database_.get());
-    Insert(log.rows.findings, database_.get());
-    SetDone(log.row.path, log.done, database_.get());
-  }
-  transaction.commit();
+  Named(*database_, [&] {
+    if (logs.empty()) return;
+    SQLite::Transaction transaction(*database_);
+    for (const StoredLog& log : logs) {
+      DeleteLog(log.row.path, database_.get());
+      Insert(std::vector<LogRow>{log.row}, database_.get());
+      Insert(log.rows.fits, database_.get());
+      Insert(log.rows.scores, database_.get());
+      Insert(log.rows.verdicts, database_.get());
+      Insert(log.rows.causes, database_.get());
+      Insert(log.rows.findings, database_.get());
+      SetDone(log.row.path, log.done, database_.get());
+    }
+    transaction.commit();
+  });
 }
 
 std::map<std::string, std::string> Store::DoneLogs() const {
-  SQLite::Statement select(*database_, "SELECT name, digest FROM done WHERE name <> ?");
-  select.bind(1, kDives);
-  std::map<std::string, std::string> done;
-  while (select.executeStep()) {
-    done[select.getColumn(0).getString()] = select.getColumn(1).getString();
-  }
-  return done;
+  return Named(*database_, [&] {
+    SQLite::Statement select(*database_, "SELECT name, digest FROM done WHERE name <> ?");
+    select.bind(1, kDives);
+    std::map<std::string, std::string> done;
+    while (select.executeStep()) {
+      done[select.getColumn(0).getString()] = select.getColumn(1).getString();
+    }
+    return done;
+  });
 }
 
 void Store::RemoveOtherLogs(const std::vector<std::string>& paths) {
-  const std::set<std::string> kept(paths.begin(), paths.end());
-  std::vector<std::string> gone;
-  for (const auto& [path, digest] : DoneLogs()) {
-    if (!kept.contains(path)) gone.push_back(path);
-  }
-  if (gone.empty()) return;
-  SQLite::Transaction transaction(*database_);
-  for (const std::string& path : gone) DeleteLog(path, database_.get());
-  transaction.commit();
+  Named(*database_, [&] {
+    const std::set<std::string> kept(paths.begin(), paths.end());
+    std::vector<std::string> gone;
+    for (const auto& [path, digest] : DoneLogs()) {
+      if (!kept.contains(path)) gone.push_back(path);
+    }
+    if (gone.empty()) return;
+    SQLite::Transaction transaction(*database_);
+    for (const std::string& path : gone) DeleteLog(path, database_.get());
+    transaction.commit();
+  });
 }
 
 void Store::ReplaceDives(const Tables& tables, const std::string& done) {
-  SQLite::Transaction transaction(*database_);
-  for (const char* table : {"dive_fits", "predictions", "changes", "outliers"}) {
-    database_->exec(fmt::format("DELETE FROM {}", table));
-  }
-  Insert(tables.dive_fits, database_.get());
-  Insert(tables.predictions, database_.get());
-  Insert(tables.changes, database_.get());
-  Insert(tables.outliers, database_.get());
-  SetDone(kDives, done, database_.get());
-  transaction.commit();
+  Named(*database_, [&] {
+    SQLite::Transaction transaction(*database_);
+    for (const char* table : {"dive_fits", "predictions", "changes", "outliers"}) {
+      database_->exec(fmt::format("DELETE FROM {}", table));
+    }
+    Insert(tables.dive_fits, database_.get());
+    Insert(tables.predictions, database_.get());
+    Insert(tables.changes, database_.get());
+    Insert(tables.outliers, database_.get());
+    SetDone(kDives, done, database_.get());
+    transaction.commit();
+  });
 }
 
 std::string Store::DoneDives() const {
-  SQLite::Statement select(*database_, "SELECT digest FROM done WHERE name = ?");
-  select.bind(1, kDives);
-  return select.executeStep() ? select.getColumn(0).getString() : "";
+  return Named(*database_, [&] {
+    SQLite::Statement select(*database_, "SELECT digest FROM done WHERE name = ?");
+    select.bind(1, kDives);
+    return select.executeStep() ? select.getColumn(0).getString() : std::string();
+  });
 }
 
 Tables Store::ReadTables() const {
-  Tables tables;
-  SelectInto(database_.get(), kByPath, &tables.logs);
-  SelectInto(database_.get(), kByLog, &tables.fits);
-  SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
-  SelectInto(database_.get(), kByLog, &tables.scores);
-  tables.verdicts = Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''", kByLog);
-  SelectInto(database_.get(), kByLog, &tables.causes);
-  SelectInto(database_.get(), kByLog, &tables.findings);
-  SelectInto(database_.get(), kAsWritten, &tables.predictions);
-  SelectInto(database_.get(), kAsWritten, &tables.changes);
-  SelectInto(database_.get(), kAsWritten, &tables.outliers);
-  return tables;
+  return Named(*database_, [&] {
+    Tables tables;
+    SelectInto(database_.get(), kByPath, &tables.logs);
+    SelectInto(database_.get(), kByLog, &tables.fits);
+    SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
+    SelectInto(database_.get(), kByLog, &tables.scores);
+    tables.verdicts =
+        Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''", kByLog);
+    SelectInto(database_.get(), kByLog, &tables.causes);
+    SelectInto(database_.get(), kByLog, &tables.findings);
+    SelectInto(database_.get(), kAsWritten, &tables.predictions);
+    SelectInto(database_.get(), kAsWritten, &tables.changes);
+    SelectInto(database_.get(), kAsWritten, &tables.outliers);
+    return tables;
+  });
 }
 
 Tables Store::ReadSummaryTables() const {
-  Tables tables;
-  SelectInto(database_.get(), kByPath, &tables.logs);
-  SelectInto(database_.get(), kByLog, &tables.scores);
-  SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
-  SelectInto(database_.get(), kAsWritten, &tables.changes);
-  return tables;
+  return Named(*database_, [&] {
+    Tables tables;
+    SelectInto(database_.get(), kByPath, &tables.logs);
+    SelectInto(database_.get(), kByLog, &tables.scores);
+    SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
+    SelectInto(database_.get(), kAsWritten, &tables.changes);
+    return tables;
+  });
 }
 
 Tables ReadResults(const std::filesystem::path& file) { return Store(file).ReadTables(); }
@@ -319,7 +352,10 @@ void Store::Merge(const std::filesystem::path& file) {
     }
     database_->exec("DETACH other");
   } catch (const SQLite::Exception& error) {
-    throw InputError(fmt::format("--merge={}: cannot be read: {}.", file.string(), error.what()));
+    throw InputError(fmt::format("--merge={}: cannot be read into {}: {}.",
+                                 file.string(),
+                                 database_->getFilename(),
+                                 error.what()));
   }
 }
 

@@ -3,22 +3,33 @@
 
 #include "fathom/diagnosis/fit/identified_model.h"
 
-#include "fathom/output_error/output_error.h"
+#include "fathom/comparison/identification.h"
+#include "fathom/comparison/log_agreement.h"
+#include "fathom/diagnosis/data/log_names.h"
 #include "fathom/signal/joined_signals.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace fathom {
 
-std::optional<IdentifiedModel> IdentifiedModelOf(std::span<const Log> logs, Dof dof) {
-  const Signals signals = JoinSignals(logs, dof, std::nullopt).all;
-  if (signals.train.empty()) return std::nullopt;
-  OutputErrorOptions options;
-  options.weighting = Weighting::kAuto;
-  options.output = OutputOf(signals.train);
-  OutputErrorSummary summary = FitOutputError(signals.train, options);
-  if (!summary.IsUsable()) return std::nullopt;
-  return IdentifiedModel{summary.model, std::move(summary.covariance)};
+Identified IdentifiedModelOf(std::span<const Log> logs, Dof dof) {
+  const JoinedSignals joined = JoinSignals(logs, dof, std::nullopt);
+  IdentificationOptions options;
+  options.output_error.weighting = Weighting::kAuto;
+  Identification together = Identify(joined.all, joined.all, Family::kOutputError, options);
+  Identified identified;
+  if (!together.is_usable) {
+    identified.why_none = std::move(together.message);
+    return identified;
+  }
+  FittedModel& fitted = together.fitted;
+  const std::size_t num_of_fit = fitted.caveats.size();
+  if (logs.size() > 1) WidenByAgreement(DistinctNames(logs), joined, options, &together);
+  identified.remarks.assign(fitted.caveats.begin() + static_cast<std::ptrdiff_t>(num_of_fit),
+                            fitted.caveats.end());
+  identified.model = IdentifiedModel{fitted.model, std::move(fitted.covariance)};
+  return identified;
 }
 
 }  // namespace fathom

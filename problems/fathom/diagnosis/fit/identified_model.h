@@ -9,6 +9,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -20,8 +22,15 @@ struct IdentifiedModel {
   Eigen::MatrixXd covariance;
 };
 
+// What there is to say of it, and why there is none.
+struct Identified {
+  std::optional<IdentifiedModel> model;
+  std::vector<std::string> remarks;  // on runs that differ, a sentence each
+  std::string why_none;              // as fathom_identify says it; empty where there is a model
+};
+
 // What fathom_identify gives for these logs by default: output error on the best source, with the
-// weighting that it chooses. Nothing if that is not usable.
-std::optional<IdentifiedModel> IdentifiedModelOf(std::span<const Log> logs, Dof dof);
+// weighting that it chooses; of several logs with intervals as wide as these differ.
+Identified IdentifiedModelOf(std::span<const Log> logs, Dof dof);
 
 }  // namespace fathom

@@ -120,7 +120,7 @@ Preparation Prepare(const MeasuredSegments& segments,
   const TrainingData& data = prepared.data;
   if (by_output_error) {
     prepared.baseline = FitBaseline(data, by_output_error->model, by_output_error->initial);
-    if (prepared.baseline.IsSimulated()) {
+    if (prepared.baseline.IsUsable()) {
       RobustStart users = *by_output_error;
       if (identified && identified->model.inertia <= kRunAway * inertia_by_momentum) {
         users.model.baseline = identified->model;
@@ -129,10 +129,12 @@ Preparation Prepare(const MeasuredSegments& segments,
       prepared.users = UsersModel(data, users).value_or(StartedFrom(prepared.baseline));
     }
   }
-  if (!prepared.baseline.IsSimulated()) {
+  if (!prepared.baseline.IsUsable()) {
+    prepared.why_no_baseline =
+        prepared.baseline.IsSimulated() ? NotConverged(dof) : NoBaseline(dof);
     auto unfitted = Unfitted(data, *by_momentum);
     if (!unfitted) {
-      preparation.message = NoBaseline(dof);
+      preparation.message = prepared.why_no_baseline;
       return preparation;
     }
     prepared.has_baseline = false;
@@ -147,6 +149,13 @@ std::string NoBaseline(Dof dof) {
   return fmt::format(
       "output error finds no physical baseline model for {}, and no effect that was tried makes up "
       "for it. fathom_identify says why.",
+      Name(dof));
+}
+
+std::string NotConverged(Dof dof) {
+  return fmt::format(
+      "the search for a baseline model of {} took all steps that it may and did not converge, and "
+      "no effect that was tried makes up for it.",
       Name(dof));
 }
 

@@ -29,9 +29,11 @@ struct Prepared {
   // Where the momentum along the measured motion puts the inertia [kg] or [kg m^2].
   double inertia_by_momentum = 0.0;
 
-  // False where output error finds no baseline, or one that has run away from the motion: then both
-  // models are MomentumBalance's, to start from, and mean nothing.
+  // False where output error finds no baseline, or one that has run away from the motion, or the
+  // search for it stopped before it arrived: then both models are MomentumBalance's, to start from,
+  // and mean nothing.
   bool has_baseline = true;
+  std::string why_no_baseline = {};  // NoBaseline() or that it did not converge
 };
 
 struct Preparation {
@@ -44,6 +46,9 @@ struct Preparation {
 
 // Why there is no diagnosis where there is no baseline and nothing is named.
 std::string NoBaseline(Dof dof);
+
+// The same where the search for it took all steps that it may and did not arrive.
+std::string NotConverged(Dof dof);
 
 // Takes an Excerpt() of what is not held out, an hour and 120 000 samples at most, and outliers out
 // of that, fits the baseline to the rest along `dof`, and thins it. `identified`: the user's model;

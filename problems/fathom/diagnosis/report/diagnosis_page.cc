@@ -8,9 +8,11 @@
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
+#include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>
@@ -150,8 +152,9 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Cause& cause : diagnosis.causes) names.push_back(LabelsOf(diagnosis, cause));
   if (!names.empty()) {
-    facts.push_back(
-        {names.size() == 1 ? "cause" : "causes", fmt::format("{}", fmt::join(names, "; "))});
+    facts.push_back({std::string(names.size() == 1 ? "cause" : "causes") +
+                         (AreUnconfirmed(diagnosis) ? ", not confirmed" : ""),
+                     InWords(fmt::format("{}", fmt::join(names, "; ")))});
   }
   if (std::isfinite(diagnosis.explained_share)) {
     facts.push_back({"squared error beyond scatter, explained",
@@ -194,6 +197,7 @@ std::vector<std::string> LeadOf(const Diagnosis& diagnosis) {
   if (std::string first = ExplainFirst(diagnosis.findings); !first.empty()) {
     lead.insert(lead.begin(), std::move(first));
   }
+  for (std::string& paragraph : lead) paragraph = InWords(paragraph);
   return lead;
 }
 
@@ -202,7 +206,7 @@ std::vector<std::string> LeadOf(const Diagnosis& diagnosis) {
 Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
   Page page;
   page.title = TitleOf(diagnosis);
-  page.lead = {fmt::format("There is no diagnosis: {}", why)};
+  page.lead = {InWords(fmt::format("There is no diagnosis: {}", why))};
   page.warnings = WarningsOf(diagnosis);
   PageSection notes;
   notes.heading = "Remarks";

@@ -7,6 +7,7 @@
 #include "fathom/base/not_known.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
 #include "fathom/report/held_curve.h"
+#include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -46,6 +47,7 @@ double LongestStep(const std::vector<double>& time) {
   return std::max(5.0, 20.0 * Median(std::move(steps)));
 }
 
+// Of all logs together.
 std::string NmaeNote(const Diagnosis& diagnosis, const DiagnosedModel& model) {
   if (std::isfinite(model.held_out.nmae)) {
     const char* const where = diagnosis.by_left_out_logs     ? "left-out"
@@ -68,9 +70,37 @@ void AddGap(TimePanel* panel) {
 // A model's free runs, in every trace.
 struct Curve {
   const char* name = "";
-  std::string note;
+  std::string note;  // of all logs together; empty: none
   std::vector<double> ResidualTrace::*run = nullptr;
 };
+
+// What is written beside a curve of one of several logs: its own NMAE over what is held out of it,
+// or over all of it. The note of all logs together would say nothing of the picture it stands in.
+std::string OwnNote(const std::vector<const ResidualTrace*>& traces, const Curve& curve) {
+  const bool has_held_out =
+      std::ranges::any_of(traces, [](const auto* trace) { return trace->is_held_out; });
+  const char* const where = has_held_out ? "held-out " : "";
+  std::vector<FreeRun> runs;
+  for (const ResidualTrace* trace : traces) {
+    if (trace->is_held_out != has_held_out) continue;
+    const std::vector<double>& run = trace->*curve.run;
+    if (run.size() != trace->time.size()) return fmt::format("{}diverges", where);
+    runs.push_back({trace->time, trace->measured, run});
+  }
+  return fmt::format("{}NMAE {:.3f}", where, FiguresOfRuns(runs).nmae);
+}
+
+bool Diverges(const std::vector<const ResidualTrace*>& traces, const Curve& curve) {
+  return std::ranges::any_of(
+      traces, [&](const auto* trace) { return (trace->*curve.run).size() != trace->time.size(); });
+}
+
+std::string NoteOn(const std::vector<const ResidualTrace*>& traces,
+                   const Curve& curve,
+                   bool are_several) {
+  if (are_several) return OwnNote(traces, curve);
+  return curve.note.empty() && Diverges(traces, curve) ? "diverges" : curve.note;
+}
 
 std::vector<Curve> CurvesOf(const Diagnosis& diagnosis,
                             const std::string& before_note,
@@ -110,13 +140,12 @@ std::vector<const ResidualTrace*> TracesOf(const std::string& log,
   return traces;
 }
 
-// A panel for each log, with all its traces by time. The notes are for before and after.
+// A panel for each log, with all its traces by time.
 std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
                                 const std::vector<ResidualTrace>& of,
                                 bool are_velocities,
-                                const std::string& before_note,
-                                const std::string& after_note) {
-  const std::vector<Curve> curves = CurvesOf(diagnosis, before_note, after_note);
+                                const std::vector<Curve>& curves,
+                                bool have_notes) {
   std::vector<TimePanel> panels;
   for (const std::string& log : diagnosis.logs) {
     const std::vector<const ResidualTrace*> traces = TracesOf(log, of);
@@ -127,7 +156,10 @@ std::vector<TimePanel> PanelsOf(const Diagnosis& diagnosis,
         fmt::format("{} {}", Name(diagnosis.dof), are_velocities ? "velocity" : "displacement");
     panel.unit = are_velocities ? VelocityUnit(diagnosis.dof) : DisplacementUnit(diagnosis.dof);
     panel.measured = Series{"measured", {}, ""};
-    for (const Curve& curve : curves) panel.responses.push_back({curve.name, {}, curve.note});
+    for (const Curve& curve : curves) {
+      panel.responses.push_back(
+          {curve.name, {}, have_notes ? NoteOn(traces, curve, diagnosis.logs.size() > 1) : ""});
+    }
     for (const ResidualTrace* trace : traces) AddTrace(*trace, curves, &panel);
     panels.push_back(std::move(panel));
   }
@@ -140,12 +172,14 @@ std::vector<TimePanel> FreeRunPanels(const Diagnosis& diagnosis) {
   return PanelsOf(diagnosis,
                   diagnosis.traces,
                   diagnosis.has_velocity,
-                  NmaeNote(diagnosis, diagnosis.baseline),
-                  NmaeNote(diagnosis, diagnosis.extended));
+                  CurvesOf(diagnosis,
+                           NmaeNote(diagnosis, diagnosis.baseline),
+                           NmaeNote(diagnosis, diagnosis.extended)),
+                  true);
 }
 
 std::vector<TimePanel> PosePanels(const Diagnosis& diagnosis) {
-  return PanelsOf(diagnosis, diagnosis.pose_traces, false, "", "");
+  return PanelsOf(diagnosis, diagnosis.pose_traces, false, CurvesOf(diagnosis, "", ""), false);
 }
 
 std::vector<TimePanel> CommandPanels(const Diagnosis& diagnosis,

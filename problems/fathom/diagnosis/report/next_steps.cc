@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -38,17 +39,25 @@ std::vector<std::string> OpenDamping(const Diagnosis& diagnosis) {
   return open;
 }
 
-// Nothing was named, or nothing was held out: there is nothing to confirm.
-bool IsRefusedByUnseenData(const Diagnosis& diagnosis) {
-  return !diagnosis.causes.empty() &&
-         (diagnosis.held_out_gain_low <= 0.0 || diagnosis.held_out_gain < 0.0);
+std::string UseOfConsistent(const Diagnosis& diagnosis) {
+  const auto missed = LargeResidual(diagnosis);
+  if (!missed) {
+    return "Use the model within the speeds and commands of these data. They cannot show what they "
+           "did not excite; test the model with another kind of experiment.";
+  }
+  return fmt::format(
+      "Do not use the model as it is: simulated from the command alone it misses up to {:.0f} % of "
+      "the motion, and nothing that was logged says why. Log what may push the vehicle besides "
+      "(water, tether, other axes), or drive harder, so that the motion stands out from it, and "
+      "diagnose again.",
+      100.0 * *missed);
 }
 
 }  // namespace
 
 std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   std::vector<std::string> steps;
-  const bool is_open = IsRefusedByUnseenData(diagnosis);
+  const bool is_open = AreUnconfirmed(diagnosis);
   if (is_open) {
     const bool is_one = diagnosis.causes.size() == 1;
     steps.push_back(
@@ -97,9 +106,7 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
         "the water.");
   }
   if (diagnosis.verdict == Verdict::kConsistent) {
-    steps.push_back(
-        "Use the model within the speeds and commands of these data. They cannot show what they "
-        "did not excite; test the model with another kind of experiment.");
+    steps.push_back(UseOfConsistent(diagnosis));
   }
   if (const std::vector<std::string> open = OpenDamping(diagnosis); !open.empty()) {
     steps.push_back(

@@ -145,6 +145,15 @@ std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
   return remarks;
 }
 
+void AddRemarksOn(const Identified& identified, std::vector<std::string>* remarks) {
+  remarks->insert(remarks->end(), identified.remarks.begin(), identified.remarks.end());
+  if (identified.model) return;
+  remarks->push_back(
+      fmt::format("fathom_identify gives no model of these logs: {} The model without causes is "
+                  "what output error finds from another start. Treat it as a hint.",
+                  identified.why_none));
+}
+
 std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity) {
   const std::vector<Suspect>& suspects = judgement.search.suspects;
   std::vector<std::string> remarks;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/diagnosis/fit/identified_model.h"
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/judge/judgement.h"
 #include "fathom/diagnosis/result.h"
@@ -16,6 +17,9 @@ namespace fathom {
 // could not be tried, and why.
 std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
                                        const Preparation& preparation);
+
+// What fathom_identify says of the model without causes: that runs differ, or that it gives none.
+void AddRemarksOn(const Identified& identified, std::vector<std::string>* remarks);
 
 // What fits best and is refused. Where suspects were refused one after the other, all of them, in
 // the order of the candidates. `refusals`: one at least.

@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/report/verdict_sentence.h"
 
 #include "fathom/diagnosis/report/cause_text.h"
+#include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/diagnosis/report/moved_parameter.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -55,8 +56,10 @@ std::string WithDigits(double value, int digits) {
 std::string WhyItMisses(const Diagnosis& diagnosis) {
   const std::string subject = ShareOfError(diagnosis);
   if (diagnosis.causes.size() == 1) {
-    return fmt::format(
-        "{} comes from {}.", subject, ReasonText(diagnosis, diagnosis.causes.front(), "from "));
+    return fmt::format("{} {} from {}.",
+                       subject,
+                       AreUnconfirmed(diagnosis) ? "may come" : "comes",
+                       ReasonText(diagnosis, diagnosis.causes.front(), "from "));
   }
   std::vector<std::string> reasons;
   for (const Cause& cause : diagnosis.causes) {
@@ -64,7 +67,11 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
   }
   const std::string count =
       reasons.size() < kCounts.size() ? kCounts[reasons.size()] : fmt::format("{}", reasons.size());
-  return fmt::format("{} has {} causes: {}.", subject, count, fmt::join(reasons, "; "));
+  return fmt::format("{} {} {} causes: {}.",
+                     subject,
+                     AreUnconfirmed(diagnosis) ? "may have" : "has",
+                     count,
+                     fmt::join(reasons, "; "));
 }
 
 // The same where no model without a cause fits.
@@ -261,6 +268,13 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
         "it.{}",
         Name(diagnosis.dof),
         WhatTheRestFollows(diagnosis));
+  }
+  if (const auto missed = LargeResidual(diagnosis);
+      missed && diagnosis.verdict == Verdict::kConsistent) {
+    text += fmt::format(
+        " Simulated from the command alone, the model misses up to {:.0f} % of the "
+        "motion.",
+        100.0 * *missed);
   }
   const double nmae = diagnosis.baseline.held_out.nmae;
   if (std::isfinite(nmae)) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace fathom {
 
@@ -22,9 +23,15 @@ struct SuggestedMap {
   // Else empty.
   std::string unknown;
 
+  // Whether it names a stream: else nothing was recognised, and it is a comment.
+  bool NamesAStream() const;
+
   // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.
   bool needs_vehicle = false;
 };
+
+// What SuggestMap() looks for in a recording of that format, a clause.
+std::string WhatIsLookedFor(std::string_view format);
 
 // As JSON, schema "fathom-suggestion-1".
 std::string FormatSuggestion(const SuggestedMap& map);

@@ -17,21 +17,22 @@ const shade = (held_out) => (plot) => {
   }
   ctx.restore();
 };
+// Above the shade, where no curve runs.
 const labelShades = (held_out) => (plot) => {
   const {ctx, bbox} = plot;
   const scale = uPlot.pxRatio;
   ctx.save();
   ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.rect(bbox.left, 0, bbox.width, bbox.top);
   ctx.clip();
   ctx.font = FONT.replace("12px", `${12 * scale}px`);
   ctx.fillStyle = colorOf("held-out-ink");
-  ctx.textBaseline = "top";
+  ctx.textBaseline = "bottom";
   ctx.textAlign = "left";
   for (const [from, to] of held_out) {
     const left = Math.max(plot.valToPos(from, "x", true), bbox.left);
     const right = Math.min(plot.valToPos(to, "x", true), bbox.left + bbox.width);
-    if (right - left > 60 * scale) ctx.fillText("held out", left + 6 * scale, bbox.top + 5 * scale);
+    if (right - left > 60 * scale) ctx.fillText("held out", left + 2 * scale, bbox.top - 3 * scale);
   }
   ctx.restore();
 };
@@ -109,6 +110,8 @@ const fontWithin = (name, length) => {
   return FONT.replace("12px", `${size}px`);
 };
 
+const LABEL_HEIGHT = 20;  // [px], of what stands above a shade
+
 const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
   const own = [panel.places[0], panel.places[panel.places.length - 1]];
   const ink = () => colorOf("muted");
@@ -127,7 +130,7 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     width: place.clientWidth || 900,
     height,
     legend: {show: false},
-    padding: [8, 12, 0, 0],
+    padding: [panel.held_out.length ? LABEL_HEIGHT : 8, 12, 0, 0],
     cursor: {sync: {key: group.key, scales: ["x", null]}, drag: {x: true, y: false, dist: 4},
              focus: {prox: -1}, y: false, points: {size: 7, width: 1.5}},
     focus: {alpha: 0.25},

@@ -78,6 +78,20 @@ TEST_F(ArchiveInBrowser, ComparesTheDivesToEitherSideOfAStep) {
   EXPECT_EQ(findings["differences_of_same"], "0");
 }
 
+// Sixteen charts of a dot each told nothing that a row does not.
+TEST_F(ArchiveInBrowser, WritesWhatOneDiveAloneTellsInARow) {
+  ArchiveReport report = ExampleArchive({20, 2});
+  auto& fits = report.tables.dive_fits;
+  std::erase_if(fits, [](const DiveFitRow& row) {
+    return row.dive != "dive-001" && row.parameter == "inertia" && row.dof == "surge";
+  });
+  report.tables.changes.clear();
+  auto findings = Findings(report, {.width = 1400});
+  EXPECT_EQ(findings["charts"], "11");
+  EXPECT_EQ(findings["charts_drawn"], "11");
+  EXPECT_THAT(findings["lone_rows"], testing::MatchesRegex("inertia.+ kg.*dive-001"));
+}
+
 TEST_F(ArchiveInBrowser, FitsAPhone) {
   auto findings = Findings(ExampleArchive(), {.width = 390});
   EXPECT_LE(std::stoi(findings["width"]), 390);

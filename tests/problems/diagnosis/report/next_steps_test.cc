@@ -12,6 +12,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -107,6 +108,14 @@ TEST(NextSteps, SayWhatAVerdictWithoutCausesMeans) {
   EXPECT_THAT(NextSteps(ConsistentDiagnosis()),
               ElementsAre(HasSubstr("within the speeds and commands of these data")));
   EXPECT_THAT(NextSteps(UnexplainedDiagnosis()), ElementsAre(HasSubstr("adding_an_effect.md")));
+}
+
+TEST(NextSteps, DoNotAdviseAModelThatMissesAThirdOfTheMotion) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.extended.train.nmae = 0.33;
+  EXPECT_THAT(NextSteps(diagnosis),
+              ElementsAre(AllOf(StartsWith("Do not use the model as it is"),
+                                HasSubstr("misses up to 33 % of the motion"))));
 }
 
 // 38 N, the whole thrust, were called a dropped payload.

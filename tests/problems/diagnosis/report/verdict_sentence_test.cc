@@ -28,6 +28,20 @@ TEST(VerdictSentence, OfAConsistentLog) {
 
 // The half interval of the width is 1.96 * 0.17 = 0.33 N: one decimal,
 // from 7.67 to 8.33. That of the inertia is 11.6 kg, which starts with a 1: to the kilogram.
+TEST(VerdictSentence, SaysHowMuchOfTheMotionAConsistentModelMisses) {
+  Diagnosis diagnosis = ConsistentDiagnosis();
+  diagnosis.extended.train.nmae = 0.33;
+  EXPECT_NE(VerdictSentence(diagnosis).find("misses up to 33 % of the motion."), std::string::npos);
+}
+
+// The next step is to use the model without it.
+TEST(VerdictSentence, ClaimsNoCauseThatTheHeldOutDataDoNotConfirm) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.held_out_gain_low = -0.01;
+  EXPECT_NE(VerdictSentence(diagnosis).find(" may come from "), std::string::npos);
+  EXPECT_EQ(VerdictSentence(diagnosis).find(" comes from "), std::string::npos);
+}
+
 TEST(VerdictSentence, OfAnExplainedLog) {
   EXPECT_EQ(
       VerdictSentence(ExplainedDiagnosis()),

@@ -12,6 +12,7 @@ const testYourself = (readAfter, drawnAfter) => {
     for (const start of undrawn) start();
     findings.charts = all(".over-dives svg").length;
     findings.charts_drawn = all(".over-dives svg").filter((svg) => svg.querySelector(".dots")?.getAttribute("d")).length;
+    findings.lone_rows = all(".lone tr").map((row) => row.textContent).join(" | ");
     findings.borders = all(".border").filter((path) => path.getAttribute("d")).length;
     findings.diamonds = all(".diamonds").filter((path) => path.getAttribute("d")).length;
     findings.arrows = all(".arrows").filter((path) => path.getAttribute("d")).length;

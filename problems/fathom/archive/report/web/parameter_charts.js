@@ -154,6 +154,19 @@ const parameterFigure = (chart, dof, names) => {
   return {figure, draw: (width) => { view = drawParameterChart(svg, chart, names, width); }};
 };
 
+// What only one dive tells is no chart, but a row: parameter, value, dive.
+const loneTable = (charts, names) => {
+  const table = element("table", "lone");
+  for (const {parameter, unit, points} of charts) {
+    const [place, , , text] = points[0];
+    const row = element("tr");
+    row.append(element("th", "", spaced(parameter)), element("td", "", unit ? `${text} ${unit}` : text),
+               element("td", "", names[place]));
+    table.append(row);
+  }
+  return table;
+};
+
 const showParameterCharts = (place, groups, dives) => {
   const vehicles = new Set(groups.map(({vehicle}) => vehicle));
   for (const {vehicle, dof, dives: own, charts} of groups) {
@@ -164,7 +177,10 @@ const showParameterCharts = (place, groups, dives) => {
     }
     const grid = element("div", "chart-grid");
     const names = own.map((index) => diveName(dives[index]));
-    const figures = charts.map((chart) => parameterFigure(chart, dof, names));
+    const lone = charts.filter(({points}) => points.length === 1);
+    if (lone.length) place.append(loneTable(lone, names));
+    const figures = charts.filter((chart) => !lone.includes(chart)).map((chart) => parameterFigure(chart, dof, names));
+    if (!figures.length) continue;
     grid.append(...figures.map(({figure}) => figure));
     place.append(grid);
     drawToFit(figures[0].figure, (width) => { for (const {draw} of figures) draw(width); }, COLUMN_ON_PAPER);
