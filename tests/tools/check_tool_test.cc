@@ -726,6 +726,13 @@ TEST(CheckTool, SaysFirstWhatStaysUnknown) {
                             "quadratic_damping( and linear_damping)? unknown\\."));
 }
 
+// Two lines of its help gave two meanings of 2.
+TEST(CheckTool, SaysOneThingOfItsExitCodes) {
+  const std::string help = RunToolBinary("fathom_check", {"--help"}).out;
+  EXPECT_THAT(help, HasSubstr("2: a finding is red."));
+  EXPECT_THAT(help, Not(HasSubstr("no usable fit")));
+}
+
 // Every step that is named can be taken.
 TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
   const Path folder = EmptyTestFolder();
