@@ -4,6 +4,7 @@
 // A log folder from the file that a vehicle's own software wrote.
 
 #include "fathom/archive/jobs/survey.h"
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/leaves_its_folder.h"
 #include "fathom/base/files/output_file.h"
@@ -175,16 +176,14 @@ void TellDamage(const std::filesystem::path& file, const Contents& contents) {
   for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
 }
 
-// Throws InputError for a recording in which nothing was recognised.
-void RequireAStream(const std::filesystem::path& file,
-                    const Contents& contents,
-                    const SuggestedMap& map) {
-  if (map.NamesAStream()) return;
-  throw InputError(fmt::format(
-      "{0}: nothing in it was recognised, expected {1}. fathom_import --from={0} --list says what "
-      "it holds; docs/import.md says how a map is written by hand.",
-      file.string(),
-      WhatIsLookedFor(contents.format)));
+// On stderr, of a recording that holds none of what a map needs.
+void TellNothingRecognised(const std::filesystem::path& file, const Contents& contents) {
+  PrintText(stderr,
+            fmt::format("fathom_import: {0}: nothing in it was recognised, expected {1}. "
+                        "fathom_import --from={0} --list says what it holds; docs/import.md says "
+                        "how a map is written by hand.\n",
+                        file.string(),
+                        WhatIsLookedFor(contents.format)));
 }
 
 int Suggest(const std::filesystem::path& file) {
@@ -195,10 +194,13 @@ int Suggest(const std::filesystem::path& file) {
   RequireSamples(file, recording->contents());
   const SuggestedMap map = SuggestMap(*recording, vehicle);
   TellDamage(file, recording->contents());
-  RequireAStream(file, recording->contents(), map);
-  fmt::print("{}", ShownOnLines(map.text));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
-  return 0;
+  if (!map.NamesAStream()) {
+    TellNothingRecognised(file, recording->contents());
+    return kExitNoFit;
+  }
+  fmt::print("{}", ShownOnLines(map.text));
+  return kExitUsable;
 }
 
 // The text of the map to go by: that of --map, or one that the format makes sure of.

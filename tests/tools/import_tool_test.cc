@@ -132,7 +132,7 @@ TEST(ImportTool, RefusesToSuggestAMapOfWhatItDoesNotKnow) {
   const Path folder = EmptyTestFolder();
   const Path file = WriteTestFile(folder / "beans.csv", "a,beans,peas\n1,2,3\n2,3,4\n3,4,5\n");
   const ToolRun run = Import({"--from=" + file.string(), "--suggest"});
-  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err,
               AllOf(HasSubstr(file.string() + ": nothing in it was recognised, expected fields"),

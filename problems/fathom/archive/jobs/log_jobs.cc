@@ -172,7 +172,8 @@ bool NeedsNoMap(const FoundLog& log,
                                    settings,
                                    book);
   Add(run, outcome);
-  if (!IsUsable(run)) {
+  const bool knows_none = run.end == ChildEnd::kExited && run.exit_code == kExitNoFit;
+  if (!IsUsable(run) && !knows_none) {
     Fail(run, outcome);
     return false;
   }

@@ -20,4 +20,8 @@ bool AreUnconfirmed(const Diagnosis& diagnosis) {
          (diagnosis.held_out_gain_low <= 0.0 || diagnosis.held_out_gain < 0.0);
 }
 
+bool AreContradicted(const Diagnosis& diagnosis) {
+  return !diagnosis.causes.empty() && diagnosis.held_out_gain < 0.0;
+}
+
 }  // namespace fathom

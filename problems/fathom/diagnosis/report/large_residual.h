@@ -17,4 +17,7 @@ std::optional<double> LargeResidual(const Diagnosis& diagnosis);
 // Whether causes are named that the unseen data do not confirm: their gain may be none.
 bool AreUnconfirmed(const Diagnosis& diagnosis);
 
+// Whether causes are named that make the prediction of unseen data worse.
+bool AreContradicted(const Diagnosis& diagnosis);
+
 }  // namespace fathom

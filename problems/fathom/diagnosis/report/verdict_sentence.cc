@@ -58,7 +58,7 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
   if (diagnosis.causes.size() == 1) {
     return fmt::format("{} {} from {}.",
                        subject,
-                       AreUnconfirmed(diagnosis) ? "may come" : "comes",
+                       AreContradicted(diagnosis) ? "may come" : "comes",
                        ReasonText(diagnosis, diagnosis.causes.front(), "from "));
   }
   std::vector<std::string> reasons;
@@ -69,7 +69,7 @@ std::string WhyItMisses(const Diagnosis& diagnosis) {
       reasons.size() < kCounts.size() ? kCounts[reasons.size()] : fmt::format("{}", reasons.size());
   return fmt::format("{} {} {} causes: {}.",
                      subject,
-                     AreUnconfirmed(diagnosis) ? "may have" : "has",
+                     AreContradicted(diagnosis) ? "may have" : "has",
                      count,
                      fmt::join(reasons, "; "));
 }

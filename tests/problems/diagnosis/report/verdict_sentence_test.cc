@@ -35,9 +35,10 @@ TEST(VerdictSentence, SaysHowMuchOfTheMotionAConsistentModelMisses) {
 }
 
 // The next step is to use the model without it.
-TEST(VerdictSentence, ClaimsNoCauseThatTheHeldOutDataDoNotConfirm) {
+TEST(VerdictSentence, ClaimsNoCauseThatTheHeldOutDataContradict) {
   Diagnosis diagnosis = ExplainedDiagnosis();
-  diagnosis.held_out_gain_low = -0.01;
+  diagnosis.held_out_gain = -0.02;
+  diagnosis.held_out_gain_low = -0.05;
   EXPECT_NE(VerdictSentence(diagnosis).find(" may come from "), std::string::npos);
   EXPECT_EQ(VerdictSentence(diagnosis).find(" comes from "), std::string::npos);
 }
