@@ -20,9 +20,10 @@ namespace fathom {
 namespace {
 
 constexpr double kMostMasses = 5.0;
-constexpr double kWater = 1000.0;      // [kg/m^3]
-constexpr double kBoxOverPlate = 2.0;  // see MostInertia()
-constexpr double kUsualMasses = 3.0;   // mass and added mass over mass, at most as a rule
+constexpr double kWater = 1000.0;                       // [kg/m^3]
+constexpr double kBoxOverPlate = 2.0;                   // see MostInertia()
+constexpr double kLeastOfBox = 0.1, kMostOfBox = 30.0;  // see CheckInertia()
+constexpr double kUsualMasses = 3.0;  // mass and added mass over mass, at most as a rule
 
 // A number read in the wrong unit makes the inertia this many times too large.
 struct UnitMistake {
@@ -100,6 +101,39 @@ double PlateMass(Dof dof, const Body& body) {
   return kWater * std::numbers::pi / 4.0 * shorter * shorter * longer;
 }
 
+// The moment of inertia of a box of even density [kg m^2].
+double BoxInertia(Dof dof, double mass, const std::array<double, 3>& size) {
+  const int axis = Index(dof) - Index(Dof::kRoll);
+  const double a = size[(axis + 1) % 3], b = size[(axis + 2) % 3];
+  return mass * (a * a + b * b) / 12.0;
+}
+
+std::optional<Finding> CheckTurningInertia(Dof dof,
+                                           double inertia,
+                                           double reach,
+                                           const Body& body) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const double box = BoxInertia(dof, body.mass, *body.size);
+  const bool is_too_small = inertia + reach < kLeastOfBox * box;
+  const bool is_too_large = inertia - reach > kMostOfBox * box;
+  if (!is_too_small && !is_too_large) return std::nullopt;
+  const double in_radians = inertia * kDegrees;
+  const bool are_degrees = in_radians > kLeastOfBox * box && in_radians < kMostOfBox * box;
+  return Finding{
+      Severity::kWarning,
+      "inertia",
+      fmt::format("The inertia of {:.4g} kg m^2 (± {:.2g}) is {} of {:.3g} kg m^2 that a box of "
+                  "the vehicle's size and mass has. {}",
+                  inertia,
+                  reach,
+                  is_too_small ? fmt::format("under {:g} times that", kLeastOfBox)
+                               : fmt::format("over {:g} times that", kMostOfBox),
+                  box,
+                  are_degrees ? "Would explain it: turns in deg/s, not rad/s (multiply them by "
+                                "0.01745)."
+                              : ToCheck(inertia, body))};
+}
+
 }  // namespace
 
 double MostInertia(Dof dof, const Body& body) {
@@ -112,8 +146,11 @@ double UsualInertia(Dof dof, const Body& body) {
 
 std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body) {
   const double mass = body.mass;
-  if (IsAngular(dof) || !std::isfinite(inertia) || !(mass > 0.0)) return std::nullopt;
+  if (!std::isfinite(inertia) || !(mass > 0.0)) return std::nullopt;
   const double reach = std::isfinite(std) ? kStdsOf95 * std : 0.0;
+  if (IsAngular(dof)) {
+    return body.size ? CheckTurningInertia(dof, inertia, reach, body) : std::nullopt;
+  }
   const double most = MostInertia(dof, body);
   const bool is_too_small = inertia + reach < mass;
   const bool is_too_large = inertia - reach > most;

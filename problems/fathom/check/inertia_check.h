@@ -46,7 +46,11 @@ double UsualInertia(Dof dof, const Body& body);
 // An inertia against the body of the vehicle: a warning of code "inertia" if its 95 % interval lies
 // below the dry mass, or above MostInertia(). A vehicle cannot move with less than its mass, and
 // the water that a body takes along adds once or twice that. The sentence names the mistakes that
-// would explain it: units of what the logs hold, and the mass itself. Nothing for an angular DOF.
+// would explain it: units of what the logs hold, and the mass itself.
+//
+// A moment of inertia, where the size is known: a warning if it lies below a tenth of m (a^2 + b^2)
+// / 12, a box of even density, or above 30 times that. No vehicle has its mass within a third of
+// its reach, and degrees read as radians make the moment 57 times too small.
 std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const Body& body);
 
 // The same of a model; nothing where the body is not known, or the force is not in newton: the

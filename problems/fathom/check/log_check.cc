@@ -3,6 +3,7 @@
 
 #include "fathom/check/log_check.h"
 
+#include "fathom/check/followed_command.h"
 #include "fathom/check/mass_check.h"
 #include "fathom/check/motion_check.h"
 #include "fathom/check/sanity.h"
@@ -88,6 +89,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
     Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, signals.dof, signals.source)), &findings);
+    Add(OfLog(log, logs.size(), CheckFollowedCommand(log, signals.dof)), &findings);
   }
   Add(CheckSanity(signals), &findings);
   return WarningsFirst(std::move(findings));
@@ -102,6 +104,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
     Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
     Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
+    Add(OfLog(log, logs.size(), CheckFollowedCommand(log, dof)), &findings);
     Signals signals = SignalsOf(log, dof, {.source = source});
     std::ranges::move(signals.train, std::back_inserter(segments));
   }

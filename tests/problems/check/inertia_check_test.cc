@@ -83,5 +83,18 @@ TEST(InertiaCheck, PassesAModelOfAnotherForceUnit) {
   EXPECT_FALSE(CheckInertia(model, kRov));
 }
 
+// 22.5 kg, 0.6 m long, 0.4 m wide: a box of even density has 22.5 (0.6^2 + 0.4^2) / 12 = 0.975 kg m^2.
+TEST(InertiaCheck, HoldsAMomentAgainstABoxOfTheVehiclesSize) {
+  const Body body = {.mass = 22.5, .size = {{0.6, 0.4, 0.3}}, .logged = {.force = true}};
+  EXPECT_FALSE(CheckInertia(Dof::kYaw, 1.5, 0.1, body));
+  EXPECT_FALSE(CheckInertia(Dof::kYaw, 0.2, 0.01, body));
+  const auto in_degrees = CheckInertia(Dof::kYaw, 0.054, 0.001, body);
+  ASSERT_TRUE(in_degrees);
+  EXPECT_EQ(in_degrees->severity, Severity::kWarning);
+  EXPECT_THAT(in_degrees->sentence, HasSubstr("deg/s"));
+  EXPECT_TRUE(CheckInertia(Dof::kYaw, 40.0, 1.0, body));
+  EXPECT_FALSE(CheckInertia(Dof::kYaw, 0.054, 0.001, {.mass = 22.5}));
+}
+
 }  // namespace
 }  // namespace fathom
