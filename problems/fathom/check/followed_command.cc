@@ -16,8 +16,7 @@ namespace fathom {
 namespace {
 
 constexpr double kFollows = 0.5;
-constexpr double kHardlyFollows = 0.1;
-constexpr double kFarLess = 0.25;  // of what follows the magnitude
+constexpr double kFarLess = 0.25;  // of what follows otherwise
 
 // The command through a lag, at stamps.
 std::vector<double> Lagged(const HeldCommand& command, double lag, std::span<const double> time) {
@@ -136,15 +135,14 @@ std::vector<Finding> CheckFollowedCommand(const Log& log, Dof dof) {
   const auto* velocity = log.velocity->Find(VelocityColumn(dof));
   const HeldCommand command = CommandAlong(log, dof);
   if (velocity == nullptr || command.time.empty()) return {};
-  if (ShareFollowed(time, *velocity, command) >= kHardlyFollows) {
-    return CheckSigns(time, *velocity, command, dof);
-  }
+  const double own = ShareFollowed(time, *velocity, command);
   for (const Dof other : kAllDofs) {
     const auto* of_other = log.velocity->Find(VelocityColumn(other));
     if (other == dof || IsAngular(other) != IsAngular(dof) || of_other == nullptr) continue;
     const double follows = ShareFollowed(time, *of_other, command);
-    if (follows > kFollows &&
-        ShareFollowed(time, *of_other, CommandAlong(log, other)) < kHardlyFollows) {
+    const double less = kFarLess * follows;
+    if (follows > kFollows && own < less &&
+        ShareFollowed(time, *of_other, CommandAlong(log, other)) < less) {
       return {
           FindingOn(VelocityColumn(dof),
                     "swapped_axes",
