@@ -83,7 +83,8 @@ TEST(InertiaCheck, PassesAModelOfAnotherForceUnit) {
   EXPECT_FALSE(CheckInertia(model, kRov));
 }
 
-// 22.5 kg, 0.6 m long, 0.4 m wide: a box of even density has 22.5 (0.6^2 + 0.4^2) / 12 = 0.975 kg m^2.
+// 22.5 kg, 0.6 m long, 0.4 m wide: a box of even density has 22.5 (0.6^2 + 0.4^2) / 12 = 0.975 kg
+// m^2.
 TEST(InertiaCheck, HoldsAMomentAgainstABoxOfTheVehiclesSize) {
   const Body body = {.mass = 22.5, .size = {{0.6, 0.4, 0.3}}, .logged = {.force = true}};
   EXPECT_FALSE(CheckInertia(Dof::kYaw, 1.5, 0.1, body));
