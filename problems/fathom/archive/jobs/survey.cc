@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -42,10 +43,13 @@ bool HasConstantCommand(const std::vector<Segment>& segments) {
   });
 }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct Whiteness {
   double sum_of_squares = 0.0;  // about the mean of each segment
   double sum_of_steps = 0.0;    // squared, from sample to sample
   std::size_t count = 0;
+  double slowest = kInfinity;  // the smallest mean speed of a segment; of positions 0
 };
 
 // The positions where there are any: speeds derived from poses are smoothed, and never white.
@@ -60,6 +64,7 @@ Whiteness WhitenessOf(const std::vector<Segment>& segments) {
       if (i > 0) sums.sum_of_steps += (motion[i] - motion[i - 1]) * (motion[i] - motion[i - 1]);
     }
     sums.count += motion.size();
+    sums.slowest = std::min(sums.slowest, segment.position.empty() ? std::abs(mean) : 0.0);
   }
   return sums;
 }
@@ -91,7 +96,14 @@ SurveyedDof LookAt(const Signals& signals) {
   const Whiteness sums = WhitenessOf(signals.train);
   // Its mean is rounded, the difference of two equal values is not.
   if (!(sums.sum_of_steps > 0.0)) return no("at rest: the motion never changes.");
-  if (IsWhite(sums)) return no("at rest: the motion is no more than white noise.");
+  if (IsWhite(sums)) {
+    const double scatter = std::sqrt(sums.sum_of_squares / static_cast<double>(sums.count));
+    return no(sums.slowest > scatter
+                  ? fmt::format("steady: the speed is {:.3g} {} and white noise.",
+                                sums.slowest,
+                                VelocityUnit(signals.dof))
+                  : "at rest: the motion is no more than white noise.");
+  }
   if (!HasConstantCommand(signals.train)) return {signals.dof, "", true};
   return {signals.dof,
           fmt::format("the command never changes: it is {} {} throughout.",

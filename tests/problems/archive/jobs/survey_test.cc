@@ -80,9 +80,17 @@ TEST(Survey, SeesRestAtAnySpeed) {
 
 TEST(Survey, SeesThatThereIsOnlyNoise) {
   std::mt19937 random(1);
-  std::normal_distribution<double> noise(0.1, 0.02);
+  std::normal_distribution<double> noise(0.0, 0.02);
   const SurveyedDof dof = OnlyDofOf(SurveyOf(601, Square, [&](double) { return noise(random); }));
   EXPECT_EQ(dof.why_not, "at rest: the motion is no more than white noise.");
+  EXPECT_FALSE(dof.may_help);
+}
+
+TEST(Survey, SeesThatASpeedIsSteady) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.1, 0.0002);
+  const SurveyedDof dof = OnlyDofOf(SurveyOf(601, Square, [&](double) { return noise(random); }));
+  EXPECT_EQ(dof.why_not, "steady: the speed is 0.1 m/s and white noise.");
   EXPECT_FALSE(dof.may_help);
 }
 
