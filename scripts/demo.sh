@@ -13,7 +13,7 @@ bin=build/release/tools
 scripts/install_dependencies.sh
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)" --target \
-  fathom_compare fathom_identify fathom_simulate fathom_synthesize fathom_diagnose fathom_batch
+  tool_compare tool_identify tool_simulate tool_synthesize tool_diagnose tool_batch
 mkdir -p "$out"
 
 run() {
