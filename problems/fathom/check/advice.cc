@@ -139,6 +139,9 @@ constexpr Entry kAdvice[] = {
      {"Rows stand at wrong times: order does not mend stamps that are wrong.",
       "Look at how the stamps are written. Where whole seconds and nanoseconds stand in columns of "
       "their own, the map of fathom_import takes them: `time: {seconds: S, nanoseconds: N}`."}},
+    {"stuck_values",
+     {"A model that stands still is fitted to a vehicle that moves.",
+      "Take these rows out of the file."}},
     {"swapped_axes", {"There is no model, or one of noise.", "Change the two columns over."}},
     {"unsigned_command",
      {"There is no model, or one of noise.",
@@ -146,9 +149,6 @@ constexpr Entry kAdvice[] = {
     {"unsigned_speed",
      {"There is no model, or one of noise.",
       "Take the component along the axis, not the speed over ground or through the water."}},
-    {"stuck_values",
-     {"A model that stands still is fitted to a vehicle that moves.",
-      "Take these rows out of the file."}},
 };
 
 }  // namespace

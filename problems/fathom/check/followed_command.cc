@@ -71,43 +71,47 @@ bool NeverGoesBack(const std::vector<double>& values) {
   return Quantile(values, 0.01) > -0.1 * Quantile(values, 0.9);
 }
 
-Finding FindingOn(std::string_view column, const char* code, std::string sentence) {
+Finding FindingOn(const Stream& velocity, Dof dof, const char* code, std::string sentence) {
   return {Severity::kWarning,
           code,
           std::move(sentence),
-          FindingPlace{"velocity.csv", std::string(column), {}}};
+          FindingPlace{"velocity.csv",
+                       std::string(VelocityColumn(dof)),
+                       {velocity.time.front(), velocity.time.back()}}};
 }
 
-std::vector<Finding> CheckSigns(std::span<const double> time,
-                                const std::vector<double>& velocity,
-                                const HeldCommand& command,
-                                Dof dof) {
+// The velocity of `dof` in a stream that holds it, against its command.
+std::vector<Finding> CheckSigns(const Stream& stream, const HeldCommand& command, Dof dof) {
+  const std::vector<double>& time = stream.time;
+  const std::vector<double>& velocity = *stream.Find(VelocityColumn(dof));
   const std::vector<double> force = command.At(time);
-  if (NeverGoesBack(velocity) && GoesBothWays(force)) {
-    const HeldCommand magnitude = {command.time, MagnitudesOf(command.value)};
-    const double follows = ShareFollowed(time, velocity, magnitude);
-    if (follows > kFollows && ShareFollowed(time, velocity, command) < kFarLess * follows) {
-      return {
-          FindingOn(VelocityColumn(dof),
-                    "unsigned_speed",
-                    fmt::format("velocity.csv: {} is never below 0 though the command goes both "
-                                "ways, and follows its magnitude: it is a speed without sign.",
-                                VelocityColumn(dof)))};
-    }
+  const bool is_speed = NeverGoesBack(velocity) && GoesBothWays(force);
+  const bool is_thrust = NeverGoesBack(force) && GoesBothWays(velocity);
+  if (!is_speed && !is_thrust) return {};
+  const double follows =
+      is_speed ? ShareFollowed(time, velocity, {command.time, MagnitudesOf(command.value)})
+               : ShareFollowed(time, MagnitudesOf(velocity), command);
+  if (!(follows > kFollows) || ShareFollowed(time, velocity, command) >= kFarLess * follows) {
+    return {};
   }
-  if (NeverGoesBack(force) && GoesBothWays(velocity)) {
-    const double follows = ShareFollowed(time, MagnitudesOf(velocity), command);
-    if (follows > kFollows && ShareFollowed(time, velocity, command) < kFarLess * follows) {
-      return {
-          FindingOn(VelocityColumn(dof),
+  const std::string_view u = VelocityColumn(dof), tau = ForceColumn(dof);
+  if (is_speed) {
+    return {FindingOn(
+        stream,
+        dof,
+        "unsigned_speed",
+        fmt::format("velocity.csv: {} is never below 0 though {} goes both ways, and follows its "
+                    "magnitude: it is a speed without sign.",
+                    u,
+                    tau))};
+  }
+  return {FindingOn(stream,
+                    dof,
                     "unsigned_command",
                     fmt::format("command.csv: {} is never below 0 though {} goes both ways, and "
                                 "its magnitude follows it: the command has lost its sign.",
-                                ForceColumn(dof),
-                                VelocityColumn(dof)))};
-    }
-  }
-  return {};
+                                tau,
+                                u))};
 }
 
 // The command of a DOF; nothing if the log has none.
@@ -144,7 +148,8 @@ std::vector<Finding> CheckFollowedCommand(const Log& log, Dof dof) {
     if (follows > kFollows && own < less &&
         ShareFollowed(time, *of_other, CommandAlong(log, other)) < less) {
       return {
-          FindingOn(VelocityColumn(dof),
+          FindingOn(*log.velocity,
+                    dof,
                     "swapped_axes",
                     fmt::format("velocity.csv: {} does not follow {}, but {} does (R^2 {:.2f}): "
                                 "the axes are swapped.",
@@ -154,7 +159,7 @@ std::vector<Finding> CheckFollowedCommand(const Log& log, Dof dof) {
                                 follows))};
     }
   }
-  return CheckSigns(time, *velocity, command, dof);
+  return CheckSigns(*log.velocity, command, dof);
 }
 
 }  // namespace fathom

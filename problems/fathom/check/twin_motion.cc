@@ -6,7 +6,6 @@
 #include "fathom/base/median.h"
 #include "fathom/signal/filters/savitzky_golay.h"
 #include "fathom/signal/pose_velocity.h"
-#include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/run_start.h"
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace fathom {
 namespace {
@@ -35,15 +35,18 @@ double At(std::span<const double> time, std::span<const double> values, double t
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
-// The step in which a sample of the log usually lies. Where stamps come in batches, that is the
-// time between them.
+// The step that half of the time lies in steps of or below. Where stamps come in batches, that is
+// the time between batches, which the median of the steps is not.
 double UsualStep(std::span<const double> time) {
-  double squares = 0.0;
-  for (std::size_t i = 1; i < time.size(); ++i) {
-    const double step = time[i] - time[i - 1];
-    if (step <= kLongestGap) squares += step * step;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  std::ranges::sort(steps);
+  double passed = 0.0;
+  for (const double step : steps) {
+    passed += step;
+    if (passed >= 0.5 * (time.back() - time.front())) return step;
   }
-  return squares / (time.back() - time.front());
+  return 0.0;
 }
 
 double Spread(std::span<const double> values) {

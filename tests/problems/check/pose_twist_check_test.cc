@@ -108,6 +108,27 @@ TEST(PoseAgainstTwist, FindsAWrongSignOfOneAxis) {
   EXPECT_THAT(findings[0].sentence, HasSubstr("r and the yaw velocity"));
 }
 
+// Rows are missing for 20 s at a time, as where a log was paused: the windows stay short.
+TEST(PoseAgainstTwist, FindsAWrongUnitBesideLongGaps) {
+  Log log = TwoMotions([](double, double* u, double*) { *u *= 4.0; });
+  const auto keep = [](const Stream& all) {
+    Stream kept = {{}, all.columns, std::vector<std::vector<double>>(all.columns.size())};
+    for (std::size_t i = 0; i < all.time.size(); ++i) {
+      if (std::fmod(all.time[i], 40.0) >= 20.0) continue;
+      kept.time.push_back(all.time[i]);
+      for (std::size_t k = 0; k < all.values.size(); ++k) {
+        kept.values[k].push_back(all.values[k][i]);
+      }
+    }
+    return kept;
+  };
+  log.pose = keep(*log.pose);
+  log.velocity = keep(*log.velocity);
+  const auto findings = CheckPoseAgainstTwist(log);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "pose_twist_scale");
+}
+
 TEST(PoseAgainstTwist, FindsAWrongUnit) {
   const auto findings =
       CheckPoseAgainstTwist(TwoMotions([](double, double* u, double*) { *u *= 100; }));

@@ -15,13 +15,4 @@ std::optional<double> LargeResidual(const Diagnosis& diagnosis) {
   return nmae;
 }
 
-bool AreUnconfirmed(const Diagnosis& diagnosis) {
-  return !diagnosis.causes.empty() &&
-         (diagnosis.held_out_gain_low <= 0.0 || diagnosis.held_out_gain < 0.0);
-}
-
-bool AreContradicted(const Diagnosis& diagnosis) {
-  return !diagnosis.causes.empty() && diagnosis.held_out_gain < 0.0;
-}
-
 }  // namespace fathom

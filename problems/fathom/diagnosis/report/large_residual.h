@@ -14,10 +14,4 @@ namespace fathom {
 // small. Nothing where it is smaller, or not known.
 std::optional<double> LargeResidual(const Diagnosis& diagnosis);
 
-// Whether causes are named that the unseen data do not confirm: their gain may be none.
-bool AreUnconfirmed(const Diagnosis& diagnosis);
-
-// Whether causes are named that make the prediction of unseen data worse.
-bool AreContradicted(const Diagnosis& diagnosis);
-
 }  // namespace fathom

@@ -5,9 +5,9 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
-#include "fathom/import/matlab/inflated.h"
 #include "fathom/import/matlab/mat5_arrays.h"
 #include "fathom/import/recording/byte_file.h"
+#include "fathom/import/recording/inflated.h"
 
 #include <algorithm>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
-#include "fathom/import/matlab/inflated.h"
+#include "fathom/import/recording/inflated.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "fathom/import/numpy/zip_file.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/import/matlab/inflated.h"
+#include "fathom/import/recording/inflated.h"
 
 #include <algorithm>
 #include <cstddef>

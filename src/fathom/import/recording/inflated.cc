@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/import/matlab/inflated.h"
+#include "fathom/import/recording/inflated.h"
 
 #include <algorithm>
 #include <memory>
