@@ -81,6 +81,11 @@ constexpr Entry kAdvice[] = {
       "Drive what the sentence asks for. If it asks for nothing, look for a wrong sign, clock or "
       "unit "
       "of command and motion first, then for too little motion. Or fit several logs together."}},
+    {"other_axes",
+     {"Inertia and damping take a part of the other axes' force: they are biased by more than "
+      "their intervals say.",
+      "Drive one axis at a time, or run fathom_diagnose on this log: it names the coupling and "
+      "what it changes."}},
     {"passivity",
      {"Damping comes out negative.",
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "

@@ -6,6 +6,7 @@
 #include "fathom/check/followed_command.h"
 #include "fathom/check/mass_check.h"
 #include "fathom/check/motion_check.h"
+#include "fathom/check/other_axes.h"
 #include "fathom/check/sanity.h"
 #include "fathom/check/stamp_check.h"
 #include "fathom/signal/sources/choose_source.h"
@@ -64,6 +65,17 @@ std::vector<Finding> CheckMassOf(const Log& log) {
   return findings;
 }
 
+// `signals` are those of all logs.
+std::vector<Finding> CheckOtherAxesOf(const Log& log, const Signals& signals) {
+  if (!log.velocity) return {};
+  const Signals own = SignalsOf(log, signals.dof, {.source = signals.source});
+  std::vector<Finding> findings;
+  if (auto finding = CheckOtherAxes(log, signals.dof, own.train)) {
+    findings.push_back(*std::move(finding));
+  }
+  return findings;
+}
+
 // Whether command.csv holds speeds of thrusters: forces have been made of them by now.
 bool HoldsThrusterSpeeds(const Log& log) {
   std::ifstream file(log.path / "command.csv");
@@ -90,6 +102,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
     Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
     Add(OfLog(log, logs.size(), CheckMotion(log, signals.dof, signals.source)), &findings);
     Add(OfLog(log, logs.size(), CheckFollowedCommand(log, signals.dof)), &findings);
+    Add(OfLog(log, logs.size(), CheckOtherAxesOf(log, signals)), &findings);
   }
   Add(CheckSanity(signals), &findings);
   return WarningsFirst(std::move(findings));

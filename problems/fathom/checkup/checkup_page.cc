@@ -126,11 +126,12 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
       section.text.push_back(std::move(sentence));
     }
     if (dof.signals && !dof.signals->train.empty()) AddCharts(dof, &section);
-    if (Table table = DeterminedTable(dof); !table.rows.empty()) {
+    if (Table table = DeterminedTable(checkup, dof); !table.rows.empty()) {
       table.caption = fmt::format(
           "How well this log knows the parameters (95 %{}): well within 20 %, roughly within "
-          "100 %.",
-          dof.model->std_with_delay ? ", with an unknown delay of the command" : "");
+          "100 %{}.",
+          dof.model->std_with_delay ? ", with an unknown delay of the command" : "",
+          WordsOnDoubt(checkup, dof));
       section.tables = {std::move(table)};
     }
     page.sections.push_back(std::move(section));

@@ -49,11 +49,19 @@ double StdOf(const FittedModel& model, int index) {
   return std::sqrt(model.covariance(index, index));
 }
 
-// Where the data do not tell a delay of the command, with an unknown one.
-std::string_view HowWellKnown(const Identification& model, int index) {
+// Whether something biases the model that no interval of it holds: what is red, or another axis.
+bool IsBiased(const LogCheckup& checkup, const DofCheckup& dof) {
+  return HasRed(checkup) || Has(dof.findings, "other_axes");
+}
+
+// Of a usable model. Where the data do not tell a delay of the command, with an unknown one.
+std::string_view HowWellKnown(const LogCheckup& checkup, const DofCheckup& dof, int index) {
+  const Identification& model = *dof.model;
   const double std = StdOf(model.fitted, index);
-  return HowWellKnown(ToVector(model.fitted.model)[index],
-                      model.std_with_delay ? std::max(std, (*model.std_with_delay)[index]) : std);
+  const std::string_view known =
+      HowWellKnown(ToVector(model.fitted.model)[index],
+                   model.std_with_delay ? std::max(std, (*model.std_with_delay)[index]) : std);
+  return known != "not" && IsBiased(checkup, dof) ? "in doubt" : known;
 }
 
 std::string FindingLines(const std::vector<Finding>& findings) {
@@ -95,13 +103,13 @@ std::vector<std::string> DecayingDofs(const LogCheckup& checkup) {
   return decaying;
 }
 
-// Of these, those whose model fits poorly.
-std::vector<std::string> PoorDofs(const LogCheckup& checkup) {
-  std::vector<std::string> poor;
+// Those with a finding of this code.
+std::vector<std::string> DofsWith(const std::string& code, const LogCheckup& checkup) {
+  std::vector<std::string> dofs;
   for (const DofCheckup& dof : checkup.dofs) {
-    if (Has(dof.findings, "poor_fit")) poor.emplace_back(Name(dof.dof));
+    if (Has(dof.findings, code)) dofs.emplace_back(Name(dof.dof));
   }
-  return poor;
+  return dofs;
 }
 
 std::string HowToHoldOut(const Log& log, const TimeInterval& held_out) {
@@ -119,7 +127,7 @@ std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_se
   for (const DofCheckup& dof : checkup.dofs) {
     if (!dof.model || !dof.model->is_usable) continue;
     for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
-      if (HowWellKnown(*dof.model, i) != "not") continue;
+      if (HowWellKnown(checkup, dof, i) != "not") continue;
       const char* const name = kParameterInfo[static_cast<std::size_t>(i)].name;
       unknown.push_back(of_several_dofs ? fmt::format("{} of {}", name, Name(dof.dof)) : name);
     }
@@ -139,23 +147,37 @@ std::string Verdict(const LogCheckup& checkup) {
         Listed(decays));
   }
   if (usable.empty()) return "Nothing in this log can be identified.";
-  const std::vector<std::string> poor = PoorDofs(checkup);
+  const std::vector<std::string> poor = DofsWith("poor_fit", checkup);
+  const std::vector<std::string> driven = DofsWith("other_axes", checkup);
   std::vector<std::string> good;
   std::ranges::copy_if(usable, std::back_inserter(good), [&](const std::string& dof) {
-    return std::ranges::count(poor, dof) == 0;
+    return std::ranges::count(poor, dof) + std::ranges::count(driven, dof) == 0;
   });
+  const std::string of_driven =
+      driven.empty() ? ""
+                     : fmt::format(" Other axes act on {}: a model of one axis alone is biased.",
+                                   Listed(driven));
   const std::vector<std::string> unknown = UnknownParameters(checkup, usable.size() > 1);
+  if (good.empty() && poor.empty()) {
+    return fmt::format(
+        "{} can be identified from this log{}.{}",
+        Listed(usable),
+        unknown.empty() ? "" : fmt::format(", which leaves {} unknown", Listed(unknown)),
+        of_driven);
+  }
   if (good.empty()) {
     return fmt::format(
-        "A model of {} from this log fits poorly{}.",
+        "A model of {} from this log fits poorly{}.{}",
         Listed(poor),
-        unknown.empty() ? "" : fmt::format(" and leaves {} unknown", Listed(unknown)));
+        unknown.empty() ? "" : fmt::format(" and leaves {} unknown", Listed(unknown)),
+        of_driven);
   }
   return fmt::format(
-      "Nothing speaks against a model of {} from this log{}.{}",
+      "Nothing speaks against a model of {} from this log{}.{}{}",
       Listed(good),
       unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)),
-      poor.empty() ? "" : fmt::format(" One of {} fits poorly.", Listed(poor)));
+      poor.empty() ? "" : fmt::format(" One of {} fits poorly.", Listed(poor)),
+      of_driven);
 }
 
 std::string NextStep(const LogCheckup& checkup) {
@@ -193,7 +215,7 @@ Table StreamTable(const LogCheckup& checkup) {
   return table;
 }
 
-Table DeterminedTable(const DofCheckup& dof) {
+Table DeterminedTable(const LogCheckup& checkup, const DofCheckup& dof) {
   Table table;
   table.columns = {{"parameter"}, {"value", true}, {"known"}};
   if (!dof.model || !dof.model->is_usable) return table;
@@ -206,9 +228,15 @@ Table DeterminedTable(const DofCheckup& dof) {
                       kParameterInfo[static_cast<std::size_t>(i)].name,
                       ParameterUnit(i, fitted.dof, fitted.force_unit)),
           FormatInterval(values[i], std, kParameterInfo[static_cast<std::size_t>(i)].lower_bound),
-          std::string(HowWellKnown(*dof.model, i))}});
+          std::string(HowWellKnown(checkup, dof, i))}});
   }
   return table;
+}
+
+std::string WordsOnDoubt(const LogCheckup& checkup, const DofCheckup& dof) {
+  if (!IsBiased(checkup, dof)) return "";
+  return fmt::format("; in doubt: the interval leaves out the bias of {}",
+                     HasRed(checkup) ? "what is red" : "other axes");
 }
 
 std::vector<std::string> CaveatsOn(const DofCheckup& dof) {
@@ -253,12 +281,13 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     if (!dof.why_not.empty()) text += fmt::format("cannot be identified: {}\n", dof.why_not);
     text += FindingLines(dof.findings);
     if (dof.findings.empty() && dof.why_not.empty()) text += "green   nothing found\n";
-    if (const Table table = DeterminedTable(dof); !table.rows.empty()) {
+    if (const Table table = DeterminedTable(checkup, dof); !table.rows.empty()) {
       text += "\n" + FormatTable(table) +
               fmt::format(
                   "known: {}the 95 % interval is within 20 % of the value (well), within "
-                  "100 % (roughly) or wider (not)\n",
-                  dof.model->std_with_delay ? "with an unknown delay of the command, " : "");
+                  "100 % (roughly) or wider (not){}\n",
+                  dof.model->std_with_delay ? "with an unknown delay of the command, " : "",
+                  WordsOnDoubt(checkup, dof));
     }
     for (const std::string& caveat : CaveatsOn(dof)) text += fmt::format("note: {}\n", caveat);
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
@@ -288,7 +317,7 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
                               {"unit", ParameterUnit(i, fitted.dof, fitted.force_unit)},
                               {"value", values[i]},
                               {"std", StdOf(fitted, i)},
-                              {"known", HowWellKnown(*dof.model, i)}});
+                              {"known", HowWellKnown(checkup, dof, i)}});
       }
     }
     for (const TimeInterval& stretch : dof.excitation.stretches) {

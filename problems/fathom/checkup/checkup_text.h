@@ -26,7 +26,10 @@ Table StreamTable(const LogCheckup& checkup);
 
 // How well this log knows each parameter of a DOF, by output error: with an unknown delay of the
 // command, where the data do not tell one.
-Table DeterminedTable(const DofCheckup& dof);
+Table DeterminedTable(const LogCheckup& checkup, const DofCheckup& dof);
+
+// "; in doubt: ..." to follow the key of that table; empty where nothing is.
+std::string WordsOnDoubt(const LogCheckup& checkup, const DofCheckup& dof);
 
 // What fathom_identify says of this model beyond its intervals, a sentence each; may be empty.
 std::vector<std::string> CaveatsOn(const DofCheckup& dof);
