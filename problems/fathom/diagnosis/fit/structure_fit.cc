@@ -15,8 +15,13 @@ namespace fathom {
 namespace {
 
 constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
-constexpr int kMostIterations = 100;
+constexpr std::size_t kMostIterations = 100;
 constexpr double kMostDamping = 1e10;
+
+// A search that after some steps gains less than a share of the error over the last ones creeps.
+constexpr std::size_t kCreepAfter = 20;
+constexpr std::size_t kCreepOver = 10;
+constexpr double kCreepShare = 0.01;
 
 double ChiSquared(const Whitener& whitener, const Eigen::VectorXd& residual) {
   Eigen::VectorXd whitened(residual.size());
@@ -39,17 +44,34 @@ struct Descent {
   Unknowns unknowns;
   Normal normal;
   double damping = 1e-4;
+  bool was_refused = false;  // some step that was tried before the last one taken
 };
 
-// Takes the first step that lowers the error, damped as much as that needs. Most steps that are
-// tried do, so each is run with its derivatives. False where no step promises enough, or, as far as
-// the arithmetic can tell, none leads lower.
+// Runs a trial with its derivatives and fills its error, if that is below `most`. Without
+// derivatives a run costs a sixth: it goes first where the trial is not likely to be lower.
+bool IsLower(const TrainingData& data,
+             const Whitener& whitener,
+             double most,
+             bool is_likely,
+             StructureFit* trial) {
+  if (!is_likely) {
+    const auto simulated = data.Simulate(trial->model, trial->initial);
+    if (!simulated || !(ChiSquared(whitener, data.measured() - *simulated) < most)) return false;
+  }
+  if (!LineariseAt(data, trial)) return false;
+  trial->chi_squared = ChiSquared(whitener, trial->residual);
+  return trial->chi_squared < most;
+}
+
+// Takes the first step that lowers the error, damped as much as that needs. False where no step
+// promises enough, or, as far as the arithmetic can tell, none leads lower.
 bool StepDown(const TrainingData& data,
               const Whitener& whitener,
               double smallest_share,
               Descent* at) {
   const std::vector<int> free = FreeOf(at->unknowns, at->normal.g);
   double growth = 10.0;  // faster each time: where nothing is lower, that is soon known
+  bool is_refused = false;
   while (at->damping < kMostDamping) {
     const Eigen::VectorXd step = StepOf(at->normal, free, at->damping);
     const Eigen::VectorXd value =
@@ -63,20 +85,28 @@ bool StepDown(const TrainingData& data,
     next.initial = at->fit.initial;
     next.noise = at->fit.noise;
     Unpack(data, value, &next.model, &next.initial);
-    if (LineariseAt(data, &next)) next.chi_squared = ChiSquared(whitener, next.residual);
-    if (!(next.chi_squared < at->fit.chi_squared)) {
+    const bool is_likely = !is_refused && !at->was_refused;
+    if (!IsLower(data, whitener, at->fit.chi_squared, is_likely, &next)) {
       at->damping *= growth;
       growth *= 2.0;
+      is_refused = true;
       continue;
     }
     const double gained = at->fit.chi_squared - next.chi_squared;
     at->damping = std::max(1e-9, gained > 0.5 * promised ? 0.1 * at->damping : at->damping);
+    at->was_refused = is_refused;
     at->unknowns.value = value;
     at->normal = NormalOf(whitener, next.jacobian, next.residual);
     at->fit = std::move(next);
     return true;
   }
   return false;
+}
+
+// Whether the last steps lead nowhere soon: along a valley that bends.
+bool Creeps(std::span<const double> errors) {
+  return errors.size() > kCreepAfter &&
+         errors[errors.size() - 1 - kCreepOver] < (1.0 + kCreepShare) * errors.back();
 }
 
 // What a search says of where it ended.
@@ -111,8 +141,10 @@ StructureFit FitStructure(const TrainingData& data,
   at.unknowns = Pack(data, at.fit.model, at.fit.initial);
   at.fit.chi_squared = ChiSquared(whitener, at.fit.residual);
   at.normal = NormalOf(whitener, at.fit.jacobian, at.fit.residual);
-  for (int iteration = 0; iteration < kMostIterations && !at.fit.converged; ++iteration) {
+  std::vector<double> errors = {at.fit.chi_squared};
+  while (errors.size() <= kMostIterations && !at.fit.converged && !Creeps(errors)) {
     at.fit.converged = !StepDown(data, whitener, smallest_share, &at);
+    errors.push_back(at.fit.chi_squared);
   }
   return Concluded(data, std::move(at), whitener);
 }
