@@ -3,6 +3,7 @@
 
 // What a simulation gets wrong, and why: names the cause as far as the logs force it.
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/candidate_text.h"
@@ -13,6 +14,9 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/free_decay/decay_page.h"
+#include "fathom/free_decay/decay_text.h"
+#include "fathom/free_decay/log_decay.h"
 #include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/remark.h"
@@ -29,6 +33,7 @@
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -114,7 +119,7 @@ struct Logs {
 Logs LogsFromFlags() {
   const std::optional<Dof> dof = DofFromFlag();
   Logs logs;
-  logs.all = ReadLogsFromFlags(dof);
+  logs.all = ReadLogsFromFlags(dof, false, true);
   logs.dof = DofOfAll(logs.all, dof);
   logs.origin = OriginOfPage(logs.all);
   logs.fingerprints = FingerprintsOf(logs.all);
@@ -167,11 +172,39 @@ void WritePage(Page page, const Logs& logs) {
   WriteFile(FLAGS_report, RenderPage(page));
 }
 
+// Of logs that nothing drives there is no model to diagnose: what their decay tells instead.
+int RunFreeDecay(const Logs& logs) {
+  const LogDecay decay = FitLogDecay(logs.all, {.dof = logs.dof});
+  const std::vector<Finding> findings = FindingsOn(logs.all, decay);
+  PrintWarnings(findings);
+  PrintNotes(findings);
+  const std::string sentence = DecaySentence(decay);
+  if (!FLAGS_verdict.empty()) WriteFile(FLAGS_verdict, FormatDecayJson(decay, FLAGS_log));
+  if (!FLAGS_report.empty()) {
+    Page page;
+    page.title = fmt::format("{}: free decay of {}", FLAGS_log, Name(logs.dof));
+    page.lead = {sentence};
+    page.sections = {DecaySection(decay)};
+    WritePage(std::move(page), logs);
+  }
+  if (!decay.summary.IsUsable()) {
+    PrintText(stderr, fmt::format("fathom_diagnose: no diagnosis: {}\n", sentence));
+    return kExitNoFit;
+  }
+  PrintText(stdout, sentence + "\n\n" + FormatDecay(decay));
+  if (const double nmae = NmaeOf(decay); std::isfinite(nmae)) {
+    PrintText(stdout,
+              fmt::format("The simulated decay misses {:.2g} % of the speed.\n", 100.0 * nmae));
+  }
+  return kExitUsable;
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
+  if (AreFreeDecays(logs.all, logs.dof)) return RunFreeDecay(logs);
   options.thrusters = ThrustersOf(logs.all.front());
   Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
   PrintWarnings(diagnosis.findings);

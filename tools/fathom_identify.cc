@@ -6,8 +6,6 @@
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/check/motion_check.h"
-#include "fathom/check/stamp_check.h"
 #include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/log_identification.h"
 #include "fathom/comparison/run_agreement_text.h"
@@ -28,7 +26,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -151,9 +148,8 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
 
 bool HasDecayFrom() { return !std::isnan(FLAGS_decay_from); }
 
-// Whether the logs are to be taken for free decays. One whose command is 0 throughout may stand
-// among driven ones, one without a command may not: throws InputError then.
-bool AreFreeDecays(const std::vector<Log>& logs, const LogIdentificationOptions& options) {
+// Whether the logs are to be taken for free decays. Throws InputError as AreFreeDecays() does.
+bool ToBeTakenForDecays(const std::vector<Log>& logs, const LogIdentificationOptions& options) {
   if (HasDecayFrom()) return true;
   const auto lacks_command = [](const Log& log) { return !log.command.has_value(); };
   const auto without = std::ranges::find_if(logs, lacks_command);
@@ -162,16 +158,7 @@ bool AreFreeDecays(const std::vector<Log>& logs, const LogIdentificationOptions&
     // The identification says that --dof is missing.
     if (!options.dof && logs.front().dofs.size() != 1) return false;
   }
-  const Dof dof = DofOfAll(logs, options.dof);
-  const auto driven =
-      std::ranges::find_if_not(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
-  if (driven == logs.end()) return true;
-  if (without == logs.end()) return false;
-  throw InputError(fmt::format(
-      "--log: {} has no command, but {} has one; expected logs of one kind. Identify them one by "
-      "one, or give --decay_from to take both for free decays.",
-      without->path.string(),
-      driven->path.string()));
+  return AreFreeDecays(logs, DofOfAll(logs, options.dof));
 }
 
 void RefuseFlagsOfDrivenLogs(const LogIdentificationOptions& options) {
@@ -205,12 +192,7 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
   decay_options.source = options.source;
   if (HasDecayFrom()) decay_options.from = FLAGS_decay_from;
   const LogDecay decay = FitLogDecay(logs, decay_options);
-  std::vector<Finding> findings;
-  for (const Log& log : logs) {
-    std::ranges::move(CheckStamps(log), std::back_inserter(findings));
-    std::ranges::move(CheckMotion(log, decay.dof, decay.source), std::back_inserter(findings));
-  }
-  findings = WarningsFirst(std::move(findings));
+  const std::vector<Finding> findings = FindingsOn(logs, decay);
   PrintWarnings(findings);
   PrintNotes(findings);
   PrintText(stdout, FormatDecay(decay));
@@ -240,7 +222,7 @@ int Run() {
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(options);
-  if (AreFreeDecays(logs, options)) return RunFreeDecay(logs, options);
+  if (ToBeTakenForDecays(logs, options)) return RunFreeDecay(logs, options);
   if (!FLAGS_json.empty()) {
     throw InputError(
         "--json: goes with a free decay, expected none: a command drives this log. --model writes "

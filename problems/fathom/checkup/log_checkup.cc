@@ -171,16 +171,6 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
   }
   checkup->why_not.clear();
   checkup->decays = true;
-  std::vector<std::string> told;
-  for (const DecayQuantity& quantity : QuantitiesOf(decay)) {
-    told.push_back(fmt::format("{} {}",
-                               quantity.name,
-                               WithInterval(quantity.value,
-                                            quantity.std,
-                                            UnitText(quantity.unit),
-                                            quantity.lower_bound,
-                                            std::numeric_limits<double>::infinity())));
-  }
   checkup->findings.push_back(
       {Severity::kNote,
        "free_decay",
@@ -189,7 +179,7 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
            "fathom_identify --log={} --dof={}",
            log.command ? "The command is 0 throughout" : "There is no command",
            TimesOf(decay.stretches.front(), MotionStream(log, dof, decay.source).time.front()),
-           fmt::join(told, ", "),
+           QuantitiesText(decay),
            log.path.string(),
            Name(dof))});
 }

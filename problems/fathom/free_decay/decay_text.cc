@@ -8,11 +8,14 @@
 #include "fathom/report/table.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -26,7 +29,7 @@ std::vector<int> RatesOf(const LogDecay& decay) {
 }
 
 // Of dampings those of a model file.
-std::string NameOf(int rate) {
+std::string NameOf(int rate, Dof dof) {
   switch (rate) {
     case kLinearRate:
       return kParameterInfo[kLinearDamping].name;
@@ -35,7 +38,8 @@ std::string NameOf(int rate) {
     case kStiffnessRate:
       return "stiffness";
     default:
-      return kParameterInfo[kBuoyancy].name;
+      if (IsAngular(dof)) return "constant_moment";
+      return dof == Dof::kHeave ? "net_buoyancy" : "constant_force";
   }
 }
 
@@ -84,42 +88,41 @@ std::string InertiaUnit(Dof dof) {
 }
 
 // What cannot be seen in the table.
-std::string NotesOn(const LogDecay& decay) {
-  std::string text;
-  const FreeDecaySummary& summary = decay.summary;
-  for (const std::string& caveat : summary.caveats) text += fmt::format("note: {}\n", caveat);
+std::vector<std::string> NotesOn(const LogDecay& decay) {
+  std::vector<std::string> notes = decay.summary.caveats;
   const double constant = RateOf(decay, kConstantRate);
   if (!decay.has_stiffness && std::abs(constant) > kStdsOf95 * DecayStd(decay, kConstantRate)) {
-    text += fmt::format(
-        "note: A constant force is in it, {} {} by the inertia: a current, a tether, an offset of "
-        "the sensor, or a drive that was not off. The last spoils the dampings.\n",
+    notes.push_back(fmt::format(
+        "A constant {} is in it, {} {} by the inertia: a current, a tether, an offset of "
+        "the sensor, or a drive that was not off. The last spoils the dampings.",
+        IsAngular(decay.dof) ? "moment" : "force",
         FormatValue(constant, DecayStd(decay, kConstantRate)),
-        UnitText(RateUnit(kConstantRate, decay.dof)));
+        UnitText(RateUnit(kConstantRate, decay.dof))));
   }
   if (decay.has_stiffness) {
     const double c = RateOf(decay, kStiffnessRate), a = RateOf(decay, kLinearRate);
     if (c > a * a / 4.0) {
-      text += fmt::format("period of small swings: {:.3g} s\n",
-                          2.0 * 3.14159265358979 / std::sqrt(c - a * a / 4.0));
+      notes.push_back(fmt::format("The period of small swings is {:.3g} s.",
+                                  2.0 * 3.14159265358979 / std::sqrt(c - a * a / 4.0)));
     }
   }
   if (decay.dry_mass) {
-    text += fmt::format(
-        "note: Of the inertia only the dry mass is known, {:g} kg. The water that moves along adds "
+    notes.push_back(fmt::format(
+        "Of the inertia only the dry mass is known, {:g} kg. The water that moves along adds "
         "to it, so linear_damping is at least {:.3g} kg/s and quadratic_damping at least {:.3g} "
-        "kg/m. `inertia: {{{}: ...}}` in the vehicle file, mass and added mass, gives them.\n",
+        "kg/m. `inertia: {{{}: ...}}` in the vehicle file, mass and added mass, gives them.",
         *decay.dry_mass,
         *decay.dry_mass * RateOf(decay, kLinearRate),
         *decay.dry_mass * RateOf(decay, kQuadraticRate),
-        Name(decay.dof));
+        Name(decay.dof)));
   } else if (!decay.inertia) {
-    text += fmt::format(
-        "note: Without a force, a decay tells ratios to the inertia only. `inertia: {{{}: ...}}` "
-        "[{}] in the vehicle file gives the parameters themselves.\n",
+    notes.push_back(fmt::format(
+        "Without a force, a decay tells ratios to the inertia only. `inertia: {{{}: ...}}` "
+        "[{}] in the vehicle file gives the parameters themselves.",
         Name(decay.dof),
-        UnitText(InertiaUnit(decay.dof)));
+        UnitText(InertiaUnit(decay.dof))));
   }
-  return text;
+  return notes;
 }
 
 }  // namespace
@@ -127,7 +130,7 @@ std::string NotesOn(const LogDecay& decay) {
 std::vector<DecayQuantity> QuantitiesOf(const LogDecay& decay) {
   std::vector<DecayQuantity> quantities;
   for (const int rate : RatesOf(decay)) {
-    quantities.push_back({NameOf(rate) + " / inertia",
+    quantities.push_back({NameOf(rate, decay.dof) + " / inertia",
                           RateUnit(rate, decay.dof),
                           RateOf(decay, rate),
                           DecayStd(decay, rate),
@@ -135,7 +138,7 @@ std::vector<DecayQuantity> QuantitiesOf(const LogDecay& decay) {
   }
   if (!decay.inertia) return quantities;
   for (const int rate : RatesOf(decay)) {
-    quantities.push_back({NameOf(rate),
+    quantities.push_back({NameOf(rate, decay.dof),
                           UnitOf(rate, decay.dof),
                           *decay.inertia * RateOf(decay, rate),
                           *decay.inertia * DecayStd(decay, rate),
@@ -144,12 +147,42 @@ std::vector<DecayQuantity> QuantitiesOf(const LogDecay& decay) {
   return quantities;
 }
 
-std::string FormatDecay(const LogDecay& decay) {
-  std::string text;
-  for (const std::string& note : decay.notes) text += "note: " + note + "\n";
-  if (!decay.summary.IsUsable()) return text;
-  const FreeDecaySummary& summary = decay.summary;
-  text += fmt::format("{}: {}\n", Name(decay.dof), summary.message);
+std::string QuantitiesText(const LogDecay& decay) {
+  std::vector<std::string> told;
+  for (const DecayQuantity& quantity : QuantitiesOf(decay)) {
+    told.push_back(fmt::format("{} {}",
+                               quantity.name,
+                               WithInterval(quantity.value,
+                                            quantity.std,
+                                            UnitText(quantity.unit),
+                                            quantity.lower_bound,
+                                            std::numeric_limits<double>::infinity())));
+  }
+  return fmt::format("{}", fmt::join(told, ", "));
+}
+
+std::string DecaySentence(const LogDecay& decay) {
+  const std::string rule =
+      fmt::format("Nothing drives {}: without a command, only ratios to the inertia can be known",
+                  Name(decay.dof));
+  return decay.summary.IsUsable()
+             ? fmt::format("{}. This free decay tells {}.", rule, QuantitiesText(decay))
+             : fmt::format(
+                   "{}, and no free decay tells them here. {}", rule, decay.summary.message);
+}
+
+double NmaeOf(const LogDecay& decay) {
+  if (decay.output != DecayOutput::kVelocity || decay.summary.residuals.size() == 0) {
+    return FreeDecaySummary::kNotComputed;
+  }
+  double sum = 0.0;
+  for (const DecayStretch& stretch : decay.measured) {
+    for (const double speed : stretch.motion) sum += std::abs(speed);
+  }
+  return decay.summary.residuals.lpNorm<1>() / sum;
+}
+
+Table QuantityTable(const LogDecay& decay) {
   Table table;
   table.columns = {{"parameter"}, {"value", true}, {"unit"}, {"95 % interval", true}};
   for (const DecayQuantity& quantity : QuantitiesOf(decay)) {
@@ -158,7 +191,16 @@ std::string FormatDecay(const LogDecay& decay) {
                            UnitText(quantity.unit),
                            FormatInterval(quantity.value, quantity.std, quantity.lower_bound)}});
   }
-  text += FormatTable(table) + "±: one standard deviation\n";
+  return table;
+}
+
+std::string FormatDecay(const LogDecay& decay) {
+  std::string text;
+  for (const std::string& note : decay.notes) text += "note: " + note + "\n";
+  if (!decay.summary.IsUsable()) return text;
+  const FreeDecaySummary& summary = decay.summary;
+  text += fmt::format("{}: {}\n", Name(decay.dof), summary.message);
+  text += FormatTable(QuantityTable(decay)) + "±: one standard deviation\n";
   if (decay.inertia) {
     text += fmt::format("inertia: {:g} {}, of the vehicle file, taken as exact\n",
                         *decay.inertia,
@@ -171,7 +213,15 @@ std::string FormatDecay(const LogDecay& decay) {
                       summary.smallest_speed,
                       summary.largest_speed,
                       VelocityUnit(decay.dof));
-  return text + NotesOn(decay);
+  for (const std::string& note : NotesOn(decay)) text += "note: " + note + "\n";
+  return text;
+}
+
+std::vector<std::string> DecayComments(const LogDecay& decay) {
+  std::vector<std::string> comments = decay.notes;
+  if (!decay.summary.IsUsable()) return comments;
+  std::ranges::move(NotesOn(decay), std::back_inserter(comments));
+  return comments;
 }
 
 std::string FormatDecayJson(const LogDecay& decay, const std::string& log) {
@@ -195,6 +245,7 @@ std::string FormatDecayJson(const LogDecay& decay, const std::string& log) {
                      {"source", Name(decay.source)},
                      {"usable", decay.summary.IsUsable()},
                      {"message", decay.summary.message},
+                     {"sentence", DecaySentence(decay)},
                      {"stretches", std::move(stretches)},
                      {"inertia", decay.inertia ? Json(*decay.inertia) : Json(nullptr)},
                      {"parameters", std::move(quantities)},

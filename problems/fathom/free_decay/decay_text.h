@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/free_decay/log_decay.h"
+#include "fathom/report/table.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <optional>
@@ -23,6 +24,22 @@ struct DecayQuantity {
 
 // The ratios, then where the inertia is known the parameters.
 std::vector<DecayQuantity> QuantitiesOf(const LogDecay& decay);
+
+// "linear_damping / inertia 0.2 1/s (95 % ...), ...".
+std::string QuantitiesText(const LogDecay& decay);
+
+// What can be known without a command, and what this decay tells of it, or why it tells nothing.
+std::string DecaySentence(const LogDecay& decay);
+
+// The quantities, a row each.
+Table QuantityTable(const LogDecay& decay);
+
+// What is to be said beside that table, a line each.
+std::vector<std::string> DecayComments(const LogDecay& decay);
+
+// The mean error of the simulated speed by the mean speed, docs/models.md (8); NaN where
+// displacements were fitted, or nothing.
+double NmaeOf(const LogDecay& decay);
 
 // What a terminal shows of it.
 std::string FormatDecay(const LogDecay& decay);

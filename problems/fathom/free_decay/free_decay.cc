@@ -153,6 +153,7 @@ FreeDecaySummary FitFreeDecay(std::span<const DecayStretch> stretches,
   summary.covariance = DecayCovariance(
       stretches, *residuals, unknowns.fixed(), options.huber_k * sigma, options.max_noise_order);
   summary.rms = std::sqrt(residuals->residual.squaredNorm() / summary.num_samples);
+  summary.residuals = residuals->residual;
   summary.largest_speed = residuals->largest_speed;
   summary.smallest_speed = residuals->smallest_speed;
   const double middle = (summary.largest_speed + summary.smallest_speed) / 2.0;

@@ -36,6 +36,7 @@ struct FreeDecaySummary {
   int num_samples = 0;
   double duration = 0.0;      // of all stretches [s]
   double rms = kNotComputed;  // of the residuals, in the unit of the motion
+  Eigen::VectorXd residuals;  // simulated minus measured, stretch after stretch
   double largest_speed = kNotComputed, smallest_speed = kNotComputed;  // of the fitted motion
   std::vector<std::string> caveats;  // what the intervals do not say, a sentence each
 };

@@ -5,6 +5,8 @@
 
 #include "fathom/base/files/exists.h"
 #include "fathom/base/input_error.h"
+#include "fathom/check/motion_check.h"
+#include "fathom/check/stamp_check.h"
 #include "fathom/free_decay/choose_stretches.h"
 #include "fathom/signal/signals.h"
 #include "fathom/signal/sources/choose_source.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -150,6 +153,20 @@ bool IsFreeDecay(const Log& log, Dof dof) {
   return values != nullptr && std::ranges::all_of(*values, [](double v) { return v == 0.0; });
 }
 
+bool AreFreeDecays(std::span<const Log> logs, Dof dof) {
+  const auto driven =
+      std::ranges::find_if_not(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
+  if (driven == logs.end()) return true;
+  const auto without =
+      std::ranges::find_if(logs, [](const Log& log) { return !log.command.has_value(); });
+  if (without == logs.end()) return false;
+  throw InputError(fmt::format(
+      "--log: {} has no command, but {} has one; expected logs of one kind. Take them one by one, "
+      "or give fathom_identify --decay_from to take both for free decays.",
+      without->path.string(),
+      driven->path.string()));
+}
+
 LogDecay FitLogDecay(std::span<const Log> logs, const LogDecayOptions& options) {
   if (logs.empty()) throw InputError("A free decay needs at least one log.");
   LogDecay decay;
@@ -191,15 +208,23 @@ LogDecay FitLogDecay(std::span<const Log> logs, const LogDecayOptions& options) 
         options.from ? "is undriven from there on" : "falls from a peak with nothing driving it");
     return decay;
   }
-  std::vector<DecayStretch> stretches;
   for (std::size_t k = 0; k < logs.size(); ++k) {
-    AddStretches(chosen[k], trains[k], decay.output, &stretches);
+    AddStretches(chosen[k], trains[k], decay.output, &decay.measured);
   }
   FreeDecayOptions fit = options.fit;
   fit.output = decay.output;
   fit.has_stiffness = decay.has_stiffness;
-  decay.summary = FitFreeDecay(stretches, fit);
+  decay.summary = FitFreeDecay(decay.measured, fit);
   return decay;
+}
+
+std::vector<Finding> FindingsOn(std::span<const Log> logs, const LogDecay& decay) {
+  std::vector<Finding> findings;
+  for (const Log& log : logs) {
+    std::ranges::move(CheckStamps(log), std::back_inserter(findings));
+    std::ranges::move(CheckMotion(log, decay.dof, decay.source), std::back_inserter(findings));
+  }
+  return WarningsFirst(std::move(findings));
 }
 
 }  // namespace fathom

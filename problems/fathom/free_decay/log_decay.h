@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/time_interval.h"
+#include "fathom/check/finding.h"
 #include "fathom/free_decay/free_decay.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/sources/source.h"
@@ -19,6 +20,10 @@ namespace fathom {
 // Whether nothing in the log drives this DOF: it has no command at all, or one along the DOF that
 // is 0 throughout.
 bool IsFreeDecay(const Log& log, Dof dof);
+
+// Whether nothing drives any of the logs along this DOF. One whose command is 0 throughout may
+// stand among driven ones, one without a command may not: throws InputError then.
+bool AreFreeDecays(std::span<const Log> logs, Dof dof);
 
 struct LogDecayOptions {
   std::optional<Dof> dof = {};        // absent: the only one that each log names
@@ -37,6 +42,7 @@ struct LogDecay {
   bool has_stiffness = false;
   FreeDecaySummary summary;
   std::vector<TimeInterval> stretches;  // that were fitted, in log time
+  std::vector<DecayStretch> measured;   // the same, as summary.residuals has them
   std::vector<std::string> notes;       // how they were chosen, and what was left out
 
   std::optional<double> inertia;  // with the water's share, of the vehicle file [kg] or [kg m^2]
@@ -53,5 +59,8 @@ std::string TimesOf(const TimeInterval& time, double first);
 // which the motion decays. Held-out data are left out. Throws InputError if the logs lack what is
 // asked for; a fit that did not work does not throw.
 LogDecay FitLogDecay(std::span<const Log> logs, const LogDecayOptions& options = {});
+
+// What the checks of stamps and motion say of the logs of a decay, warnings first.
+std::vector<Finding> FindingsOn(std::span<const Log> logs, const LogDecay& decay);
 
 }  // namespace fathom

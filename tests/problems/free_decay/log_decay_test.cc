@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -72,6 +73,28 @@ TEST(LogDecay, FindsTheDecayOfALogWithoutCommand) {
   EXPECT_NEAR(decay.stretches[0].to, 21.95, 1e-9);
   EXPECT_FALSE(decay.has_stiffness);
   EXPECT_THAT(FormatDecay(decay), HasSubstr("note: turn: there is no command, so that only"));
+}
+
+TEST(LogDecay, FitsCoastDownsOfSeveralLogsTogether) {
+  const Log logs[] = {TurnLog(0.37), TurnLog(-0.2)};
+  const LogDecay decay = FitLogDecay(logs);
+  ExpectTruth(decay);
+  EXPECT_EQ(decay.stretches.size(), 2U);
+  // The second log tells more: the intervals become narrower.
+  const LogDecay alone = FitLogDecay({logs, 1});
+  EXPECT_LT(decay.summary.covariance(kLinearRate, kLinearRate),
+            alone.summary.covariance(kLinearRate, kLinearRate));
+}
+
+TEST(LogDecay, NamesTheConstantTermByItsDof) {
+  LogDecay decay;
+  const std::pair<Dof, const char*> names[] = {{Dof::kSurge, "constant_force / inertia"},
+                                               {Dof::kHeave, "net_buoyancy / inertia"},
+                                               {Dof::kYaw, "constant_moment / inertia"}};
+  for (const auto& [dof, name] : names) {
+    decay.dof = dof;
+    EXPECT_EQ(QuantitiesOf(decay).back().name, name);
+  }
 }
 
 TEST(LogDecay, TakesWhatTheUserSays) {
