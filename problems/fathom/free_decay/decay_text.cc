@@ -102,7 +102,7 @@ std::vector<std::string> NotesOn(const LogDecay& decay) {
   if (decay.has_stiffness) {
     const double c = RateOf(decay, kStiffnessRate), a = RateOf(decay, kLinearRate);
     if (c > a * a / 4.0) {
-      notes.push_back(fmt::format("The period of small swings is {:.3g} s.",
+      notes.push_back(fmt::format("period of small swings: {:.3g} s",
                                   2.0 * 3.14159265358979 / std::sqrt(c - a * a / 4.0)));
     }
   }
