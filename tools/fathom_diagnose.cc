@@ -31,6 +31,7 @@
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
+#include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cmath>
@@ -183,7 +184,7 @@ int RunFreeDecay(const Logs& logs) {
   if (!FLAGS_report.empty()) {
     Page page;
     page.title = fmt::format("{}: free decay of {}", FLAGS_log, Name(logs.dof));
-    page.lead = {sentence};
+    page.lead = {InWords(sentence)};
     page.sections = {DecaySection(decay)};
     WritePage(std::move(page), logs);
   }

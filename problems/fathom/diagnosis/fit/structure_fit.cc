@@ -19,9 +19,9 @@ constexpr std::size_t kMostIterations = 100;
 constexpr double kMostDamping = 1e10;
 
 // A search that after some steps gains less than a share of the error over the last ones creeps.
-constexpr std::size_t kCreepAfter = 20;
+constexpr std::size_t kCreepAfter = 30;
 constexpr std::size_t kCreepOver = 10;
-constexpr double kCreepShare = 0.01;
+constexpr double kCreepShare = 0.003;
 
 double ChiSquared(const Whitener& whitener, const Eigen::VectorXd& residual) {
   Eigen::VectorXd whitened(residual.size());

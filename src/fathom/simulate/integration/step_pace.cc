@@ -11,10 +11,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestStep = 0.25;        // [s]
-constexpr double kLongestOfMemory = 0.1;     // [s], where the water remembers
+constexpr double kLongestStep = 0.1;         // [s]
 constexpr double kShortestClassical = 0.02;  // [s]
-constexpr double kProbe = 1e-4;              // of speed or position
 
 }  // namespace
 
@@ -22,16 +20,14 @@ StepPace::StepPace(const EffectInputs& inputs, const ScalarModel<double>& model)
     : model_(model),
       instants_(inputs, model.effects),
       water_(model, false, &instants_),
-      acts_on_water_(ActsOnWater(model.effects)),
-      longest_step_(model.effects.Has(&EffectLaw<double>::memory_rate) ? kLongestOfMemory
-                                                                       : kLongestStep) {}
+      acts_on_water_(ActsOnWater(model.effects)) {}
 
 StepPace::Pace StepPace::From(const RunState<double>& state, double command, double s) {
   const UncoupledModel<double>& baseline = model_.baseline;
   const double reached = std::abs(state.velocity) +
-                         std::abs(command - baseline.buoyancy) * longest_step_ / baseline.inertia;
+                         std::abs(command - baseline.buoyancy) * kLongestStep / baseline.inertia;
   const double rate = std::abs(baseline.DampingSlope(reached)) / baseline.inertia;
-  const double of_baseline = std::min(longest_step_, kMostRateTimesStep / rate);
+  const double of_baseline = std::min(kLongestStep, kMostRateTimesStep / rate);
   if (!acts_on_water_) return {of_baseline, false};
   const double with_effects =
       std::min(of_baseline, kMostRateTimesStep / WaterRate(state, command, s));
@@ -43,19 +39,12 @@ FATHOM_FLATTENED double StepPace::SpeedRate(const RunState<double>& state,
                                             double speed,
                                             double command,
                                             double s) {
+  constexpr double kProbe = 1e-4;  // of speed
   RunState<double> at = state;
   at.velocity = speed - kProbe;
   const double below = water_.Acceleration(at, command, s);
   at.velocity = speed + kProbe;
   return (water_.Acceleration(at, command, s) - below) / (2.0 * kProbe);
-}
-
-double StepPace::SwingRate(const RunState<double>& state, double command, double s) {
-  RunState<double> at = state;
-  at.position = state.position - kProbe;
-  const double below = water_.Acceleration(at, command, s);
-  at.position = state.position + kProbe;
-  return std::sqrt(std::abs(water_.Acceleration(at, command, s) - below) / (2.0 * kProbe));
 }
 
 bool StepPace::IsShortEnough(const RunState<double>& before,
@@ -77,11 +66,11 @@ bool StepPace::IsShortEnough(const RunState<double>& before,
 // now and then.
 double StepPace::WaterRate(const RunState<double>& state, double command, double s) {
   constexpr int kLookAgain = 5;  // steps
-  if (5.0 * water_rate_ * longest_step_ < kMostRateTimesStep && ++since_look_ < kLookAgain) {
+  if (5.0 * water_rate_ * kLongestStep < kMostRateTimesStep && ++since_look_ < kLookAgain) {
     return water_rate_;
   }
   since_look_ = 0;
-  water_rate_ = SwingRate(state, command, s);
+  water_rate_ = 0.0;
   for (const double speed : {state.velocity, 0.0}) {
     water_rate_ = std::max(water_rate_, std::abs(SpeedRate(state, speed, command, s)));
   }

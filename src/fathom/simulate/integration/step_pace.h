@@ -34,9 +34,6 @@ class StepPace {
   // How fast a small difference in speed grows, below 0 shrinks [1/s], at `state` and `speed`.
   double SpeedRate(const RunState<double>& state, double speed, double command, double s);
 
-  // How fast it swings about `state` by forces that depend on the position, or leaves it [1/s].
-  double SwingRate(const RunState<double>& state, double command, double s);
-
   // Whether a stiff step of `h` [s] from `before` to `after` was short enough for what changes on
   // its way, also where it passes rest, or would at the `slope` that it began with [m/s^2] or
   // [rad/s^2]. `rate`: SpeedRate() at `before`.
@@ -55,7 +52,6 @@ class StepPace {
   Instants<double> instants_;
   WaterIntegrator<double> water_;
   const bool acts_on_water_;
-  const double longest_step_;                                    // [s]
   double water_rate_ = std::numeric_limits<double>::infinity();  // when last looked at [1/s]
   int since_look_ = 0;                                           // steps
 };
