@@ -34,6 +34,7 @@
 #include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -174,13 +175,13 @@ void WritePage(Page page, const Logs& logs) {
 }
 
 // Of logs that nothing drives there is no model to diagnose: what their decay tells instead.
-int RunFreeDecay(const Logs& logs) {
-  const LogDecay decay = FitLogDecay(logs.all, {.dof = logs.dof});
+int TellFreeDecay(const Logs& logs, const LogDecay& decay) {
   const std::vector<Finding> findings = FindingsOn(logs.all, decay);
   PrintWarnings(findings);
   PrintNotes(findings);
   const std::string sentence = DecaySentence(decay);
-  if (!FLAGS_verdict.empty()) WriteFile(FLAGS_verdict, FormatDecayJson(decay, FLAGS_log));
+  if (decay.summary.IsUsable() && !FLAGS_verdict.empty())
+    WriteFile(FLAGS_verdict, FormatDecayJson(decay, FLAGS_log));
   if (!FLAGS_report.empty()) {
     Page page;
     page.title = fmt::format("{}: free decay of {}", FLAGS_log, Name(logs.dof));
@@ -205,7 +206,13 @@ int Run() {
   DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();
-  if (AreFreeDecays(logs.all, logs.dof)) return RunFreeDecay(logs);
+  if (AreFreeDecays(logs.all, logs.dof)) {
+    const LogDecay decay = FitLogDecay(logs.all, {.dof = logs.dof});
+    // A command of 0 over a vehicle at rest is a fault of the log.
+    const bool lacks_command =
+        std::ranges::any_of(logs.all, [](const Log& log) { return !log.command; });
+    if (decay.summary.IsUsable() || lacks_command) return TellFreeDecay(logs, decay);
+  }
   options.thrusters = ThrustersOf(logs.all.front());
   Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
   PrintWarnings(diagnosis.findings);
