@@ -4,6 +4,7 @@
 // Any bytes as a vehicle file; what is read must then turn thruster speeds into finite forces.
 
 #include "fathom/base/input_error.h"
+#include "fathom/vehicle/files/thruster_command.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cstddef>
@@ -20,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       command.columns.push_back("thruster_" + std::to_string(i));
       command.values.push_back({10.0, -3.0});
     }
-    fathom::ForcesFromThrusters(command, vehicle);
+    fathom::ForcesOfThrusts(fathom::ThrustsFromSpeeds(command, vehicle), vehicle);
   } catch (const fathom::InputError&) {
   }
   return 0;

@@ -41,7 +41,8 @@ Course CourseOf(const std::string& vehicle,
     course.estimates.push_back({own_place.at(fit.place),
                                 fit.dof,
                                 ToVector(model.model),
-                                model.covariance.topLeftCorner<kNumParameters, kNumParameters>()});
+                                model.covariance.topLeftCorner<kNumParameters, kNumParameters>(),
+                                model.thruster_shares});
   }
   return course;
 }

@@ -11,16 +11,13 @@
 #include "fathom/check/stamp_check.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
-#include "fathom/vehicle/files/vehicle_file.h"
+#include "fathom/vehicle/files/thruster_shares.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,14 +36,6 @@ std::vector<Finding> OfLog(const Log& log, std::size_t num_logs, std::vector<Fin
     finding.sentence = fmt::format("{}: {}", log.path.filename().string(), finding.sentence);
   }
   return findings;
-}
-
-// What the log names as its vehicle file; nothing where that is none, or is not there.
-std::optional<Vehicle> VehicleOf(const Log& log) {
-  const std::filesystem::path file = log.path / log.vehicle;
-  std::error_code error;
-  if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return std::nullopt;
-  return ReadVehicleFile(file);
 }
 
 // Length, width and height of the vehicle [m], where the log names a vehicle file that knows them.
@@ -76,18 +65,11 @@ std::vector<Finding> CheckOtherAxesOf(const Log& log, const Signals& signals) {
   return findings;
 }
 
-// Whether command.csv holds speeds of thrusters: forces have been made of them by now.
-bool HoldsThrusterSpeeds(const Log& log) {
-  std::ifstream file(log.path / "command.csv");
-  std::string columns;
-  std::getline(file, columns);
-  return columns.find("thruster_") != std::string::npos;
-}
-
 LoggedQuantities QuantitiesOf(std::span<const Log> logs) {
   LoggedQuantities logged;
   for (const Log& log : logs) {
-    (HoldsThrusterSpeeds(log) ? logged.thruster_speed : logged.force) = true;
+    const bool is_of_speeds = log.thrusters && log.thruster_unit.empty();
+    (is_of_speeds ? logged.thruster_speed : logged.force) = true;
     logged.velocity |= log.velocity.has_value();
   }
   return logged;

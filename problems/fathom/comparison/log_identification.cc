@@ -11,9 +11,11 @@
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/simulate/free_run.h"
+#include "fathom/vehicle/files/thruster_shares.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -75,6 +77,7 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   const std::optional<Body> body = BodyOf(logs);
   std::vector<std::string> names;
   for (const Log& log : logs) names.push_back(log.path.filename().string());
+  std::map<std::string, double> thruster_shares = ThrusterSharesOf(logs, signals.dof);
   if (!is_joint) logs = {};  // a long one takes as much memory as its signals
   if (is_joint) {
     identified.result =
@@ -98,6 +101,7 @@ LogIdentification IdentifyFromLogs(std::vector<Log> logs, const LogIdentificatio
   }
   identified.signals = std::move(joined.all);
   if (!identified.result.is_usable) return identified;
+  identified.result.fitted.thruster_shares = std::move(thruster_shares);
   if (auto finding = CheckInertia(identified.result.fitted, body)) {
     identified.findings.push_back(*std::move(finding));
     identified.findings = WarningsFirst(std::move(identified.findings));

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/marker_trajectory/camera_source.h"
+#include "fathom/vehicle/files/thruster_command.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <string>
@@ -15,24 +16,20 @@
 namespace fathom {
 namespace {
 
-bool HasThrusterSpeeds(const Log& log) {
-  return log.command && !log.command->columns.empty() &&
-         log.command->columns[0].starts_with("thruster");
-}
-
-// Takes the mass, and turns thruster speeds into forces.
+// Takes the mass, and turns a command of thrusters into forces.
 void UseVehicleFile(Log* log) {
   const bool names_file = log->vehicle.ends_with(".yaml");
-  if (HasThrusterSpeeds(*log) && !names_file) {
+  const bool is_of_thrusters = log->command && IsOfThrusters(*log->command);
+  if (is_of_thrusters && !names_file) {
     throw InputError(fmt::format(
-        "{}: command.csv holds thruster speeds, but log.yaml names no vehicle file to turn them "
-        "into forces. Add `vehicle: file.yaml`.",
+        "{}: command.csv holds thrusters, but log.yaml names no vehicle file to turn them into "
+        "forces. Add `vehicle: file.yaml`.",
         log->path.string()));
   }
   if (!names_file) return;
   const std::filesystem::path file = log->path / log->vehicle;
   std::error_code error;
-  if (!HasThrusterSpeeds(*log) && !std::filesystem::exists(file, error)) {
+  if (!is_of_thrusters && !std::filesystem::exists(file, error)) {
     log->remarks.push_back(
         {RemarkKind::kGeneral,
          fmt::format("{} is missing, so that no inertia is held against the vehicle's mass.",
@@ -46,7 +43,10 @@ void UseVehicleFile(Log* log) {
                             fmt::format("{} has no mass, so that no inertia is held against it.",
                                         file.lexically_normal().string())});
   }
-  if (HasThrusterSpeeds(*log)) log->command = ForcesFromThrusters(*log->command, vehicle);
+  if (!is_of_thrusters) return;
+  log->thrusters =
+      log->thruster_unit == "N" ? log->command : ThrustsFromSpeeds(*log->command, vehicle);
+  log->command = ForcesOfThrusts(*log->thrusters, vehicle);
 }
 
 }  // namespace

@@ -53,14 +53,16 @@ struct Log {
   std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
   std::optional<double> mass;          // of the vehicle, dry [kg]; see OpenLog()
   std::string command_unit;            // empty: N and N m
+  std::string thruster_unit;           // of a command of thrusters, "N"; empty: Hz
   std::string video;                   // of a camera log, a file in its folder; may be empty
   double video_start = 0.0;            // when the video's own clock is at 0 [s], in the log's time
   std::optional<LogOrigin> origin;     // of a log that was imported
 
-  std::optional<Stream> command;   // tau_* [N, N m] or thruster_* [Hz]
-  std::optional<Stream> velocity;  // u v w p q r [m/s, rad/s], body frame
-  std::optional<Stream> pose;      // x y z [m] qx qy qz qw: world_from_body. Attitude alone, z
-                                   // alone, or both, where no more is known
+  std::optional<Stream> command;    // tau_* [N, N m], or thruster_* [thruster_unit] until OpenLog()
+  std::optional<Stream> thrusters;  // thruster_* [N], which the command was made of; OpenLog()
+  std::optional<Stream> velocity;   // u v w p q r [m/s, rad/s], body frame
+  std::optional<Stream> pose;       // x y z [m] qx qy qz qw: world_from_body. Attitude alone, z
+                                    // alone, or both, where no more is known
 
   // tag_id u0 v0 ... u3 v3 [px]: corners of markers, a row for each tag of each frame. What they
   // mean takes the calibration: fathom/camera/detections_file.h, camera_rig.h.

@@ -43,10 +43,9 @@ CsvTable ParseCommand(const std::string& name, const std::string& text) {
   for (const std::string& column : stream.columns) num_thrusters += column.starts_with("thruster_");
   if (num_thrusters == 0) return table;
   if (num_thrusters < stream.columns.size()) {
-    throw InputError(
-        name +
-        ":1: holds both tau_* and thruster_* columns, expected forces or thruster speeds. "
-        "Remove the one that was not commanded.");
+    throw InputError(name +
+                     ":1: holds both tau_* and thruster_* columns, expected forces or thrusters. "
+                     "Remove the one that was not commanded.");
   }
   for (std::size_t i = 1; i <= num_thrusters; ++i) {
     if (stream.Find(fmt::format("thruster_{}", i)) == nullptr) {

@@ -66,6 +66,15 @@ std::optional<double> MassOf(const YamlMap& file) {
   return mass;
 }
 
+std::string ThrusterUnitOf(const YamlMap& file) {
+  const std::string unit = file.String("thruster_unit", "");
+  if (unit.empty() || unit == "Hz") return "";
+  if (unit != "N") {
+    file.Fail("thruster_unit", fmt::format("is {}, expected Hz or N.", Quoted(unit)));
+  }
+  return unit;
+}
+
 std::string VideoOf(const YamlMap& file) {
   std::string video = file.String("video", "");
   if (LeavesItsFolder(video)) {
@@ -117,6 +126,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.held_out = HeldOutOf(file);
   log.mass = MassOf(file);
   log.command_unit = file.String("command_unit", "");
+  log.thruster_unit = ThrusterUnitOf(file);
   log.video = VideoOf(file);
   log.video_start = VideoStartOf(file);
   log.origin = OriginOf(file);

@@ -57,6 +57,7 @@ std::string FormatLogYaml(const Log& log) {
     yaml << YAML::EndSeq;
   }
   emit_text("command_unit", log.command_unit);
+  emit_text("thruster_unit", log.thrusters ? "N" : log.thruster_unit);
   emit_text("video", log.video);
   if (!log.video.empty() && log.video_start != 0.0) {
     yaml << YAML::Key << "video_start" << YAML::Value << fmt::format("{}", log.video_start);
@@ -96,7 +97,7 @@ void WriteStream(const std::filesystem::path& path, const Stream& stream) {
 }
 
 void WriteLog(const std::filesystem::path& folder, const Log& log) {
-  WriteOrRequireNone(folder / "command.csv", log.command);
+  WriteOrRequireNone(folder / "command.csv", log.thrusters ? log.thrusters : log.command);
   WriteOrRequireNone(folder / "velocity.csv", log.velocity);
   WriteOrRequireNone(folder / "pose.csv", log.pose);
   WriteOrRequireNone(folder / "detections.csv", log.detections);

@@ -55,7 +55,11 @@ struct FittedModel {
 
   FitFigures train;
   FitFigures held_out;
-  std::optional<DataRange> range;                 // of the training data; files of before have none
+  std::optional<DataRange> range;  // of the training data; files of before have none
+  // How much of the commanded force each thruster had to give, by name: ThrusterSharesOf(). Empty:
+  // not known.
+  std::map<std::string, double> thruster_shares;
+
   std::vector<std::string> caveats;               // what the intervals do not cover
   std::map<std::string, std::string> provenance;  // log, family, source, options, version
 

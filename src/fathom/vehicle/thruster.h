@@ -24,7 +24,7 @@ struct Thruster {
   std::string name;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();    // in the body frame [m]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  // of positive thrust, body frame, length 1
-  double forward_coefficient = 0.0;                      // C_t for Omega > 0 [N s^2], above 0
+  double forward_coefficient = 0.0;                      // C_t for Omega > 0 [N s^2]; 0: not known
   double reverse_coefficient = 0.0;                      // C_t for Omega < 0 [N s^2], at least 0
 
   // Of the vehicle, by name, instead of the coefficients; may be empty.

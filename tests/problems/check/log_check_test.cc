@@ -9,7 +9,6 @@
 #include "fathom/signal/sources/choose_source.h"
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -73,9 +72,7 @@ TEST(LogCheck, WarnsOfAMassThatIsNotTheVehicles) {
 TEST(LogCheck, KnowsWhatTheLogsHold) {
   Log forces, speeds;
   forces.mass = 274.0;
-  speeds.path = FATHOM_SCRATCH_DIR "/thruster_speeds";
-  fs::create_directories(speeds.path);
-  std::ofstream(speeds.path / "command.csv") << "t,thruster_1,thruster_2\n0.0,1.0,2.0\n";
+  speeds.thrusters = Stream();
   speeds.velocity = Stream();
   const LoggedQuantities of_one = BodyOf(std::vector{forces})->logged;
   EXPECT_TRUE(of_one.force);
@@ -83,6 +80,8 @@ TEST(LogCheck, KnowsWhatTheLogsHold) {
   EXPECT_FALSE(of_one.velocity);
   const LoggedQuantities of_both = BodyOf(std::vector{forces, speeds})->logged;
   EXPECT_TRUE(of_both.force && of_both.thruster_speed && of_both.velocity);
+  speeds.thruster_unit = "N";
+  EXPECT_FALSE(BodyOf(std::vector{forces, speeds})->logged.thruster_speed);
 }
 
 void AddRuns(const fs::path& folder, std::vector<fs::path>* places) {

@@ -4,9 +4,13 @@
 // Commands of thrusters become forces: by a table over pulse width and voltage, by shares, or as
 // forces of the thrusters themselves.
 
+#include "fathom/vehicle/files/thruster_command.h"
+
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
+#include "fathom/log/read_log.h"
+#include "fathom/log/write_log.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <filesystem>
@@ -63,6 +67,7 @@ TEST(ThrusterCommand, IsForceByTheTableAtTheMeasuredVoltage) {
                       VehicleWith("us", kTable));
   // 1710 us is half way from 1520 to 1900: 19 N at 12 V, 28.5 N at 16 V, 23.75 N between.
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(23.75, 47.5 - 35, 57));
+  EXPECT_THAT(*imported.log.thrusters->Find("thruster_2"), testing::ElementsAre(23.75, -35, 57));
   // Starboard to the right of the middle turns to port: -y F.
   EXPECT_THAT(Column(imported, "tau_yaw"),
               testing::ElementsAre(-0.5 * 23.75, 0.5 * 47.5 + 0.5 * 35, -0.5 * 57));
@@ -153,6 +158,31 @@ TEST(ThrusterCommand, MayBeTheForceOfEachThruster) {
                                                "command: {thruster_1: a, thruster_2: b}\n",
                                                VehicleWith("us", kTable));
   EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, 9.80665 + 3));
+}
+
+// The log keeps the thrusts: OpenLog() makes the same forces of them, to the bit.
+TEST(ThrusterCommand, IsWrittenInNewtonForEachThruster) {
+  const auto file = ScratchFile("dive.csv", "t [s],a [N],b [N]\n0,0.1,0\n1,1,3.3\n");
+  const ImportedLog imported =
+      ImportLog(file,
+                *OpenRecording(file),
+                ParseImportMap("map.yaml", "command: {thruster_1: a, thruster_2: b}\n"),
+                ParseVehicleFile("v.yaml", VehicleWith("us", kTable)));
+  const std::filesystem::path folder = file.parent_path() / "written";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  WriteLog(folder, [&] {
+    Log log = imported.log;
+    log.origin.reset();
+    log.velocity = Stream{{0, 1}, {"u"}, {{0, 1}}};
+    return log;
+  }());
+  const Log log = ReadLog(folder);
+  EXPECT_EQ(log.thruster_unit, "N");
+  EXPECT_THAT(*log.command->Find("thruster_2"), testing::ElementsAre(0, 3.3));
+  const Stream forces =
+      ForcesOfThrusts(*log.command, ParseVehicleFile("v.yaml", VehicleWith("us", kTable)));
+  EXPECT_EQ(forces.values, imported.log.command->values);
 }
 
 TEST(ThrusterCommand, SaysWhatIsMissing) {

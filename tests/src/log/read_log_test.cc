@@ -310,7 +310,8 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
   EXPECT_EQ(
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
-      "dive, start, held_out, mass, command_unit, video, video_start, imported. Correct or remove "
+      "dive, start, held_out, mass, command_unit, thruster_unit, video, video_start, imported. "
+      "Correct or remove "
       "it.");
   EXPECT_EQ(error("name: a\ndof: yaw\nvideo: ../a.mp4\n"),
             "log.yaml:3: key 'video' is '../a.mp4', expected the path of a video from this folder "
@@ -331,8 +332,8 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
 
 TEST(ReadLog, RefusesCommandsThatAreUnclear) {
   EXPECT_EQ(Error({{"command.csv", "t,tau_surge,thruster_1\n0,1,2\n1,1,2\n"}}),
-            "command.csv:1: holds both tau_* and thruster_* columns, expected forces or thruster "
-            "speeds. Remove the one that was not commanded.");
+            "command.csv:1: holds both tau_* and thruster_* columns, expected forces or "
+            "thrusters. Remove the one that was not commanded.");
   EXPECT_EQ(
       Error({{"command.csv", "t,thruster_1,thruster_3\n0,1,2\n1,1,2\n"}}),
       "command.csv:1: column 'thruster_2' is missing, expected thruster_1 to thruster_2 for 2 "

@@ -141,7 +141,8 @@ void Name(ArchiveEvents* archive) {
     for (std::size_t e = 0; e < archive->events.size(); ++e) {
       ArchiveEvent& event = archive->events[e];
       const EventFit fit = FitOf(*archive, e);
-      event.judged = Judge(fit, archive->patterns, archive->num_dives);
+      event.judged =
+          Judge(fit, PatternsAt(archive->patterns, event.column.column), archive->num_dives);
       const std::vector<char> moves = MovedBy(event, fit);
       const Column before = event.column.column;
       has_changed = has_changed || moves != event.column.moves;
@@ -198,8 +199,11 @@ ArchiveEvents MakeArchiveEvents(std::span<const ParameterOutlier> outliers,
   archive.num_dives = num_dives;
   archive.series = SeriesWithout(outliers, estimates, num_dives);
   archive.blocks = BlocksOf(estimates, archive.series);
-  archive.patterns =
-      PatternsOf(archive.series, MeanCorrelation(archive.blocks, archive.series.size()), vehicle);
+  archive.patterns = PatternsOf(archive.series,
+                                estimates,
+                                num_dives,
+                                MeanCorrelation(archive.blocks, archive.series.size()),
+                                vehicle);
   return archive;
 }
 

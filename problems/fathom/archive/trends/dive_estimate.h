@@ -6,6 +6,9 @@
 #include "fathom/base/dof.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <map>
+#include <string>
+
 namespace fathom {
 
 // The joint fit of one DOF over all logs of one dive.
@@ -15,6 +18,9 @@ struct DiveEstimate {
   ParameterVector value = ParameterVector::Zero();
   // NaN on the diagonal, or above any use: this parameter is not known from this dive.
   ParameterCovariance covariance = ParameterCovariance::Zero();
+
+  // As FittedModel has it; empty where the dive does not know it.
+  std::map<std::string, double> thruster_shares = {};
 };
 
 }  // namespace fathom

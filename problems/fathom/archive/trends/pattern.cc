@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <Eigen/Eigenvalues>
 
@@ -29,7 +30,11 @@ std::vector<Dof> DofsOf(std::span<const DiveSeries> series) {
 
 Pattern Empty(const std::string& cause, std::span<const DiveSeries> series) {
   const Eigen::Index size = static_cast<Eigen::Index>(series.size());
-  return {cause, Eigen::MatrixXd::Zero(size, 0), Eigen::VectorXd::Zero(size), PatternSign::kAny};
+  Pattern pattern;
+  pattern.cause = cause;
+  pattern.directions = Eigen::MatrixXd::Zero(size, 0);
+  pattern.share = Eigen::VectorXd::Zero(size);
+  return pattern;
 }
 
 void AddDirection(const Eigen::VectorXd& direction, Pattern* pattern) {
@@ -86,15 +91,34 @@ void AddFouling(std::span<const DiveSeries> series, std::vector<Pattern>* patter
 }
 
 // What a thruster adds beside another of its kind: its coefficient, or the largest thrust of its
-// table.
+// table. All are alike where neither is known.
 double StrengthOf(const Thruster& thruster, const Vehicle& vehicle) {
   for (const ThrustTable& table : vehicle.thrust_tables) {
     if (table.name == thruster.thrust_table) return table.thrust.back().back();
   }
-  return thruster.forward_coefficient;
+  return thruster.forward_coefficient > 0.0 ? thruster.forward_coefficient : 1.0;
+}
+
+// Of a thruster, by series and dive; empty where no dive knows it.
+Eigen::MatrixXd ShareOfDives(std::span<const DiveSeries> series,
+                             std::span<const DiveEstimate> estimates,
+                             int num_dives,
+                             const std::string& thruster) {
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Constant(std::ssize(series), num_dives, std::nan(""));
+  for (Eigen::Index s = 0; s < shares.rows(); ++s) {
+    for (const int i : series[s].estimate) {
+      const auto& known = estimates[i].thruster_shares;
+      if (const auto share = known.find(thruster); share != known.end()) {
+        shares(s, estimates[i].dive) = share->second;
+      }
+    }
+  }
+  return shares.array().isNaN().all() ? Eigen::MatrixXd() : shares;
 }
 
 void AddThrusters(std::span<const DiveSeries> series,
+                  std::span<const DiveEstimate> estimates,
+                  int num_dives,
                   const Vehicle& vehicle,
                   std::vector<Pattern>* patterns) {
   const auto allocation = AllocationMatrix(vehicle.thrusters);
@@ -110,15 +134,18 @@ void AddThrusters(std::span<const DiveSeries> series,
       const double share = capability(row, k) / std::max(capability.row(row).sum(), 1e-300);
       if (share >= kLeastShare) pattern.share(s) = share;
     }
+    pattern.share_of_dive = ShareOfDives(series, estimates, num_dives, vehicle.thrusters[k].name);
     if (pattern.HasFactor()) patterns->push_back(pattern);
   }
 }
 
 void AddThrust(std::span<const DiveSeries> series,
+               std::span<const DiveEstimate> estimates,
+               int num_dives,
                const std::optional<Vehicle>& vehicle,
                std::vector<Pattern>* patterns) {
   if (vehicle && !vehicle->thrusters.empty()) {
-    AddThrusters(series, *vehicle, patterns);
+    AddThrusters(series, estimates, num_dives, *vehicle, patterns);
   } else {
     for (const Dof dof : DofsOf(series)) {
       Pattern pattern = Empty("thrust(" + std::string(Name(dof)) + ")", series);
@@ -171,15 +198,38 @@ void AddExcitation(std::span<const DiveSeries> series,
 }  // namespace
 
 std::vector<Pattern> PatternsOf(std::span<const DiveSeries> series,
+                                std::span<const DiveEstimate> estimates,
+                                int num_dives,
                                 const Eigen::MatrixXd& mean_correlation,
                                 const std::optional<Vehicle>& vehicle) {
   std::vector<Pattern> patterns;
   AddPayload(series, &patterns);
   AddFouling(series, &patterns);
-  AddThrust(series, vehicle, &patterns);
+  AddThrust(series, estimates, num_dives, vehicle, &patterns);
   AddBallast(series, &patterns);
   AddExcitation(series, mean_correlation, &patterns);
   return patterns;
+}
+
+std::vector<Pattern> PatternsAt(std::span<const Pattern> patterns, const Column& column) {
+  std::vector<Pattern> at(patterns.begin(), patterns.end());
+  for (Pattern& pattern : at) {
+    for (Eigen::Index s = 0; s < pattern.share_of_dive.rows(); ++s) {
+      double sum = 0.0;
+      int count = 0;
+      const int first = column.kind == ChangeKind::kStep ? column.at : 0;
+      for (Eigen::Index dive = first; dive < pattern.share_of_dive.cols(); ++dive) {
+        const double share = pattern.share_of_dive(s, dive);
+        if (std::isnan(share)) continue;
+        sum += share;
+        ++count;
+      }
+      if (count == 0) continue;
+      const double mean = sum / count;
+      pattern.share(s) = std::abs(mean) >= kLeastShare ? mean : 0.0;
+    }
+  }
+  return at;
 }
 
 Eigen::MatrixXd MeanCorrelation(std::span<const DiveBlock> blocks, std::size_t num_series) {

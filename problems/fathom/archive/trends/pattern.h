@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/archive/trends/column.h"
+#include "fathom/archive/trends/dive_estimate.h"
 #include "fathom/archive/trends/series.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -23,9 +25,15 @@ enum class PatternSign { kAny, kGrows, kShrinks };
 //
 // One row for each series; a row of zeros is a parameter that this cause leaves alone.
 struct Pattern {
-  std::string cause;                     // "payload", "thruster(port)", ...
-  Eigen::MatrixXd directions;            // in units of the series' scales
-  Eigen::VectorXd share;                 // of the parameter that goes with f; zeros: there is no f
+  std::string cause;           // "payload", "thruster(port)", ...
+  Eigen::MatrixXd directions;  // in units of the series' scales
+  Eigen::VectorXd share;       // of the parameter that goes with f; zeros: there is no f
+
+  // The share in each dive as it was commanded, by series and dive, NaN where that is not known. A
+  // controller that holds the heading shifts the work from a weak thruster to the others, or to it.
+  // Empty: `share` holds in every dive.
+  Eigen::MatrixXd share_of_dive = {};
+
   PatternSign sign = PatternSign::kAny;  // of z and of the parameters that follow f
 
   bool HasFactor() const { return (share.array() != 0.0).any(); }
@@ -38,8 +46,14 @@ struct Pattern {
 // some DOFs or all. `mean_correlation` is that of the noise of dives,
 // as MeanCorrelation gives it.
 std::vector<Pattern> PatternsOf(std::span<const DiveSeries> series,
+                                std::span<const DiveEstimate> estimates,
+                                int num_dives,
                                 const Eigen::MatrixXd& mean_correlation,
                                 const std::optional<Vehicle>& vehicle);
+
+// The patterns as they are at an event: with the shares of the dives from its step on, or, of a
+// trend, of all.
+std::vector<Pattern> PatternsAt(std::span<const Pattern> patterns, const Column& column);
 
 // Of the noise of dives, between all series.
 Eigen::MatrixXd MeanCorrelation(std::span<const DiveBlock> blocks, std::size_t num_series);

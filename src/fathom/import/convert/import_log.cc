@@ -8,6 +8,7 @@
 #include "fathom/base/quoted.h"
 #include "fathom/import/convert/gather_streams.h"
 #include "fathom/import/convert/our_axes.h"
+#include "fathom/vehicle/files/thruster_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,61 +91,31 @@ std::vector<double> VoltageAt(const std::filesystem::path& file,
   return std::vector<double>(time.size(), voltage);
 }
 
-// Thruster commands become forces; speeds in Hz stay, and Fathom turns them by the vehicle file.
+// The thrusts [N] that were commanded; speeds in Hz stay, and Fathom turns them by the vehicle
+// file.
 Stream ThrusterCommand(const std::filesystem::path& file,
                        const GatheredStreams& gathered,
                        const ImportMap& map,
-                       const std::optional<Vehicle>& vehicle,
+                       const Vehicle& vehicle,
+                       Dimension dimension,
                        std::vector<std::string>* remarks) {
   const GatheredStream& command = *gathered.command;
   Stream stream = {command.samples.time, command.columns, command.samples.values};
-  const Dimension dimension = ThrusterDimension(file, command);
-  if (!vehicle) {
-    throw InputError(file.string() +
-                     ": command: is one of thrusters, expected the map to name the 'vehicle' file "
-                     "that says where they are and how they push.");
-  }
-  if (vehicle->thrusters.empty()) {
+  if (vehicle.thrusters.empty()) {
     throw InputError(
         fmt::format("{}: command: is one of {}, and the vehicle file of '{}' has no thrusters yet. "
                     "Fill them in: docs/file_formats.md.",
                     file.string(),
                     Plural(command.columns.size(), "thruster"),
-                    vehicle->name));
+                    vehicle.name));
   }
-  if (dimension == Dimension::kRotation) return stream;
-  if (dimension == Dimension::kForce) {
-    Vehicle unit_thrusters = *vehicle;
-    const auto allocation = AllocationMatrix(unit_thrusters.thrusters);
-    if (allocation.cols() != std::ssize(stream.columns)) {
-      throw InputError(
-          fmt::format("{}: command: holds {}, expected one for each of the {} of "
-                      "vehicle '{}'.",
-                      file.string(),
-                      Plural(stream.columns.size(), "thruster"),
-                      allocation.cols(),
-                      vehicle->name));
-    }
-    Stream forces;
-    forces.time = stream.time;
-    for (const Dof dof : kAllDofs) forces.columns.emplace_back(ForceColumn(dof));
-    forces.values.assign(6, std::vector<double>(stream.time.size()));
-    Eigen::VectorXd thrusts(allocation.cols());
-    for (std::size_t row = 0; row < stream.time.size(); ++row) {
-      for (Eigen::Index i = 0; i < thrusts.size(); ++i) {
-        thrusts(i) = stream.values[static_cast<std::size_t>(i)][row];
-      }
-      const Eigen::Matrix<double, 6, 1> tau = GeneralisedForces(allocation, thrusts);
-      for (const Dof dof : kAllDofs) forces.values[Index(dof)][row] = tau(Index(dof));
-    }
-    return forces;
-  }
+  if (dimension == Dimension::kRotation || dimension == Dimension::kForce) return stream;
   std::size_t num_beyond = 0;
-  Stream forces = ForcesFromTables(stream,
-                                   dimension == Dimension::kPulse ? "us" : "1",
-                                   VoltageAt(file, stream.time, gathered, map, *vehicle, remarks),
-                                   *vehicle,
-                                   &num_beyond);
+  Stream thrusts = ThrustsFromTables(stream,
+                                     dimension == Dimension::kPulse ? "us" : "1",
+                                     VoltageAt(file, stream.time, gathered, map, vehicle, remarks),
+                                     vehicle,
+                                     &num_beyond);
   if (num_beyond > 0) {
     remarks->push_back(
         fmt::format("command: {} of {} lie beyond a thrust table, in command or "
@@ -152,21 +123,32 @@ Stream ThrusterCommand(const std::filesystem::path& file,
                     Plural(num_beyond, "row"),
                     stream.time.size()));
   }
-  return forces;
+  return thrusts;
 }
 
-Stream CommandOf(const std::filesystem::path& file,
-                 const GatheredStreams& gathered,
-                 const ImportMap& map,
-                 const std::optional<Vehicle>& vehicle,
-                 std::vector<std::string>* remarks) {
+// Forces as the map gives them, or those of the thrusts, which the log then keeps.
+void AddCommand(const std::filesystem::path& file,
+                const GatheredStreams& gathered,
+                const ImportMap& map,
+                const std::optional<Vehicle>& vehicle,
+                ImportedLog* imported) {
   const GatheredStream& command = *gathered.command;
-  if (command.columns.front().starts_with("thruster_")) {
-    return ThrusterCommand(file, gathered, map, vehicle, remarks);
+  Log& log = imported->log;
+  log.command = Stream{command.samples.time, command.columns, command.samples.values};
+  if (!IsOfThrusters(*log.command)) {
+    TurnCommand(map.command->frame.value_or(Frame::kFrd), &*log.command);
+    return;
   }
-  Stream stream = {command.samples.time, command.columns, command.samples.values};
-  TurnCommand(map.command->frame.value_or(Frame::kFrd), &stream);
-  return stream;
+  const Dimension dimension = ThrusterDimension(file, command);
+  if (!vehicle) {
+    throw InputError(file.string() +
+                     ": command: is one of thrusters, expected the map to name the 'vehicle' file "
+                     "that says where they are and how they push.");
+  }
+  log.command = ThrusterCommand(file, gathered, map, *vehicle, dimension, &imported->remarks);
+  if (dimension == Dimension::kRotation) return;
+  log.thrusters = std::move(log.command);
+  log.command = ForcesOfThrusts(*log.thrusters, *vehicle);
 }
 
 // The DOFs whose force changes.
@@ -236,7 +218,7 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.origin.emplace();
   log.origin->out_of_order = std::move(gathered.out_of_order);
   log.origin->row_counter = std::move(gathered.row_counter);
-  if (gathered.command) log.command = CommandOf(file, gathered, map, vehicle, &imported.remarks);
+  if (gathered.command) AddCommand(file, gathered, map, vehicle, &imported);
   if (gathered.pose) {
     log.pose =
         PosesOf(file, *gathered.pose, map.pose->frame.value_or(Frame::kNed), &imported.remarks);
@@ -251,8 +233,8 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.dofs = map.dofs;
   if (log.dofs.empty() && log.command) {
     // Speeds of thrusters move what the vehicle file says they push.
-    log.dofs = MovedBy(vehicle && log.command->columns.front().starts_with("thruster_")
-                           ? ForcesFromThrusters(*log.command, *vehicle)
+    log.dofs = MovedBy(vehicle && IsOfThrusters(*log.command)
+                           ? ForcesOfThrusts(ThrustsFromSpeeds(*log.command, *vehicle), *vehicle)
                            : *log.command);
   }
   if (log.dofs.empty()) {

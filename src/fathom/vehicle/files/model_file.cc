@@ -85,6 +85,7 @@ std::string FormatModel(const FittedModel& fitted) {
                {"held_out", FormatFigures(fitted.held_out)},
                {"caveats", fitted.caveats},
                {"provenance", fitted.provenance}};
+  if (!fitted.thruster_shares.empty()) json["thruster_shares"] = fitted.thruster_shares;
   if (!fitted.logs.empty()) json["logs"] = fitted.logs;
   if (!fitted.log_fingerprints.empty()) json["log_fingerprints"] = fitted.log_fingerprints;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -33,6 +33,7 @@ const std::vector<std::string> kKeysOfModel = {"schema",
                                                "held_out",
                                                "caveats",
                                                "provenance",
+                                               "thruster_shares",
                                                "logs",
                                                "log_fingerprints"};
 const std::vector<std::string> kKeysOfFigures = {"mae", "nmae", "n", "duration"};
@@ -257,6 +258,11 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
     if (const auto held_out = file.MemberIfThere("held_out")) {
       held_out->RequireKeysOf(kKeysOfFigures);
       fitted.held_out = ReadFigures(*held_out);
+    }
+  }
+  if (const auto shares = file.MemberIfThere("thruster_shares")) {
+    for (const std::string& thruster : shares->Keys()) {
+      fitted.thruster_shares[thruster] = shares->Member(thruster).Number();
     }
   }
   fitted.log_fingerprints = TextsIfThere(file, "log_fingerprints");

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -101,9 +100,10 @@ Thruster ReadThruster(const YamlMap& map, const std::vector<ThrustTable>& tables
     if (map.Has("coefficient")) map.Fail("coefficient", "stands beside a thrust_table.");
     return thruster;
   }
-  const YamlMap coefficient = map.Map("coefficient");
-  thruster.forward_coefficient = NumberAbove0(coefficient, "forward");
-  thruster.reverse_coefficient = NumberAtLeast0(coefficient, "reverse");
+  if (const auto coefficient = map.OptionalMap("coefficient")) {
+    thruster.forward_coefficient = NumberAbove0(*coefficient, "forward");
+    thruster.reverse_coefficient = NumberAtLeast0(*coefficient, "reverse");
+  }
   return thruster;
 }
 
@@ -114,54 +114,6 @@ UncoupledModel<double> ReadModel(const YamlMap& map) {
   model.linear_damping = NumberAtLeast0(map, "linear_damping");
   model.buoyancy = map.Number("buoyancy", 0.0);
   return model;
-}
-
-// The generalised forces of all thrusters. `thrust`: of thruster i at a row under its command.
-Stream ForcesOf(const Stream& command,
-                const Vehicle& vehicle,
-                const std::function<double(std::size_t i, std::size_t row, double value)>& thrust) {
-  const std::size_t num_thrusters = vehicle.thrusters.size();
-  std::vector<const std::vector<double>*> commands;
-  for (std::size_t i = 1; i <= num_thrusters; ++i) {
-    commands.push_back(command.Find(fmt::format("thruster_{}", i)));
-    if (commands.back() == nullptr) {
-      throw InputError(
-          fmt::format("command: column 'thruster_{}' is missing, expected one for each of the {} "
-                      "thrusters of vehicle '{}'.",
-                      i,
-                      num_thrusters,
-                      vehicle.name));
-    }
-  }
-  if (num_thrusters == 0 || command.columns.size() != num_thrusters) {
-    throw InputError(fmt::format(
-        "command: holds {} columns, expected one for each of the {} thrusters of vehicle "
-        "'{}'. Is this the vehicle of the log?",
-        command.columns.size(),
-        num_thrusters,
-        vehicle.name));
-  }
-
-  const auto allocation = AllocationMatrix(vehicle.thrusters);
-  Stream forces;
-  forces.time = command.time;
-  for (const Dof dof : kAllDofs) forces.columns.emplace_back(ForceColumn(dof));
-  forces.values.assign(6, std::vector<double>(command.time.size()));
-  Eigen::VectorXd thrusts(num_thrusters);
-  for (std::size_t row = 0; row < command.time.size(); ++row) {
-    for (std::size_t i = 0; i < num_thrusters; ++i) {
-      thrusts[i] = thrust(i, row, (*commands[i])[row]);
-    }
-    const Eigen::Matrix<double, 6, 1> tau = GeneralisedForces(allocation, thrusts);
-    if (!tau.allFinite()) {
-      throw InputError(fmt::format(
-          "command: the thruster speeds at t = {} give a force that is not finite, expected "
-          "speeds in Hz.",
-          command.time[row]));
-    }
-    for (const Dof dof : kAllDofs) forces.values[Index(dof)][row] = tau[Index(dof)];
-  }
-  return forces;
 }
 
 }  // namespace
@@ -196,50 +148,6 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   }
   file.Finish();
   return vehicle;
-}
-
-Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle) {
-  for (const Thruster& thruster : vehicle.thrusters) {
-    if (thruster.thrust_table.empty()) continue;
-    throw InputError(fmt::format(
-        "command: thruster '{}' of vehicle '{}' has a table of thrust over its command, expected "
-        "a coefficient to turn speeds in Hz into forces. fathom_import turns commands into forces "
-        "by such tables.",
-        thruster.name,
-        vehicle.name));
-  }
-  return ForcesOf(command, vehicle, [&](std::size_t i, std::size_t, double speed) {
-    return vehicle.thrusters[i].Thrust(speed);
-  });
-}
-
-Stream ForcesFromTables(const Stream& command,
-                        const std::string& unit,
-                        const std::vector<double>& voltage,
-                        const Vehicle& vehicle,
-                        std::size_t* num_beyond) {
-  std::vector<const ThrustTable*> tables;
-  for (const Thruster& thruster : vehicle.thrusters) {
-    const auto table = std::find_if(vehicle.thrust_tables.begin(),
-                                    vehicle.thrust_tables.end(),
-                                    [&](const auto& t) { return t.name == thruster.thrust_table; });
-    if (table == vehicle.thrust_tables.end() || table->command_unit != unit) {
-      throw InputError(fmt::format(
-          "command: thruster '{}' of vehicle '{}' has no table over a command in '{}', expected a "
-          "thrust_table to turn it into a force.",
-          thruster.name,
-          vehicle.name,
-          unit));
-    }
-    tables.push_back(&*table);
-  }
-  std::vector<bool> is_beyond(command.time.size(), false);
-  Stream forces = ForcesOf(command, vehicle, [&](std::size_t i, std::size_t row, double value) {
-    if (!tables[i]->Covers(value, voltage[row])) is_beyond[row] = true;
-    return tables[i]->Thrust(value, voltage[row]);
-  });
-  *num_beyond = std::count(is_beyond.begin(), is_beyond.end(), true);
-  return forces;
 }
 
 }  // namespace fathom

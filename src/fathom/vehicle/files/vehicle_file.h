@@ -4,13 +4,11 @@
 #pragma once
 
 #include "fathom/base/dof.h"
-#include "fathom/log/log.h"
 #include "fathom/vehicle/thrust_table.h"
 #include "fathom/vehicle/thruster.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -39,23 +37,5 @@ Vehicle ReadVehicleFile(const std::filesystem::path& path);
 
 // The same from memory; `name` stands for the file in messages.
 Vehicle ParseVehicleFile(const std::string& name, const std::string& text);
-
-// The forces tau_surge ... tau_yaw of a command thruster_1, thruster_2, ... [Hz], at the same
-// stamps.
-//
-//   tau = B T,   T_i = C_t Omega_i |Omega_i|                  docs/models.md (3), (4)
-//
-// thruster_1 is the first in the vehicle file. Throws InputError if the command has not one column
-// for each thruster, a thruster has a table in place of a coefficient, or a force is not finite.
-Stream ForcesFromThrusters(const Stream& command, const Vehicle& vehicle);
-
-// The same of a command in the unit of the thrusters' tables, "us" or "1", under a supply of so
-// many volts at each stamp. `num_beyond`: how many rows leave a table. Throws InputError if a
-// thruster has no table, or one of another unit.
-Stream ForcesFromTables(const Stream& command,
-                        const std::string& unit,
-                        const std::vector<double>& voltage,
-                        const Vehicle& vehicle,
-                        std::size_t* num_beyond);
 
 }  // namespace fathom

@@ -163,6 +163,30 @@ TEST(NameCauses, TellsAPayloadAndAWeakThrusterFromFoulingOverTwelveDives) {
   EXPECT_GE(NumToldApart(archive, 4, 8), 7);
 }
 
+// Under a held heading the moments of port, 0.6 m out, and starboard, 0.3 m out, cancel. So port
+// gets 1 / 3 of the surge force, and where it gives 20 % less, 1 / (1 + 2 * 0.8) of it.
+TEST(NameCauses, NamesAWeakThrusterWhoseWorkAControllerShifts) {
+  Vehicle vehicle = ThreeThrusters();
+  vehicle.thrusters[0].position.y() = -0.6;
+  DrawnArchive archive;
+  archive.std *= 0.2;
+  const auto shares_of = [](const DiveEstimate& e) {
+    const double given = e.dive >= 20 ? 0.8 : 1.0;
+    const double port = e.dof == Dof::kSurge ? 1.0 / (1.0 + 2.0 * given) : 2.0 / 3.0;
+    return std::map<std::string, double>{{"port", port}, {"starboard", 1.0 - port}};
+  };
+  const auto events = EventsOf(
+      archive,
+      [&](DiveEstimate* e) {
+        if (e->dof == Dof::kHeave) return;
+        e->thruster_shares = shares_of(*e);
+        if (e->dive >= 20) Scale(1.0 / (1.0 - 0.2 * e->thruster_shares["port"]), e);
+      },
+      vehicle);
+  ASSERT_THAT(CausesOf(events), ElementsAre("thruster(port)"));
+  EXPECT_THAT(events[0].text, ::testing::HasSubstr("20."));
+}
+
 TEST(NameCauses, NamesTwoCausesFromTheSameDiveOn) {
   const auto events = EventsOf(DrawnArchive(),
                                From(12,

@@ -5,7 +5,6 @@
 
 #include "fathom/base/input_error.h"
 
-#include <functional>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -13,8 +12,6 @@
 
 namespace fathom {
 namespace {
-
-using ::testing::ElementsAre;
 
 constexpr char kHead[] = "name: rov\nmass: 22.5\nsize: [0.7, 0.5, 0.3]\n";
 
@@ -25,20 +22,14 @@ constexpr char kThrusters[] =
     "  - {name: lift, position: [0.1, 0, 0], direction: [0, 0, -1],\n"
     "     coefficient: {forward: 0.02, reverse: 0}}\n";
 
-std::string ErrorFrom(const std::function<void()>& action) {
+std::string Error(const std::string& text) {
   try {
-    action();
+    ParseVehicleFile("v.yaml", text);
   } catch (const InputError& error) {
     return error.what();
   }
   return "no error";
 }
-
-std::string Error(const std::string& text) {
-  return ErrorFrom([&] { ParseVehicleFile("v.yaml", text); });
-}
-
-Vehicle TwoThrusters() { return ParseVehicleFile("v.yaml", std::string(kHead) + kThrusters); }
 
 TEST(VehicleFile, ReadsAVehicleWithThrustersAndModels) {
   const Vehicle vehicle = ParseVehicleFile(
@@ -138,58 +129,6 @@ TEST(VehicleFile, RefusesAModelThatCannotBe) {
       Error(std::string(kHead) + "models: {forward: {}}\n"),
       "v.yaml:4: key 'models.forward' is not known here, expected one of: surge, sway, heave, "
       "roll, pitch, yaw. Correct or remove it.");
-}
-
-// port: 0.04 * 10^2 = 4 N ahead, 0.3 m to port and 0.05 m below the origin: pitch 0.05 * 4 = 0.2
-// and yaw 0.3 * 4 = 1.2 N m. lift at 5 Hz: 0.5 N up, 0.1 m ahead: heave -0.5 N, pitch (p x d)_y =
-// p_z d_x - p_x d_z = 0.1 * 0.5 = 0.05 N m. Reversed, port gives -0.03 * 4^2 = -0.48 N and lift
-// nothing.
-TEST(ForcesFromThrusters, SumsForceAndMomentOfEachThrusterAtTheSameStamps) {
-  const Stream command{.time = {3.0, 4.5},
-                       .columns = {"thruster_2", "thruster_1"},
-                       .values = {{5.0, -7.0}, {10.0, -4.0}}};
-  const Stream forces = ForcesFromThrusters(command, TwoThrusters());
-  EXPECT_THAT(forces.time, ElementsAre(3.0, 4.5));
-  EXPECT_THAT(
-      forces.columns,
-      ElementsAre("tau_surge", "tau_sway", "tau_heave", "tau_roll", "tau_pitch", "tau_yaw"));
-  const double expected[6][2] = {
-      {4.0, -0.48}, {0.0, 0.0}, {-0.5, 0.0}, {0.0, 0.0}, {0.25, -0.024}, {1.2, -0.144}};
-  for (int dof = 0; dof < 6; ++dof) {
-    for (int row = 0; row < 2; ++row) {
-      EXPECT_NEAR(forces.values[dof][row], expected[dof][row], 1e-14) << dof << " " << row;
-    }
-  }
-}
-
-TEST(ForcesFromThrusters, RefusesAnotherNumberOfThrusters) {
-  const auto error = [](const std::vector<std::string>& columns) {
-    const Stream command{.time = {0.0},
-                         .columns = columns,
-                         .values = std::vector<std::vector<double>>(columns.size(), {1.0})};
-    return ErrorFrom([&] { ForcesFromThrusters(command, TwoThrusters()); });
-  };
-  EXPECT_EQ(error({"thruster_1"}),
-            "command: column 'thruster_2' is missing, expected one for each of the 2 thrusters of "
-            "vehicle "
-            "'rov'.");
-  EXPECT_EQ(error({"thruster_1", "thruster_2", "thruster_3"}),
-            "command: holds 3 columns, expected one for each of the 2 thrusters of vehicle 'rov'. "
-            "Is this "
-            "the vehicle of the log?");
-  EXPECT_EQ(error({"tau_surge", "tau_yaw"}),
-            "command: column 'thruster_1' is missing, expected one for each of the 2 thrusters of "
-            "vehicle "
-            "'rov'.");
-}
-
-TEST(ForcesFromThrusters, RefusesSpeedsThatGiveNoFiniteForce) {
-  const Stream command{
-      .time = {2.5}, .columns = {"thruster_1", "thruster_2"}, .values = {{1e200}, {0.0}}};
-  EXPECT_EQ(
-      ErrorFrom([&] { ForcesFromThrusters(command, TwoThrusters()); }),
-      "command: the thruster speeds at t = 2.5 give a force that is not finite, expected speeds in "
-      "Hz.");
 }
 
 }  // namespace
