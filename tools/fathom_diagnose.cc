@@ -5,6 +5,7 @@
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
@@ -59,6 +60,7 @@ DEFINE_double(
     0.05,
     "Nominal probability of naming a cause when nothing is missing, above 0 and at most 0.5. "
     "Of 5 % about half are measured: docs/diagnosis_scores.md.");
+DEFINE_int32(threads, 0, "Fits that run at once; 0: one on each core. Not a digit depends on it.");
 DEFINE_uint64(seed, 1, "Seed of the random draws behind the thresholds.");
 
 namespace fathom {
@@ -85,6 +87,10 @@ DiagnosisOptions OptionsFromFlags() {
   }
   options.false_alarm_rate = FLAGS_false_alarm_rate;
   options.seed = FLAGS_seed;
+  if (FLAGS_threads < 0) {
+    throw InputError(fmt::format("--threads: is {}, expected at least 0.", FLAGS_threads));
+  }
+  if (FLAGS_threads > 0) SetNumThreads(FLAGS_threads);
   return options;
 }
 

@@ -229,7 +229,7 @@ DofRuns RunOnDof(Dof dof,
   ProgramCall diagnose = {.program = "fathom_diagnose",
                           .contents = {outcome->place_content},
                           .flags = {fmt::format("--dof={}", Name(dof))},
-                          .places = {log_flag},
+                          .places = {log_flag, "--threads=1"},  // the batch itself fills the cores
                           .output = "verdict"};
   RunBook diagnose_book = book;
   if (!options.pages.empty()) {

@@ -24,7 +24,7 @@ struct ProgramCall {
   std::string program;                     // "fathom_compare"
   std::vector<std::string> contents = {};  // digests of what it reads
   std::vector<std::string> flags = {};     // that decide what comes out: "--dof=surge"
-  std::vector<std::string> places = {};    // where it reads and further writes: "--log=..."
+  std::vector<std::string> places = {};    // what does not: where it reads, "--log=...", and how
   std::string output = {};                 // the flag of its JSON file; empty: it is on stdout
 };
 

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/noise/fit_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,7 +19,10 @@ namespace {
 // a maximum that is not the greatest.
 constexpr double kNoisePrecision = 0.005;
 constexpr int kMostTurns = 5;
-constexpr double kLeastGain = 0.1;  // of the log-likelihood, for another turn
+
+// What is missing makes neighbouring errors of a free run alike, so that they tell far less than
+// their number: a step that promises less than this share of them is none.
+constexpr double kLeastShareOfFreeRun = 1e-4;
 
 NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
@@ -58,29 +62,35 @@ NoiseModel LikeliestSize(const TrainingData& data,
 }
 
 // Learns noise and parameters in turn, from a fit under a first noise.
-StructureFit LearnOn(const TrainingData& data, StructureFit fit, NoiseModel noise) {
+StructureFit LearnOn(const TrainingData& data,
+                     StructureFit fit,
+                     NoiseModel noise,
+                     const FitPrecision& precision) {
   double previous = -std::numeric_limits<double>::infinity();
   for (int turn = 0; fit.IsSimulated(); ++turn) {
     fit.noise = noise;
-    if (fit.log_likelihood < previous + kLeastGain || turn + 1 == kMostTurns) break;
+    if (fit.log_likelihood < previous + precision.turn || turn + 1 == kMostTurns) break;
+    if (fit.log_likelihood < precision.least) break;
     previous = fit.log_likelihood;
     noise = LearnNoise(data, fit, noise);
-    fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()));
+    fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()), precision);
   }
   return fit;
 }
 
 // The same with each channel's noise as large as its residual.
-StructureFit FitFreeRun(const TrainingData& data, StructureFit fit) {
+StructureFit FitFreeRun(const TrainingData& data, StructureFit fit, FitPrecision precision) {
+  precision.share = std::max(precision.share, kLeastShareOfFreeRun);
   double previous = -std::numeric_limits<double>::infinity();
   for (int turn = 0; fit.IsSimulated(); ++turn) {
     fit.noise = WhiteNoise(data, fit.residual);
     const Whitener whitener(fit.noise, data.samples());
     fit.log_likelihood =
         whitener.LogLikelihood(std::span(fit.residual.data(), fit.residual.size()));
-    if (fit.log_likelihood < previous + kLeastGain || turn == kMostTurns) break;
+    if (fit.log_likelihood < previous + precision.turn || turn == kMostTurns) break;
+    if (turn > 0 && fit.log_likelihood < precision.least) break;
     previous = fit.log_likelihood;
-    fit = FitStructure(data, std::move(fit), whitener);
+    fit = FitStructure(data, std::move(fit), whitener, precision);
   }
   return fit;
 }
@@ -90,33 +100,44 @@ StructureFit FitFreeRun(const TrainingData& data, StructureFit fit) {
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   const NoiseModel& known) {
-  if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start);
+                   const NoiseModel& known,
+                   const FitPrecision& precision) {
+  if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start, precision);
   const NoiseModel noise = LearnNoise(data, start, LikeliestSize(data, start, known));
-  return LearnOn(data, FitStructure(data, start, Whitener(noise, data.samples())), noise);
+  return LearnOn(data,
+                 FitStructure(data, start, Whitener(noise, data.samples()), precision),
+                 noise,
+                 precision);
 }
 
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const ExtendedModel& start,
                    std::span<const InitialState> initial,
-                   const NoiseModel& noise) {
+                   const NoiseModel& noise,
+                   const FitPrecision& precision) {
   if (criterion == Criterion::kLearnedNoise) {
-    return FitStructureAndNoise(data, start, initial, noise);
+    return FitStructureAndNoise(data, start, initial, noise, precision);
   }
-  return FitFreeRun(data, FitStructure(data, start, initial, Whitener(noise, data.samples())));
+  const Whitener whitener(noise, data.samples());
+  return FitFreeRun(data, FitStructure(data, start, initial, whitener, precision), precision);
 }
 
 StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,
                                   std::span<const InitialState> initial,
-                                  const NoiseModel& noise) {
-  return LearnOn(data, FitStructure(data, start, initial, Whitener(noise, data.samples())), noise);
+                                  const NoiseModel& noise,
+                                  const FitPrecision& precision) {
+  const Whitener whitener(noise, data.samples());
+  return LearnOn(data, FitStructure(data, start, initial, whitener, precision), noise, precision);
 }
 
-StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start) {
+StructureFit FitStructureAndNoise(const TrainingData& data,
+                                  const StructureFit& start,
+                                  const FitPrecision& precision) {
   const NoiseModel noise = FirstNoise(data, start);
-  return LearnOn(data, FitStructure(data, start, Whitener(noise, data.samples())), noise);
+  const Whitener whitener(noise, data.samples());
+  return LearnOn(data, FitStructure(data, start, whitener, precision), noise, precision);
 }
 
 StructureFit FitBaseline(const TrainingData& data,

@@ -22,23 +22,28 @@ enum class Criterion {
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   const NoiseModel& known);
+                   const NoiseModel& known,
+                   const FitPrecision& precision = {});
 
 // The same from a model that was not run yet.
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const ExtendedModel& start,
                    std::span<const InitialState> initial,
-                   const NoiseModel& noise);
+                   const NoiseModel& noise,
+                   const FitPrecision& precision = {});
 
 // FitStructure() with the noise learned along: fit and noise in turns, from `noise`.
 StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const ExtendedModel& start,
                                   std::span<const InitialState> initial,
-                                  const NoiseModel& noise);
+                                  const NoiseModel& noise,
+                                  const FitPrecision& precision = {});
 
 // The same on from a fit whose residual and Jacobian are those of its model, the noise from that.
-StructureFit FitStructureAndNoise(const TrainingData& data, const StructureFit& start);
+StructureFit FitStructureAndNoise(const TrainingData& data,
+                                  const StructureFit& start,
+                                  const FitPrecision& precision = {});
 
 // The baseline from a start near its optimum, with its noise.
 StructureFit FitBaseline(const TrainingData& data,

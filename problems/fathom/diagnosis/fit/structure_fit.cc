@@ -14,7 +14,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kSmallestGain = 0.01;  // of chi squared, at which a search has arrived
 constexpr std::size_t kMostIterations = 100;
 constexpr double kMostDamping = 1e10;
 
@@ -103,7 +102,7 @@ bool IsLower(const TrainingData& data,
 // promises enough, or, as far as the arithmetic can tell, none leads lower.
 bool StepDown(const TrainingData& data,
               const Whitener& whitener,
-              double smallest_share,
+              const FitPrecision& precision,
               Descent* at) {
   const std::vector<int> free = FreeOf(at->unknowns, at->normal.g);
   double growth = 10.0;  // faster each time: where nothing is lower, that is soon known
@@ -114,7 +113,7 @@ bool StepDown(const TrainingData& data,
         (at->unknowns.value + step).cwiseMax(at->unknowns.lower).cwiseMin(at->unknowns.upper);
     const Eigen::VectorXd way = value - at->unknowns.value;
     const double promised = 2.0 * at->normal.g.dot(way) - way.dot(at->normal.A * way);
-    const double enough = std::max(kSmallestGain, smallest_share * at->fit.chi_squared);
+    const double enough = std::max(precision.gain, precision.share * at->fit.chi_squared);
     if (!(std::abs(promised) > enough)) return false;
     if (at->bends) {
       value = (value + BendOf(data, whitener, *at, free, way))
@@ -175,7 +174,7 @@ StructureFit Concluded(const TrainingData& data, Descent end, const Whitener& wh
 StructureFit FitStructure(const TrainingData& data,
                           StructureFit start,
                           const Whitener& whitener,
-                          double smallest_share) {
+                          const FitPrecision& precision) {
   Descent at;
   at.fit = std::move(start);
   at.fit.converged = false;
@@ -185,7 +184,7 @@ StructureFit FitStructure(const TrainingData& data,
   std::vector<double> errors = {at.fit.chi_squared};
   while (errors.size() <= kMostIterations && !at.fit.converged && !Creeps(errors)) {
     at.bends = errors.size() > kStraightSteps;
-    at.fit.converged = !StepDown(data, whitener, smallest_share, &at);
+    at.fit.converged = !StepDown(data, whitener, precision, &at);
     errors.push_back(at.fit.chi_squared);
   }
   return Concluded(data, std::move(at), whitener);
@@ -195,7 +194,7 @@ StructureFit FitStructure(const TrainingData& data,
                           const ExtendedModel& start,
                           std::span<const InitialState> initial,
                           const Whitener& whitener,
-                          double smallest_share) {
+                          const FitPrecision& precision) {
   StructureFit fit;
   fit.model = start;
   fit.initial.assign(initial.begin(), initial.end());
@@ -205,7 +204,7 @@ StructureFit FitStructure(const TrainingData& data,
          &fit.model,
          &fit.initial);
   if (!LineariseAt(data, &fit)) return fit;
-  return FitStructure(data, std::move(fit), whitener, smallest_share);
+  return FitStructure(data, std::move(fit), whitener, precision);
 }
 
 }  // namespace fathom

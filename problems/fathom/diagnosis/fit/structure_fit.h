@@ -43,22 +43,30 @@ struct StructureFit {
   bool IsUsable() const { return IsSimulated() && converged; }
 };
 
+// When a search has arrived. By default, a tenth of a standard deviation from the end.
+struct FitPrecision {
+  double gain = 0.01;  // of chi squared, that a step has to promise
+  double share = 0.0;  // of what is left of chi squared, likewise
+  double turn = 0.1;   // of the log-likelihood, that a turn of noise and parameters has to gain
+
+  // The log-likelihood below which no further turn is taken.
+  double least = -std::numeric_limits<double>::infinity();
+};
+
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds
 // (inertia at least data.least_inertia(), dampings at least 0, the effects' own). Levenberg and
 // Marquardt's method on the normal equations; parameters that press on a bound are held there and
 // let go again when they no longer do, docs/diagnosis.md (3).
-//
-// Ends when no step promises more than `smallest_share` of what is left of the error (or 0.01).
 StructureFit FitStructure(const TrainingData& data,
                           const ExtendedModel& start,
                           std::span<const InitialState> initial,
                           const Whitener& whitener,
-                          double smallest_share = 0.0);
+                          const FitPrecision& precision = {});
 
 // The same on from a fit whose residual and Jacobian are those of its model.
 StructureFit FitStructure(const TrainingData& data,
                           StructureFit start,
                           const Whitener& whitener,
-                          double smallest_share = 0.0);
+                          const FitPrecision& precision = {});
 
 }  // namespace fathom

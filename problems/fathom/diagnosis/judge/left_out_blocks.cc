@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/judge/left_out_blocks.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/data/part_of_segment.h"
 #include "fathom/diagnosis/fit/robust_start.h"
 
@@ -18,6 +19,10 @@ namespace fathom {
 namespace {
 
 constexpr int kNumFolds = 4;
+
+// Of refits that only have to predict.
+constexpr FitPrecision kToPredict = {.gain = 0.1, .share = 1e-4, .turn = 0.5};
+
 constexpr std::size_t kMostLogFolds = 8;  // with more logs, several are left out together
 
 void Append(Scored part, Scored* all) {
@@ -124,16 +129,20 @@ LeftOutParts LeaveOut(const Prepared& prepared, LeavingOut how) {
 Scored Score(const LeftOutParts& parts, const StructureFit& extended, Criterion criterion) {
   Scored scored;
   scored.by_log = parts.how == LeavingOut::kLogs;
-  for (const auto& [left_out, rest, users] : parts.parts) {
+  std::vector<Scored> of_parts(parts.parts.size());
+  ParallelFor(static_cast<int>(of_parts.size()), [&](int i) {
+    const auto& [left_out, rest, users] = parts.parts[i];
     std::vector<InitialState> initial;
     for (const MeasuredSegment& segment : rest.segments()) initial.push_back(segment.initial);
     const ExtendedModel known = KnownFrom(rest, extended.model);
     const StructureFit anew =
         criterion == Criterion::kFreeRun
-            ? FitBy(criterion, rest, known, initial, extended.noise)
-            : FitStructure(rest, known, initial, Whitener(extended.noise, rest.samples()));
-    Append(Score(left_out, users, anew.model), &scored);
-  }
+            ? FitBy(criterion, rest, known, initial, extended.noise, kToPredict)
+            : FitStructure(
+                  rest, known, initial, Whitener(extended.noise, rest.samples()), kToPredict);
+    of_parts[i] = Score(left_out, users, anew.model);
+  });
+  for (Scored& part : of_parts) Append(std::move(part), &scored);
   return scored;
 }
 

@@ -6,6 +6,8 @@
 #include "fathom/diagnosis/search/refinement.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,9 +34,10 @@ std::optional<Hypothesis> Without(const SearchTask& task,
                    WithoutEffect(fit.model, EffectPlace(task, fit.model, cause)),
                    fit.initial,
                    Whitener(fit.noise, task.data.samples()),
-                   task.options.rough_share);
+                   task.options.rough);
   if (!rough.IsSimulated()) return std::nullopt;
-  return HypothesisFrom(task, baseline, Others(hypothesis, cause), rough);
+  return HypothesisFrom(
+      task, baseline, Others(hypothesis, cause), rough, -std::numeric_limits<double>::infinity());
 }
 
 // The book with what may stand in for one cause of a hypothesis beside the others, `base`.
@@ -46,16 +49,14 @@ HypothesisBook WithRivals(const SearchTask& task,
                           HypothesisBook book) {
   const SearchOptions& options = task.options;
   const double least = options.rival_share * screens.scores[cause] - options.rival_slack;
-  int num_refined = 0;
+  std::vector<int> suspects;
   for (const int suspect : InOrder(screens.scores)) {
     const double score = screens.scores[suspect];
     if (score < least || score < options.worth_refining) break;
-    if (num_refined == options.most_refined) break;
-    if (challenged.Has(suspect)) continue;
-    ++num_refined;
-    book = Refined(task, screens, base, suspect, std::move(book));
+    if (std::ssize(suspects) == options.most_refined) break;
+    if (!challenged.Has(suspect)) suspects.push_back(suspect);
   }
-  return book;
+  return Refined(task, screens, base, suspects, std::move(book));
 }
 
 // The book with a hypothesis refitted without one cause, and with what may stand in for it.

@@ -77,6 +77,12 @@ double HypothesisBook::Worth(int index) const {
   return hypothesis.gain - calibration_.ThresholdOf(hypothesis.suspects);
 }
 
+double HypothesisBook::MostGain() const {
+  double most = 0.0;
+  for (const Hypothesis& hypothesis : tried_) most = std::max(most, hypothesis.gain);
+  return most;
+}
+
 std::vector<int> HypothesisBook::RankedOfSize(int size) const {
   std::vector<int> ranked;
   for (int i = 0; i < this->size(); ++i) {

@@ -50,6 +50,9 @@ class HypothesisBook {
   // Gain less what noise would reach with the same causes; minus infinity if it is not physical.
   double Worth(int index) const;
 
+  // The greatest gain of all; 0 where none gains.
+  double MostGain() const;
+
   // Hypotheses of so many causes, the best first.
   std::vector<int> RankedOfSize(int size) const;
 

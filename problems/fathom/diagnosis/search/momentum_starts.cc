@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/search/momentum_starts.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/data/part_of_segment.h"
 #include "fathom/diagnosis/fit/momentum_balance.h"
 #include "fathom/diagnosis/fit/residual_noise.h"
@@ -10,6 +11,8 @@
 #include "fathom/diagnosis/search/screen/trial_values.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -48,13 +51,15 @@ std::vector<MomentumStart> StartsByMomentum(const SearchTask& task) {
   return starts;
 }
 
-StructureFit RoughFit(const TrainingData& data, const ExtendedModel& start, double rough_share) {
+StructureFit RoughFit(const TrainingData& data,
+                      const ExtendedModel& start,
+                      const FitPrecision& precision) {
   std::vector<InitialState> initial;
   for (const MeasuredSegment& segment : data.segments()) initial.push_back(segment.initial);
   const auto simulated = data.Simulate(start, initial);
   if (!simulated) return {};
   const NoiseModel noise = WhiteNoise(data, data.measured() - *simulated);
-  return FitStructure(data, start, initial, Whitener(noise, data.samples()), rough_share);
+  return FitStructure(data, start, initial, Whitener(noise, data.samples()), precision);
 }
 
 // The same data in pieces that each start anew: a short run goes astray less, and friction that
@@ -82,17 +87,22 @@ TrainingData InPieces(const TrainingData& data) {
 HypothesisBook WithSinglesByMomentum(const SearchTask& task, HypothesisBook book) {
   const TrainingData pieces = InPieces(task.data);
   if (pieces.segments().empty()) return book;
-  int num_refined = 0;
-  for (const MomentumStart& start : StartsByMomentum(task)) {
-    if (num_refined == task.options.most_from_momentum) break;
-    ++num_refined;
-    book.AddAttempt({start.suspect});
-    const StructureFit in_pieces = RoughFit(pieces, start.fit.model, task.options.rough_share);
-    if (!in_pieces.IsSimulated()) continue;
-    const StructureFit rough = RoughFit(task.data, in_pieces.model, task.options.rough_share);
-    if (!rough.IsSimulated()) continue;
-    auto hypothesis = HypothesisFrom(task, book.baseline(), {start.suspect}, rough);
-    if (hypothesis) book.Add(std::move(*hypothesis));
+  std::vector<MomentumStart> starts = StartsByMomentum(task);
+  if (std::ssize(starts) > task.options.most_from_momentum) {
+    starts.resize(task.options.most_from_momentum);
+  }
+  const double least_gain = task.options.hope * book.MostGain();
+  std::vector<std::optional<Hypothesis>> found(starts.size());
+  ParallelFor(static_cast<int>(starts.size()), [&](int i) {
+    const StructureFit in_pieces = RoughFit(pieces, starts[i].fit.model, task.options.rough);
+    if (!in_pieces.IsSimulated()) return;
+    const StructureFit rough = RoughFit(task.data, in_pieces.model, task.options.rough);
+    if (!rough.IsSimulated()) return;
+    found[i] = HypothesisFrom(task, book.baseline(), {starts[i].suspect}, rough, least_gain);
+  });
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    book.AddAttempt({starts[i].suspect});
+    if (found[i]) book.Add(*std::move(found[i]));
   }
   return book;
 }

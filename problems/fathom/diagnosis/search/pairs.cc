@@ -3,9 +3,11 @@
 
 #include "fathom/diagnosis/search/pairs.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/search/refinement.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -86,22 +88,28 @@ HypothesisBook WithPairs(const SearchTask& task,
   std::vector<Pair> pairs = RankedPairs(task, screens);
   pairs.resize(std::min<size_t>(pairs.size(), task.options.most_pairs));
   const auto& calibration = book.calibration();
-  for (const Pair& pair : pairs) {
-    if (pair.score < calibration.ThresholdOf({pair.a, pair.b})) continue;
+  // None knows of another's gain, whatever the number of threads.
+  const double least_gain = task.options.hope * book.MostGain();
+  std::vector<std::optional<Hypothesis>> found(pairs.size());
+  ParallelFor(static_cast<int>(pairs.size()), [&](int i) {
+    const Pair& pair = pairs[i];
+    if (pair.score < calibration.ThresholdOf({pair.a, pair.b})) return;
     // As much as one suspect alone, and what noise adds to it.
     const double least =
         screens.own->BestScore() +
         task.options.worth_refining_beside *
             std::min(calibration.thresholds_beside[pair.a], calibration.thresholds_beside[pair.b]);
-    if (pair.score < least) continue;
+    if (pair.score < least) return;
     const StructureFit rough = FitStructure(task.data,
                                             ModelWith(pair, task, *baseline),
                                             baseline->fit.initial,
                                             screens.own->whitener(),
-                                            task.options.rough_share);
-    if (!rough.IsSimulated()) continue;
-    auto hypothesis = HypothesisFrom(task, book.baseline(), {pair.a, pair.b}, rough);
-    if (hypothesis) book.Add(std::move(*hypothesis));
+                                            task.options.rough);
+    if (!rough.IsSimulated()) return;
+    found[i] = HypothesisFrom(task, book.baseline(), {pair.a, pair.b}, rough, least_gain);
+  });
+  for (auto& hypothesis : found) {
+    if (hypothesis) book.Add(*std::move(hypothesis));
   }
   return book;
 }

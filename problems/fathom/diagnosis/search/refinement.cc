@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/search/refinement.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/start_price.h"
 #include "fathom/vehicle/parameters.h"
@@ -44,7 +45,7 @@ std::optional<StructureFit> RoughFit(const SearchTask& task,
                                     WithEffect(base.fit.model, start.effect),
                                     base.fit.initial,
                                     starts.whitener(),
-                                    task.options.rough_share);
+                                    task.options.rough);
     if (!fit.IsSimulated()) continue;
     if (!best || fit.chi_squared < best->chi_squared) best = std::move(fit);
   }
@@ -76,28 +77,38 @@ bool AreAlike(const SearchTask& task,
   return difference.squaredNorm() < task.options.alike;
 }
 
+std::vector<int> With(std::vector<int> suspects, int more) {
+  suspects.push_back(more);
+  std::sort(suspects.begin(), suspects.end());
+  return suspects;
+}
+
 }  // namespace
 
 std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
                                          const Hypothesis& baseline,
                                          const std::vector<int>& suspects,
-                                         const StructureFit& rough) {
+                                         const StructureFit& rough,
+                                         double least_gain) {
   Hypothesis hypothesis;
   hypothesis.suspects = suspects;
   const Criterion criterion = task.options.criterion;
-  hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise);
+  FitPrecision precision = task.options.precision;
+  precision.least = baseline.fit.log_likelihood + 0.5 * least_gain / task.options.effective_share;
+  hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise, precision);
   // What is worth its price so may rest on a noise that was begun wrongly, on either side: then it
   // is learned from nothing, as the baseline's was.
   const double cheap_gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
-  if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining) {
-    hypothesis.fit = FitStructureAndNoise(task.data, rough);
+  if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining &&
+      hypothesis.fit.log_likelihood >= precision.least) {
+    hypothesis.fit = FitStructureAndNoise(task.data, rough, precision);
   }
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;
     model.baseline = baseline.fit.model.baseline;
     StructureFit again =
-        FitBy(criterion, task.data, model, baseline.fit.initial, baseline.fit.noise);
+        FitBy(criterion, task.data, model, baseline.fit.initial, baseline.fit.noise, precision);
     if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
   }
   if (!MeansSomething(task, hypothesis.fit)) return std::nullopt;
@@ -110,25 +121,49 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
   return hypothesis;
 }
 
-HypothesisBook Refined(const SearchTask& task,
-                       const Screens& screens,
-                       const Hypothesis& base,
-                       int suspect,
-                       HypothesisBook book) {
-  std::vector<int> suspects = base.suspects;
-  suspects.push_back(suspect);
-  std::sort(suspects.begin(), suspects.end());
+namespace {
+
+// `base` and one suspect more, from where each screen shows it best; nothing where that is known.
+std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
+                                       const Screens& screens,
+                                       const Hypothesis& base,
+                                       int suspect,
+                                       const HypothesisBook& book) {
+  const std::vector<int> suspects = With(base.suspects, suspect);
   const int known = book.IndexOf(suspects);
-  if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return book;
-  book.AddAttempt(suspects);
+  if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return {};
+  std::vector<Hypothesis> hypotheses;
   const auto add = [&](const StructureFit& rough) {
-    auto hypothesis = HypothesisFrom(task, book.baseline(), suspects, rough);
-    if (hypothesis) book.Add(std::move(*hypothesis));
+    auto hypothesis =
+        HypothesisFrom(task, book.baseline(), suspects, rough, task.options.hope * book.MostGain());
+    if (hypothesis) hypotheses.push_back(*std::move(hypothesis));
   };
   std::optional<StructureFit> sharp, own = RoughFit(task, *screens.own, base, suspect);
   if (screens.sharp) sharp = RoughFit(task, *screens.sharp, base, suspect);
   if (sharp) add(*sharp);
   if (own && !(sharp && AreAlike(task, screens.own->whitener(), *own, *sharp))) add(*own);
+  return hypotheses;
+}
+
+}  // namespace
+
+HypothesisBook Refined(const SearchTask& task,
+                       const Screens& screens,
+                       const Hypothesis& base,
+                       std::span<const int> suspects,
+                       HypothesisBook book) {
+  // Those of one group do not know of each other's gains, whatever the number of threads.
+  constexpr std::size_t kGroup = 4;
+  for (std::size_t begin = 0; begin < suspects.size(); begin += kGroup) {
+    const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
+    std::vector<std::vector<Hypothesis>> found(group.size());
+    ParallelFor(static_cast<int>(group.size()),
+                [&](int i) { found[i] = HypothesesWith(task, screens, base, group[i], book); });
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      book.AddAttempt(With(base.suspects, group[i]));
+      for (Hypothesis& hypothesis : found[i]) book.Add(std::move(hypothesis));
+    }
+  }
   return book;
 }
 

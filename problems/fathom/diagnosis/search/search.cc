@@ -8,6 +8,7 @@
 #include "fathom/diagnosis/search/refinement.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace fathom {
@@ -39,14 +40,13 @@ bool HoldsTheBest(const Hypothesis& best, const Hypothesis& base, int suspect) {
 // The book with the baseline and one suspect more, where the screens give hope.
 HypothesisBook WithSingles(const SearchTask& task, const Screens& screens, HypothesisBook book) {
   const Hypothesis baseline = book.baseline();
-  int num_refined = 0;
+  std::vector<int> suspects;
   for (const int suspect : InOrder(screens.scores)) {
-    if (num_refined == task.options.most_refined) break;
+    if (std::ssize(suspects) == task.options.most_refined) break;
     if (screens.scores[suspect] < task.options.worth_refining) break;
-    ++num_refined;
-    book = Refined(task, screens, baseline, suspect, std::move(book));
+    suspects.push_back(suspect);
   }
-  return book;
+  return Refined(task, screens, baseline, suspects, std::move(book));
 }
 
 struct Widened {
@@ -60,17 +60,17 @@ Widened WithOneMore(const SearchTask& task, int from, int best, HypothesisBook b
   const Screens screens =
       ScreensAbout(task, WithTrials(task, base.fit), base.fit.noise, Sharpness::kWithSensor);
   if (!screens.own) return {std::move(book)};
-  int num_refined = 0;
+  std::vector<int> suspects;
+  int num_shown = 0;
   for (const int suspect : InOrder(screens.scores)) {
-    if (num_refined == task.options.most_refined_beside) break;
+    if (num_shown == task.options.most_refined_beside) break;
     const double least = task.options.worth_refining_beside *
                          book.calibration().significance.ThresholdBeside(suspect);
     if (screens.scores[suspect] < least || base.Has(suspect)) continue;
-    ++num_refined;
-    if (HoldsTheBest(book[best], base, suspect)) continue;
-    book = Refined(task, screens, base, suspect, std::move(book));
+    ++num_shown;
+    if (!HoldsTheBest(book[best], base, suspect)) suspects.push_back(suspect);
   }
-  return {std::move(book), num_refined > 0};
+  return {Refined(task, screens, base, suspects, std::move(book)), num_shown > 0};
 }
 
 // The book with one suspect more beside each of some hypotheses, the best first. Where nothing

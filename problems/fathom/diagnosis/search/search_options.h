@@ -34,8 +34,14 @@ struct SearchOptions {
   // different minima; one that has amounts alone has one minimum.
   int most_starts = 2;
 
-  // Share of what is left of the error at which a first fit is near enough to choose from.
-  double rough_share = 1e-3;
+  // A first fit is near enough to choose from, and a fit with its noise to rank by: thresholds are
+  // above 10.
+  FitPrecision rough = {.share = 1e-3};
+  FitPrecision precision = {.gain = 0.1, .turn = 0.5};
+
+  // Of the greatest gain so far: a hypothesis that gains less under its first noise is left at
+  // that.
+  double hope = 0.5;
 
   // Of the best hypothesis's gain, below which one of a single cause, or of several, gets no more
   // causes: those that are missing beside it would have to gain the rest.

@@ -89,6 +89,8 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   SearchOptions options;
   options.criterion = Criterion::kFreeRun;
   options.effective_share = EffectiveShare(thinned, rough.residual);
+  options.precision.gain /= options.effective_share;
+  options.precision.turn /= options.effective_share;
   options.beam = 2;
   options.most_refined = 6;
   std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);

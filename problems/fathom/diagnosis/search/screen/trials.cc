@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/search/screen/trials.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/force_response.h"
 #include "fathom/diagnosis/search/screen/trial_values.h"
 #include "fathom/vehicle/effect_law.h"
@@ -67,7 +68,8 @@ void AppendSignatures(const TrainingData& data,
   RowMajorMatrix& columns = trials->signatures;
   columns = RowMajorMatrix::Zero(data.bins().size(), num_columns);
   const auto base = data.Simulate(fit.model, fit.initial);
-  for (const Trial& trial : trials->trials) {
+  ParallelFor(static_cast<int>(trials->trials.size()), [&](int i) {
+    const Trial& trial = trials->trials[i];
     const Suspect& suspect = suspects[trial.suspect];
     for (int k = 0; k < trial.num_columns; ++k) {
       const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
@@ -84,7 +86,7 @@ void AppendSignatures(const TrainingData& data,
         column = *simulated - *base;
       }
     }
-  }
+  });
 }
 
 }  // namespace
