@@ -60,6 +60,9 @@ DEFINE_double(
     0.05,
     "Nominal probability of naming a cause when nothing is missing, above 0 and at most 0.5. "
     "Of 5 % about half are measured: docs/diagnosis_scores.md.");
+DEFINE_double(effort,
+              1.0,
+              "How long causes are searched where no model fits, as a multiple of the usual.");
 DEFINE_int32(threads, 0, "Fits that run at once; 0: one on each core. Not a digit depends on it.");
 DEFINE_uint64(seed, 1, "Seed of the random draws behind the thresholds.");
 
@@ -87,6 +90,10 @@ DiagnosisOptions OptionsFromFlags() {
   }
   options.false_alarm_rate = FLAGS_false_alarm_rate;
   options.seed = FLAGS_seed;
+  if (!(FLAGS_effort > 0.0)) {
+    throw InputError(fmt::format("--effort: is {}, expected above 0.", FLAGS_effort));
+  }
+  options.effort = FLAGS_effort;
   if (FLAGS_threads < 0) {
     throw InputError(fmt::format("--threads: is {}, expected at least 0.", FLAGS_threads));
   }

@@ -16,6 +16,9 @@ std::vector<std::string> DiagnosisOptions::Problems() const {
   if (most_causes < 1 || most_causes > 3) {
     problems.push_back(fmt::format("most_causes is {}, expected 1 to 3.", most_causes));
   }
+  if (!(effort > 0.0)) {
+    problems.push_back(fmt::format("effort is {}, expected a number above 0.", effort));
+  }
   if (!(separation >= 0.0)) {
     problems.push_back(
         fmt::format("separation is {}, expected a number of at least 0.", separation));

@@ -23,6 +23,9 @@ struct DiagnosisOptions {
   // log-likelihood, after each one's own number of parameters is paid for.
   double separation = 8.0;
 
+  // How long causes are searched where no model fits, as a multiple of the usual. Above 0.
+  double effort = 1.0;
+
   // Of the draws behind thresholds and intervals.
   std::uint64_t seed = 1;
 

@@ -95,7 +95,8 @@ bool RunIn(const EffectInputs& inputs,
       },
       [&](size_t row, const T& value) {
         store(value, row, &outputs->displacement, &outputs->displacement_sensitivity);
-      });
+      },
+      &outputs->num_steps);
 }
 
 }  // namespace

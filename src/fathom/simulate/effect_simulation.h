@@ -25,6 +25,7 @@ using SensitivityMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 
 struct EffectOutputs {
   std::vector<double> velocity;      // at OutputStamps::velocity [m/s] or [rad/s]
   std::vector<double> displacement;  // at OutputStamps::displacement [m] or [rad]
+  int num_steps = 0;                 // of the integration, also of one that failed
 
   // A row for each output. Columns: the baseline's parameters in the order of kParameterInfo, the
   // initial velocity, the initial position, the effects' parameters in their order, and the

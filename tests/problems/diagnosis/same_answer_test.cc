@@ -3,6 +3,7 @@
 
 // The same answer whoever asks, in whatever order.
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
@@ -15,10 +16,15 @@
 
 #include "named.h"
 #include "surge_run.h"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Three logs of different lengths and inputs with two effects in each.
 std::vector<Log> ThreeLogs() {
@@ -63,6 +69,40 @@ TEST(Diagnose, AnswersTheSameToTheLastBitFromAnyNumberOfThreads) {
   std::vector<std::future<std::vector<double>>> others;
   for (int k = 0; k < 3; ++k) others.push_back(std::async(std::launch::async, diagnose));
   for (auto& other : others) EXPECT_EQ(other.get(), alone);
+}
+
+// Cut or not: how far a search goes is counted, not timed.
+TEST(Diagnose, AnswersTheSameToTheLastBitOnAnyNumberOfThreadsOfItsOwn) {
+  const std::vector<Log> logs = {ThreeLogs()[0]};
+  for (const double effort : {1.0, 0.01}) {
+    DiagnosisOptions options;
+    options.effort = effort;
+    SetNumThreads(1);
+    const std::vector<double> alone = NumbersOf(Diagnose(logs, Dof::kSurge, options));
+    SetNumThreads(3);
+    EXPECT_EQ(NumbersOf(Diagnose(logs, Dof::kSurge, options)), alone) << effort;
+  }
+}
+
+TEST(Diagnose, SaysThatItsSearchWasEnded) {
+  DiagnosisOptions options;
+  options.effort = 0.001;
+  const std::vector<Log> logs = {ThreeLogs()[0]};
+  EXPECT_THAT(Diagnose(logs, Dof::kSurge, options).remarks, Contains(HasSubstr("--effort=4")));
+  EXPECT_THAT(Diagnose(logs, Dof::kSurge).remarks, Not(Contains(HasSubstr("--effort"))));
+}
+
+// A simulation without noise, of a vehicle that the catalogue knows all of.
+TEST(Diagnose, LooksForNoStructureInRounding) {
+  SurgeRun run;
+  run.input = Multisine(30.0);
+  run.velocity_noise = 0.0;
+  const Diagnosis diagnosis = Diagnose(std::vector{LogOf(run, 1)}, Dof::kSurge);
+  EXPECT_EQ(diagnosis.verdict, Verdict::kConsistent) << TextOf(diagnosis);
+  EXPECT_THAT(diagnosis.remarks, Contains(HasSubstr("no sensor noise")));
+  run.velocity_noise = 0.01;
+  EXPECT_THAT(Diagnose(std::vector{LogOf(run, 1)}, Dof::kSurge).remarks,
+              Not(Contains(HasSubstr("no sensor noise"))));
 }
 
 // Sums in another order differ in their last bits, and a fit ends 0.01 of chi squared from its

@@ -15,6 +15,8 @@
 namespace fathom {
 namespace {
 
+constexpr std::int64_t kStepsOfOneWithDerivatives = 6;
+
 // At the stamps of a segment.
 std::vector<double> DampingAlong(const Segment& segment, const UncoupledModel<double>& model) {
   std::vector<double> damping;
@@ -34,6 +36,7 @@ TrainingData::TrainingData(std::vector<MeasuredSegment> segments,
       least_inertia_(least_inertia) {
   command_tone_.share = 1.0;
   for (const MeasuredSegment& segment : segments_) {
+    duration_ += segment.duration();
     longest_duration_ = std::max(longest_duration_, segment.duration());
     const HeldCommand& command = segment.inputs->command;
     for (const double force : command.value) most_force_ = std::max(most_force_, std::abs(force));
@@ -94,7 +97,9 @@ std::optional<Eigen::VectorXd> TrainingData::SimulateLog(const std::string& log,
   EffectOutputs outputs;
   for (size_t r = 0; r < segments_.size(); ++r) {
     if (!log.empty() && segments_[r].log != log) continue;
-    if (!simulations_[r].Run(model, initial[r], &outputs)) return std::nullopt;
+    const bool is_simulated = simulations_[r].Run(model, initial[r], &outputs);
+    *work_ += outputs.num_steps;
+    if (!is_simulated) return std::nullopt;
     const int first = bins_.first_row(r);
     bins_.Average(r,
                   outputs.velocity,
@@ -113,7 +118,9 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
                            RowMajorMatrix::Zero(bins_.size(), num_columns)};
   EffectOutputs outputs;
   for (size_t r = 0; r < segments_.size(); ++r) {
-    if (!simulations_[r].RunWithSensitivities(model, initial[r], &outputs)) return std::nullopt;
+    const bool is_simulated = simulations_[r].RunWithSensitivities(model, initial[r], &outputs);
+    *work_ += kStepsOfOneWithDerivatives * outputs.num_steps;
+    if (!is_simulated) return std::nullopt;
     const int first = bins_.first_row(r);
     const int num_rows = bins_.first_row(r + 1) - first;
     bins_.Average(r,

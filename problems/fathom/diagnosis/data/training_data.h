@@ -11,6 +11,9 @@
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/vehicle/extended_model.h"
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,7 +63,14 @@ class TrainingData {
   // that is a tone alone.
   double most_offset() const;
 
+  double duration() const { return duration_; }  // of all segments [s]
+
   double longest_duration() const { return longest_duration_; }  // of a segment [s]
+
+  // What was computed on these data and their copies, in steps of integration: one with derivatives
+  // counts as six, a look at the likelihood of a noise as one for each bin.
+  std::int64_t work() const { return *work_; }
+  void CountLikelihoods(int count) const { *work_ += std::int64_t{count} * bins_.size(); }
 
   // Measured, averaged over the bins.
   const Eigen::VectorXd& measured() const { return measured_; }
@@ -97,8 +107,10 @@ class TrainingData {
   bool has_displacement_ = false;
   Tone command_tone_;
   double most_force_ = 0.0;
+  double duration_ = 0.0;
   double longest_duration_ = 0.0;
   Eigen::VectorXd measured_;
+  std::shared_ptr<std::atomic<std::int64_t>> work_ = std::make_shared<std::atomic<std::int64_t>>(0);
 };
 
 }  // namespace fathom

@@ -33,9 +33,15 @@ NoiseModel LearnNoise(const TrainingData& data,
   options.precision = kNoisePrecision;
   const NoiseFit learned = FitNoise(
       data.samples(), std::span(fit.residual.data(), fit.residual.size()), fit.jacobian, options);
+  data.CountLikelihoods(learned.num_evaluations);
   // Too few samples, or a channel without any error.
   if (!std::isfinite(learned.log_likelihood)) return SensorNoiseOnly(data, fit.residual);
-  return learned.model;
+  const NoiseModel quietest = QuietestSensors(data);
+  NoiseModel noise = learned.model;
+  noise.velocity.white_std = std::max(noise.velocity.white_std, quietest.velocity.white_std);
+  noise.displacement.white_std =
+      std::max(noise.displacement.white_std, quietest.displacement.white_std);
+  return noise;
 }
 
 // The likeliest of a noise that was learned with another model and of ones of the same kind that

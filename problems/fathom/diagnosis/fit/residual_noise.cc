@@ -8,6 +8,44 @@
 #include <vector>
 
 namespace fathom {
+namespace {
+
+constexpr double kQuietest = 1e-4;  // of the motion
+
+double RootMeanSquare(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Measured, or what measured displacements go through [m/s] or [rad/s].
+double UsualSpeed(const TrainingData& data) {
+  std::vector<double> speeds, quotients;
+  int last = -1;
+  for (int i = 0; i < data.bins().size(); ++i) {
+    const NoiseSample& sample = data.samples()[i];
+    if (sample.channel == NoiseChannel::kVelocity) {
+      speeds.push_back(data.measured()[i]);
+      continue;
+    }
+    if (last >= 0 && data.samples()[last].segment == sample.segment &&
+        sample.time > data.samples()[last].time) {
+      quotients.push_back((data.measured()[i] - data.measured()[last]) /
+                          (sample.time - data.samples()[last].time));
+    }
+    last = i;
+  }
+  return RootMeanSquare(speeds.empty() ? quotients : speeds);
+}
+
+}  // namespace
+
+NoiseModel QuietestSensors(const TrainingData& data) {
+  NoiseModel noise;
+  noise.velocity.white_std = noise.displacement.white_std =
+      std::max(1e-12, kQuietest * UsualSpeed(data));
+  return noise;
+}
 
 NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual) {
   double velocity = 0.0, displacement = 0.0;
@@ -26,7 +64,7 @@ NoiseModel WhiteNoise(const TrainingData& data, const Eigen::VectorXd& residual)
 }
 
 NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& residual) {
-  NoiseModel noise;
+  NoiseModel noise = QuietestSensors(data);
   for (const NoiseChannel channel : {NoiseChannel::kVelocity, NoiseChannel::kDisplacement}) {
     std::vector<double> values, factors;
     for (int i = 0; i < data.bins().size(); ++i) {
@@ -45,8 +83,9 @@ NoiseModel SensorNoiseOnly(const TrainingData& data, const Eigen::VectorXd& resi
       for (const double value : values) sum += value * value;
     }
     const double std = std::sqrt(sum / count);
-    (channel == NoiseChannel::kVelocity ? noise.velocity : noise.displacement).white_std =
-        std::max(std, 1e-12);
+    double& white_std =
+        (channel == NoiseChannel::kVelocity ? noise.velocity : noise.displacement).white_std;
+    white_std = std::max(std, white_std);
   }
   return noise;
 }

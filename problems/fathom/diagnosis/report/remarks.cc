@@ -3,9 +3,11 @@
 
 #include "fathom/diagnosis/report/remarks.h"
 
+#include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/search/suspects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -105,6 +107,20 @@ std::vector<std::string> RemarksOnEvidence(const Evidence& evidence,
   return remarks;
 }
 
+// Whether the quietest sensors make up for what the fit leaves, in each channel that is measured.
+bool IsWithoutNoise(const Judgement& judgement) {
+  constexpr double kRounding = 1e-9;
+  const TrainingData& data = judgement.search.thinned;
+  const NoiseModel quietest = QuietestSensors(data);
+  const NoiseModel& noise = judgement.search.baseline.noise;
+  const bool has_velocity = std::ranges::any_of(data.samples(), [](const NoiseSample& sample) {
+    return sample.channel == NoiseChannel::kVelocity;
+  });
+  const SensorNoise& own = has_velocity ? noise.velocity : noise.displacement;
+  return own.white_std > 0.0 &&
+         own.white_std <= (1.0 + kRounding) * quietest.velocity.white_std;
+}
+
 }  // namespace
 
 NotNamed NotNamedOf(const std::vector<Refusal>& refusals,
@@ -162,6 +178,16 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has
     remarks.push_back(
         "Not tested: structure that no effect in the catalogue explains. There are too few "
         "training data for this test.");
+  }
+  if (judgement.search.found.is_cut) {
+    remarks.push_back(
+        "The search was ended before it was through: no model that was tried fits these data, and "
+        "such a search takes very long. --effort=4 lets it go on for four times as long.");
+  }
+  if (IsWithoutNoise(judgement)) {
+    remarks.push_back(
+        "The data have no sensor noise, as those of a simulation. They are taken as if a sensor "
+        "scattered by 0.01 % of the motion: what is smaller is rounding and integration.");
   }
   const bool has_causes = judgement.choice.chosen != 0;
   if (has_causes && judgement.runs.gain.num_logs == 2) {

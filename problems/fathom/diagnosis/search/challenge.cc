@@ -90,6 +90,7 @@ Standing Challenged(const SearchTask& task,
     const int challenged = standing.best;
     const std::vector<int> causes = standing.book[challenged].suspects;
     for (const int cause : causes) {
+      if (task.IsSpent()) break;
       const Hypothesis hypothesis = standing.book[challenged];
       standing.book =
           WithCauseReplaced(task, baseline, hypothesis, cause, std::move(standing.book));

@@ -154,7 +154,7 @@ HypothesisBook Refined(const SearchTask& task,
                        HypothesisBook book) {
   // Those of one group do not know of each other's gains, whatever the number of threads.
   constexpr std::size_t kGroup = 4;
-  for (std::size_t begin = 0; begin < suspects.size(); begin += kGroup) {
+  for (std::size_t begin = 0; begin < suspects.size() && !task.IsSpent(); begin += kGroup) {
     const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
     std::vector<std::vector<Hypothesis>> found(group.size());
     ParallelFor(static_cast<int>(group.size()),

@@ -80,6 +80,7 @@ HypothesisBook WithOneMoreEach(const SearchTask& task,
                                int best,
                                HypothesisBook book) {
   for (const int from : beam) {
+    if (task.IsSpent()) break;
     Widened widened = WithOneMore(task, from, best, std::move(book));
     book = std::move(widened.book);
     if (from == beam.front() && !widened.shows) break;
@@ -132,7 +133,7 @@ SearchResult SearchCauses(const TrainingData& data,
       book = WithSinglesByMomentum(task, std::move(book));
     }
     book = WithOneMoreEach(task, beam, standing.best, std::move(book));
-    if (size == 2) book = WithPairs(task, about_baseline, std::move(book));
+    if (size == 2 && !task.IsSpent()) book = WithPairs(task, about_baseline, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);
     const bool is_better =
         !ranked.empty() && book.Worth(ranked.front()) > book.Worth(standing.best);
@@ -144,7 +145,7 @@ SearchResult SearchCauses(const TrainingData& data,
     if (!is_better && size >= 2) break;
     beam = CarriedOn(task, book, size);
   }
-  return {std::move(standing.book), standing.best, std::move(scores)};
+  return {std::move(standing.book), standing.best, task.IsSpent(), std::move(scores)};
 }
 
 }  // namespace fathom

@@ -8,6 +8,8 @@
 #include "fathom/diagnosis/search/search_options.h"
 #include "fathom/diagnosis/search/suspect.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace fathom {
@@ -18,6 +20,13 @@ struct SearchTask {
   const std::vector<Suspect>& suspects;
   const DiagnosisOptions& wanted;
   SearchOptions options;
+
+  // Whether the search has to end.
+  bool IsSpent() const {
+    constexpr double kUsual = 300.0;  // [s]
+    const double length = std::max(1.0, std::sqrt(data.duration() / kUsual));
+    return static_cast<double>(data.work()) > wanted.effort * options.most_work * length;
+  }
 
   int num_suspects() const { return static_cast<int>(suspects.size()); }
 };

@@ -91,6 +91,7 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   options.effective_share = EffectiveShare(thinned, rough.residual);
   options.precision.gain /= options.effective_share;
   options.precision.turn /= options.effective_share;
+  options.most_work *= 0.5;
   options.beam = 2;
   options.most_refined = 6;
   std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);

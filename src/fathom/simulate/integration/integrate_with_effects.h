@@ -119,20 +119,23 @@ std::optional<bool> TakeStiff(const EffectStack<T>& effects,
 
 // One run of `model`, of which `numbers` has the same numbers without derivatives. Calls
 // emit_velocity(row, reading) and emit_displacement(row, reading) at every output stamp; false if
-// the state diverges or is too stiff. All times of the steps are on the command's clock, s = t -
-// delay of the command: the steps then never move, and only the outputs do.
+// the state diverges or is too stiff. `num_steps`: how many it took. All times of the steps are on
+// the command's clock, s = t - delay of the command: the steps then never move, and only the
+// outputs do.
 template <typename T, typename EmitVelocity, typename EmitDisplacement>
 FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
                                            const ScalarModel<T>& model,
                                            const ScalarModel<double>& numbers,
                                            const OutputStamps& stamps,
                                            const EmitVelocity& emit_velocity,
-                                           const EmitDisplacement& emit_displacement) {
+                                           const EmitDisplacement& emit_displacement,
+                                           int* num_steps) {
   // What a vehicle in water does takes longer than a few of these; a search that gets here has run
   // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
   constexpr double kShortestStep = 2.5e-3;  // [s]
   constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
   constexpr double kMostRepeats = 200.0;    // of stiff steps, per second
+  *num_steps = 0;
   Instants<T> instants(inputs, model.effects);
   StepPace pace(inputs, numbers);
   WaterIntegrator<T> water(model, !stamps.displacement.empty(), &instants);
@@ -149,6 +152,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
   StiffLength stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * stamps.Duration())};
   for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
+    ++*num_steps;
     const double s = Value(step.begin);
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;

@@ -41,7 +41,7 @@ class RankCandidatesTest : public testing::Test {
     Calibration calibration;
     calibration.significance =
         Significance(maxima, std::vector<int>(n, 1), std::vector<double>(n, 1.0), 0.05);
-    Found() = {HypothesisBook({}, calibration), 0, std::vector<double>(n, 0.0)};
+    Found() = {HypothesisBook({}, calibration), 0, false, std::vector<double>(n, 0.0)};
   }
 
   void Try(const std::vector<int>& suspects, double gain) {
