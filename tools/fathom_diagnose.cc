@@ -214,6 +214,15 @@ int TellFreeDecay(const Logs& logs, const LogDecay& decay) {
   return kExitUsable;
 }
 
+// Those that are not among others.
+std::vector<Finding> Without(std::vector<Finding> findings, const std::vector<Finding>& others) {
+  std::erase_if(findings, [&](const Finding& finding) {
+    return std::ranges::any_of(
+        others, [&](const Finding& other) { return other.sentence == finding.sentence; });
+  });
+  return findings;
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   DiagnosisOptions options = OptionsFromFlags();
@@ -227,8 +236,14 @@ int Run() {
     if (decay.summary.IsUsable() || lacks_command) return TellFreeDecay(logs, decay);
   }
   options.thrusters = ThrustersOf(logs.all.front());
+  // A search may take a minute, and a red finding may make it idle.
+  std::vector<Finding> told;
+  options.on_findings = [&](const std::vector<Finding>& findings) {
+    PrintWarnings(findings);
+    told = findings;
+  };
   Diagnosis diagnosis = Diagnose(logs.all, logs.dof, options);
-  PrintWarnings(diagnosis.findings);
+  PrintWarnings(Without(diagnosis.findings, told));
   if (const std::string why = WhyOfNoUse(diagnosis); !why.empty()) {
     std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s\n", why.c_str());
     if (!FLAGS_report.empty()) {

@@ -51,6 +51,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const MeasuredSegments segments = MeasuredSegmentsOf(logs, dof);
   Diagnosis begun = Begun(segments, dof);
   begun.findings = CheckLogs(logs, dof);
+  if (options.on_findings) options.on_findings(begun.findings);
   begun.message = WhyNoModel(begun.findings);
   if (!begun.IsUsable()) return begun;
   const Identified identified = IdentifiedModelOf(logs, dof);

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include "fathom/check/finding.h"
 #include "fathom/vehicle/effect.h"
 #include "fathom/vehicle/thruster.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,9 @@ struct DiagnosisOptions {
 
   // Of the vehicle, to say which of them a crosstalk comes down to; empty: not known.
   std::vector<Thruster> thrusters;
+
+  // Called with what the checks of the data found, before the search; may be empty.
+  std::function<void(const std::vector<Finding>&)> on_findings;
 
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;

@@ -8,6 +8,7 @@
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <span>
+#include <vector>
 
 #include "surge_run.h"
 #include <gmock/gmock.h>
@@ -33,8 +34,14 @@ TEST(RedData, AreNotConsistent) {
     const bool is_lost = i % 100 < 16;
     if (is_lost) velocity.values[0][i] = 0.0;
   }
-  const Diagnosis diagnosis = DiagnosedAlone(log);
+  std::vector<Finding> told;  // before the search
+  DiagnosisOptions options;
+  options.effects = {FindEffect("thruster_lag")};
+  options.on_findings = [&](const std::vector<Finding>& findings) { told = findings; };
+  const Diagnosis diagnosis = Diagnose(std::span(&log, 1), Dof::kSurge, options);
   ASSERT_TRUE(diagnosis.IsUsable());
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front().sentence, diagnosis.findings.front().sentence);
   EXPECT_EQ(diagnosis.findings.front().severity, Severity::kWarning);
   EXPECT_NE(diagnosis.verdict, Verdict::kConsistent) << VerdictSentence(diagnosis);
 }
