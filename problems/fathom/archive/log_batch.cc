@@ -5,6 +5,7 @@
 
 #include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/jobs/unfinished_runs.h"
+#include "fathom/archive/known_logs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/input_error.h"
@@ -90,10 +91,7 @@ LogRow RowOf(const LogOutcome& outcome, const BatchLog& log, const std::string& 
 
 // What needs no program: a copy of another log, or one that cannot be read.
 std::optional<LogOutcome> OutcomeWithoutRuns(const HashedLog& log) {
-  LogOutcome outcome;
-  outcome.path = log.path;
-  outcome.place = log.log.place;
-  outcome.content = log.content;
+  LogOutcome outcome = OutcomeOfFound(log.log, log.content);
   if (!log.unreadable.empty()) {
     outcome.state = LogState::kUnreadable;
     outcome.message = log.unreadable;
@@ -168,8 +166,47 @@ class Work {
         options_(options),
         followers_(followers),
         session_(*session),
-        stored_(session->store->DoneLogs()) {
+        stored_(session->store->DoneLogs()),
+        known_(session->store->KnownLogs()) {
     batch_.logs.resize(logs.size());
+  }
+
+  // The first jobs of all logs that are not known to be done.
+  std::vector<Job> Begin() {
+    const std::lock_guard lock(session_.mutex);
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < logs_.size(); ++i) {
+      if (TakeKnown(i)) continue;
+      jobs.push_back({[this, i] { return Prepare(i); }});
+    }
+    return jobs.empty() ? FollowersNow() : jobs;
+  }
+
+  LogBatch Result() {
+    session_.store->ReplaceLogs(pending_);
+    pending_.clear();
+    return std::move(batch_);
+  }
+
+ private:
+  // What is kept of a log that is done; null if it is not.
+  const KnownLog* KnownOf(const HashedLog& log) const {
+    const auto known = known_.find(log.path);
+    const auto stored = stored_.find(log.path);
+    if (known == known_.end() || stored == stored_.end()) return nullptr;
+    return stored->second == DoneDigest(log, options_) ? &known->second : nullptr;
+  }
+
+  // Takes log i from what is kept of it; false if it has to be looked at. Pages have to be.
+  bool TakeKnown(std::size_t i) {
+    const HashedLog& log = logs_[i];
+    const KnownLog* known = options_.jobs.pages.empty() ? KnownOf(log) : nullptr;
+    const auto outcome = known ? OutcomeOf(*known, log, options_.jobs) : std::nullopt;
+    if (!outcome) return false;
+    batch_.logs[i] = Surveyed(log, *outcome, options_.settings);
+    ++num_surveyed_;
+    EndWith(*outcome, DofsOf(*known), &batch_.logs[i]);
+    return true;
   }
 
   // The first job of log i.
@@ -197,13 +234,6 @@ class Work {
     return jobs;
   }
 
-  LogBatch Result() {
-    session_.store->ReplaceLogs(pending_);
-    pending_.clear();
-    return std::move(batch_);
-  }
-
- private:
   std::vector<Job> RunProgramsOn(std::size_t i, LogWork& work) {
     work.outcome =
         RunPrograms(std::move(work.outcome), options_.jobs, options_.programs, work.book);
@@ -218,16 +248,13 @@ class Work {
     const LogOutcome& outcome = work.outcome;
     const Tables rows = RowsOfLog(outcome);
     BatchLog& log = batch_.logs[i];
-    log.state = outcome.state;
-    log.dofs = DofsOf(outcome, rows);
     log.is_final = work.unfinished.IsEmpty();
-    log.is_done = true;
-
-    const std::string digest = DoneDigest(hashed, options_);
-    const auto before = stored_.find(hashed.path);
-    if (work.has_run || before == stored_.end() || before->second != digest) {
-      pending_.push_back(
-          {RowOf(outcome, log, options_.programs.version), rows, log.is_final ? digest : ""});
+    EndWith(outcome, DofsOf(outcome, rows), &log);
+    if (work.has_run || KnownOf(hashed) == nullptr) {
+      pending_.push_back({.row = RowOf(outcome, log, options_.programs.version),
+                          .rows = rows,
+                          .known = KnownLogOf(outcome, log.dofs),
+                          .done = log.is_final ? DoneDigest(hashed, options_) : ""});
     }
     // What was run is written at once. What was known goes together: each time takes a disk's wait.
     if (work.has_run || pending_.size() >= kMostPending) {
@@ -236,8 +263,14 @@ class Work {
     }
     AddPages(outcome, options_.jobs, &batch_);
     if (work.has_run) ++batch_.num_run;
-    ShowProgress(outcome);
     return FollowersNow();
+  }
+
+  void EndWith(const LogOutcome& outcome, std::vector<BatchDof> dofs, BatchLog* log) {
+    log->state = outcome.state;
+    log->dofs = std::move(dofs);
+    log->is_done = true;
+    ShowProgress(outcome);
   }
 
   void ShowProgress(const LogOutcome& outcome) {
@@ -260,6 +293,7 @@ class Work {
   const Followers& followers_;
   BatchSession& session_;
   const std::map<std::string, std::string> stored_;
+  const std::map<std::string, KnownLog> known_;
   LogBatch batch_;
   std::vector<StoredLog> pending_;
   std::size_t num_surveyed_ = 0, num_done_ = 0;
@@ -292,11 +326,7 @@ LogBatch RunLogs(const std::vector<HashedLog>& logs,
                  const Followers& followers,
                  BatchSession* session) {
   Work work(logs, options, followers, session);
-  std::vector<Job> jobs;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    jobs.push_back({[&work, i] { return work.Prepare(i); }});
-  }
-  RunInParallel(at_a_time, std::move(jobs));
+  RunInParallel(at_a_time, work.Begin());
   return work.Result();
 }
 

@@ -114,6 +114,10 @@ std::optional<Survey> RunSurvey(const LogJobOptions& options,
   return std::nullopt;
 }
 
+fs::path PlaceOfMade(const LogJobOptions& options, const LogOutcome& outcome) {
+  return options.made / outcome.content;
+}
+
 // Lets a program make the log, whose place the outcome then is; false if that failed, which the
 // outcome then says.
 bool MakeLog(ProgramCall call,
@@ -121,7 +125,7 @@ bool MakeLog(ProgramCall call,
              const ProgramSettings& settings,
              const RunBook& book,
              LogOutcome* outcome) {
-  const fs::path made = options.made / outcome->content;
+  const fs::path made = PlaceOfMade(options, *outcome);
   std::error_code error;
   const RunBook only_if_there = {.find =
                                      [&](const std::string& key) {
@@ -137,8 +141,7 @@ bool MakeLog(ProgramCall call,
     Fail(run, outcome);
     return false;
   }
-  outcome->place = made;
-  outcome->place_content = DigestOf({outcome->content, call.program});
+  TakeMadeLog(call.program, options, outcome);
   return true;
 }
 
@@ -294,16 +297,27 @@ std::string PageNameOf(const std::string& path, Dof dof) {
       "{}_{}_{}.html", name.substr(0, kLongest), Name(dof), DigestOf(path).substr(0, 8));
 }
 
-LogOutcome PrepareLog(const FoundLog& log,
-                      const std::string& content,
-                      const LogJobOptions& options,
-                      const ProgramSettings& settings,
-                      const RunBook& book) {
+LogOutcome OutcomeOfFound(const FoundLog& log, const std::string& content) {
   LogOutcome outcome;
   outcome.place = log.place;
   outcome.path = PathText(log.path);
   outcome.content = content;
   outcome.place_content = content;
+  return outcome;
+}
+
+void TakeMadeLog(const std::string& program, const LogJobOptions& options, LogOutcome* outcome) {
+  outcome->place = PlaceOfMade(options, *outcome);
+  outcome->place_content = DigestOf({outcome->content, program});
+  outcome->made_by = program;
+}
+
+LogOutcome PrepareLog(const FoundLog& log,
+                      const std::string& content,
+                      const LogJobOptions& options,
+                      const ProgramSettings& settings,
+                      const RunBook& book) {
+  LogOutcome outcome = OutcomeOfFound(log, content);
   if (log.is_recording && !Import(log, options, settings, book, &outcome)) return outcome;
   outcome.survey = RunSurvey(options, settings, book, &outcome);
   if (outcome.survey && outcome.survey->needs_tracking) {

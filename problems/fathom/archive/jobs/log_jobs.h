@@ -37,6 +37,7 @@ struct LogOutcome {
   std::string path;             // from the archive on, as text
   std::string content;          // of the log
   std::string place_content;    // of what lies at `place`
+  std::string made_by;          // the program that made what lies there; empty: it was found
   LogState state = LogState::kOk;
   std::string message;           // why it is not ok
   std::optional<Survey> survey;  // where one could be made
@@ -48,6 +49,12 @@ struct LogOutcome {
 // The name of the page of a diagnosis within LogJobOptions::pages:
 // "dive_1_run_3_surge_1f0e9c2a.html".
 std::string PageNameOf(const std::string& path, Dof dof);
+
+// Of a log that was found, before anything is done with it.
+LogOutcome OutcomeOfFound(const FoundLog& log, const std::string& content);
+
+// Goes over to the log that a program makes, or has made, of it.
+void TakeMadeLog(const std::string& program, const LogJobOptions& options, LogOutcome* outcome);
 
 // Makes a log of a recording (fathom_import) or of images (fathom_track), and surveys it. Where the
 // state is kOk, RunPrograms() can go on.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/store/known_log.h"
 #include "fathom/archive/store/tables.h"
 
 #include <string_view>
@@ -54,6 +55,15 @@ constexpr std::string_view TableName<ChangeRow>() {
 template <>
 constexpr std::string_view TableName<OutlierRow>() {
   return "outliers";
+}
+
+template <>
+constexpr std::string_view TableName<KnownLogRow>() {
+  return "known_logs";
+}
+template <>
+constexpr std::string_view TableName<KnownDofRow>() {
+  return "known_dofs";
 }
 
 template <typename Visit>
@@ -172,6 +182,22 @@ void VisitColumns(OutlierRow& row, Visit& visit) {
   visit("dof", row.dof);
   visit("parameter", row.parameter);
   visit("vehicle", row.vehicle);
+}
+
+template <typename Visit>
+void VisitColumns(KnownLogRow& row, Visit& visit) {
+  visit("log", row.log);
+  visit("status", row.status);
+  visit("survey", row.survey);
+  visit("made_by", row.made_by);
+}
+
+template <typename Visit>
+void VisitColumns(KnownDofRow& row, Visit& visit) {
+  visit("log", row.log);
+  visit("dof", row.dof);
+  visit("why_left_out", row.why_left_out);
+  visit("own_nmae", row.own_nmae);
 }
 
 }  // namespace fathom

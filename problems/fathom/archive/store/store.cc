@@ -52,8 +52,8 @@ constexpr const char* kByPath = "path";
 constexpr const char* kByLog = "log, rowid";
 constexpr const char* kAsWritten = "rowid";
 
-constexpr std::array<const char*, 6> kTablesOfLogs = {
-    "fits", "scores", "verdicts", "causes", "findings", "done"};
+constexpr std::array<const char*, 8> kTablesOfLogs = {
+    "fits", "scores", "verdicts", "causes", "findings", "known_logs", "known_dofs", "done"};
 
 void DeleteLog(const std::string& path, SQLite::Database* database) {
   for (const char* table : kTablesOfLogs) {
@@ -152,7 +152,10 @@ Store::Store(const std::filesystem::path& file) {
     CreateTable<PredictionRow>(database_.get());
     CreateTable<ChangeRow>(database_.get());
     CreateTable<OutlierRow>(database_.get());
-    for (const char* table : {"fits", "scores", "verdicts", "causes", "findings"}) {
+    CreateTable<KnownLogRow>(database_.get());
+    CreateTable<KnownDofRow>(database_.get());
+    for (const std::string_view table : kTablesOfLogs) {
+      if (table == "done") continue;
       database_->exec(fmt::format("CREATE INDEX IF NOT EXISTS {0}_by_log ON {0}(log)", table));
     }
     database_->exec("CREATE INDEX IF NOT EXISTS logs_by_path ON logs(path)");
@@ -232,6 +235,8 @@ void Store::ReplaceLogs(const std::vector<StoredLog>& logs) {
       Insert(log.rows.verdicts, database_.get());
       Insert(log.rows.causes, database_.get());
       Insert(log.rows.findings, database_.get());
+      Insert(std::vector<KnownLogRow>{log.known.row}, database_.get());
+      Insert(log.known.dofs, database_.get());
       SetDone(log.row.path, log.done, database_.get());
     }
     transaction.commit();
@@ -247,6 +252,19 @@ std::map<std::string, std::string> Store::DoneLogs() const {
       done[select.getColumn(0).getString()] = select.getColumn(1).getString();
     }
     return done;
+  });
+}
+
+std::map<std::string, KnownLog> Store::KnownLogs() const {
+  return Named(*database_, [&] {
+    std::vector<KnownLogRow> rows;
+    std::vector<KnownDofRow> dofs;
+    SelectInto(database_.get(), kAsWritten, &rows);
+    SelectInto(database_.get(), kAsWritten, &dofs);
+    std::map<std::string, KnownLog> known;
+    for (KnownLogRow& row : rows) known[row.log].row = std::move(row);
+    for (KnownDofRow& dof : dofs) known[dof.log].dofs.push_back(std::move(dof));
+    return known;
   });
 }
 

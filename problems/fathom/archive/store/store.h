@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/jobs/run_record.h"
+#include "fathom/archive/store/known_log.h"
 #include "fathom/archive/store/tables.h"
 
 #include <filesystem>
@@ -29,11 +30,12 @@ struct KnownContent {
 struct StoredLog {
   LogRow row;
   Tables rows;       // without `logs`
+  KnownLog known;    // of the same log
   std::string done;  // what they were made of, as a digest
 };
 
 // The results of an archive, an SQLite database: the public tables (tables.h), and what they are
-// made of: `runs`, which holds what the programs wrote, and `files`. It keeps a rollback journal
+// made of: `runs`, which holds what the programs wrote, and `files`; known_log.h. It keeps a rollback journal
 // and no write-ahead log, which would not do on a network file system. What a function writes is
 // there as a whole, or not at all, whenever the process ends. For one thread at a time. What SQLite
 // refuses (a disk that is full, a damaged file) is an InputError that names the file.
@@ -55,6 +57,9 @@ class Store {
 
   // StoredLog::done, by path.
   std::map<std::string, std::string> DoneLogs() const;
+
+  // StoredLog::known, by path.
+  std::map<std::string, KnownLog> KnownLogs() const;
 
   // Takes out the logs that are not among these paths.
   void RemoveOtherLogs(const std::vector<std::string>& paths);

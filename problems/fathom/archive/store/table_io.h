@@ -14,7 +14,7 @@
 
 namespace fathom {
 
-// Rows of the public tables to and from SQLite, by VisitColumns(). NaN is NULL.
+// Rows of the tables to and from SQLite, by VisitColumns(). NaN is NULL.
 
 // Binds the values of a row one after the other.
 class Binder {

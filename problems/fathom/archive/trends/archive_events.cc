@@ -14,7 +14,7 @@
 namespace fathom {
 namespace {
 
-constexpr int kLeastDives = 5;
+constexpr int kLeastDivesOfSeries = 5;
 constexpr int kMostRenamings = 4;
 constexpr double kLeastGain = 14.0;        // of chi-square, of an event's first parameter
 constexpr double kLeastFurtherGain = 3.0;  // and of each other one
@@ -25,7 +25,7 @@ constexpr double kShareOfNeighbour = 0.8;  // of its likelihood: one dive off is
 std::vector<DiveSeries> SeriesWithout(std::span<const ParameterOutlier> outliers,
                                       std::span<const DiveEstimate> estimates,
                                       int num_dives) {
-  std::vector<DiveSeries> series = SeriesOf(estimates, num_dives, kLeastDives);
+  std::vector<DiveSeries> series = SeriesOf(estimates, num_dives, kLeastDivesOfSeries);
   for (DiveSeries& one : series) {
     for (const ParameterOutlier& outlier : outliers) {
       if (outlier.dof != one.dof || outlier.parameter != one.parameter) continue;
