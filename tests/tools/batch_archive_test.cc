@@ -373,6 +373,23 @@ TEST(Batch, DoesAChangedLogAgainAndNoOther) {
   EXPECT_EQ(rows, FreshRows(archive, results));
 }
 
+// What the programs wrote of logs that are done is not read again: it could as well be damaged.
+TEST(Batch, TakesLogsThatAreDoneFromItsTables) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
+  WriteLog(archive / "dive 0" / "run 1", 5, "dive: dive 1\nvehicle: pike\n");
+  WriteLog(archive / "dive 0" / "run 2", 5, "dive: dive 1\nvehicle: pike\n");  // a copy
+  WriteTestFile(archive / "dive 2/at rest/log.yaml", "name: rest\ndof: surge\n");
+  WriteTestFile(archive / "dive 2/at rest/command.csv", "t,tau_surge\n0,0\n1,0\n");
+  WriteTestFile(archive / "dive 2/at rest/velocity.csv", "t,u\n0,0\n1,0\n");
+  RunBatch(archive, results);
+  Query("UPDATE runs SET output = '' WHERE program IN ('fathom_batch', 'fathom_compare')", results);
+  WriteLog(archive / "dive 2" / "run 3", 6);
+  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("1 log run now, 7 done before"));
+  const auto rows = PublicRows(results);
+  EXPECT_EQ(rows, FreshRows(archive, results));
+}
+
 TEST(Batch, ForgetsALogThatIsGone) {
   const Path folder = EmptyTestFolder();
   const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";

@@ -4,6 +4,7 @@
 // What a batch makes of the files that vehicles' own software wrote.
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "real_data.h"
 #include "run_tool.h"
 #include "small_log.h"
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,6 +44,15 @@ Path WriteRecordings(const Path& archive) {
   WriteTestFile(archive / "dive_2/run.bag", "#ROSBAG V2.0\n");
   WriteTestFile(archive / "archive.yaml", "imports: [{files: '*/pool.csv', map: pool_map.yaml}]\n");
   return archive;
+}
+
+// Without so many lines at the end.
+void CopyWithout(std::size_t num_lines, const Path& from, const Path& to) {
+  std::ifstream file(from);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line + "\n");
+  lines.resize(lines.size() - num_lines);
+  WriteTestFile(to, fmt::format("{}", fmt::join(lines, "")));
 }
 
 TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
@@ -81,6 +92,27 @@ TEST(BatchOnRecordings, DoesAgainOnlyWhatAMapChanges) {
               HasSubstr("1 log run now, 1 done before"));
   EXPECT_THAT(StatesOf(results)["dive_1/pool.csv"],
               StartsWith("refused: " + (archive / "dive_1/pool.csv").string()));
+}
+
+// A new recording is fitted together with what was made of those before; that is made again where
+// it is gone.
+TEST(BatchOnRecordings, TakesTheLogsThatItMadeBefore) {
+  const Path folder = EmptyTestFolder();
+  const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
+  WriteTestFile(archive / "archive.yaml",
+                "imports: [{files: '*/pool*.csv', map: pool_map.yaml}]\n");
+  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
+  CopyWithout(1, archive / "dive_1/pool.csv", archive / "dive_1/pool_2.csv");
+  EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
+              HasSubstr("1 log run now, 2 done before"));
+  fs::remove_all(results.string() + ".logs");
+  CopyWithout(2, archive / "dive_1/pool.csv", archive / "dive_1/pool_3.csv");
+  EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
+              HasSubstr("3 logs run now, 1 done before"));
+  const auto rows = PublicRows(results);
+  fs::remove(results);
+  RunBatchOfRecordings(archive, results);
+  EXPECT_EQ(rows, PublicRows(results));
 }
 
 TEST(BatchOnRecordings, TellsWhatIsWrongWithTheirMap) {
