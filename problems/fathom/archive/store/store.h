@@ -35,10 +35,11 @@ struct StoredLog {
 };
 
 // The results of an archive, an SQLite database: the public tables (tables.h), and what they are
-// made of: `runs`, which holds what the programs wrote, and `files`; known_log.h. It keeps a rollback journal
-// and no write-ahead log, which would not do on a network file system. What a function writes is
-// there as a whole, or not at all, whenever the process ends. For one thread at a time. What SQLite
-// refuses (a disk that is full, a damaged file) is an InputError that names the file.
+// made of: `runs`, which holds what the programs wrote, and `files`; known_log.h. It keeps a
+// rollback journal and no write-ahead log, which would not do on a network file system. What a
+// function writes is there as a whole, or not at all, whenever the process ends. For one thread at
+// a time. What SQLite refuses (a disk that is full, a damaged file) is an InputError that names the
+// file.
 class Store {
  public:
   // Opens a database, or makes one. Throws InputError, naming the file, if that is not possible or
