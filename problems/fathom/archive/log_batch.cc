@@ -237,7 +237,8 @@ class Work {
     AddPages(outcome, options_.jobs, &batch_);
     if (work.has_run) ++batch_.num_run;
     ShowProgress(outcome);
-    return FollowersNow();
+    // Logs that were known end in a moment, thousands of them: the last one asks for all.
+    return work.has_run || num_done_ == logs_.size() ? FollowersNow() : std::vector<Job>();
   }
 
   void ShowProgress(const LogOutcome& outcome) {
