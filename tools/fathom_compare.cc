@@ -8,12 +8,15 @@
 #include "fathom/comparison/comparison_file.h"
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/comparison/comparison_panels.h"
+#include "fathom/free_decay/log_decay.h"
 #include "fathom/report/figures/figure.h"
+#include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
+#include "fathom/tool/tell_free_decay.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 
@@ -124,11 +127,30 @@ std::optional<Dof> OnlyDof(const std::vector<Dof>& dofs) {
   return std::nullopt;
 }
 
+// The DOF of logs without a command, which only their decay tells of; nothing of others. Throws
+// InputError where it is one of several.
+std::optional<Dof> DofOfDecay(const std::vector<Log>& logs, const std::vector<Dof>& dofs) {
+  const bool has_command =
+      std::ranges::any_of(logs, [](const Log& log) { return log.command.has_value(); });
+  if (has_command) return std::nullopt;
+  const Dof dof = DofOfAll(logs, dofs.size() == 1 ? std::optional(dofs.front()) : std::nullopt);
+  return AreFreeDecays(logs, dof) ? std::optional(dof) : std::nullopt;
+}
+
 int Run() {
   const ComparisonOptions options = OptionsFromFlags();
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, InputsFromFlags());
-  std::vector<Log> logs = ReadLogsFromFlags(OnlyDof(options.dofs));
+  std::vector<Log> logs = ReadLogsFromFlags(OnlyDof(options.dofs), false, true);
+  if (const auto dof = DofOfDecay(logs, options.dofs)) {
+    return TellFreeDecay(logs,
+                         FitLogDecay(logs, {.dof = *dof}),
+                         {.lacks = "nothing to compare",
+                          .logs = FLAGS_log,
+                          .json = FLAGS_json,
+                          .page = FLAGS_report,
+                          .origin = OriginOfPage(logs)});
+  }
   AddCameraSourceIfWanted(options, &logs);
   const Comparison comparison = Compare(logs, options);
   for (const DofComparison& part : comparison.dofs) PrintWarnings(part.findings);

@@ -3,7 +3,6 @@
 
 // What a simulation gets wrong, and why: names the cause as far as the logs force it.
 
-#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/diagnosis.h"
@@ -15,8 +14,6 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
-#include "fathom/free_decay/decay_page.h"
-#include "fathom/free_decay/decay_text.h"
 #include "fathom/free_decay/log_decay.h"
 #include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
@@ -30,19 +27,16 @@
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
+#include "fathom/tool/tell_free_decay.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
-#include "fathom/vehicle/effects/in_words.h"
-#include "fathom/vehicle/files/vehicle_file.h"
+#include "fathom/vehicle/files/thruster_shares.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -77,7 +71,9 @@ const ToolInfo kInfo = {
     "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
     "  fathom_simulate --model=surge.json --log=data/flatfish",
     "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Every verdict is a "
-    "usable result, also `consistent` and `unexplained`. Kept candidates are marked *.",
+    "usable result, also `consistent` and `unexplained`. Kept candidates are marked *. Of a log "
+    "that "
+    "nothing drives it tells the ratios of the free decay.",
     {"log"}};
 
 constexpr std::size_t kMostCandidates = 8;
@@ -118,10 +114,8 @@ Log WithSourceFromFlag(Log log) {
 
 // As the vehicle file in the log says; opening the log told what is wrong with that.
 std::vector<Thruster> ThrustersOf(const Log& log) {
-  const std::filesystem::path file = log.path / log.vehicle;
-  std::error_code error;
-  if (!log.vehicle.ends_with(".yaml") || !std::filesystem::exists(file, error)) return {};
-  return ReadVehicleFile(file).thrusters;
+  const std::optional<Vehicle> vehicle = VehicleOf(log);
+  return vehicle ? vehicle->thrusters : std::vector<Thruster>();
 }
 
 struct Logs {
@@ -187,33 +181,6 @@ void WritePage(Page page, const Logs& logs) {
   WriteFile(FLAGS_report, RenderPage(page));
 }
 
-// Of logs that nothing drives there is no model to diagnose: what their decay tells instead.
-int TellFreeDecay(const Logs& logs, const LogDecay& decay) {
-  const std::vector<Finding> findings = FindingsOn(logs.all, decay);
-  PrintWarnings(findings);
-  PrintNotes(findings);
-  const std::string sentence = DecaySentence(decay);
-  if (decay.summary.IsUsable() && !FLAGS_verdict.empty())
-    WriteFile(FLAGS_verdict, FormatDecayJson(decay, FLAGS_log));
-  if (!FLAGS_report.empty()) {
-    Page page;
-    page.title = fmt::format("{}: free decay of {}", FLAGS_log, Name(logs.dof));
-    page.lead = {InWords(sentence)};
-    page.sections = {DecaySection(decay)};
-    WritePage(std::move(page), logs);
-  }
-  if (!decay.summary.IsUsable()) {
-    PrintText(stderr, fmt::format("fathom_diagnose: no diagnosis: {}\n", sentence));
-    return kExitNoFit;
-  }
-  PrintText(stdout, sentence + "\n\n" + FormatDecay(decay));
-  if (const double nmae = NmaeOf(decay); std::isfinite(nmae)) {
-    PrintText(stdout,
-              fmt::format("The simulated decay misses {:.2g} % of the speed.\n", 100.0 * nmae));
-  }
-  return kExitUsable;
-}
-
 // Those that are not among others.
 std::vector<Finding> Without(std::vector<Finding> findings, const std::vector<Finding>& others) {
   std::erase_if(findings, [&](const Finding& finding) {
@@ -233,7 +200,15 @@ int Run() {
     // A command of 0 over a vehicle at rest is a fault of the log.
     const bool lacks_command =
         std::ranges::any_of(logs.all, [](const Log& log) { return !log.command; });
-    if (decay.summary.IsUsable() || lacks_command) return TellFreeDecay(logs, decay);
+    if (decay.summary.IsUsable() || lacks_command) {
+      return TellFreeDecay(logs.all,
+                           decay,
+                           {.lacks = "no diagnosis",
+                            .logs = FLAGS_log,
+                            .json = FLAGS_verdict,
+                            .page = FLAGS_report,
+                            .origin = logs.origin});
+    }
   }
   options.thrusters = ThrustersOf(logs.all.front());
   // A search may take a minute, and a red finding may make it idle.

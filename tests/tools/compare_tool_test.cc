@@ -11,6 +11,7 @@
 
 #include "run_tool.h"
 #include "saved_files.h"
+#include "turn_without_command.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -233,6 +234,28 @@ TEST(CompareTool, AVehicleAtRestEndsWithExitCodeTwoAndSaysWhy) {
     EXPECT_NE(row["message"], "") << row["family"];
     EXPECT_TRUE(row["heldout_nmae"].is_null()) << row["family"];
   }
+}
+
+TEST(CompareTool, TellsTheRatiosOfAFreeDecay) {
+  const Path folder = EmptyTestFolder();
+  const Path turn = TurnWithoutCommand(folder, true);
+  const ToolRun run = RunToolBinary("fathom_compare",
+                                    {"--log=" + turn.string(),
+                                     "--dofs=yaw",
+                                     "--json=" + (folder / "decay.json").string(),
+                                     "--report=" + (folder / "page.html").string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, StartsWith("Nothing drives yaw"));
+  const auto decay = nlohmann::json::parse(TextOf(folder / "decay.json"));
+  EXPECT_NEAR(decay["parameters"]["linear_damping / inertia"]["value"], 0.2, 0.01);
+  EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("free decay of yaw"));
+}
+
+TEST(CompareTool, EndsWithExitCodeTwoWhereNothingDrivesAndNothingDecays) {
+  const Path turn = TurnWithoutCommand(EmptyTestFolder(), false);
+  const ToolRun run = RunToolBinary("fathom_compare", {"--log=" + turn.string(), "--dofs=yaw"});
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("nothing to compare"));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "saved_files.h"
 #include "small_log.h"
 #include "synthesized_log.h"
+#include "turn_without_command.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -391,21 +392,8 @@ TEST(DiagnoseTool, ACommandThatMovesNothingEndsWithExitCodeTwo) {
   EXPECT_FALSE(std::filesystem::exists(verdict));
 }
 
-// A turn of 0.7 rad/s that decays by 0.2 1/s and 0.48 per rad, with a ripple in place of noise;
-// with no decay it goes on for ever.
-Path TurnWithoutCommand(bool decays) {
-  std::string text = "t,v\n";
-  const double a = 0.2, b = 0.48, v0 = 0.7;
-  for (int i = 0; i < 300; ++i) {
-    const double t = 0.05 * i, e = std::exp(-a * t);
-    const double v = decays ? a * v0 * e / (a + b * v0 * (1.0 - e)) : v0;
-    text += std::to_string(t) + "," + std::to_string(v + 0.002 * std::sin(40.0 * t)) + "\n";
-  }
-  return WriteTestFile(EmptyTestFolder() / "turn.csv", text);
-}
-
 TEST(DiagnoseTool, TellsTheRatiosOfAFreeDecay) {
-  const Path turn = TurnWithoutCommand(true);
+  const Path turn = TurnWithoutCommand(EmptyTestFolder(), true);
   const Path verdict = turn.parent_path() / "decay.json", page = turn.parent_path() / "decay.html";
   const ToolRun run =
       Diagnosed(turn, {"--dof=yaw", "--verdict=" + verdict.string(), "--report=" + page.string()});
@@ -418,7 +406,7 @@ TEST(DiagnoseTool, TellsTheRatiosOfAFreeDecay) {
 }
 
 TEST(DiagnoseTool, EndsWithExitCodeTwoWhereNothingDrivesAndNothingDecays) {
-  const ToolRun run = Diagnosed(TurnWithoutCommand(false), {"--dof=yaw"});
+  const ToolRun run = Diagnosed(TurnWithoutCommand(EmptyTestFolder(), false), {"--dof=yaw"});
   EXPECT_EQ(run.exit_code, 2) << run.out;
   EXPECT_THAT(run.err, HasSubstr("no diagnosis"));
 }

@@ -17,7 +17,9 @@
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/parameters.h"
 
+#include <cmath>
 #include <utility>
 
 namespace fathom {
@@ -43,6 +45,14 @@ std::vector<Suspect> SuspectsIn(const MeasuredSegments& segments,
                                  : SuspectsFor(segments, dof, options.effects);
 }
 
+// Whether something was named, and the model with it knows its inertia: without a baseline it has
+// to stand for itself.
+bool IsAModel(const Choice& choice) {
+  if (choice.chosen == 0) return false;
+  const StructureFit& fit = choice.fit();
+  return std::sqrt(fit.covariance(kInertia, kInertia)) < fit.model.baseline.inertia;
+}
+
 }  // namespace
 
 Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& options) {
@@ -63,7 +73,7 @@ Diagnosis Diagnose(std::span<const Log> logs, Dof dof, const DiagnosisOptions& o
   const Evidence evidence = EvidenceOf(prepared.data, prepared.baseline);
   const std::vector<Suspect> suspects = SuspectsIn(segments, evidence, options, dof);
   const Judgement judgement = Judge(prepared, suspects, evidence, options);
-  if (!prepared.has_baseline && judgement.choice.chosen == 0) {
+  if (!prepared.has_baseline && !IsAModel(judgement.choice)) {
     begun.message = prepared.why_no_baseline;
     return begun;
   }

@@ -76,7 +76,7 @@ Choice Choose(const Log& log,
     if (choice.stretches.empty()) return choice;
     choice.note = fmt::format(
         "{}: taken where the command is 0{}. A thruster that still turns there is taken for "
-        "nothing: --decay_from=SECONDS leaves it out.",
+        "nothing: fathom_identify --decay_from=SECONDS leaves it out.",
         of_log,
         from ? fmt::format(", from {} s on", asked) : "");
     return choice;
@@ -95,7 +95,7 @@ Choice Choose(const Log& log,
   choice.note = fmt::format(
       "{}: {}, so that only the motion tells where nothing drives it. Taken is the longest "
       "stretch over which it decays, {}, from where the speed is below 95 % of its peak{}. If it "
-      "was still driven there, say when it was let go: --decay_from=SECONDS.",
+      "was still driven there, say when it was let go: fathom_identify --decay_from=SECONDS.",
       of_log,
       why,
       TimesOf(found.front().time, first),
@@ -203,7 +203,9 @@ LogDecay FitLogDecay(std::span<const Log> logs, const LogDecayOptions& options) 
   if (decay.stretches.empty()) {
     decay.summary.message = fmt::format(
         "Nothing decays: no stretch of this {} {}. Expected one of 10 samples at least, over which "
-        "the vehicle loses a fifth of its speed. --decay_from=SECONDS says where one begins.",
+        "the vehicle loses a fifth of its speed. fathom_identify --decay_from=SECONDS says where "
+        "one "
+        "begins.",
         Name(decay.dof),
         options.from ? "is undriven from there on" : "falls from a peak with nothing driving it");
     return decay;

@@ -64,11 +64,11 @@ std::filesystem::path FirstLogIn(const std::filesystem::path& folder) {
 Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
   if (!Exists(folder / "log.yaml")) RefuseFolder(folder);
   if (!options.may_lack_command && !Exists(folder / "command.csv")) {
-    throw InputError(
-        fmt::format("{}: holds no command.csv, expected the commanded forces: only fathom_track, "
-                    "and fathom_identify of a free decay, do without them. See "
-                    "docs/file_formats.md.",
-                    folder.string()));
+    throw InputError(fmt::format(
+        "{}: holds no command.csv, expected the commanded forces: only fathom_track, "
+        "and fathom_identify, fathom_compare, fathom_diagnose and fathom_check of a free "
+        "decay, do without them. See docs/file_formats.md.",
+        folder.string()));
   }
   const bool has_own_velocity = Exists(folder / "velocity.csv");
   const bool has_motion = has_own_velocity || !options.velocity.empty() ||

@@ -232,7 +232,8 @@ TEST(ReadLog, RefusesAFolderThatLacksAFile) {
                     EndsWith(" writes what it lacks. See docs/file_formats.md.")));
   EXPECT_EQ(Error({{"command.csv", "-"}}),
             ": holds no command.csv, expected the commanded forces: only fathom_track, and "
-            "fathom_identify of a free decay, do without them. See docs/file_formats.md.");
+            "fathom_identify, fathom_compare, fathom_diagnose and fathom_check of a free decay, do "
+            "without them. See docs/file_formats.md.");
   EXPECT_EQ(
       Error({{"velocity.csv", "-"}}),
       ": holds neither velocity.csv nor pose.csv nor detections.csv, expected the vehicle's motion "

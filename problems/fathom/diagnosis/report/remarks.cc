@@ -117,8 +117,7 @@ bool IsWithoutNoise(const Judgement& judgement) {
     return sample.channel == NoiseChannel::kVelocity;
   });
   const SensorNoise& own = has_velocity ? noise.velocity : noise.displacement;
-  return own.white_std > 0.0 &&
-         own.white_std <= (1.0 + kRounding) * quietest.velocity.white_std;
+  return own.white_std > 0.0 && own.white_std <= (1.0 + kRounding) * quietest.velocity.white_std;
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ SearchResult SearchCauses(const TrainingData& data,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& wanted,
                           const SearchOptions& options) {
-  const SearchTask task = {data, suspects, wanted, options};
+  SearchTask task = {data, suspects, wanted, options};
   const auto about_baseline = WithTrials(task, baseline);
   const Screens screens =
       ScreensAbout(task, about_baseline, baseline.noise, Sharpness::kWithSensor);
@@ -127,7 +127,9 @@ SearchResult SearchCauses(const TrainingData& data,
   Standing standing = {HypothesisBook(baseline, CalibrationOf(task, screens)), 0};
   HypothesisBook& book = standing.book;
   std::vector<int> beam;
+  bool is_cut = false;
   for (int size = 1; size <= wanted.most_causes; ++size) {
+    task.begun = data.work();
     if (size == 1) book = WithSingles(task, screens, std::move(book));
     if (size == 1 && options.criterion == Criterion::kFreeRun) {
       book = WithSinglesByMomentum(task, std::move(book));
@@ -142,10 +144,11 @@ SearchResult SearchCauses(const TrainingData& data,
       standing.best = ranked.front();
       standing = Challenged(task, about_baseline, std::move(standing));
     }
+    is_cut = is_cut || task.IsSpent();
     if (!is_better && size >= 2) break;
     beam = CarriedOn(task, book, size);
   }
-  return {std::move(standing.book), standing.best, task.IsSpent(), std::move(scores)};
+  return {std::move(standing.book), standing.best, is_cut, std::move(scores)};
 }
 
 }  // namespace fathom

@@ -9,9 +9,10 @@ namespace fathom {
 
 // How widely causes are searched. Scores and gains are twice a log-likelihood.
 struct SearchOptions {
-  // TrainingData::work() after which a search ends with what it has, for wanted.effort = 1: of five
-  // minutes of data, and of so many times five minutes by the root of that. Logs that some model
-  // fits take a tenth; where none does, every hypothesis gains and each one's fit is slow.
+  // TrainingData::work() after which the search for one cause more ends with what it has, for
+  // wanted.effort = 1: of five minutes of data, and of so many times five minutes by the root of
+  // that. Logs that some model fits take a tenth; where none does, every hypothesis gains and each
+  // one's fit is slow.
   double most_work = 4e7;
 
   // What fits are weighed by.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace fathom {
@@ -21,11 +22,14 @@ struct SearchTask {
   const DiagnosisOptions& wanted;
   SearchOptions options;
 
-  // Whether the search has to end.
+  // TrainingData::work() when the search for one cause more began.
+  std::int64_t begun = 0;
+
+  // Whether that search has to end.
   bool IsSpent() const {
     constexpr double kUsual = 300.0;  // [s]
     const double length = std::max(1.0, std::sqrt(data.duration() / kUsual));
-    return static_cast<double>(data.work()) > wanted.effort * options.most_work * length;
+    return static_cast<double>(data.work() - begun) > wanted.effort * options.most_work * length;
   }
 
   int num_suspects() const { return static_cast<int>(suspects.size()); }
