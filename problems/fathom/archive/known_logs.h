@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "fathom/archive/batch_dof.h"
 #include "fathom/archive/jobs/log_jobs.h"
-#include "fathom/archive/log_batch.h"
 #include "fathom/archive/log_contents.h"
 #include "fathom/archive/store/known_log.h"
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/batch_dof.h"
 #include "fathom/archive/batch_session.h"
 #include "fathom/archive/dives/archive_settings.h"
 #include "fathom/archive/jobs/dive_jobs.h"
@@ -27,13 +28,6 @@ struct LogBatchOptions {
   std::string vehicle_content;  // of the vehicle file in the settings; empty: none
   LogJobOptions jobs;
   ProgramSettings programs;
-};
-
-// One DOF of a log, for the joint fit of its dive.
-struct BatchDof {
-  Dof dof = Dof::kSurge;
-  std::string why_left_out;  // empty: it is to be fitted with the others
-  double own_nmae = std::numeric_limits<double>::quiet_NaN();  // of its own model by output error
 };
 
 // What the work on whole dives has to know of a log.
