@@ -31,6 +31,7 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using testing::Not;
 using testing::SizeIs;
 
@@ -232,7 +233,7 @@ void ExpectSameTables(const fs::path& ours, const fs::path& theirs) {
   SQLite::Database a(ours.string(), SQLite::OPEN_READONLY);
   SQLite::Database b(theirs.string(), SQLite::OPEN_READONLY);
   const std::vector<std::string> tables = PublicTables(&a);
-  EXPECT_THAT(tables, SizeIs(10));
+  EXPECT_THAT(tables, IsSupersetOf({"logs", "fits", "verdicts", "causes", "changes"}));
   EXPECT_EQ(tables, PublicTables(&b));
   for (const std::string& table : tables) {
     EXPECT_EQ(RowsOf(table, &a), RowsOf(table, &b)) << table;
