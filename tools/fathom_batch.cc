@@ -13,6 +13,7 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/comparison/family.h"
+#include "fathom/output_error/weighting.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/origin_of_page.h"
@@ -45,6 +46,10 @@ DEFINE_string(
     "",
     "Comma-separated, as in fathom_compare: least_squares, adaptive, output_error, joint. "
     "Default: all that a log allows.");
+DEFINE_string(weighting,
+              "plain",
+              "Of output error, as in fathom_identify: plain, or learned where the water moved the "
+              "vehicle.");
 DEFINE_bool(diagnose, true, "Diagnose every log (fathom_diagnose).");
 DEFINE_double(time_limit, 600.0, "Of each program [s].");
 DEFINE_double(memory_limit, 2000.0, "Of each program [MB].");
@@ -109,6 +114,9 @@ BatchOptions OptionsFromFlags() {
     ParseFlag("families", family, ParseFamily);
   }
   options.families = FLAGS_families;
+  if (ParseFlag("weighting", FLAGS_weighting, ParseWeighting) == Weighting::kLearned) {
+    options.weighting = FLAGS_weighting;
+  }
   options.diagnose = FLAGS_diagnose;
   options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumCores();
   options.time_limit = FLAGS_time_limit;

@@ -58,6 +58,10 @@ DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map
 DEFINE_string(out, "", "Write the log into this folder.");
 DEFINE_bool(overwrite, false, "Replace the log in --out.");
 DEFINE_bool(list, false, "Only say what the recording holds.");
+DEFINE_string(maps,
+              "",
+              "A folder of map files, each with `when:`. The first that fits the recording goes "
+              "before what the format suggests.");
 DEFINE_bool(suggest, false, "Only print a map for the recording, to be edited.");
 DEFINE_string(json, "", "With --list or --suggest, write that to this JSON file too.");
 DECLARE_bool(wide);
@@ -68,7 +72,8 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_import",
     "Makes a log folder from the file that a vehicle's own software wrote.",
-    "--from=FILE --out=LOG [--map=MAP.yaml --vehicle=VEHICLE.yaml --overwrite] | --from=FILE "
+    "--from=FILE --out=LOG [--map=MAP.yaml --maps=FOLDER --vehicle=VEHICLE.yaml --overwrite] | "
+    "--from=FILE "
     "--list | --suggest [--json=FILE]",
     "fathom_import --from=data/recordings/pool.csv --list\n"
     "  fathom_import --from=data/recordings/pool.csv --suggest > map.yaml\n"
@@ -186,13 +191,18 @@ void TellNothingRecognised(const std::filesystem::path& file, const Contents& co
                         WhatIsLookedFor(contents.format)));
 }
 
+// Those of --maps.
+std::vector<MapWithWhen> OwnMaps() {
+  return FLAGS_maps.empty() ? std::vector<MapWithWhen>() : ReadMapsWithWhen(FLAGS_maps);
+}
+
 int Suggest(const std::filesystem::path& file) {
   RequireOutputs({{"json", FLAGS_json}}, {FLAGS_from});
   std::optional<Vehicle> vehicle;
   if (!FLAGS_vehicle.empty()) vehicle = ReadVehicleFile(FLAGS_vehicle);
   const auto recording = OpenRecording(file, TableOptionsFromFlags());
   RequireSamples(file, recording->contents());
-  const SuggestedMap map = SuggestMap(*recording, vehicle);
+  const SuggestedMap map = SuggestMap(*recording, vehicle, OwnMaps());
   TellDamage(file, recording->contents());
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatSuggestion(map));
   if (!map.NamesAStream()) {
@@ -206,7 +216,7 @@ int Suggest(const std::filesystem::path& file) {
 // The text of the map to go by: that of --map, or one that the format makes sure of.
 std::string MapText(const std::filesystem::path& file, const std::optional<Vehicle>& vehicle) {
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
-  const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle);
+  const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle, OwnMaps());
   if (suggested.is_ready) return suggested.text;
   if (!suggested.unknown.empty()) {
     throw InputError(fmt::format(
@@ -378,6 +388,9 @@ int Run() {
   if (FLAGS_suggest) return Suggest(file);
   if (!FLAGS_json.empty())
     throw InputError("--json: goes with --list or --suggest, expected one of them.");
+  if (!FLAGS_map.empty() && !FLAGS_maps.empty()) {
+    throw InputError("--maps: chooses a map, expected it without --map.");
+  }
   const std::filesystem::path folder = OutputFolder(
       RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
   RequireWritableFolder(folder);

@@ -762,7 +762,6 @@ TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
 
 using CheckedRealLogs = OnRealData;
 
-// A log whose noise wanders, so that learned weights are taken: plain ones promise too much.
 TEST_F(CheckedRealLogs, AreKnownAsWellAsFathomIdentifyKnowsThem) {
   const Path folder = EmptyTestFolder();
   const std::string log = "--log=" + (Path(folder_) / "kingfisher_runs/run_20").string();
@@ -770,7 +769,6 @@ TEST_F(CheckedRealLogs, AreKnownAsWellAsFathomIdentifyKnowsThem) {
   RunToolBinary("fathom_check", {log, "--dof=surge", "--json=" + json.string()});
   RunToolBinary("fathom_identify", {log, "--dof=surge", "--model=" + model.string()});
   const Json identified = JsonOf(model);
-  ASSERT_EQ(identified["provenance"]["weighting"], "learned");
   const Json checked = JsonOf(json)["dofs"][0]["parameters"];
   ASSERT_EQ(checked.size(), 4u);
   for (const Json& parameter : checked) {

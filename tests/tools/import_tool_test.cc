@@ -104,6 +104,22 @@ TEST(ImportTool, SuggestsAMapThatImports) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
+TEST(ImportTool, TakesTheMapsOfALab) {
+  const Path folder = EmptyTestFolder();
+  std::filesystem::create_directory(folder / "maps");
+  WriteTestFile(folder / "maps/pool.yaml",
+                "when: {fields: [Thrust, Speed], ready: true}\n" + TextOf(kPoolMap));
+  const std::string maps = "--maps=" + (folder / "maps").string();
+  const std::string from = "--from=" + kPool;
+  EXPECT_EQ(Import({from, "--suggest", maps}).out, TextOf(kPoolMap));
+  const ToolRun run = Import({from, maps, "--out=" + (folder / "pool").string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun both =
+      Import({from, maps, "--map=" + kPoolMap, "--out=" + (folder / "again").string()});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_THAT(both.err, HasSubstr("--maps: chooses a map, expected it without --map."));
+}
+
 // The same numbers as pool.csv, by the map that is suggested.
 TEST(ImportTool, MakesTheSameLogOfAMat) {
   const Path folder = EmptyTestFolder();

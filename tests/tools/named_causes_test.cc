@@ -39,7 +39,7 @@ struct Diagnosed {
 // The dead zone is certain in the training data, and a model that has it predicts the rest worse.
 TEST(NamedCauses, AreNoneWhereUnseenDataGetWorse) {
   const Path folder = EmptyTestFolder();
-  const Diagnosed diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=3", 1));
+  const Diagnosed diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=6", 1));
   EXPECT_THAT(diagnosed.run.out, StartsWith("surge: unexplained\n"));
   EXPECT_EQ(diagnosed.json["causes"], nlohmann::json::array());
   EXPECT_THAT(diagnosed.json["sentence"].get<std::string>(),

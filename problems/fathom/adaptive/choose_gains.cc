@@ -12,18 +12,12 @@
 #include <cmath>
 #include <numbers>
 
-#include <glog/logging.h>
-
 namespace fathom {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kFewestPeriods = 5.0;  // of the motion in the data, for the scale of the search
 constexpr int kNumRefinements = 4;
-
-// Rule of thumb, in the motion's frequency w: a_m = -w / 3, rate = w^2 / 6.
-constexpr double kThumbDamping = 1.0 / 3.0;  // [-]
-constexpr double kThumbRate = 1.0 / 6.0;     // [-]
 
 // Mean squares of the four regressors.
 struct MeanSquares {
@@ -149,18 +143,6 @@ AdaptiveGains ChooseGains(std::span<const Segment> segments) {
     }
   }
   return search.GainsAt(best);
-}
-
-AdaptiveGains RuleOfThumbGains(double force, double speed, double period) {
-  CHECK_GT(force, 0.0);
-  CHECK_GT(speed, 0.0);
-  CHECK_GT(period, 0.0);
-  const double frequency = 2.0 * kPi / period;
-  const double v_squared = speed * speed;
-  // A sine's fourth moment is 3/2 of its squared second.
-  return GainsOf(kThumbDamping * frequency,
-                 kThumbRate * frequency * frequency,
-                 {force * force, 1.5 * v_squared * v_squared, v_squared});
 }
 
 }  // namespace fathom

@@ -15,9 +15,4 @@ namespace fathom {
 // force or no motion, or if no gains converge.
 AdaptiveGains ChooseGains(std::span<const Segment> segments);
 
-// Gains for a stream of which nothing is logged yet: from a typical (rms) force, a typical speed
-// [m/s or rad/s] and the period of the motion [s], all above 0. A rule of thumb;
-// docs/adaptive.md.
-AdaptiveGains RuleOfThumbGains(double force, double speed, double period);
-
 }  // namespace fathom

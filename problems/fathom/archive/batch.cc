@@ -84,6 +84,7 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
     of_logs.vehicle_content = ContentOf(settings.vehicle);
   }
   of_logs.jobs.families = options.families;
+  of_logs.jobs.weighting = options.weighting;
   of_logs.jobs.diagnose = options.diagnose;
   of_logs.jobs.dof = settings.dof;
   of_logs.jobs.pages = options.pages;

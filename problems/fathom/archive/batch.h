@@ -29,6 +29,7 @@ struct BatchOptions {
   std::filesystem::path tools;    // the folder of Fathom's programs
   std::string version;            // of Fathom
   std::string families;           // of fathom_compare, comma-separated; empty: all
+  std::string weighting;          // of fathom_compare and fathom_identify; empty: their own
   bool diagnose = true;           // run fathom_diagnose on every log
   int jobs = 1;                   // programs at a time
   double time_limit = 600.0;      // of each program [s]

@@ -175,6 +175,7 @@ std::vector<Job> NewDiveJobs(const std::vector<BatchLog>& logs,
                       .runs = runs,
                       .programs = &options.programs,
                       .session = session};
+    begun.task.weighting = options.jobs.weighting;
     if (next != fits.end()) begun.next_logs = next->second.task.logs;
     jobs.push_back({[begun = std::move(begun)] { return RunFit(begun); }});
   }

@@ -310,6 +310,7 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       log.duplicate_of,
       options.programs.version,
       options.jobs.families,
+      options.jobs.weighting,
       options.jobs.diagnose ? "diagnose" : "",
       settings.dive_pattern,
       fmt::format("{}", settings.dive_level.value_or(0)),

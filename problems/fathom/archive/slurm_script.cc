@@ -26,6 +26,7 @@ std::string FlagsOf(const BatchOptions& options) {
                                   options.memory_limit,
                                   options.diagnose);
   if (!options.families.empty()) flags += " --families=" + ShellWord(options.families);
+  if (!options.weighting.empty()) flags += " --weighting=" + ShellWord(options.weighting);
   flags += " --tools=" + ShellWord(fs::absolute(options.tools).string());
   return flags;
 }

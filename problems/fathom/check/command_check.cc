@@ -3,6 +3,8 @@
 
 #include "fathom/check/command_check.h"
 
+#include "fathom/base/plural.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -152,9 +154,8 @@ std::vector<Finding> CheckCommand(const HeldCommand& command, std::span<const Se
   if (sampled.num_changes > 0 && sampled.num_changes < kFewChanges) {
     NoteCommand(
         "few_changes",
-        fmt::format(
-            "The command changes {} while the motion is measured.",
-            sampled.num_changes == 1 ? "once" : fmt::format("{} times", sampled.num_changes)),
+        fmt::format("The command changes {} while the motion is measured.",
+                    sampled.num_changes == 1 ? "once" : Plural(sampled.num_changes, "time")),
         &findings);
   }
   CheckClipping(sampled, &findings);

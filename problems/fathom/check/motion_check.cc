@@ -3,6 +3,7 @@
 
 #include "fathom/check/motion_check.h"
 
+#include "fathom/base/plural.h"
 #include "fathom/check/values/held_samples.h"
 #include "fathom/check/values/lost_values.h"
 #include "fathom/check/values/repeated_block.h"
@@ -88,13 +89,12 @@ FindingPlace PlaceOf(const Column& column, const HeldSamples& held) {
 
 Finding FindingOf(const Column& column, const Sentinel& sentinel) {
   return Warning("sentinel",
-                 fmt::format("{} is exactly {} in {} row{}, first at t = {:.6g} s, far from all "
+                 fmt::format("{} is exactly {} in {}, first at t = {:.6g} s, far from all "
                              "other values. Such a number stands for \"no reading\". Take these "
                              "rows out.",
                              column.Name(),
                              sentinel.value,
-                             sentinel.num_rows,
-                             sentinel.num_rows == 1 ? "" : "s",
+                             Plural(static_cast<std::size_t>(sentinel.num_rows), "row"),
                              column.time[sentinel.first]),
                  column.PlaceOfValue(sentinel.first));
 }

@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
+#include "fathom/base/plural.h"
 #include "fathom/check/batch_means.h"
 #include "fathom/check/pulse_widths.h"
 #include "fathom/signal/filters/autoregression.h"
@@ -213,9 +214,8 @@ void CheckStamps(const Samples& samples, Findings* findings) {
   }
   if (num_gaps > 0) {
     Note("gap",
-         fmt::format("{} gap{} of over {:g} steps, the longest of {:.3g} s.",
-                     num_gaps,
-                     num_gaps == 1 ? "" : "s",
+         fmt::format("{} of over {:g} steps, the longest of {:.3g} s.",
+                     Plural(static_cast<std::size_t>(num_gaps), "gap"),
                      kGap,
                      samples.step.maxCoeff()),
          findings);

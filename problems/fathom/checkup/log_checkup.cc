@@ -123,7 +123,6 @@ void Identify(const Log& log, DofCheckup* checkup) {
   LogIdentificationOptions options;
   options.dof = checkup->dof;
   options.source = BestSourceOf(log, checkup->dof);
-  options.identification.output_error.weighting = Weighting::kAuto;  // as fathom_identify
   LogIdentification identified = IdentifyFromLogs({log}, options);
   checkup->findings = std::move(identified.findings);
   checkup->signals = std::move(identified.signals);

@@ -31,7 +31,7 @@ struct Identification {
   std::string message;  // why it ended as it did, for a person
   FittedModel fitted;   // its figures by free runs; NaN where not usable
 
-  // Of output error alone, else empty: "plain" or "learned", and for a person why.
+  // Of output error alone, else empty: "plain" or "learned"; and for a person why not as asked.
   std::string weighting;
   std::string weighting_reason;
 

@@ -134,12 +134,11 @@ std::string FormatIdentification(const Identification& identification,
         fitted.force_unit);
   }
   text += WhatTheColumnsSay(identification);
-  if (!identification.weighting_reason.empty()) {
-    text += fmt::format(
-        "weighting: {} ({}). {}\n",
-        identification.weighting,
-        identification.weighting == "plain" ? "all samples alike" : "by the noise in the residual",
-        identification.weighting_reason);
+  if (identification.weighting == "learned") {
+    text += "weighting: learned (by the noise in the residual).\n";
+  } else if (!identification.weighting_reason.empty()) {
+    text +=
+        fmt::format("weighting: plain (all samples alike). {}\n", identification.weighting_reason);
   }
   text += FiguresText("training", fitted.train, VelocityUnit(fitted.dof));
   text += FiguresText("held out", fitted.held_out, VelocityUnit(fitted.dof));

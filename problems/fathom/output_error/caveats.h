@@ -12,9 +12,11 @@
 namespace fathom {
 
 // Decides whether the data determine the model, and says in words what the intervals do not: which
-// parameter this log cannot tell, why, and which experiment would. Reads summary->evidence, model
-// and on_bound; fills determined, message, caveats and delay_is_open.
-void DescribeEvidence(std::span<const Segment> segments, OutputErrorSummary* summary);
+// parameter this log cannot tell, why, and which experiment would. `output`: what was fitted. Reads
+// summary->evidence, model and on_bound; fills determined, message, caveats and delay_is_open.
+void DescribeEvidence(std::span<const Segment> segments,
+                      FittedOutput output,
+                      OutputErrorSummary* summary);
 
 // That the data hardly tell a damping, where half its 95 % interval is more than its value; empty
 // where it is not. `std`: its standard deviation.

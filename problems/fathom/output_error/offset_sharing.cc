@@ -29,11 +29,4 @@ OffsetSharing OneOffsetPerLog(std::span<const std::size_t> log_of) {
   return sharing;
 }
 
-OffsetSharing SharingAmong(std::span<const std::size_t> segments, const OffsetSharing& all) {
-  if (all.IsOneInAll()) return {};
-  std::vector<std::size_t> kept;
-  for (const std::size_t s : segments) kept.push_back(all.At(s));
-  return OneOffsetPerLog(kept);
-}
-
 }  // namespace fathom

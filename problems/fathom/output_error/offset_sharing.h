@@ -37,7 +37,4 @@ struct OffsetSharing {
 // One offset for each log. `log_of`: the index of each segment's log.
 OffsetSharing OneOffsetPerLog(std::span<const std::size_t> log_of);
 
-// The same of some segments alone.
-OffsetSharing SharingAmong(std::span<const std::size_t> segments, const OffsetSharing& all);
-
 }  // namespace fathom

@@ -22,8 +22,7 @@ struct OutputErrorOptions {
   // What the simulation is compared with; the position needs poses.
   FittedOutput output = FittedOutput::kVelocity;
 
-  // Which squares count. The joint refinement and the diagnosis start from plain ones; the tools
-  // choose.
+  // Which squares count.
   Weighting weighting = Weighting::kPlain;
 
   OffsetSharing offsets = {};

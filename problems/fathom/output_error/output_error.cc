@@ -8,8 +8,7 @@
 #include "fathom/output_error/caveats.h"
 #include "fathom/output_error/coarse_segments.h"
 #include "fathom/output_error/initial_guess.h"
-#include "fathom/output_error/learned/choose_weighting.h"
-#include "fathom/output_error/left_out_runs.h"
+#include "fathom/output_error/learned/learned_fit.h"
 #include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
@@ -224,7 +223,7 @@ OutputErrorSummary FitPlainly(std::span<const Segment> segments,
                           sigma,
                           options.huber_k,
                           options.offsets));
-  DescribeEvidence(segments, &summary);
+  DescribeEvidence(segments, options.output, &summary);
   return summary;
 }
 
@@ -234,23 +233,8 @@ OutputErrorSummary FitOutputError(std::span<const Segment> segments,
                                   const OutputErrorOptions& options) {
   RequireUsable(segments, options);
   OutputErrorSummary plain = FitPlainly(segments, options);
-  OutputErrorSummary chosen = ChooseWeighting(segments, options, plain);
-  if (options.weighting != Weighting::kAuto || chosen.weighting == Weighting::kPlain) return chosen;
-  const auto fit = [&](std::span<const size_t> kept, Weighting weighting) {
-    std::vector<Segment> rest;
-    for (const size_t s : kept) rest.push_back(segments[s]);
-    OutputErrorOptions own = options;
-    own.offsets = SharingAmong(kept, options.offsets);
-    own.weighting = weighting;
-    own.initial_guess = plain.model;
-    return ChooseWeighting(rest, own, FitPlainly(rest, own));
-  };
-  const auto more = MoreMissedOfLeftOutRuns(segments, options, plain, fit);
-  if (!more || *more < 0.0) return chosen;
-  plain.weighting_reason = fmt::format(
-      "Learned weights do not predict runs that the fit left out better: they miss {:.1f} % more.",
-      100.0 * *more);
-  return plain;
+  if (options.weighting == Weighting::kPlain) return plain;
+  return FitUnderLearnedNoise(segments, options, std::move(plain));
 }
 
 FittedOutput OutputOf(std::span<const Segment> segments) {

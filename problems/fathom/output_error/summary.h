@@ -32,7 +32,7 @@ struct OutputErrorSummary {
   bool converged = false;
   bool determined = false;
 
-  // How the answer was weighed, kPlain or kLearned, and for a person why it was.
+  // How the answer was weighed; and why not as OutputErrorOptions asked, else empty.
   Weighting weighting = Weighting::kPlain;
   std::string weighting_reason;
 

@@ -8,22 +8,14 @@
 namespace fathom {
 
 std::string_view Name(Weighting weighting) {
-  switch (weighting) {
-    case Weighting::kPlain:
-      return "plain";
-    case Weighting::kLearned:
-      return "learned";
-    case Weighting::kAuto:
-      break;
-  }
-  return "auto";
+  return weighting == Weighting::kPlain ? "plain" : "learned";
 }
 
 Weighting ParseWeighting(const std::string& name) {
-  for (const Weighting weighting : {Weighting::kAuto, Weighting::kPlain, Weighting::kLearned}) {
+  for (const Weighting weighting : {Weighting::kPlain, Weighting::kLearned}) {
     if (Name(weighting) == name) return weighting;
   }
-  throw InputError("is '" + name + "', expected one of auto, plain, learned.");
+  throw InputError("is '" + name + "', expected one of plain, learned.");
 }
 
 }  // namespace fathom

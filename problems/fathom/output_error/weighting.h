@@ -12,10 +12,9 @@ namespace fathom {
 enum class Weighting {
   kPlain,    // all samples alike, but for outliers
   kLearned,  // by sensor noise and disturbance, learned from the residual
-  kAuto,     // learned, unless left-out free runs suffer from it
 };
 
-// "plain", "learned", "auto".
+// "plain", "learned".
 std::string_view Name(Weighting weighting);
 
 // Throws InputError, listing the names, in the form of ParseDof().

@@ -4,6 +4,7 @@
 #include "fathom/detect/detect_tags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
 #include "fathom/detect/edge_refinement.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ std::string ListOf(const std::map<std::pair<std::string, int>, int>& count_of_ta
   for (const auto& [tag, count] : count_of_tag) {
     tags.emplace_back(
         count,
-        fmt::format("{} {} ({} time{})", tag.first, tag.second, count, count == 1 ? "" : "s"));
+        fmt::format(
+            "{} {} ({})", tag.first, tag.second, Plural(static_cast<std::size_t>(count), "time")));
   }
   std::stable_sort(
       tags.begin(), tags.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -109,9 +111,8 @@ std::vector<std::string> RemarksOn(const TagDetections& found, const MarkerMap& 
   for (const auto& [fault, count_of_tag] : counts) {
     int num = 0;
     for (const auto& [tag, count] : count_of_tag) num += count;
-    remarks.push_back(fmt::format("Not used: {} sighting{} of a tag that {}: {}.",
-                                  num,
-                                  num == 1 ? "" : "s",
+    remarks.push_back(fmt::format("Not used: {} of a tag that {}: {}.",
+                                  Plural(static_cast<std::size_t>(num), "sighting"),
                                   Describe(fault),
                                   ListOf(count_of_tag)));
   }

@@ -38,7 +38,6 @@ class Fitting {
     white.displacement.white_std = likelihood_.RootMeanSquare(NoiseChannel::kDisplacement);
     const NoiseStructure structure = Structure({});
     Result best = search_.From(structure, structure.Parameters(white), options_.precision);
-    if (options_.selection == NoiseSelection::kWhite) return best;
     for (;;) {
       std::optional<Result> next;
       for (const NoiseComponent component : Missing(best.structure.components())) {
@@ -79,10 +78,8 @@ class Fitting {
       const auto found = std::find(present.begin(), present.end(), component);
       if (found == present.end()) missing.push_back(component);
     };
-    if (options_.allow_coloured && sampling_.has_velocity) add(NoiseComponent::kVelocityColour);
-    if (options_.allow_coloured && sampling_.has_displacement) {
-      add(NoiseComponent::kDisplacementColour);
-    }
+    if (sampling_.has_velocity) add(NoiseComponent::kVelocityColour);
+    if (sampling_.has_displacement) add(NoiseComponent::kDisplacementColour);
     add(NoiseComponent::kDisturbance);
     return missing;
   }
@@ -129,20 +126,11 @@ class Fitting {
     return best->parameters;
   }
 
-  // What a component must add to the log-likelihood to be let in: half of what the criterion asks
-  // for its two parameters.
+  // What a component must add to the log-likelihood to be let in: by AIC half of what that asks for
+  // its two parameters.
   double Price() const {
-    switch (options_.selection) {
-      case NoiseSelection::kAic:
-        return 2.0;
-      case NoiseSelection::kBic:
-        return std::log(static_cast<double>(likelihood_.samples().size()));
-      case NoiseSelection::kAll:
-        return -std::numeric_limits<double>::infinity();
-      case NoiseSelection::kWhite:
-        break;
-    }
-    return std::numeric_limits<double>::infinity();
+    return options_.selection == NoiseSelection::kAic ? 2.0
+                                                      : -std::numeric_limits<double>::infinity();
   }
 
   const RestrictedLikelihood& likelihood_;

@@ -19,17 +19,12 @@ namespace fathom {
 // How it is decided which of coloured velocity noise, coloured displacement noise and disturbance
 // there are, beside white noise. docs/residual_noise.md has the false alarms of each.
 enum class NoiseSelection {
-  kAic,    // each two parameters must raise the log-likelihood by 2
-  kBic,    // by log n
-  kAll,    // all of them, however weak
-  kWhite,  // none
+  kAic,  // each two parameters must raise the log-likelihood by 2
+  kAll,  // all of them, however weak
 };
 
 struct FitNoiseOptions {
   NoiseSelection selection = NoiseSelection::kAll;
-
-  // Whether velocity and displacement noise may be coloured at all.
-  bool allow_coloured = true;
 
   // a of the model [1/s], above 0: not fitted, known from the vehicle's parameters.
   double damping_rate = 0.1;

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/plural.h"
 #include "fathom/signal/filter_window.h"
 #include "fathom/signal/filters/mean_attitude.h"
 #include "fathom/signal/filters/savitzky_golay.h"
@@ -87,8 +88,8 @@ Cut CutMotion(const Log& log,
       std::lower_bound(time.begin(), time.end(), command.time.front()) - time.begin();
   Cut cut;
   if (first > 0) {
-    cut.remarks.push_back(fmt::format(
-        "Left out: {} motion sample{} before the first command.", first, first == 1 ? "" : "s"));
+    cut.remarks.push_back(
+        fmt::format("Left out: {} before the first command.", Plural(first, "motion sample")));
   }
   if (const auto remark = RemarkOnEarlyEnd(command, time, options.longest_gap); !remark.empty()) {
     cut.remarks.push_back(remark);
@@ -99,21 +100,18 @@ Cut CutMotion(const Log& log,
       ranges.begin(), ranges.end(), [](const SampleRange& range) { return range.is_after_gap; });
   if (num_silences > 0) {
     cut.remarks.push_back(
-        fmt::format("The motion has gaps of over {:g} s, {} time{}. Each gap starts a new "
+        fmt::format("The motion has gaps of over {:g} s, {}. Each gap starts a new "
                     "segment.",
                     options.longest_gap,
-                    num_silences,
-                    num_silences == 1 ? "" : "s"));
+                    Plural(static_cast<size_t>(num_silences), "time")));
   }
   const size_t fewest = FewestSamples(options);
   LongRanges kept = WithoutShort(ranges, fewest);
   if (kept.num_short > 0) {
-    cut.remarks.push_back(
-        fmt::format("Left out: {} segment{} of fewer than {} samples ({} samples).",
-                    kept.num_short,
-                    kept.num_short == 1 ? "" : "s",
-                    fewest,
-                    kept.num_samples_in_short));
+    cut.remarks.push_back(fmt::format("Left out: {} of fewer than {} samples ({} samples).",
+                                      Plural(kept.num_short, "segment"),
+                                      fewest,
+                                      kept.num_samples_in_short));
   }
   if (kept.ranges.empty()) throw InputError(WhyNoRange(log, stream, first, options));
   cut.ranges = std::move(kept.ranges);
@@ -153,11 +151,10 @@ Measured MeasuredAlong(Dof dof, const Stream& stream, Source source) {
                     turn));
   }
   if (const int flips = CountRotationFlips(measured.poses); flips > 0) {
-    measured.remarks.push_back(fmt::format(
-        "{} rotation step{} that the neighbouring poses do not confirm. A single square has two "
-        "solutions, and the pose may have flipped between them.",
-        flips,
-        flips == 1 ? "" : "s"));
+    measured.remarks.push_back(
+        fmt::format("{} that the neighbouring poses do not confirm. A single square has two "
+                    "solutions, and the pose may have flipped between them.",
+                    Plural(static_cast<size_t>(flips), "rotation step")));
   }
   return measured;
 }
@@ -233,10 +230,9 @@ Signals SignalsOf(const Log& log, Dof dof, const SignalsOptions& options) {
   }
   if (num_dropped > 0) {
     signals.remarks.push_back(
-        fmt::format("Left out: {} pose{} with too few others within the window to compute a "
+        fmt::format("Left out: {} with too few others within the window to compute a "
                     "velocity.",
-                    num_dropped,
-                    num_dropped == 1 ? "" : "s"));
+                    Plural(num_dropped, "pose")));
   }
   if (signals.train.empty()) signals.remarks.push_back("No training data are left.");
   return signals;

@@ -26,6 +26,10 @@ using ::testing::Not;
 
 const AdaptiveGains kAuthorsGains = {-0.005, {0.5, 0.5, 0.5, 0.05}};
 
+// docs/adaptive.md (3) with a period of 21 s, 37 N and 0.15 m/s; 7 N m and 0.06 rad/s.
+const AdaptiveGains kSurgeGains = {-0.0997, {1.09e-5, 19.6, 0.663, 0.0149}};
+const AdaptiveGains kYawGains = {-0.0997, {3.04e-4, 767.0, 4.14, 0.0149}};
+
 Experiment RichAndPerfect() {
   Experiment experiment = FlatFishSurge();
   experiment.truth = {851.05, 120.0, 39.57, -3.0};
@@ -128,8 +132,8 @@ TEST(AdaptiveIdentifier, RecoversTheTruthFromRichPerfectData) {
 
 TEST(AdaptiveIdentifier, DoesNotDisturbOtherInstances) {
   const Segment surge = RunOf(FlatFishSurge(), 1), yaw = RunOf(FlatFishYaw(), 2);
-  const AdaptiveOptions first = {.gains = RuleOfThumbGains(37.0, 0.15, 21.0)};
-  const AdaptiveOptions second = {.gains = RuleOfThumbGains(7.0, 0.06, 21.0)};
+  const AdaptiveOptions first = {.gains = kSurgeGains};
+  const AdaptiveOptions second = {.gains = kYawGains};
   const auto alone = [](const AdaptiveOptions& options, const Segment& segment) {
     AdaptiveIdentifier identifier(options);
     for (size_t i = 0; i < segment.time.size(); ++i) {
@@ -154,7 +158,7 @@ static_assert(sizeof(AdaptiveIdentifier) < 200);
 
 TEST(AdaptiveIdentifier, KeepsItsParametersAcrossSegments) {
   const Segment segment = RunOf(FlatFishSurge(), 1);
-  AdaptiveIdentifier identifier({.gains = RuleOfThumbGains(37.0, 0.15, 21.0)});
+  AdaptiveIdentifier identifier({.gains = kSurgeGains});
   for (int i = 0; i < 1000; ++i) {
     identifier.Add(segment.time[i], segment.command.value[i], segment.velocity[i]);
   }
@@ -222,24 +226,9 @@ TEST(ChooseGains, FollowsTheUnitOfTheForce) {
   EXPECT_NEAR(FitAdaptive(segments).model.inertia, 0.05 * inertia, 1e-6 * inertia);
 }
 
-TEST(RuleOfThumbGains, BringTheInertiaWithinATenth) {
-  struct Typical {
-    Experiment experiment;
-    double force, speed;
-  };
-  for (const auto& [experiment, force, speed] : {Typical{FlatFishSurge(), 40.0, 0.15},
-                                                 Typical{FlatFishHeave(), 150.0, 0.2},
-                                                 Typical{FlatFishYaw(), 7.0, 0.07}}) {
-    const auto summary = FitAdaptive(std::vector<Segment>{RunOf(experiment, 5)},
-                                     {.gains = RuleOfThumbGains(force, speed, 21.0)});
-    ASSERT_TRUE(summary.IsUsable()) << summary.message;
-    EXPECT_NEAR(summary.model.inertia, experiment.truth.inertia, 0.1 * experiment.truth.inertia);
-  }
-}
-
 TEST(FitAdaptive, TellsWhatItsIntervalIs) {
   const std::vector<Segment> segments = {RunOf(FlatFishSurge(), 4)};
-  const auto summary = FitAdaptive(segments, {.gains = RuleOfThumbGains(40.0, 0.15, 21.0)});
+  const auto summary = FitAdaptive(segments, {.gains = kSurgeGains});
   ASSERT_TRUE(summary.IsUsable()) << summary.message;
   EXPECT_EQ(summary.num_samples, 3001);
   EXPECT_GT(summary.covariance(kInertia, kInertia), 0.0);
@@ -257,7 +246,7 @@ TEST(FitAdaptive, GoesThroughSegmentsInTheOrderOfTime) {
   };
   const std::vector<Segment> forwards = {cut(0, 1500), cut(1500, 3001)};
   const std::vector<Segment> backwards = {forwards[1], forwards[0]};
-  const AdaptiveOptions options = {.gains = RuleOfThumbGains(40.0, 0.15, 21.0)};
+  const AdaptiveOptions options = {.gains = kSurgeGains};
   EXPECT_EQ(FitAdaptive(forwards, options).model.inertia,
             FitAdaptive(backwards, options).model.inertia);
 }

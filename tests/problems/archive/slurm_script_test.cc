@@ -60,6 +60,7 @@ class SlurmScriptTest : public testing::Test {
     options_.results = shared_ / "the $HOME `id` \\ *, results.sqlite";
     options_.tools = shared_ / "the tools";
     options_.families = "output_error,joint";
+    options_.weighting = "learned";
     Write(options_.tools / "fathom_batch",
           fmt::format("#!/bin/bash\n"
                       "printf '%s\\n' \"$@\" > '{}/args'\n"
@@ -116,6 +117,7 @@ TEST_F(SlurmScriptTest, ATaskDoesItsPartOnTheNodesDiskAndCopiesIt) {
                           "--memory_limit=2000",
                           "--diagnose=true",
                           "--families=output_error,joint",
+                          "--weighting=learned",
                           "--tools=" + options_.tools.string()));
   EXPECT_EQ(FileText(Part(1)), "results\n");
   EXPECT_THAT(Entries(folder_ / "disk"), IsEmpty());

@@ -54,12 +54,6 @@ TEST(OneOffsetPerLog, NumbersTheLogsThatHaveSegments) {
   EXPECT_EQ(OneOffsetPerLog(std::vector<std::size_t>{0, 0, 2, 5, 2}).Count(), 3U);
 }
 
-TEST(SharingAmong, NumbersAnewWhatIsLeft) {
-  const OffsetSharing all = OneOffsetPerLog(std::vector<std::size_t>{0, 1, 1, 2});
-  EXPECT_THAT(SharingAmong(std::vector<std::size_t>{2, 3}, all).offset_of, ElementsAre(0, 1));
-  EXPECT_TRUE(SharingAmong(std::vector<std::size_t>{2, 3}, {}).IsOneInAll());
-}
-
 TEST(OffsetScope, IsReadByItsName) {
   for (const OffsetScope scope : {OffsetScope::kShared, OffsetScope::kPerLog}) {
     EXPECT_EQ(ParseOffsetScope(std::string(Name(scope))), scope);

@@ -24,7 +24,7 @@ namespace {
 struct Score {
   std::array<std::vector<double>, kNumParameters> errors;  // sizes
   ParameterVector covered = ParameterVector::Zero();
-  int num_logs = 0, num_learned = 0;
+  int num_logs = 0;
 };
 
 void Add(const ParameterVector& error, const ParameterVector& std, Score* score) {
@@ -61,11 +61,11 @@ void PrintRow(const char* kind, const char* estimator, const Score& score, const
   for (int i = 0; i < kNumParameters; ++i) {
     std::printf(" %.1f", 100.0 * score.covered[i] / score.num_logs);
   }
-  std::printf(" | %d |\n", score.num_learned);
+  std::printf(" |\n");
 }
 
 void Run(const NoiseKind& kind, int num_logs, unsigned first_seed) {
-  constexpr std::array kWeightings = {Weighting::kPlain, Weighting::kLearned, Weighting::kAuto};
+  constexpr std::array kWeightings = {Weighting::kPlain, Weighting::kLearned};
   const NoiseTrial trial(kind);
   const ParameterVector truth = ToVector(trial.truth());
   const ParameterVector oracle_std = trial.OracleStd();
@@ -82,7 +82,6 @@ void Run(const NoiseKind& kind, int num_logs, unsigned first_seed) {
       const auto fit = FitOutputError({&segment, 1}, options);
       if (!fit.IsUsable()) continue;
       Add(ToVector(fit.model) - truth, fit.covariance.diagonal().cwiseSqrt(), &scores[w]);
-      if (fit.weighting == Weighting::kLearned) ++scores[w].num_learned;
     }
   }
   PrintRow(kind.name.c_str(), "oracle", oracle, oracle);
@@ -101,7 +100,7 @@ int main(int argc, char** argv) {
   const std::string part = argc > 3 ? argv[3] : "";
   std::printf(
       "| noise | weights | median error over the oracle's | RMS error over the oracle's | "
-      "coverage [%%] | learned |\n| --- | --- | --- | --- | --- | ---: |\n");
+      "coverage [%%] |\n| --- | --- | --- | --- | --- |\n");
   for (const fathom::NoiseKind& kind : fathom::AllNoiseKinds()) {
     if (kind.name.find(part) != std::string::npos) fathom::Run(kind, num_logs, first_seed);
   }

@@ -9,7 +9,6 @@
 #include "fathom/base/input_error.h"
 #include "fathom/output_error/output_error.h"
 
-#include <array>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -22,7 +21,9 @@
 namespace fathom {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 OutputErrorSummary FitBy(Weighting weighting, const NoiseTrial& trial, const Segment& segment) {
   OutputErrorOptions options;
@@ -46,13 +47,13 @@ class WeightingUnder : public ::testing::TestWithParam<NoiseKind> {};
 
 // The two errors have a correlation of 0.95 and more, so the ratio of their root mean squares over
 // 80 logs scatters by sqrt(1 - 0.95^2) / sqrt(80) = 0.035. In the table it is at most 1.09: 1.2. A
-// rate of coverage of 0.93 scatters by 0.029: 0.84 at least.
-TEST_P(WeightingUnder, LearnedHasTheErrorsOfTheOracleAndIntervalsThatCover) {
+// rate of coverage of 0.93 scatters by 0.029: 0.84 at least; one of 0.895, of plain weights, by
+// 0.034: 0.80.
+TEST_P(WeightingUnder, LearnedHasTheErrorsOfTheOracleAndBothHaveIntervalsThatCover) {
   constexpr int kNumLogs = 80;
   const NoiseTrial trial(GetParam());
   const ParameterVector truth = ToVector(trial.truth());
-  Rates oracle, learned;
-  int num_chosen = 0;
+  Rates oracle, learned, plain;
   for (unsigned seed = 1; seed <= kNumLogs; ++seed) {
     const Segment segment = trial.Draw(seed);
     Add(trial.Oracle(segment) - truth, trial.OracleStd(), &oracle);
@@ -60,20 +61,15 @@ TEST_P(WeightingUnder, LearnedHasTheErrorsOfTheOracleAndIntervalsThatCover) {
     ASSERT_TRUE(fit.IsUsable()) << "seed " << seed << ": " << fit.message;
     ASSERT_EQ(fit.weighting, Weighting::kLearned);
     Add(ToVector(fit.model) - truth, fit.covariance.diagonal().cwiseSqrt(), &learned);
-    if (seed > 20) continue;
-    if (FitBy(Weighting::kAuto, trial, segment).weighting == Weighting::kLearned) ++num_chosen;
+    const auto by_plain = FitBy(Weighting::kPlain, trial, segment);
+    Add(ToVector(by_plain.model) - truth, by_plain.covariance.diagonal().cwiseSqrt(), &plain);
   }
   for (int i = 0; i < kNumParameters; ++i) {
     const std::string name = kParameterInfo[i].name;
     EXPECT_LT(std::sqrt(learned.squares[i] / oracle.squares[i]), 1.2) << name;
     EXPECT_GT(learned.covered[i] / kNumLogs, 0.84) << name;
-  }
-  // The table: at least 95 %. Of 20, fewer than 16 have a chance of 0.3 %. Of white ones one in
-  // eight is not seen to be white: more than 7 of 20 have a chance of 0.1 %.
-  if (trial.kind().IsWhite()) {
-    EXPECT_LE(num_chosen, 7);
-  } else {
-    EXPECT_GE(num_chosen, 16);
+    if (trial.kind().output == FittedOutput::kPosition) continue;  // they say that they are short
+    EXPECT_GT(plain.covered[i] / kNumLogs, 0.80) << name;
   }
 }
 
@@ -103,40 +99,6 @@ INSTANTIATE_TEST_SUITE_P(EachNoise,
                                                          "mild turbulence, positions"})),
                          Title);
 
-// A thruster that lags by 2 s is no disturbance, but looks like one. Under learned weights the
-// model runs worse: what it misses is told below by a simulation of its own.
-TEST(Weighting, AutoStaysPlainWhereTheModelLacksStructure) {
-  SyntheticRun run;
-  double thrust = 0.0;
-  run.command = [&thrust](double t) {
-    thrust += (1.0 - std::exp(-0.1 / 2.0)) * (Multisine(t) - thrust);
-    return thrust;
-  };
-  run.noise = 0.001;
-  Segment segment = Synthesize(run, 1);
-  for (size_t i = 0; i < segment.time.size(); ++i) {
-    segment.command.value[i] = Multisine(segment.time[i]);
-  }
-  OutputErrorOptions options;
-  options.initial_guess = run.truth;
-  std::array<double, 2> sums = {0.0, 0.0};
-  for (const Weighting weighting : {Weighting::kPlain, Weighting::kLearned}) {
-    options.weighting = weighting;
-    const auto fit = FitOutputError({&segment, 1}, options);
-    ASSERT_EQ(fit.weighting, weighting) << fit.weighting_reason;
-    std::vector<double> v(segment.time.size());
-    ASSERT_TRUE(
-        Simulation(segment.command, segment.time).Run(fit.model, fit.initial_states[0], v, {}));
-    double& sum = sums[weighting == Weighting::kPlain ? 0 : 1];
-    for (size_t i = 0; i < v.size(); ++i) sum += std::pow(v[i] - segment.velocity[i], 2);
-  }
-  EXPECT_GT(sums[1], 1.2 * sums[0]);
-  options.weighting = Weighting::kAuto;
-  const auto fit = FitOutputError({&segment, 1}, options);
-  EXPECT_EQ(fit.weighting, Weighting::kPlain);
-  EXPECT_THAT(fit.weighting_reason, HasSubstr("predict worse"));
-}
-
 TEST(Weighting, LearnedLeavesWildSamplesOut) {
   const NoiseTrial trial(KindsNamed({"mild turbulence"}).front());
   Segment segment = trial.Draw(3);
@@ -153,25 +115,39 @@ TEST(Weighting, LearnedLeavesWildSamplesOut) {
   }
 }
 
-TEST(Weighting, AutoKeepsAModelThatPlainSquaresDoNotDetermine) {
-  SyntheticRun run = {.command = [](double) { return -0.81; }};  // balances the buoyancy
-  run.noise = 0.01;
-  run.duration = 60.0;
-  const Segment segment = Synthesize(run, 1);
+// Whose intervals hold 42 % of buoyancies in the table, of nominal 95.
+TEST(Weighting, PlainSaysThatItsIntervalsAreTooShortWhereAPositionWanders) {
+  const auto caveats_by = [](Weighting weighting, const char* kind) {
+    const NoiseTrial trial(KindsNamed({kind}).front());
+    return FitBy(weighting, trial, trial.Draw(1)).caveats;
+  };
+  EXPECT_THAT(caveats_by(Weighting::kPlain, "mild turbulence, positions"),
+              Contains(HasSubstr("the position wanders")));
+  EXPECT_THAT(caveats_by(Weighting::kLearned, "mild turbulence, positions"),
+              Not(Contains(HasSubstr("wanders"))));
+  EXPECT_THAT(caveats_by(Weighting::kPlain, "white, positions"),
+              Not(Contains(HasSubstr("wanders"))));
+}
+
+// The answer that there is, and why it is not the one that was asked for.
+TEST(Weighting, StaysPlainWhereNoNoiseCanBeLearned) {
+  const NoiseTrial trial(KindsNamed({"white"}).front());
   OutputErrorOptions options;
-  options.initial_guess = run.truth;
-  options.weighting = Weighting::kAuto;
+  options.max_iterations = 1;  // too few for the plain search
+  options.initial_guess = trial.truth();
+  options.initial_guess->inertia *= 3.0;
+  const Segment segment = trial.Draw(1);
+  options.weighting = Weighting::kLearned;
   const auto fit = FitOutputError({&segment, 1}, options);
-  EXPECT_FALSE(fit.IsUsable());
   EXPECT_EQ(fit.weighting, Weighting::kPlain);
-  EXPECT_FALSE(fit.weighting_reason.empty());
+  EXPECT_EQ(fit.weighting_reason, "The plain search did not converge.");
 }
 
 TEST(Weighting, IsReadByItsName) {
-  for (const Weighting weighting : {Weighting::kPlain, Weighting::kLearned, Weighting::kAuto}) {
+  for (const Weighting weighting : {Weighting::kPlain, Weighting::kLearned}) {
     EXPECT_EQ(ParseWeighting(std::string(Name(weighting))), weighting);
   }
-  EXPECT_THROW(ParseWeighting("best"), InputError);
+  EXPECT_THROW(ParseWeighting("auto"), InputError);
 }
 
 }  // namespace

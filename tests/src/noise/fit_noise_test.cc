@@ -48,7 +48,7 @@ TEST(FitNoise, FindsWhiteNoiseAlone) {
   const auto samples = VelocitySamples(300.0, 0.2);
   const Eigen::VectorXd e = DenseDraws(white, samples, 1).Draw();
   FitNoiseOptions options;
-  options.selection = NoiseSelection::kBic;
+  options.selection = NoiseSelection::kAic;
   const NoiseFit fit = FitNoise(samples, Span(e), NoDesign(1500), options);
   ASSERT_TRUE(fit.IsUsable()) << fit.message;
   EXPECT_EQ(fit.num_parameters, 1);
@@ -64,7 +64,7 @@ TEST(FitNoise, RecoversTheParametersOfEachComponent) {
   coloured.velocity.coloured = {.std = 0.03, .time = 1.5};
   const auto samples = VelocitySamples(500.0, 0.2, [](int i) { return i % 50 > 40; });
   FitNoiseOptions options;
-  options.selection = NoiseSelection::kBic;
+  options.selection = NoiseSelection::kAic;
   double log_std = 0.0, log_time = 0.0, white = 0.0, colour = 0.0, colour_time = 0.0;
   const int num_runs = 12;
   DenseDraws disturbed_draws(Disturbed(), samples, 10), coloured_draws(coloured, samples, 30);
@@ -115,7 +115,7 @@ TEST(FitNoise, IsAMaximum) {
   const auto samples = VelocitySamples(300.0, 0.2);
   const Eigen::VectorXd e = DenseDraws(Disturbed(), samples, 2).Draw();
   FitNoiseOptions options;
-  options.allow_coloured = false;
+  options.start = Disturbed();  // no coloured noise beside it
   const NoiseFit fit = FitNoise(samples, Span(e), NoDesign(1500), options);
   ASSERT_TRUE(fit.IsUsable()) << fit.message;
   EXPECT_NEAR(Whitener(fit.model, samples).LogLikelihood(Span(e)), fit.log_likelihood, 1e-6);
@@ -180,8 +180,7 @@ TEST(FitNoise, RestrictedLikelihoodRemovesTheBiasOfFittedColumns) {
     Eigen::VectorXd e = draws.Draw();
     e -= dense * qr.solve(e);
     FitNoiseOptions options;
-    options.allow_coloured = false;
-    options.selection = NoiseSelection::kAll;
+    options.start = truth;  // no coloured noise beside the disturbance
     const NoiseFit ml = FitNoise(samples, Span(e), NoDesign(samples.size()), options);
     const NoiseFit reml = FitNoise(samples, Span(e), D, options);
     ASSERT_TRUE(ml.IsUsable() && reml.IsUsable());

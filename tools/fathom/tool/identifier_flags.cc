@@ -26,10 +26,11 @@ DEFINE_double(shooting_window,
               600.0,
               "Output error: longer segments are cut into windows of this length [s], each with "
               "its own initial state. 0: never.");
-DEFINE_string(weighting,
-              "auto",
-              "Output error: plain (all samples alike), learned (by sensor noise and disturbance, "
-              "learned along), or auto (learned, unless left-out free runs suffer).");
+DEFINE_string(
+    weighting,
+    "plain",
+    "Output error: plain (all samples alike), or learned (by sensor noise and disturbance, "
+    "learned along).");
 
 namespace fathom {
 namespace {

@@ -19,9 +19,8 @@ DECLARE_string(weighting);
 
 namespace fathom {
 
-// Options of the families as --gains, --integrator, --huber, --shooting_window and
-// --weighting say. Throws
-// InputError for a value that cannot be used.
+// Options of the families as --gains, --integrator, --huber, --shooting_window and --weighting say.
+// Throws InputError for a value that cannot be used.
 IdentificationOptions IdentificationOptionsFromFlags();
 
 }  // namespace fathom

@@ -50,13 +50,14 @@ std::string ProblemOfModel(const RunRecord& run) {
   }
 }
 
-RunRecord Identify(Dof dof,
+RunRecord Identify(const DiveTask& task,
                    const std::vector<DiveLog>& logs,
                    const ProgramSettings& settings,
                    const RunBook& book) {
   ProgramCall call = {.program = "fathom_identify",
-                      .flags = {fmt::format("--dof={}", Name(dof))},
+                      .flags = {fmt::format("--dof={}", Name(task.dof))},
                       .output = "model"};
+  if (!task.weighting.empty()) call.flags.push_back("--weighting=" + task.weighting);
   for (const DiveLog& log : logs) {
     call.contents.push_back(log.content);
     call.places.push_back("--log=" + log.place);
@@ -229,7 +230,7 @@ DiveOutcome RunDiveJobs(const DiveTask& task,
                         const ProgramSettings& settings,
                         const RunBook& book) {
   const JointFit fit = [&](const std::vector<DiveLog>& logs) {
-    return Identify(task.dof, logs, settings, book);
+    return Identify(task, logs, settings, book);
   };
   DiveOutcome outcome;
   outcome.logs = task.logs;

@@ -26,6 +26,7 @@ struct DiveTask {
   std::string vehicle, dive;
   Dof dof = Dof::kSurge;
   std::vector<DiveLog> logs;
+  std::string weighting;  // of fathom_identify; empty: its own
 };
 
 struct LeftOutLog {

@@ -225,6 +225,7 @@ DofRuns RunOnDof(Dof dof,
                          .places = {log_flag},
                          .output = "json"};
   if (!options.families.empty()) compare.flags.push_back("--families=" + options.families);
+  if (!options.weighting.empty()) compare.flags.push_back("--weighting=" + options.weighting);
   runs.compare = RunProgram(compare, settings, book);
   Add(runs.compare, outcome);
   if (!options.diagnose) return runs;

@@ -19,6 +19,7 @@ namespace fathom {
 // What is done with each log.
 struct LogJobOptions {
   std::string families;         // of fathom_compare, comma-separated; empty: all that it has
+  std::string weighting;        // of fathom_compare and fathom_identify; empty: their own
   bool diagnose = true;         // run fathom_diagnose too
   std::optional<Dof> dof;       // of single CSV logs
   std::filesystem::path pages;  // a folder for the pages of the diagnoses; empty: none

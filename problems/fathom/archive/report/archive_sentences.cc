@@ -5,6 +5,7 @@
 
 #include "fathom/archive/report/dives_apart.h"
 #include "fathom/archive/report/log_states.h"
+#include "fathom/base/plural.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ std::string QuietSentence(const std::string& vehicle, std::size_t num_dives, boo
       "No statement on change{}: only {} {} a usable joint fit, at least {} are "
       "needed.",
       of,
-      Counted(num_dives, "dive"),
+      Plural(num_dives, "dive"),
       num_dives == 1 ? "has" : "have",
       kFewestDivesForChange);
 }
@@ -99,7 +100,7 @@ std::string OtherFiles(const std::map<std::string, int>& files) {
     sum += static_cast<std::size_t>(count);
   }
   return fmt::format(" {} no {}: {}.",
-                     Counted(sum, "other file") + (sum == 1 ? " is" : " are"),
+                     Plural(sum, "other file") + (sum == 1 ? " is" : " are"),
                      sum == 1 ? "log" : "logs",
                      fmt::join(kinds, ", "));
 }
@@ -184,10 +185,6 @@ std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
 
 }  // namespace
 
-std::string Counted(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::vector<std::string> ChangeSentences(const Tables& tables) {
   std::vector<std::string> sentences = SentencesOfVehicles(tables);
   if (std::string poor = PoorModelsSentence(tables); !poor.empty()) {
@@ -209,7 +206,7 @@ std::string LogsSentence(const ArchiveReport& report) {
   if (num_logs == 0) return "There are no logs." + OtherFiles(report.other_files);
 
   std::string text =
-      fmt::format("{} in {}: ", Counted(num_logs, "log"), Counted(dives.size(), "dive"));
+      fmt::format("{} in {}: ", Plural(num_logs, "log"), Plural(dives.size(), "dive"));
   const std::map<std::string, std::size_t> red = RedByState(report.tables);
   text += num_models == 0
               ? "none gave a model"

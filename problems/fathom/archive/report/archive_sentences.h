@@ -19,7 +19,4 @@ std::vector<std::string> ChangeSentences(const Tables& tables);
 // How many logs in how many dives, and what became of them: every log is in one of the counts.
 std::string LogsSentence(const ArchiveReport& report);
 
-// "logs" unless it is one: "1 log", "12 logs".
-std::string Counted(std::size_t count, const std::string& noun);
-
 }  // namespace fathom

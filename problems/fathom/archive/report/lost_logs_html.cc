@@ -5,6 +5,7 @@
 
 #include "fathom/archive/report/archive_sentences.h"
 #include "fathom/archive/report/log_states.h"
+#include "fathom/base/plural.h"
 #include "fathom/report/html_text.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ std::string MessageHtml(const std::string& message, const Paths& paths) {
   }
   return fmt::format("<details class=\"reason\"><summary>{} <b>{}</b></summary>{}</details>\n",
                      text,
-                     Counted(paths.size(), "log"),
+                     Plural(paths.size(), "log"),
                      ListHtml(paths));
 }
 
@@ -47,7 +48,7 @@ std::string StateHtml(const std::string& state, const ByMessage& by_message) {
   for (const auto& [message, paths] : messages) num_logs += paths.size();
 
   std::string html = fmt::format(
-      "<h3>{} <span>{}</span></h3>\n", HtmlText(StateText(state)), Counted(num_logs, "log"));
+      "<h3>{} <span>{}</span></h3>\n", HtmlText(StateText(state)), Plural(num_logs, "log"));
   if (const auto meaning = StateMeaning(state); !meaning.empty()) {
     html += fmt::format("<p class=\"hint\">{}</p>\n", meaning);
   }
@@ -55,7 +56,7 @@ std::string StateHtml(const std::string& state, const ByMessage& by_message) {
   for (std::size_t i = 0; i < messages.size(); ++i) {
     if (has_more && i == kMessagesInSight) {
       html += fmt::format("<details class=\"more\"><summary>{}</summary>\n",
-                          Counted(messages.size() - i, "more message"));
+                          Plural(messages.size() - i, "more message"));
     }
     html += MessageHtml(messages[i].first, messages[i].second);
   }

@@ -15,8 +15,7 @@ namespace fathom {
 
 Identified IdentifiedModelOf(std::span<const Log> logs, Dof dof) {
   const JoinedSignals joined = JoinSignals(logs, dof, std::nullopt);
-  IdentificationOptions options;
-  options.output_error.weighting = Weighting::kAuto;
+  const IdentificationOptions options;
   Identification together = Identify(joined.all, joined.all, Family::kOutputError, options);
   Identified identified;
   if (!together.is_usable) {

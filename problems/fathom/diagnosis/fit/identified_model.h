@@ -29,8 +29,8 @@ struct Identified {
   std::string why_none;              // as fathom_identify says it; empty where there is a model
 };
 
-// What fathom_identify gives for these logs by default: output error on the best source, with the
-// weighting that it chooses; of several logs with intervals as wide as these differ.
+// What fathom_identify gives for these logs by default: output error on the best source; of several
+// logs with intervals as wide as these differ.
 Identified IdentifiedModelOf(std::span<const Log> logs, Dof dof);
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/report/remarks.h"
 
+#include "fathom/base/plural.h"
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/search/suspects.h"
@@ -152,9 +153,8 @@ std::vector<std::string> RemarksOnData(const MeasuredSegments& segments,
   }
   const int num_outliers = preparation.num_outliers;
   if (num_outliers > 0) {
-    remarks.push_back(fmt::format("Left out: {} single outlier{} far from {} neighbours.",
-                                  num_outliers,
-                                  num_outliers == 1 ? "" : "s",
+    remarks.push_back(fmt::format("Left out: {} far from {} neighbours.",
+                                  Plural(static_cast<std::size_t>(num_outliers), "single outlier"),
                                   num_outliers == 1 ? "its" : "their"));
   }
   return remarks;

@@ -248,6 +248,7 @@ ImportMap ReadImportMap(const std::filesystem::path& path) {
 ImportMap ParseImportMap(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   ImportMap map;
+  file.Ignore("when");  // read by whoever chooses among maps
   if (file.Has("name")) map.name = file.Name("name");
   map.dofs = DofsOf(file);
   map.vehicle = file.String("vehicle", "");

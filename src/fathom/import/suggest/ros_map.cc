@@ -3,6 +3,7 @@
 
 #include "fathom/import/suggest/ros_map.h"
 
+#include "fathom/base/plural.h"
 #include "fathom/import/ros/known_types.h"
 #include "fathom/import/suggest/channel_facts.h"
 
@@ -75,8 +76,7 @@ std::string Head(const char* stream, const Choice& choice, const char* frame) {
   std::string text = fmt::format(
       "{}:\n  channel: \"{}\"  # {}", stream, choice.channel->name, choice.channel->type);
   if (choice.num_others > 0) {
-    text +=
-        fmt::format("; {} other{} may be it", choice.num_others, choice.num_others == 1 ? "" : "s");
+    text += fmt::format("; {} may be it", Plural(choice.num_others, "other"));
   }
   return text + fmt::format("\n  frame: {}\n", frame);
 }

@@ -8,14 +8,18 @@
 #include "fathom/import/suggest/px4_map.h"
 #include "fathom/import/suggest/rock_map.h"
 #include "fathom/import/suggest/ros_map.h"
-#include "fathom/import/suggest/simlab_map.h"
 #include "fathom/import/suggest/tlog_map.h"
 
 #include <string>
 
 namespace fathom {
 
-SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>& vehicle) {
+SuggestedMap SuggestMap(const Recording& recording,
+                        const std::optional<Vehicle>& vehicle,
+                        std::span<const MapWithWhen> own) {
+  for (const MapWithWhen& map : own) {
+    if (const auto suggested = map.For(recording.contents())) return *suggested;
+  }
   const std::string& format = recording.contents().format;
   if (format == "dataflash") return ArdupilotMap(recording, vehicle);
   if (format == "ulog") return Px4Map(recording, vehicle);
@@ -24,7 +28,7 @@ SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>
     return RosMap(recording, vehicle);
   }
   if (format == "pocolog") return RockMap(recording.contents());
-  if (const auto map = SimlabMap(recording.contents())) return *map;
+  if (const auto map = UvmsSimlabMap().For(recording.contents())) return *map;
   return MapByNames(recording.contents());
 }
 

@@ -4,15 +4,19 @@
 #pragma once
 
 #include "fathom/import/recording/recording.h"
+#include "fathom/import/suggest/map_with_when.h"
 #include "fathom/import/suggest/suggested_map.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <optional>
+#include <span>
 
 namespace fathom {
 
 // A map of what a recording seems to hold. `vehicle`: of the thrusters that its commands drive,
-// where it is known.
-SuggestedMap SuggestMap(const Recording& recording, const std::optional<Vehicle>& vehicle);
+// where it is known. The first of `own` that fits goes before everything else.
+SuggestedMap SuggestMap(const Recording& recording,
+                        const std::optional<Vehicle>& vehicle,
+                        std::span<const MapWithWhen> own = {});
 
 }  // namespace fathom

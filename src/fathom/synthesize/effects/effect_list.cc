@@ -3,7 +3,7 @@
 
 #include "fathom/synthesize/effects/effect_list.h"
 
-#include "fathom/synthesize/effects/effect_sizes.h"
+#include "fathom/base/random_stream.h"
 #include "fathom/synthesize/effects/given_effect.h"
 #include "fathom/synthesize/effects/unlisted_effects.h"
 #include "fathom/synthesize/motion/vehicle_motion.h"
@@ -12,11 +12,34 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
+
+constexpr double kNotDrawn = std::numeric_limits<double>::quiet_NaN();
+
+// Values for an effect between just visible and large: even in their logarithm over the range of
+// each parameter (EffectParameter::drawn; NaN without one), in units of the experiment's own
+// scales; with a random sign where both are physical. `scales` by Index(Dof), as ScalesOf().
+std::vector<double> DrawSizes(const Effect& effect,
+                              Dof dof,
+                              Dof partner,
+                              const std::array<Scales, 6>& scales,
+                              RandomStream& random) {
+  const NaturalScales natural = {
+      scales[Index(dof)], scales[Index(partner)], scales[Index(Dof::kYaw)]};
+  std::vector<double> values;
+  for (const EffectParameter& parameter : effect.info().parameters) {
+    const SizeRange& range = parameter.drawn;
+    const double size = range.smallest * std::pow(range.largest / range.smallest, random.Uniform());
+    const double sign = random.Uniform() < 0.5 && range.either_sign ? -1.0 : 1.0;
+    values.push_back(range.unit ? sign * size * range.unit(natural) : kNotDrawn);
+  }
+  return values;
+}
 
 // What is not given drawn.
 ActiveEffect Drawn(const GivenEffect& given,

@@ -73,7 +73,6 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
   unit_ = std::move(cleared.columns);  // each trial's columns take the place of its own
   const size_t num_trials = trials->trials.size();
   scores_.assign(num_trials, 0.0);
-  surviving_shares_.assign(num_trials, 0.0);
   amounts_.resize(num_trials);
   responses_.resize(num_trials);
   for (size_t t = 0; t < num_trials; ++t) {
@@ -83,11 +82,12 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
     const Eigen::MatrixXd own = unit_.middleCols(first, count);
     unit_.middleCols(first, count).setZero();
     const Eigen::VectorXd norms = cleared.norms.segment(first, count);
+    double surviving_share = 0.0;  // of the signature: what the fitted model cannot imitate
     for (int k = 0; k < count; ++k) {
       if (!(norms[k] > 0.0)) continue;
-      surviving_shares_[t] = std::max(surviving_shares_[t], own.col(k).norm() / norms[k]);
+      surviving_share = std::max(surviving_share, own.col(k).norm() / norms[k]);
     }
-    if (!(surviving_shares_[t] > kLeastShare)) continue;
+    if (!(surviving_share > kLeastShare)) continue;
     const Eigen::MatrixXd basis = UnitColumns(own, norms);
     unit_.middleCols(first, count) = basis;
     if (count == 1) responses_[t] = {own.col(0).dot(cleared.residual), own.col(0).squaredNorm()};

@@ -27,9 +27,6 @@ class Screen {
   // The trial's amounts that the linear screen finds, in units of its probes.
   const std::vector<std::vector<double>>& amounts() const { return amounts_; }
 
-  // Share of the signature that the fitted model cannot imitate.
-  const std::vector<double>& surviving_shares() const { return surviving_shares_; }
-
   // Of a trial with one column c, so many times as large: chi squared falls by
   // 2 times inner - times^2 squared. Both 0 where nothing of it is left.
   struct Response {
@@ -49,7 +46,7 @@ class Screen {
   const Trials* trials_;
   Eigen::MatrixXd unit_;       // rows: bins
   Eigen::VectorXd projected_;  // unit' residual
-  std::vector<double> scores_, surviving_shares_;
+  std::vector<double> scores_;
   std::vector<std::vector<double>> amounts_;
   std::vector<Response> responses_;
 };

@@ -116,9 +116,9 @@ TEST(Screen, SeesNothingInWhatTheFitCanImitate) {
   Made made(2);
   made.trials.signatures.col(0) = made.fit.jacobian * Eigen::Vector3d(0.3, -0.2, 0.7);
   const Screen screen(made.fit, &made.trials, Whitener(made.noise, made.samples));
-  EXPECT_LT(screen.surviving_shares()[0], 1e-5);
   EXPECT_EQ(screen.scores()[0], 0.0);
-  EXPECT_GT(screen.surviving_shares()[1], 0.1);
+  EXPECT_EQ(screen.response(0).squared, 0.0);
+  EXPECT_GT(screen.response(1).squared, 0.0);
 }
 
 // Suspect 1 has one one-sided trial: zero half of the time, else chi squared of one degree. Suspect
@@ -191,7 +191,8 @@ TEST(Screen, ScoresAnEffectAsTheSlopeOfItsLikelihoodDoes) {
     // A probe of a fiftieth is a secant, and the linearised response good to 1 %
     // (force_response_test): 2 % of the signature, which is 2 % over its share of what survives.
     // That error meets noise of standard deviation 1 (three of them) and the effect itself.
-    const double tolerance = 0.02 / screen.surviving_shares()[t] * std::max(3.0, std::abs(z));
+    const double share = std::sqrt(imitated.chi_squared / signature.dot(factor.solve(signature)));
+    const double tolerance = 0.02 / share * std::max(3.0, std::abs(z));
     if (screen.scores()[t] == 0.0) {
       EXPECT_LT(z, tolerance) << info.name;
     } else {

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+
+// The files of data/maps, embedded at build time: a program has no folder to find them in.
+namespace fathom::map_files {
+
+extern const std::string_view uvms_simlab_yaml;
+
+}  // namespace fathom::map_files
