@@ -3,8 +3,8 @@
 
 // Any bytes as what fathom_batch --survey printed; what is read must be written again.
 
-#include "fathom/archive/jobs/survey.h"
 #include "fathom/base/input_error.h"
+#include "fathom/open_log/survey.h"
 
 #include <cstddef>
 #include <cstdint>

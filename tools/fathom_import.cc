@@ -3,7 +3,6 @@
 
 // A log folder from the file that a vehicle's own software wrote.
 
-#include "fathom/archive/jobs/survey.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/leaves_its_folder.h"
@@ -15,8 +14,8 @@
 #include "fathom/camera/camera_file.h"
 #include "fathom/camera/mount_file.h"
 #include "fathom/camera/tags_file.h"
-#include "fathom/check/pose_twist_check.h"
-#include "fathom/check/stamp_check.h"
+#include "fathom/findings/pose_twist_check.h"
+#include "fathom/findings/stamp_check.h"
 #include "fathom/images/video_reader.h"
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
@@ -25,6 +24,7 @@
 #include "fathom/import/suggest/suggest_map.h"
 #include "fathom/log/read_log.h"
 #include "fathom/log/write_log.h"
+#include "fathom/open_log/survey.h"
 #include "fathom/report/table.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/output_folder.h"

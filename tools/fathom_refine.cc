@@ -7,11 +7,11 @@
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/comparison/comparison_page.h"
-#include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/image_comparison.h"
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
 #include "fathom/geometry/stamped_pose.h"
+#include "fathom/identification/identification_text.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/write_log.h"
 #include "fathom/signal/sources/dof_of_log.h"

@@ -7,7 +7,7 @@
 
 namespace fathom {
 
-// What people do to their logs, each to a sound one; docs/checks.md, "The table of mistakes".
+// What people do to their logs, each to a sound one; docs/findings.md, "The table of mistakes".
 
 // The force in another unit: so many times the number in newton.
 void ScaleForce(double factor, LogNumbers* log);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The table of mistakes of docs/checks.md: what every tool says first.
+// The table of mistakes of docs/findings.md: what every tool says first.
 
 #include "mistakes.h"
 

@@ -3,8 +3,8 @@
 
 #include "fathom/archive/batch_text.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/report/archive_sentences.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/plural.h"
 
 #include <cmath>

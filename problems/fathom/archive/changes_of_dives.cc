@@ -3,8 +3,8 @@
 
 #include "fathom/archive/changes_of_dives.h"
 
-#include "fathom/archive/trends/name_causes.h"
 #include "fathom/base/input_error.h"
+#include "fathom/trends/name_causes.h"
 #include "fathom/vehicle/files/model_file.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 

@@ -3,11 +3,11 @@
 
 #include "fathom/archive/log_batch.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/archive/jobs/unfinished_runs.h"
 #include "fathom/archive/known_logs.h"
 #include "fathom/archive/store/rows_of_log.h"
 #include "fathom/base/exit_code.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
 #include "fathom/log/log_content.h"

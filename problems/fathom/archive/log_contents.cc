@@ -3,7 +3,7 @@
 
 #include "fathom/archive/log_contents.h"
 
-#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"

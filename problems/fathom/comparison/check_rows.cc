@@ -3,7 +3,7 @@
 
 #include "fathom/comparison/check_rows.h"
 
-#include "fathom/comparison/identification_text.h"
+#include "fathom/identification/identification_text.h"
 
 #include <utility>
 

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "fathom/check/finding.h"
-#include "fathom/check/inertia_check.h"
-#include "fathom/comparison/identification.h"
+#include "fathom/findings/finding.h"
+#include "fathom/findings/inertia_check.h"
+#include "fathom/identification/identification.h"
 
 #include <optional>
 #include <span>

@@ -4,10 +4,10 @@
 #include "fathom/comparison/comparison.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/check/log_check.h"
 #include "fathom/comparison/check_rows.h"
-#include "fathom/comparison/joint_identification.h"
-#include "fathom/comparison/log_agreement.h"
+#include "fathom/findings/log_check.h"
+#include "fathom/identification/joint_identification.h"
+#include "fathom/identification/log_agreement.h"
 #include "fathom/signal/joined_signals.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"

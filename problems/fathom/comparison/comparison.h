@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "fathom/check/finding.h"
-#include "fathom/comparison/identification.h"
+#include "fathom/findings/finding.h"
+#include "fathom/identification/identification.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/signals.h"
 

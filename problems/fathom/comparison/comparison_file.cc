@@ -3,8 +3,8 @@
 
 #include "fathom/comparison/comparison_file.h"
 
-#include "fathom/check/finding_json.h"
 #include "fathom/comparison/recommendation.h"
+#include "fathom/findings/finding_json.h"
 
 #include <cmath>
 #include <limits>

@@ -4,11 +4,11 @@
 #include "fathom/comparison/comparison_page.h"
 
 #include "fathom/base/not_known.h"
-#include "fathom/check/explain_first.h"
 #include "fathom/comparison/comparison_panels.h"
-#include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
-#include "fathom/comparison/remains_fold.h"
+#include "fathom/findings/explain_first.h"
+#include "fathom/identification/identification_text.h"
+#include "fathom/identification/remains_fold.h"
 #include "fathom/report/format_value.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "fathom/comparison/comparison_panels.h"
 
 #include "fathom/base/not_known.h"
-#include "fathom/comparison/identification_text.h"
 #include "fathom/comparison/recommendation.h"
+#include "fathom/identification/identification_text.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/simulate/free_run.h"
 

@@ -3,9 +3,9 @@
 
 #include "fathom/comparison/image_comparison.h"
 
-#include "fathom/check/log_check.h"
 #include "fathom/comparison/check_rows.h"
-#include "fathom/comparison/joint_identification.h"
+#include "fathom/findings/log_check.h"
+#include "fathom/identification/joint_identification.h"
 #include "fathom/signal/joined_signals.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "fathom/comparison/image_comparison_page.h"
 
 #include "fathom/comparison/comparison_page.h"
-#include "fathom/comparison/identification_text.h"
+#include "fathom/identification/identification_text.h"
 #include "fathom/report/format_value.h"
 #include "fathom/signal/pose_velocity.h"
 

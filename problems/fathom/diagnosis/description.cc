@@ -3,10 +3,10 @@
 
 #include "fathom/diagnosis/description.h"
 
-#include "fathom/diagnosis/judge/explained_share.h"
-#include "fathom/diagnosis/judge/limits.h"
-#include "fathom/diagnosis/judge/missing_force.h"
 #include "fathom/diagnosis/judge/ranking.h"
+#include "fathom/diagnosis/measures/explained_share.h"
+#include "fathom/diagnosis/measures/limits.h"
+#include "fathom/diagnosis/measures/missing_force.h"
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/simulate/data_range.h"
 #include "fathom/simulate/noise_floor.h"

@@ -4,8 +4,6 @@
 #include "fathom/diagnosis/diagnosis.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/check/inertia_check.h"
-#include "fathom/check/log_check.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/description.h"
 #include "fathom/diagnosis/fit/identified_model.h"
@@ -16,6 +14,8 @@
 #include "fathom/diagnosis/report/remarks.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/search/suspects.h"
+#include "fathom/findings/inertia_check.h"
+#include "fathom/findings/log_check.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/check/finding.h"
+#include "fathom/findings/finding.h"
 #include "fathom/vehicle/effect.h"
 #include "fathom/vehicle/thruster.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
-#include "fathom/check/finding.h"
+#include "fathom/findings/finding.h"
 #include "fathom/log/held_command.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"

@@ -5,8 +5,8 @@
 
 #include "fathom/base/files/exists.h"
 #include "fathom/base/input_error.h"
-#include "fathom/check/motion_check.h"
-#include "fathom/check/stamp_check.h"
+#include "fathom/findings/motion_check.h"
+#include "fathom/findings/stamp_check.h"
 #include "fathom/free_decay/choose_stretches.h"
 #include "fathom/signal/signals.h"
 #include "fathom/signal/sources/choose_source.h"

@@ -5,7 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/time_interval.h"
-#include "fathom/check/finding.h"
+#include "fathom/findings/finding.h"
 #include "fathom/free_decay/free_decay.h"
 #include "fathom/log/log.h"
 #include "fathom/signal/sources/source.h"

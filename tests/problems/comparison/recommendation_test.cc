@@ -4,7 +4,7 @@
 #include "fathom/comparison/recommendation.h"
 
 #include "fathom/comparison/comparison_page.h"
-#include "fathom/comparison/identification_text.h"
+#include "fathom/identification/identification_text.h"
 #include "fathom/log/read_log.h"
 
 #include <algorithm>

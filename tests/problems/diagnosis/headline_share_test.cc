@@ -6,7 +6,7 @@
 
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/measures/held_out.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/vehicle/effects/catalogue.h"
 

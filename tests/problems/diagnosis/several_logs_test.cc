@@ -7,7 +7,7 @@
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/data/training_data.h"
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/diagnosis/judge/held_out.h"
+#include "fathom/diagnosis/measures/held_out.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/model_file.h"

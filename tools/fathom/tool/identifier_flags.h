@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/comparison/identification.h"
+#include "fathom/identification/identification.h"
 #include "fathom/tool/log_flags.h"
 
 #include <string>

@@ -6,7 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
-#include "fathom/marker_trajectory/open_log.h"
+#include "fathom/open_log/open_log.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/print_text.h"

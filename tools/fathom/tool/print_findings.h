@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/check/finding.h"
+#include "fathom/findings/finding.h"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 
 #include "fathom/archive/dives/archive_settings.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/files/input_file.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/quoted.h"
 

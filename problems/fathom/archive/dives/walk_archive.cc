@@ -3,7 +3,7 @@
 
 #include "fathom/archive/dives/walk_archive.h"
 
-#include "fathom/archive/dives/path_text.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/import/open_recording.h"
 #include "fathom/log/log_files.h"

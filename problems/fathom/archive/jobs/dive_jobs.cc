@@ -3,9 +3,9 @@
 
 #include "fathom/archive/jobs/dive_jobs.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/log/log_content.h"

@@ -3,8 +3,8 @@
 
 #include "fathom/archive/jobs/log_jobs.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/exit_code.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_content.h"
 

@@ -7,7 +7,7 @@
 #include "fathom/archive/dives/walk_archive.h"
 #include "fathom/archive/jobs/log_state.h"
 #include "fathom/archive/jobs/run_program.h"
-#include "fathom/archive/jobs/survey.h"
+#include "fathom/open_log/survey.h"
 
 #include <filesystem>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "fathom/archive/jobs/run_program.h"
 
-#include "fathom/archive/dives/path_text.h"
 #include "fathom/base/files/input_file.h"
+#include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_content.h"
 

@@ -5,7 +5,7 @@
 
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/judge/ladder.h"
-#include "fathom/diagnosis/judge/left_out_blocks.h"
+#include "fathom/diagnosis/measures/left_out_blocks.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/parameters.h"
 

@@ -5,9 +5,9 @@
 
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/fit/remaining_structure.h"
-#include "fathom/diagnosis/judge/evidence.h"
-#include "fathom/diagnosis/judge/free_run_comparison.h"
 #include "fathom/diagnosis/judge/refutation.h"
+#include "fathom/diagnosis/measures/evidence.h"
+#include "fathom/diagnosis/measures/free_run_comparison.h"
 #include "fathom/diagnosis/options.h"
 #include "fathom/diagnosis/result.h"
 

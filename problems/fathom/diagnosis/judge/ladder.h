@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/judge/confirmation.h"
-#include "fathom/diagnosis/judge/free_run_comparison.h"
+#include "fathom/diagnosis/measures/free_run_comparison.h"
 
 namespace fathom {
 

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/judge/ranking.h"
 
-#include "fathom/diagnosis/judge/experiments.h"
+#include "fathom/diagnosis/measures/experiments.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/parameters.h"
 

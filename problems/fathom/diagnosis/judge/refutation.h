@@ -4,8 +4,8 @@
 #pragma once
 
 #include "fathom/diagnosis/judge/confirmation.h"
-#include "fathom/diagnosis/judge/held_out.h"
-#include "fathom/diagnosis/judge/left_out_blocks.h"
+#include "fathom/diagnosis/measures/held_out.h"
+#include "fathom/diagnosis/measures/left_out_blocks.h"
 
 #include <optional>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include "fathom/diagnosis/report/diagnosis_page.h"
 
-#include "fathom/check/explain_first.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/confirmation.h"
@@ -12,6 +11,7 @@
 #include "fathom/diagnosis/report/limit_text.h"
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/findings/explain_first.h"
 #include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/model_file.h"
 

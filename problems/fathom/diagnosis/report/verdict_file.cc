@@ -4,10 +4,10 @@
 #include "fathom/diagnosis/report/verdict_file.h"
 
 #include "fathom/base/not_known.h"
-#include "fathom/check/finding_json.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/findings/finding_json.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cmath>

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/check/log_checkup.h"
+#include "fathom/report/table.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What comes first, in one sentence: what is red, and what can be identified.
+std::string Verdict(const LogCheckup& checkup);
+
+// What to do with this log now: a command, where there is one.
+std::string NextStep(const LogCheckup& checkup);
+
+// What the colours of findings mean.
+inline constexpr const char* kColourKey =
+    "Red: no model of this log should be believed before this is explained. Yellow: worth knowing. "
+    "Green: nothing was found.";
+
+Table StreamTable(const LogCheckup& checkup);
+
+// How well this log knows each parameter of a DOF, by output error: with an unknown delay of the
+// command, where the data do not tell one.
+Table DeterminedTable(const LogCheckup& checkup, const DofCheckup& dof);
+
+// "; in doubt: ..." to follow the key of that table; empty where nothing is.
+std::string WordsOnDoubt(const LogCheckup& checkup, const DofCheckup& dof);
+
+// What fathom_identify says of this model beyond its intervals, a sentence each; may be empty.
+std::vector<std::string> CaveatsOn(const DofCheckup& dof);
+
+// Where the log is excited, and what to hold out, a sentence each; may be empty.
+std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const DofCheckup& dof);
+
+// All of it for a terminal.
+std::string FormatCheckup(const LogCheckup& checkup);
+
+// As JSON, schema "fathom-check-1"; docs/check.md.
+std::string FormatCheckupJson(const LogCheckup& checkup);
+
+// A row for each log of an archive, or for what could not be opened.
+struct CheckedLog {
+  std::string path;
+  std::string message;  // why it could not be checked; empty: it was
+  LogCheckup checkup;
+};
+
+Table CheckedLogsTable(const std::vector<CheckedLog>& logs);
+
+// The table, and below it why logs could not be read.
+std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs, TableFormat format);
+
+}  // namespace fathom

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/logs_verdict.h"
+
+#include "fathom/findings/inertia_check.h"
+#include "fathom/findings/log_check.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// A spread that logs that agree show once in a thousand times.
+bool IsApart(const Spread& spread) { return spread.freedom > 0 && spread.p_value < 1e-3; }
+
+bool GivesAnyModel(const CheckedLog& log) {
+  return std::ranges::any_of(
+      log.checkup.dofs, [](const DofCheckup& dof) { return dof.model && dof.model->is_usable; });
+}
+
+bool FitsPoorly(const CheckedLog& log) {
+  return std::ranges::any_of(log.checkup.dofs,
+                             [](const DofCheckup& dof) { return Has(dof.findings, "poor_fit"); });
+}
+
+// "dive/run_1 gives no model", "3 of 12 logs give no model"; empty where it is of none.
+template <typename Is>
+std::string ClauseOn(std::span<const CheckedLog> logs,
+                     const Is& is,
+                     const char* of_one,
+                     const char* of_several) {
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> paths;
+  for (const CheckedLog& log : logs) {
+    if (is(log)) paths.push_back(log.path);
+  }
+  if (paths.empty()) return "";
+  if (paths.size() > kMostNamed) {
+    return fmt::format("{} of {} logs {}", paths.size(), logs.size(), of_several);
+  }
+  return fmt::format("{} {}", fmt::join(paths, ", "), paths.size() == 1 ? of_one : of_several);
+}
+
+// An inertia above UsualInertia() over the dry mass of the log; nothing where it is not, or no mass
+// is known.
+std::optional<double> UnusualMasses(const CheckedLog& log, Dof dof) {
+  const DofCheckup* const of_dof = FindDof(log.checkup, dof);
+  if (of_dof == nullptr || of_dof->model->fitted.force_unit != ForceUnit(dof)) return std::nullopt;
+  const std::optional<Body> body = BodyOf({&log.checkup.log, 1});
+  if (!body) return std::nullopt;
+  const double inertia = of_dof->model->fitted.model.inertia;
+  if (!(inertia > UsualInertia(dof, *body))) return std::nullopt;
+  return inertia / body->mass;
+}
+
+std::string ClauseOnInertia(std::span<const CheckedLog> logs, Dof dof) {
+  std::vector<double> masses;
+  for (const CheckedLog& log : logs) {
+    if (const auto unusual = UnusualMasses(log, dof)) masses.push_back(*unusual);
+  }
+  if (masses.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(masses);
+  const std::string low = fmt::format("{:.2g}", least), high = fmt::format("{:.2g}", most);
+  return fmt::format(
+      "the inertia in {} is {} times the dry mass in {} of {} logs (up to 3 is usual)",
+      Name(dof),
+      low == high ? low : low + " to " + high,
+      masses.size(),
+      logs.size());
+}
+
+// What is to be known beside red findings, a clause each.
+std::vector<std::string> Against(std::span<const CheckedLog> logs) {
+  std::vector<std::string> clauses = {ClauseOn(
+                                          logs,
+                                          [](const CheckedLog& log) { return !GivesAnyModel(log); },
+                                          "gives no model",
+                                          "give no model"),
+                                      ClauseOn(logs, FitsPoorly, "fits poorly", "fit poorly")};
+  for (const Dof dof : kAllDofs) {
+    if (!IsAngular(dof)) clauses.push_back(ClauseOnInertia(logs, dof));
+  }
+  std::erase(clauses, "");
+  return clauses;
+}
+
+}  // namespace
+
+std::vector<std::string> Disagreements(const DofOfLogs& of_dof) {
+  std::vector<std::string> sentences;
+  for (std::size_t p = 0; p < kNumParameters; ++p) {
+    const Spread& spread = of_dof.agreement.spreads[p];
+    if (!IsApart(spread)) continue;
+    std::string name(kParameterInfo[p].name);
+    std::ranges::replace(name, '_', ' ');
+    sentences.push_back(
+        fmt::format("The logs disagree on the {} in {}: it scatters {:.1f} times as far as the "
+                    "logs know it (chi-square {:.3g} of {}). They are not of one vehicle in one "
+                    "state, or a model of four numbers misses something.",
+                    name,
+                    Name(of_dof.dof),
+                    std::sqrt(spread.chi_squared / spread.freedom),
+                    spread.chi_squared,
+                    spread.freedom));
+  }
+  return sentences;
+}
+
+std::string LogsVerdict(std::span<const CheckedLog> logs, std::span<const DofOfLogs> dofs) {
+  const auto num_red =
+      std::ranges::count_if(logs, [](const CheckedLog& log) { return HasRed(log.checkup); });
+  const auto num_judged = std::ranges::count_if(logs, GivesAnyModel);
+  std::vector<std::string> against = Against(logs);
+  if (num_red > 0) {
+    std::string text =
+        fmt::format("{} of {} logs {} red findings, which have to be explained first.",
+                    num_red,
+                    logs.size(),
+                    num_red == 1 ? "has" : "have");
+    if (!against.empty()) text += fmt::format(" Besides, {}.", fmt::join(against, "; "));
+    return text;
+  }
+  if (num_judged == 0) return fmt::format("None of these {} logs gives a model.", logs.size());
+  const bool agree = std::ranges::all_of(
+      dofs, [](const DofOfLogs& of_dof) { return Disagreements(of_dof).empty(); });
+  if (against.empty()) {
+    return agree ? fmt::format("Nothing speaks against these {} logs.", logs.size())
+                 : fmt::format("Nothing speaks against each of these {} logs, but they disagree.",
+                               logs.size());
+  }
+  if (!agree) against.emplace_back("the logs disagree");
+  return fmt::format("Nothing red speaks against {} of {} logs, but {}.",
+                     num_judged,
+                     logs.size(),
+                     fmt::join(against, "; "));
+}
+
+}  // namespace fathom

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/open_log/open_log.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/marker_trajectory/camera_source.h"
+#include "fathom/vehicle/files/thruster_command.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Takes the mass, and turns a command of thrusters into forces.
+void UseVehicleFile(Log* log) {
+  const bool names_file = log->vehicle.ends_with(".yaml");
+  const bool is_of_thrusters = log->command && IsOfThrusters(*log->command);
+  if (is_of_thrusters && !names_file) {
+    throw InputError(fmt::format(
+        "{}: command.csv holds thrusters, but log.yaml names no vehicle file to turn them into "
+        "forces. Add `vehicle: file.yaml`.",
+        log->path.string()));
+  }
+  if (!names_file) return;
+  const std::filesystem::path file = log->path / log->vehicle;
+  std::error_code error;
+  if (!is_of_thrusters && !std::filesystem::exists(file, error)) {
+    log->remarks.push_back(
+        {RemarkKind::kGeneral,
+         fmt::format("{} is missing, so that no inertia is held against the vehicle's mass.",
+                     file.lexically_normal().string())});
+    return;
+  }
+  const Vehicle vehicle = ReadVehicleFile(file);
+  if (!log->mass) log->mass = vehicle.mass;
+  if (!log->mass) {
+    log->remarks.push_back({RemarkKind::kGeneral,
+                            fmt::format("{} has no mass, so that no inertia is held against it.",
+                                        file.lexically_normal().string())});
+  }
+  if (!is_of_thrusters) return;
+  log->thrusters =
+      log->thruster_unit == "N" ? log->command : ThrustsFromSpeeds(*log->command, vehicle);
+  log->command = ForcesOfThrusts(*log->thrusters, vehicle);
+}
+
+}  // namespace
+
+Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options) {
+  Log log = ReadLog(path, options);
+  UseVehicleFile(&log);
+  if (!options.may_lack_motion && !log.velocity) TrackDetections(&log);
+  return log;
+}
+
+void TrackDetectionsIfUsable(Log* log) {
+  try {
+    TrackDetections(log);
+  } catch (const InputError& error) {
+    log->remarks.push_back(
+        {RemarkKind::kGeneral, std::string("The camera is not used: ") + error.what()});
+  }
+}
+
+}  // namespace fathom

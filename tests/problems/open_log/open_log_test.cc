@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/open_log/open_log.h"
+
+#include "fathom/base/input_error.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// Two thrusters, half a metre to either side.
+std::filesystem::path LogWith(const std::string& log_yaml) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "open_log_test" / test->name();
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "log.yaml") << "name: run\ndof: surge\n" << log_yaml;
+  std::ofstream(folder / "command.csv") << "t,thruster_1,thruster_2\n0,3,1\n1,-2,2\n";
+  std::ofstream(folder / "velocity.csv") << "t,u\n0,0\n1,0.1\n";
+  std::ofstream(folder / "rov.yaml")
+      << "name: rov\nthrusters:\n"
+         "  - {name: port, position: [0, -0.5, 0], direction: [1, 0, 0],\n"
+         "     coefficient: {forward: 2, reverse: 1}}\n"
+         "  - {name: starboard, position: [0, 0.5, 0], direction: [1, 0, 0],\n"
+         "     coefficient: {forward: 2, reverse: 1}}\n";
+  return folder;
+}
+
+TEST(OpenLog, MakesForcesOfTheSpeedsOfThrustersAndKeepsTheThrusts) {
+  const Log log = OpenLog(LogWith("vehicle: rov.yaml\n"));
+  EXPECT_THAT(*log.thrusters->Find("thruster_1"), ElementsAre(18, -4));
+  EXPECT_THAT(*log.thrusters->Find("thruster_2"), ElementsAre(2, 8));
+  EXPECT_THAT(*log.command->Find("tau_surge"), ElementsAre(20, 4));
+  EXPECT_THAT(*log.command->Find("tau_yaw"), ElementsAre(8, -6));
+}
+
+TEST(OpenLog, TakesThrustsInNewtonAsTheyAre) {
+  const Log log = OpenLog(LogWith("vehicle: rov.yaml\nthruster_unit: N\n"));
+  EXPECT_THAT(*log.thrusters->Find("thruster_1"), ElementsAre(3, -2));
+  EXPECT_THAT(*log.command->Find("tau_surge"), ElementsAre(4, 0));
+}
+
+TEST(OpenLog, RefusesThrustersOfAnUnknownVehicleOrUnit) {
+  const auto error = [](const std::string& log_yaml) -> std::string {
+    try {
+      OpenLog(LogWith(log_yaml));
+    } catch (const InputError& refused) {
+      return refused.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error(""), HasSubstr("command.csv holds thrusters, but log.yaml names no vehicle"));
+  EXPECT_THAT(error("vehicle: rov.yaml\nthruster_unit: kgf\n"),
+              HasSubstr("key 'thruster_unit' is 'kgf', expected Hz or N."));
+}
+
+}  // namespace
+}  // namespace fathom
