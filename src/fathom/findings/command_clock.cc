@@ -19,9 +19,16 @@
 namespace fathom {
 namespace {
 
-constexpr double kClockWindow = 1.0;              // [s]
-constexpr double kLongestCommandDelay = 10.0;     // [s]
-constexpr double kCommandDelayStep = 0.05;        // [s]
+constexpr double kClockWindow = 1.0;  // [s]
+
+// Which delays are tried: up to `longest` either way.
+struct DelayGrid {
+  double longest = 10.0;  // [s]
+  double step = 0.05;     // [s]
+};
+// Clocks that have nothing to do with each other. Slower, and with fewer windows.
+constexpr DelayGrid kWideGrid = {60.0, 0.25};
+
 constexpr double kShortestSegment = 20.0;         // of a segment [s]
 constexpr double kLeastCommandEvidence = 10.0;    // natural logarithm of the ratio of likelihoods
 constexpr double kLeastShare = 0.25;              // of what the other terms leave, by the force
@@ -130,7 +137,9 @@ struct Rests {
   std::size_t num_windows = 0;
 };
 
-Rests RestsOf(const HeldCommand& command, std::span<const Segment> segments) {
+Rests RestsOf(const HeldCommand& command,
+              std::span<const Segment> segments,
+              const DelayGrid& grid) {
   if (command.time.size() < 2) return {};
   std::vector<Window> windows;
   double longest = 0.0;
@@ -141,38 +150,28 @@ Rests RestsOf(const HeldCommand& command, std::span<const Segment> segments) {
     AddWindows(segment, &windows);
   }
   // Every delay is judged by the same windows: those whose command is known at all of them.
-  const double most =
-      std::floor(std::min(kLongestCommandDelay, 0.2 * longest) / kCommandDelayStep) *
-      kCommandDelayStep;
+  const double most = std::floor(std::min(grid.longest, 0.2 * longest) / grid.step) * grid.step;
   std::erase_if(windows, [&](const Window& window) {
     return window.from - most < command.time.front() || window.to + most > command.time.back();
   });
   constexpr std::size_t kFewestWindows = 30;
   if (windows.size() < kFewestWindows) return {};
   const Impulse impulse(command);
-  Rests rests = {{}, static_cast<int>(std::lround(most / kCommandDelayStep)), windows.size()};
+  Rests rests = {{}, static_cast<int>(std::lround(most / grid.step)), windows.size()};
   for (int k = -rests.num_steps; k <= rests.num_steps; ++k) {
-    rests.of_step.push_back(RestAt(k * kCommandDelayStep, windows, impulse));
+    rests.of_step.push_back(RestAt(k * grid.step, windows, impulse));
   }
   return rests;
 }
 
-}  // namespace
-
-DelayCurve CommandDelayCurve(const HeldCommand& command, std::span<const Segment> segments) {
-  const auto [rests, num_steps, num_windows] = RestsOf(command, segments);
-  DelayCurve curve;
-  for (int k = 0; k < std::ssize(rests); ++k) {
-    curve.delay.push_back((k - num_steps) * kCommandDelayStep);
-    curve.correlation.push_back(rests[static_cast<std::size_t>(k)].Correlation());
-  }
-  return curve;
+// Whether the force of a delay explains a share of what the other terms leave.
+bool ExplainsAShare(const Rest& rest) {
+  return rest.slope > 0.0 && rest.with_force <= (1.0 - kLeastShare) * rest.without_force;
 }
 
-std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
-                                             std::span<const Segment> segments) {
-  const auto [rests, num_steps, num_windows] = RestsOf(command, segments);
-  if (rests.empty()) return std::nullopt;
+// The best delay of a grid, if it is better than none by far and better than all others.
+std::optional<CommandDelay> BestDelay(const Rests& all, double step_of_grid) {
+  const auto& [rests, num_steps, num_windows] = all;
   // Halves of the windows overlap.
   const double count = 0.25 * static_cast<double>(num_windows);
   const auto evidence = [&](const Rest& a, const Rest& b) {
@@ -183,9 +182,8 @@ std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
   });
   const int at = static_cast<int>(best - rests.begin());
   const Rest& none = rests[static_cast<std::size_t>(num_steps)];
-  const CommandDelay found = {(at - num_steps) * kCommandDelayStep, evidence(*best, none)};
-  if (found.evidence < kLeastCommandEvidence || !(best->slope > 0.0)) return std::nullopt;
-  if (best->with_force > (1.0 - kLeastShare) * best->without_force) return std::nullopt;
+  const CommandDelay found = {(at - num_steps) * step_of_grid, evidence(*best, none)};
+  if (found.evidence < kLeastCommandEvidence || !ExplainsAShare(*best)) return std::nullopt;
   if (at == 0 || at == 2 * num_steps) return std::nullopt;  // it may be longer still
   // Another delay that is as good, beyond the valley of this one.
   for (int step : {-1, 1}) {
@@ -201,6 +199,32 @@ std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
     }
   }
   return found;
+}
+
+}  // namespace
+
+DelayCurve CommandDelayCurve(const HeldCommand& command, std::span<const Segment> segments) {
+  const DelayGrid grid;
+  const auto [rests, num_steps, num_windows] = RestsOf(command, segments, grid);
+  DelayCurve curve;
+  for (int k = 0; k < std::ssize(rests); ++k) {
+    curve.delay.push_back((k - num_steps) * grid.step);
+    curve.correlation.push_back(rests[static_cast<std::size_t>(k)].Correlation());
+  }
+  return curve;
+}
+
+std::optional<CommandDelay> FindCommandDelay(const HeldCommand& command,
+                                             std::span<const Segment> segments) {
+  const DelayGrid near;
+  const Rests rests = RestsOf(command, segments, near);
+  if (rests.of_step.empty()) return std::nullopt;
+  if (const auto found = BestDelay(rests, near.step)) return found;
+  // Where the force acts as it is told, the clocks are not far apart.
+  if (ExplainsAShare(rests.of_step[static_cast<std::size_t>(rests.num_steps)])) return std::nullopt;
+  const Rests wide = RestsOf(command, segments, kWideGrid);
+  if (wide.of_step.empty()) return std::nullopt;
+  return BestDelay(wide, kWideGrid.step);
 }
 
 std::optional<Finding> CheckCommandClock(const HeldCommand& command,

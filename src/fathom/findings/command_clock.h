@@ -19,13 +19,14 @@ struct CommandDelay {
   double evidence = 0.0;  // how many times more likely than none, as a natural logarithm
 };
 
-// The clock of the command against that of the motion, up to 10 s either way: over windows of a
-// second the change of the momentum is what force, damping and buoyancy have done meanwhile,
+// The clock of the command against that of the motion, up to 10 s either way, and up to 60 s where
+// no nearer one makes the command act: over windows of a second the change of the momentum is what
+// force, damping and buoyancy have done meanwhile,
 //
 //   v(t + W) - v(t) = a I_F(t - d) - b I_v - c I_v|v| + e W                  docs/findings.md (6)
 //
 //   I_x   integral of x over the window
-//   d     the delay: the one that leaves least, in steps of 0.05 s
+//   d     the delay: the one that leaves least, in steps of 0.05 s, beyond 10 s of 0.25 s
 //
 // Nothing unless that one is e^10 times as likely as none, the force then explains a quarter of
 // what the other terms leave, and the motion follows it (a > 0). A periodic command tells no delay

@@ -85,6 +85,17 @@ INSTANTIATE_TEST_SUITE_P(Seconds,
                          ::testing::Values(-7.0, -3.0, -0.5, 0.6, 2.2, 8.0));
 
 // Of logs whose clocks agree none may get a warning.
+// A log joined from two others, each with its own clock.
+TEST(CommandClock, FarApartIsFoundWhereTheCommandActsAtNoNearerTime) {
+  for (const double offset : {-31.0, 13.0, 40.0}) {
+    Steered run = Simulated(RandomSteps(5), 0.0, 400.0, 5);
+    for (double& t : run.segments[0].time) t += offset;
+    const auto found = FindCommandDelay(run.command, run.segments);
+    ASSERT_TRUE(found) << offset;
+    EXPECT_NEAR(found->delay, offset, 0.3);
+  }
+}
+
 TEST(CommandClock, SaysNothingOfClocksThatAgree) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Steered run = Simulated(RandomSteps(seed), 0.0, 100.0, seed);
