@@ -43,7 +43,8 @@ class MergeTest : public testing::Test {
     return store.FindRun("key")->output;
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / "merge";
+  std::filesystem::path folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / "merge" /
+                                  testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(MergeTest, TakesARunThatEndedForOneThatRanOutOfTime) {

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/check/log_checkup.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Field;
+using testing::Not;
+
+// A vehicle of 20 kg and 8 kg/s under steps of 3 s, in a table: t, tau, v. `sign`: of the command
+// as the table has it.
+std::filesystem::path WriteTable(const std::string& name, double sign) {
+  const std::filesystem::path path = std::filesystem::path(FATHOM_SCRATCH_DIR) / name;
+  std::ofstream table(path);
+  table << "t,tau,v\n";
+  double speed = 0.0;
+  for (int k = 0; k < 1200; ++k) {
+    const int step = k / 30;
+    const double force = 10.0 * std::sin(2.4 * step * step);
+    speed += 0.1 * (force - 8.0 * speed) / 20.0;
+    table << fmt::format("{:.1f},{:.4f},{:.6f}\n", 0.1 * k, sign * force, speed);
+  }
+  return path;
+}
+
+auto IsOf(const std::string& code, Severity severity) {
+  return AllOf(Field(&Finding::code, code), Field(&Finding::severity, severity));
+}
+
+TEST(CheckUp, IsNeverGreenerThanTheFit) {
+  const LogCheckup turned = CheckUp(WriteTable("turned_command.csv", -1.0), Dof::kSurge);
+  ASSERT_EQ(turned.dofs.size(), 1u);
+  ASSERT_TRUE(turned.dofs[0].model.has_value());
+  EXPECT_FALSE(turned.dofs[0].model->is_usable);
+  EXPECT_THAT(turned.dofs[0].findings, Contains(IsOf("no_model", Severity::kWarning)));
+}
+
+TEST(CheckUp, FindsNoFaultInASoundTable) {
+  const LogCheckup sound = CheckUp(WriteTable("sound_command.csv", 1.0), Dof::kSurge);
+  ASSERT_EQ(sound.dofs.size(), 1u);
+  EXPECT_TRUE(sound.dofs[0].model->is_usable);
+  EXPECT_NEAR(sound.dofs[0].model->fitted.model.inertia, 20.0, 1.5);
+  EXPECT_THAT(sound.dofs[0].findings, Not(Contains(Field(&Finding::severity, Severity::kWarning))));
+}
+
+}  // namespace
+}  // namespace fathom
