@@ -24,10 +24,8 @@ constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is 
 constexpr double kMoreThanScatter = 2.0;        // RMS of a free run's error over what scatters
 constexpr double kBetterThanNamed = 0.2;        // of unseen error, to take the place of a cause
 
-RemainingStructure RemainingOf(const Prepared& prepared,
-                               const Choice& choice,
-                               const Evidence& evidence) {
-  if (evidence.IsNegligible()) return {};
+RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
+  if (LeavesNothing(prepared.data, choice.fit())) return {};
   return FindRemainingStructure(prepared.data, choice.fit());
 }
 
@@ -46,8 +44,7 @@ bool Remains(const Prepared& prepared, const RemainingStructure& remaining, doub
 // `logs`: several that hold nothing out, each left out in turn.
 Sifted SiftedBest(const Prepared& prepared,
                   const std::optional<LeftOutParts>& logs,
-                  const WeighedSearch& search,
-                  const Evidence& evidence) {
+                  const WeighedSearch& search) {
   const auto sift = [&](Choice choice, Burden burden) {
     return LeaveOutTheRefuted(prepared.data, prepared.held_out, search, burden, std::move(choice));
   };
@@ -57,7 +54,7 @@ Sifted SiftedBest(const Prepared& prepared,
     return LeaveOutTheUnconfirmed(prepared.data, *logs, search, std::move(sifted.choice));
   }
   const double gain = search.found.book[sifted.choice.chosen].gain;
-  if (!Remains(prepared, RemainingOf(prepared, sifted.choice, evidence), gain)) return sifted;
+  if (!Remains(prepared, RemainingOf(prepared, sifted.choice), gain)) return sifted;
   // The causes may stand in for what nothing explains; unseen data tell.
   Sifted strict = sift(std::move(sifted.choice), Burden::kToGain);
   strict.refusals.insert(strict.refusals.begin(), sifted.refusals.begin(), sifted.refusals.end());
@@ -136,7 +133,7 @@ Judgement Concluded(const Prepared& prepared,
                     const Evidence& evidence,
                     const DiagnosisOptions& options) {
   const HypothesisBook& book = search.found.book;
-  const RemainingStructure left = RemainingOf(prepared, sifted.choice, evidence);
+  const RemainingStructure left = RemainingOf(prepared, sifted.choice);
   const auto refusal = RefusalOfAll(book[sifted.choice.chosen].suspects,
                                     runs,
                                     prepared.held_out.empty(),
@@ -147,8 +144,7 @@ Judgement Concluded(const Prepared& prepared,
     runs = OfUsersAlone(std::move(runs));
   }
   const int chosen = sifted.choice.chosen;
-  const RemainingStructure remaining =
-      refusal ? RemainingOf(prepared, sifted.choice, evidence) : left;
+  const RemainingStructure remaining = refusal ? RemainingOf(prepared, sifted.choice) : left;
   const bool remains = Remains(prepared, remaining, book[chosen].gain);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
@@ -177,7 +173,7 @@ Judgement JudgedByLikelihood(const Prepared& prepared,
   if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
     logs = LeaveOut(prepared, LeavingOut::kLogs);
   }
-  Sifted sifted = SiftedBest(prepared, logs, search, evidence);
+  Sifted sifted = SiftedBest(prepared, logs, search);
   const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
   const LeavingOut how = HowToLeaveOut(prepared.data, sifted.choice.fit().model);
   const auto parts = std::make_shared<const LeftOutParts>(
@@ -234,7 +230,8 @@ Judgement Judge(const Prepared& prepared,
   std::optional<Judgement> by_likelihood;
   if (prepared.has_baseline) {
     by_likelihood = JudgedByLikelihood(prepared, suspects, evidence, options);
-    if (evidence.IsNegligible() || !LeavesMoreThanScatter(prepared, *by_likelihood)) {
+    if (LeavesNothing(prepared.data, by_likelihood->choice.fit()) ||
+        !LeavesMoreThanScatter(prepared, *by_likelihood)) {
       return *std::move(by_likelihood);
     }
   }

@@ -34,6 +34,10 @@ Evidence EvidenceOf(const TrainingData& data, const StructureFit& baseline) {
           .command_tone = data.command_tone()};
 }
 
+bool LeavesNothing(const TrainingData& data, const StructureFit& fit) {
+  return ShareLeft(data, fit.residual) < Evidence::kNegligible;
+}
+
 double WanderRatio(const TrainingData& data, const Eigen::VectorXd& residual) {
   const NoiseModel all = WhiteNoise(data, residual);
   const NoiseModel scatter = SensorNoiseOnly(data, residual);

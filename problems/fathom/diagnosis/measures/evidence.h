@@ -28,6 +28,9 @@ struct Evidence {
 
 Evidence EvidenceOf(const TrainingData& data, const StructureFit& baseline);
 
+// Whether a fit leaves less than Evidence::kNegligible: nothing that a sensor could show.
+bool LeavesNothing(const TrainingData& data, const StructureFit& fit);
+
 // RMS of a residual of the velocity (of the displacement where there is none) over what of it
 // scatters from sample to sample.
 double WanderRatio(const TrainingData& data, const Eigen::VectorXd& residual);
