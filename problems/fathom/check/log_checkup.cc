@@ -134,7 +134,7 @@ void Identify(const Log& log, DofCheckup* checkup) {
   Add(CheckCommand(checkup->command, segments), &checkup->findings);
   if (!identified.result.is_usable) {
     checkup->findings.push_back(
-        {Severity::kWarning,
+        {Severity::kNote,
          "no_model",
          fmt::format("There is no usable model: {}", identified.result.message)});
   }

@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/judge/ladder.h"
+#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/left_out_blocks.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/parameters.h"
@@ -19,11 +20,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kMaterialShare = 0.05;  // of all structure, below which the rest is no matter
-constexpr double kLossTooMuchInTraining = 0.1;  // of NMAE, at which nothing is named
-constexpr double kMoreThanScatter = 2.0;        // RMS of a free run's error over what scatters
-constexpr double kBetterThanNamed = 0.2;        // of unseen error, to take the place of a cause
-
 RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
   if (LeavesNothing(prepared.data, choice.fit())) return {};
   return FindRemainingStructure(prepared.data, choice.fit());
@@ -37,7 +33,7 @@ bool Remains(const Prepared& prepared, const RemainingStructure& remaining, doub
                                    ? gain + remaining.gain
                                    : static_cast<double>(prepared.data.bins().size());
   return remaining.p_value < RemainingStructure::kClear &&
-         remaining.gain - remaining.num_columns > kMaterialShare * all_structure;
+         remaining.gain - remaining.num_columns > VerdictRules::kMaterialRest * all_structure;
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
@@ -59,35 +55,6 @@ Sifted SiftedBest(const Prepared& prepared,
   Sifted strict = sift(std::move(sifted.choice), Burden::kToGain);
   strict.refusals.insert(strict.refusals.begin(), sifted.refusals.begin(), sifted.refusals.end());
   return strict;
-}
-
-// Why nothing of what was chosen is to be named after all; nothing if it is.
-std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
-                                    const FreeRunComparison& runs,
-                                    bool by_left_out_blocks,
-                                    bool remains) {
-  if (causes.empty()) return std::nullopt;
-  const Gain& gain = runs.gain;
-  if (runs.unseen.by_log) {
-    // A cause may stand in for what else is missing, and two runs miss much the same.
-    if (gain.num_logs < 3 && remains) {
-      return Refusal{.reason = Refusal::Reason::kTwoLogsTellTooLittle, .refused = causes};
-    }
-    if (IsConfirmedByLogs(gain)) return std::nullopt;
-    return Refusal{.reason = Refusal::Reason::kNotConfirmedByLogs, .refused = causes, .loss = gain};
-  }
-  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses);
-  // Of blocks left out in turn the models are refitted on less: only what is certain counts.
-  const bool counts = !by_left_out_blocks || gain.is_in_poses || gain.high < 0.0;
-  if (loss && counts) {
-    return Refusal{.reason = Refusal::Reason::kLosesOnUnseenData, .refused = causes, .loss = *loss};
-  }
-  const double before = runs.train_before.nmae, after = runs.train_after.nmae;
-  if (!(after > (1.0 + kLossTooMuchInTraining) * before)) return std::nullopt;
-  return Refusal{.reason = Refusal::Reason::kLosesInTraining,
-                 .refused = causes,
-                 .nmae_before = before,
-                 .nmae_after = after};
 }
 
 // Separation from rivals. What nothing explains gains so much per column: then it takes as many
@@ -194,7 +161,7 @@ bool LeavesMoreThanScatter(const Prepared& prepared, const Judgement& judgement)
   const Choice& choice = judgement.choice;
   return WanderRatio(prepared.data,
                      choice.chosen == 0 ? prepared.users.residual : choice.fit().residual) >
-         kMoreThanScatter;
+         VerdictRules::kMoreThanScatter;
 }
 
 // Whether likelihood does not speak against what free runs propose: with the noise learned along it
@@ -216,8 +183,8 @@ bool TakesThePlaceOf(const Prepared& prepared, const Judgement& by_likelihood, c
     return false;
   }
   const Gain gain = GainOf(Beside(standing, rung.runs.unseen), false);
-  const bool is_better = IsBetterForCertain(gain) &&
-                         (by_likelihood.choice.chosen == 0 || gain.value > kBetterThanNamed);
+  const bool is_better = IsBetterForCertain(gain) && (by_likelihood.choice.chosen == 0 ||
+                                                      gain.value > VerdictRules::kBetterThanNamed);
   return is_better && IsLikely(prepared, rung.choice.fit());
 }
 

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/judge/ladder.h"
 
+#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace fathom {
 namespace {
 
 constexpr size_t kTriedOfSize = 2;
-constexpr double kMaterial = 0.05;
-constexpr double kMaterialWithoutInterval = 0.2;
 
 // The best hypotheses of so many causes on the training data.
 std::vector<int> ProposedOfSize(const HypothesisBook& book, int size) {
@@ -38,9 +37,10 @@ double Total(const std::vector<FreeRun>& runs) {
 }  // namespace
 
 bool IsBetterForCertain(const Gain& gain) {
-  if (gain.num_logs > 0 && gain.num_better == gain.num_logs) return gain.value > kMaterial;
-  if (std::isnan(gain.low)) return gain.value > kMaterialWithoutInterval;
-  return gain.low > kMaterial;
+  if (gain.num_logs > 0 && gain.num_better == gain.num_logs)
+    return gain.value > VerdictRules::kMaterialGain;
+  if (std::isnan(gain.low)) return gain.value > VerdictRules::kMaterialGainWithoutInterval;
+  return gain.low > VerdictRules::kMaterialGain;
 }
 
 Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int most_causes) {

@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/judge/refutation.h"
 
+#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
@@ -14,25 +15,20 @@
 namespace fathom {
 namespace {
 
-constexpr double kLossTooMuch = 0.05;   // of held-out NMAE, at which nothing is named
-constexpr double kTraceInPoses = 0.01;  // losses that say nothing
-constexpr double kTraceInVelocities = 0.005;
-constexpr double kMaterialGain = 0.05;     // in poses, that outweighs them in velocities
-constexpr double kLeastGainOfEach = 0.01;  // over all logs, each of which gains
-constexpr int kMostInstead = 4;            // causes that are tried in the place of others
+constexpr int kMostInstead = 4;  // causes that are tried in the place of others
 
-double TraceOf(const Gain& gain) { return gain.is_in_poses ? kTraceInPoses : 0.0; }
+double TraceOf(const Gain& gain) { return gain.is_in_poses ? VerdictRules::kTraceInPoses : 0.0; }
 
 // For certain, by more than a trace, or by too much as far as the data go.
 bool IsLoss(const Gain& gain, double trace) {
-  return gain.high < -trace || gain.value < -kLossTooMuch;
+  return gain.high < -trace || gain.value < -VerdictRules::kLossTooMuch;
 }
 
 // Whether the held-out data refuse a cause, from the runs without it and with it.
 bool IsRefused(const Scored& scored, bool acts_on_poses_alone, Burden burden) {
   const Gain in_velocities = GainOf(scored, false);
   const Gain gain = GainOf(scored, acts_on_poses_alone);
-  const bool is_borne_out = gain.is_in_poses && gain.low > kMaterialGain;
+  const bool is_borne_out = gain.is_in_poses && gain.low > VerdictRules::kMaterialGainInPoses;
   if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) return true;
   return burden == Burden::kToGain && !(gain.low > 0.0);
 }
@@ -87,7 +83,7 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
 
 bool IsConfirmedByLogs(const Gain& gain) {
   if (gain.low > 0.0) return true;
-  return gain.num_better == gain.num_logs && gain.value > kLeastGainOfEach;
+  return gain.num_better == gain.num_logs && gain.value > VerdictRules::kLeastGainOfEachLog;
 }
 
 Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
@@ -136,8 +132,36 @@ std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone)
   if (IsLoss(gain, TraceOf(gain))) return gain;
   if (!gain.is_in_poses) return std::nullopt;
   const Gain in_velocities = GainOf(scored, false);
-  if (IsLoss(in_velocities, kTraceInVelocities)) return in_velocities;
+  if (IsLoss(in_velocities, VerdictRules::kTraceInVelocities)) return in_velocities;
   return std::nullopt;
+}
+
+std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
+                                    const FreeRunComparison& runs,
+                                    bool by_left_out_blocks,
+                                    bool remains) {
+  if (causes.empty()) return std::nullopt;
+  const Gain& gain = runs.gain;
+  if (runs.unseen.by_log) {
+    // A cause may stand in for what else is missing, and two runs miss much the same.
+    if (gain.num_logs < 3 && remains) {
+      return Refusal{.reason = Refusal::Reason::kTwoLogsTellTooLittle, .refused = causes};
+    }
+    if (IsConfirmedByLogs(gain)) return std::nullopt;
+    return Refusal{.reason = Refusal::Reason::kNotConfirmedByLogs, .refused = causes, .loss = gain};
+  }
+  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses);
+  // Of blocks left out in turn the models are refitted on less: only what is certain counts.
+  const bool counts = !by_left_out_blocks || gain.is_in_poses || gain.high < 0.0;
+  if (loss && counts) {
+    return Refusal{.reason = Refusal::Reason::kLosesOnUnseenData, .refused = causes, .loss = *loss};
+  }
+  const double before = runs.train_before.nmae, after = runs.train_after.nmae;
+  if (!(after > (1.0 + VerdictRules::kLossTooMuchInTraining) * before)) return std::nullopt;
+  return Refusal{.reason = Refusal::Reason::kLosesInTraining,
+                 .refused = causes,
+                 .nmae_before = before,
+                 .nmae_after = after};
 }
 
 }  // namespace fathom

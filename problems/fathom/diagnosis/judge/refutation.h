@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/judge/confirmation.h"
+#include "fathom/diagnosis/measures/free_run_comparison.h"
 #include "fathom/diagnosis/measures/held_out.h"
 #include "fathom/diagnosis/measures/left_out_blocks.h"
 
@@ -69,5 +70,12 @@ bool IsConfirmedByLogs(const Gain& gain);
 // of a jump before the held-out data; the velocities, which it moves no more than the fit moves,
 // speak against it from half a percent on.
 std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone);
+
+// Why nothing of what was chosen is to be named after all; nothing if it is. `by_left_out_blocks`:
+// nothing was held out. `remains`: what the causes leave is more than noise.
+std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
+                                    const FreeRunComparison& runs,
+                                    bool by_left_out_blocks,
+                                    bool remains);
 
 }  // namespace fathom

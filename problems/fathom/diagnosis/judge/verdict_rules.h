@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace fathom {
+
+// The thresholds of a verdict, all of them. Gains and losses are shares of the error of free runs
+// on data that no fit has seen, unless it says so; docs/diagnosis.md, "Verdict".
+struct VerdictRules {
+  // What is left, of all structure [share of the log-likelihood's gain], below which it is no
+  // matter: an answer of 95 % is one.
+  static constexpr double kMaterialRest = 0.05;
+
+  // RMS error of a free run over what scatters from sample to sample [1], above which the noise may
+  // have taken up what is missing. Correlated noise alone reaches about 1.5.
+  static constexpr double kMoreThanScatter = 2.0;
+
+  // A cause refuses itself where it loses so much, however wide the interval of the loss is.
+  static constexpr double kLossTooMuch = 0.05;
+
+  // The same of the error in training [share of NMAE]: the noise has eaten what the cause explains.
+  static constexpr double kLossTooMuchInTraining = 0.1;
+
+  // Losses in the displacements that say nothing, as a jump of the poses before the held-out data
+  // leaves; and in the velocities, of a cause that acts on poses alone.
+  static constexpr double kTraceInPoses = 0.01;
+  static constexpr double kTraceInVelocities = 0.005;
+
+  // A gain in the poses that outweighs a loss in the velocities, for certain.
+  static constexpr double kMaterialGainInPoses = 0.05;
+
+  // Of several logs, each of which gains: more than roundings of the fit.
+  static constexpr double kLeastGainOfEachLog = 0.01;
+
+  // A rung of the ladder of free runs is climbed for such a gain, for certain; where the blocks are
+  // too few for an interval, for the second.
+  static constexpr double kMaterialGain = 0.05;
+  static constexpr double kMaterialGainWithoutInterval = 0.2;
+
+  // What free runs propose takes the place of a cause that likelihood names for such a gain.
+  static constexpr double kBetterThanNamed = 0.2;
+};
+
+}  // namespace fathom
