@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/coupled/coupled_model.h"
+
+#include <cstddef>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace fathom {
+namespace {
+
+// The rows and columns of these DOFs.
+Eigen::MatrixXd PartOf(const Matrix6& matrix, const std::vector<Dof>& dofs) {
+  const auto size = static_cast<Eigen::Index>(dofs.size());
+  Eigen::MatrixXd part(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) part(i, j) = matrix(Index(dofs[i]), Index(dofs[j]));
+  }
+  return part;
+}
+
+}  // namespace
+
+bool IsPositiveDefinite(const Matrix6& matrix, const std::vector<Dof>& dofs) {
+  return Eigen::LLT<Eigen::MatrixXd>(PartOf(matrix, dofs)).info() == Eigen::Success;
+}
+
+bool IsPassive(const CoupledModel& model) {
+  for (const Dof dof : model.dofs) {
+    if (!(model.quadratic_damping(Index(dof), Index(dof)) >= 0.0)) return false;
+  }
+  const Eigen::MatrixXd linear = PartOf(model.linear_damping, model.dofs);
+  const Eigen::MatrixXd symmetric = 0.5 * (linear + linear.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+  const double rounding = 1e-12 * symmetric.cwiseAbs().maxCoeff();
+  return solver.eigenvalues()[0] >= -rounding;
+}
+
+}  // namespace fathom

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/vehicle/coupled/six_vector.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// Several degrees of freedom of a vehicle in still water.
+//
+//   M dnu/dt + C(nu) nu + D(nu) nu + g(eta) + o = B(kappa) T    docs/coupled.md (1)
+//
+//   nu   velocities, body frame                               [m/s], [rad/s]
+//   M    `inertia`: rigid body plus added mass, symmetric     [kg], [kg m], [kg m^2]
+//   C    Coriolis and centripetal forces of M, if `coriolis`  coriolis.h
+//   D    D_L + D_Q |nu|: the force along i is
+//        sum_j (D_L,ij + D_Q,ij |nu_j|) nu_j
+//   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
+//   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
+//   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces
+//
+// Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
+// tells what a measured partner does. Entries that are not known are 0.
+//
+// It fails in waves and current, near walls, and where thrust depends on the inflow.
+struct CoupledModel {
+  std::vector<Dof> dofs;  // those that it moves, in the order of Dof, each once
+
+  Matrix6 inertia = Matrix6::Zero();
+  Matrix6 linear_damping = Matrix6::Zero();     // D_L [kg/s], [kg m/s], [kg m^2/s]
+  Matrix6 quadratic_damping = Matrix6::Zero();  // D_Q [kg/m], [kg], [kg m], [kg m^2]
+  Vector6 offset = Vector6::Zero();             // o
+
+  double net_buoyancy = 0.0;    // buoyancy less weight [N]; above 0 the vehicle floats up
+  double righting_roll = 0.0;   // moment at sin(phi) = 1, theta = 0 [N m]; above 0 it rights itself
+  double righting_pitch = 0.0;  // moment at sin(theta) = 1 [N m]
+
+  std::map<std::string, double> thrust_gain = {};  // kappa by thruster; absent: 1
+
+  bool coriolis = false;
+};
+
+// True if the part of `matrix` that these DOFs share is positive definite. Of a model's inertia, or
+// of that less what the rigid body has of it.
+bool IsPositiveDefinite(const Matrix6& matrix, const std::vector<Dof>& dofs);
+
+// True if the damping of the modelled DOFs takes energy at every velocity, as far as that can be
+// told entry by entry: the symmetric part of D_L is positive semidefinite, and no diagonal entry of
+// D_Q is below 0. Off-diagonal entries of D_Q are not looked at.
+bool IsPassive(const CoupledModel& model);
+
+}  // namespace fathom

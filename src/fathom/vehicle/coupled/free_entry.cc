@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/coupled/free_entry.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+using EntryKind = FreeEntry::Kind;
+
+struct NamedKind {
+  EntryKind kind;
+  std::string_view name;
+};
+
+constexpr std::array<NamedKind, 7> kNamedKinds = {{
+    {EntryKind::kInertia, "inertia"},
+    {EntryKind::kLinearDamping, "linear_damping"},
+    {EntryKind::kQuadraticDamping, "quadratic_damping"},
+    {EntryKind::kRightingMoment, "righting_moment"},
+    {EntryKind::kNetBuoyancy, "net_buoyancy"},
+    {EntryKind::kOffset, "offset"},
+    {EntryKind::kThrustGain, "thrust_gain"},
+}};
+
+std::string_view NameOfKind(EntryKind kind) {
+  return kNamedKinds[static_cast<std::size_t>(kind)].name;
+}
+
+bool HasPair(EntryKind kind) {
+  return kind == EntryKind::kInertia || kind == EntryKind::kLinearDamping ||
+         kind == EntryKind::kQuadraticDamping;
+}
+
+bool CanRight(Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; }
+
+[[noreturn]] void RefuseEntry(std::string_view name, std::string_view expected) {
+  throw InputError(
+      fmt::format("{} is no entry of a coupled model, expected {}.", Quoted(name), expected));
+}
+
+// Powers of metre and second in the unit of a force over those of `column`, times kg.
+std::string UnitOfMetres(int metres, int seconds) {
+  std::string unit = metres >= 0 ? "kg" : "kg/m";
+  if (metres > 0) unit += metres == 1 ? " m" : " m^2";
+  return seconds == 0 ? unit : unit + "/s";
+}
+
+double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
+  switch (entry.kind) {
+    case EntryKind::kInertia:
+      return &model->inertia(Index(entry.row), Index(entry.column));
+    case EntryKind::kLinearDamping:
+      return &model->linear_damping(Index(entry.row), Index(entry.column));
+    case EntryKind::kQuadraticDamping:
+      return &model->quadratic_damping(Index(entry.row), Index(entry.column));
+    case EntryKind::kRightingMoment:
+      return entry.row == Dof::kRoll ? &model->righting_roll : &model->righting_pitch;
+    case EntryKind::kNetBuoyancy:
+      return &model->net_buoyancy;
+    case EntryKind::kOffset:
+      return &model->offset[Index(entry.row)];
+    case EntryKind::kThrustGain:
+      return &model->thrust_gain.try_emplace(entry.thruster, 1.0).first->second;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+FreeEntry InertiaEntry(Dof a, Dof b) {
+  return {EntryKind::kInertia, std::min(a, b), std::max(a, b)};
+}
+FreeEntry LinearDampingEntry(Dof row, Dof column) {
+  return {EntryKind::kLinearDamping, row, column};
+}
+FreeEntry QuadraticDampingEntry(Dof row, Dof column) {
+  return {EntryKind::kQuadraticDamping, row, column};
+}
+FreeEntry OffsetEntry(Dof row) { return {EntryKind::kOffset, row, row}; }
+FreeEntry RightingMomentEntry(Dof row) { return {EntryKind::kRightingMoment, row, row}; }
+FreeEntry NetBuoyancyEntry() { return {EntryKind::kNetBuoyancy}; }
+FreeEntry ThrustGainEntry(const std::string& thruster) {
+  return {EntryKind::kThrustGain, Dof::kSurge, Dof::kSurge, thruster};
+}
+
+std::string NameOf(const FreeEntry& entry) {
+  const std::string_view kind = NameOfKind(entry.kind);
+  if (entry.kind == EntryKind::kNetBuoyancy) return std::string(kind);
+  if (entry.kind == EntryKind::kThrustGain) return fmt::format("{}.{}", kind, entry.thruster);
+  if (entry.row == entry.column) return fmt::format("{}.{}", kind, Name(entry.row));
+  return fmt::format("{}.{}.{}", kind, Name(entry.row), Name(entry.column));
+}
+
+FreeEntry ParseFreeEntry(std::string_view name) {
+  const std::size_t dot = name.find('.');
+  const std::string_view head = name.substr(0, dot);
+  const auto found = std::find_if(
+      kNamedKinds.begin(), kNamedKinds.end(), [&](const NamedKind& k) { return k.name == head; });
+  if (found == kNamedKinds.end()) {
+    RefuseEntry(name,
+                "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
+                "offset or thrust_gain, a dot, and what it belongs to");
+  }
+  const EntryKind kind = found->kind;
+  const bool has_tail = dot != std::string_view::npos;
+  const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
+  if (kind == EntryKind::kNetBuoyancy) {
+    if (has_tail) RefuseEntry(name, "net_buoyancy alone");
+    return NetBuoyancyEntry();
+  }
+  if (kind == EntryKind::kThrustGain) {
+    if (tail.empty()) RefuseEntry(name, "thrust_gain. and the name of a thruster");
+    return ThrustGainEntry(std::string(tail));
+  }
+  const std::size_t second_dot = tail.find('.');
+  const bool is_pair = second_dot != std::string_view::npos;
+  const std::optional<Dof> row = DofFromName(tail.substr(0, second_dot));
+  const std::optional<Dof> column = is_pair ? DofFromName(tail.substr(second_dot + 1)) : row;
+  if (!row || !column || (is_pair && (!HasPair(kind) || row == column))) {
+    RefuseEntry(name,
+                HasPair(kind) ? fmt::format("{}. and one of surge, sway, heave, roll, pitch, yaw, "
+                                            "or two different ones with a dot between",
+                                            head)
+                              : fmt::format("{}. and one of the DOFs", head));
+  }
+  if (kind == EntryKind::kRightingMoment && !CanRight(*row)) {
+    RefuseEntry(name, "righting_moment.roll or righting_moment.pitch");
+  }
+  if (kind == EntryKind::kInertia) return InertiaEntry(*row, *column);
+  return {kind, *row, *column};
+}
+
+std::string UnitOf(const FreeEntry& entry) {
+  const int row = IsAngular(entry.row) ? 1 : 0, column = IsAngular(entry.column) ? 1 : 0;
+  switch (entry.kind) {
+    case EntryKind::kInertia:
+      return UnitOfMetres(row + column, 0);
+    case EntryKind::kLinearDamping:
+      return UnitOfMetres(row + column, 1);
+    case EntryKind::kQuadraticDamping:
+      return UnitOfMetres(row + 2 * column - 1, 0);
+    case EntryKind::kRightingMoment:
+    case EntryKind::kOffset:
+      return std::string(ForceUnit(entry.row));
+    case EntryKind::kNetBuoyancy:
+      return "N";
+    case EntryKind::kThrustGain:
+      return "1";
+  }
+  return "";
+}
+
+double ValueIn(const CoupledModel& model, const FreeEntry& entry) {
+  CoupledModel copy = model;
+  return *PlaceIn(&copy, entry);
+}
+
+void SetValue(const FreeEntry& entry, double value, CoupledModel* model) {
+  *PlaceIn(model, entry) = value;
+  if (entry.kind == EntryKind::kInertia) {
+    model->inertia(Index(entry.column), Index(entry.row)) = value;
+  }
+}
+
+}  // namespace fathom

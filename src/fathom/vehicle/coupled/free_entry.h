@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/dof.h"
+#include "fathom/vehicle/coupled/coupled_model.h"
+
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+// One number of a CoupledModel that may be identified, as files and reports name it:
+//
+//   inertia.surge              M_11                 inertia.sway.yaw      M_26 = M_62, one number
+//   linear_damping.yaw         D_L,66               linear_damping.sway.yaw   D_L,26: along sway,
+//   by r quadratic_damping.heave    D_Q,33               quadratic_damping.yaw.sway
+//   righting_moment.roll                            righting_moment.pitch
+//   net_buoyancy               offset.yaw           thrust_gain.port
+struct FreeEntry {
+  enum class Kind {
+    kInertia,
+    kLinearDamping,
+    kQuadraticDamping,
+    kRightingMoment,  // row: roll or pitch
+    kNetBuoyancy,
+    kOffset,
+    kThrustGain,
+  };
+  Kind kind = Kind::kInertia;
+  Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
+  Dof column =
+      Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
+  std::string thruster = {};  // of a thrust gain
+
+  bool operator==(const FreeEntry&) const = default;
+};
+
+FreeEntry InertiaEntry(Dof a, Dof b);  // in either order
+FreeEntry LinearDampingEntry(Dof row, Dof column);
+FreeEntry QuadraticDampingEntry(Dof row, Dof column);
+FreeEntry OffsetEntry(Dof row);
+FreeEntry RightingMomentEntry(Dof row);
+FreeEntry NetBuoyancyEntry();
+FreeEntry ThrustGainEntry(const std::string& thruster);
+
+std::string NameOf(const FreeEntry& entry);
+
+// Throws InputError, with what was found and expected, for what names no entry: "'inertia.up' is no
+// entry of a coupled model: ...". A thruster may have any name.
+FreeEntry ParseFreeEntry(std::string_view name);
+
+// "kg m^2/s"; "1" of a thrust gain.
+std::string UnitOf(const FreeEntry& entry);
+
+double ValueIn(const CoupledModel& model, const FreeEntry& entry);
+void SetValue(const FreeEntry& entry, double value, CoupledModel* model);
+
+}  // namespace fathom

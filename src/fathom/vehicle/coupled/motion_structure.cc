@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/coupled/motion_structure.h"
+
+#include "fathom/vehicle/coupled/coriolis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace fathom {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStructureNames = {
+    "diagonal", "coriolis", "symmetric", "full"};
+
+// Surge, heave and pitch do not change sides in a mirror from port to starboard; the others do.
+bool IsEven(Dof dof) { return dof == Dof::kSurge || dof == Dof::kHeave || dof == Dof::kPitch; }
+
+using DofSet = std::array<bool, 6>;
+
+DofSet SetOf(const std::vector<Dof>& dofs) {
+  DofSet set = {};
+  for (const Dof dof : dofs) set[Index(dof)] = true;
+  return set;
+}
+
+// The parts of a graph over the six DOFs.
+class Joined {
+ public:
+  void Join(int i, int j) {
+    const int from = part_[i], to = part_[j];
+    std::replace(part_.begin(), part_.end(), from, to);
+  }
+  int operator[](int i) const { return part_[i]; }
+
+ private:
+  std::array<int, 6> part_ = {0, 1, 2, 3, 4, 5};
+};
+
+// An entry that may be anything, as a number that no sum of others cancels.
+double Generic(int i, int j) { return 2.0 + std::sin(1.0 + 7.0 * i + 13.0 * j); }
+
+// Joins what a matrix of a force by velocities joins, among the modelled.
+void JoinBy(const Matrix6& matrix, const DofSet& modelled, Joined* joined) {
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      if (modelled[i] && modelled[j] && matrix(i, j) != 0.0) joined->Join(i, j);
+    }
+  }
+}
+
+// Through the body's down in the world, which the turning DOFs move.
+void JoinByAttitude(const CoupledModel& pattern,
+                    const DofSet& modelled,
+                    const DofSet& moves,
+                    Joined* joined) {
+  constexpr int kRollIndex = 3, kPitchIndex = 4, kYawIndex = 5;
+  const bool rolls = moves[kRollIndex], pitches = moves[kPitchIndex], yaws = moves[kYawIndex];
+  // Components of the down that leave what they are when the vehicle is level. Yaw alone tilts
+  // nothing, but turns a tilt about.
+  const std::array<bool, 3> varies = {
+      pitches || (rolls && yaws), rolls || (pitches && yaws), rolls || pitches};
+  const auto join_with_turns = [&](int dof) {
+    if (!modelled[dof]) return;
+    for (const int turn : {kRollIndex, kPitchIndex, kYawIndex}) {
+      if (!modelled[turn]) continue;
+      if (turn == kYawIndex && !rolls && !pitches) continue;
+      joined->Join(dof, turn);
+    }
+  };
+  if (pattern.net_buoyancy != 0.0) {
+    for (int i = 0; i < 3; ++i) {
+      if (varies[i]) join_with_turns(i);
+    }
+  }
+  if (pattern.righting_roll != 0.0 && varies[1]) join_with_turns(kRollIndex);
+  if (pattern.righting_pitch != 0.0 && varies[0]) join_with_turns(kPitchIndex);
+}
+
+// A model whose free entries are generic numbers.
+CoupledModel PatternOf(const MotionStructure& structure, const CoupledModel& held) {
+  CoupledModel pattern = held;
+  for (const FreeEntry& entry : structure.entries) {
+    SetValue(entry, Generic(Index(entry.row), Index(entry.column)), &pattern);
+  }
+  return pattern;
+}
+
+}  // namespace
+
+std::string_view Name(StandardStructure structure) {
+  return kStructureNames[static_cast<std::size_t>(structure)];
+}
+
+std::optional<StandardStructure> StandardStructureFromName(std::string_view name) {
+  const auto found = std::find(kStructureNames.begin(), kStructureNames.end(), name);
+  if (found == kStructureNames.end()) return std::nullopt;
+  return static_cast<StandardStructure>(found - kStructureNames.begin());
+}
+
+MotionStructure StructureOf(StandardStructure standard, const std::vector<Dof>& dofs) {
+  MotionStructure structure = {dofs, {}, standard >= StandardStructure::kCoriolis};
+  std::vector<FreeEntry>& entries = structure.entries;
+  for (const Dof dof : dofs) {
+    entries.push_back(InertiaEntry(dof, dof));
+    entries.push_back(QuadraticDampingEntry(dof, dof));
+    entries.push_back(LinearDampingEntry(dof, dof));
+    entries.push_back(dof == Dof::kHeave ? NetBuoyancyEntry() : OffsetEntry(dof));
+    if (dof == Dof::kRoll || dof == Dof::kPitch) entries.push_back(RightingMomentEntry(dof));
+  }
+  const auto add_pairs = [&](auto entry, bool both_ways) {
+    for (const Dof row : dofs) {
+      for (const Dof column : dofs) {
+        if (row == column || IsEven(row) != IsEven(column)) continue;
+        if (row < column || both_ways) entries.push_back(entry(row, column));
+      }
+    }
+  };
+  if (standard >= StandardStructure::kSymmetric) add_pairs(InertiaEntry, false);
+  if (standard >= StandardStructure::kFull) add_pairs(LinearDampingEntry, true);
+  return structure;
+}
+
+std::vector<std::vector<Dof>> BlocksOf(const MotionStructure& structure,
+                                       const std::vector<Dof>& measured,
+                                       const CoupledModel& held) {
+  const DofSet modelled = SetOf(structure.dofs);
+  DofSet moves = SetOf(measured);
+  for (const Dof dof : structure.dofs) moves[Index(dof)] = true;
+  const CoupledModel pattern = PatternOf(structure, held);
+  Joined joined;
+  JoinBy(pattern.inertia, modelled, &joined);
+  JoinBy(pattern.linear_damping, modelled, &joined);
+  JoinBy(pattern.quadratic_damping, modelled, &joined);
+  if (structure.coriolis) {
+    Vector6 nu = Vector6::Zero();
+    for (int i = 0; i < 6; ++i) {
+      if (moves[i]) nu[i] = Generic(i, i + 1);
+    }
+    JoinBy(CoriolisJacobian(pattern.inertia, nu), modelled, &joined);
+  }
+  JoinByAttitude(pattern, modelled, moves, &joined);
+  std::vector<std::vector<Dof>> blocks;
+  for (const Dof dof : kAllDofs) {
+    if (!modelled[Index(dof)]) continue;
+    const auto home = std::find_if(blocks.begin(), blocks.end(), [&](const auto& block) {
+      return joined[Index(block.front())] == joined[Index(dof)];
+    });
+    if (home == blocks.end()) {
+      blocks.push_back({dof});
+    } else {
+      home->push_back(dof);
+    }
+  }
+  return blocks;
+}
+
+}  // namespace fathom
