@@ -13,11 +13,15 @@ namespace fathom {
 
 // One number of a CoupledModel that may be identified, as files and reports name it:
 //
-//   inertia.surge              M_11                 inertia.sway.yaw      M_26 = M_62, one number
-//   linear_damping.yaw         D_L,66               linear_damping.sway.yaw   D_L,26: along sway,
-//   by r quadratic_damping.heave    D_Q,33               quadratic_damping.yaw.sway
-//   righting_moment.roll                            righting_moment.pitch
-//   net_buoyancy               offset.yaw           thrust_gain.port
+//   inertia.surge                 M_11
+//   inertia.sway.yaw              M_26 = M_62, one number
+//   linear_damping.yaw            D_L,66
+//   linear_damping.sway.yaw       D_L,26: along sway, by r
+//   quadratic_damping.heave       D_Q,33        quadratic_damping.yaw.sway
+//   righting_moment.roll          K_p           righting_moment.pitch
+//   net_buoyancy                  b
+//   offset.yaw                    o_6
+//   thrust_gain.port              of the thruster `port`
 struct FreeEntry {
   enum class Kind {
     kInertia,

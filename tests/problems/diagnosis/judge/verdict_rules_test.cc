@@ -60,7 +60,10 @@ TEST(AGainOfLogs, ConfirmsWhereEachGainsMoreThanATrace) {
 
 TEST(ALoss, RefutesByATwentiethHoweverLittleTheDataSay) {
   const auto refuting = [](double miss) {
-    return RefutingGain({.before = TwoBlocks(1.0), .after = TwoBlocks(miss)}, false);
+    Scored scored;
+    scored.before = TwoBlocks(1.0);
+    scored.after = TwoBlocks(miss);
+    return RefutingGain(scored, false);
   };
   EXPECT_TRUE(refuting(1.051));
   EXPECT_FALSE(refuting(1.049));

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/coupled/free_entry.h"
+
+#include "fathom/base/input_error.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
+  for (const std::string name : {"inertia.surge",
+                                 "inertia.sway.yaw",
+                                 "linear_damping.yaw",
+                                 "linear_damping.yaw.sway",
+                                 "quadratic_damping.heave",
+                                 "quadratic_damping.yaw.sway",
+                                 "righting_moment.pitch",
+                                 "net_buoyancy",
+                                 "offset.yaw",
+                                 "thrust_gain.port"}) {
+    EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
+  }
+}
+
+TEST(FreeEntry, OfTheInertiaIsOneNumberEitherWay) {
+  const FreeEntry entry = InertiaEntry(Dof::kYaw, Dof::kSway);
+  EXPECT_EQ(entry, ParseFreeEntry("inertia.sway.yaw"));
+  CoupledModel model;
+  SetValue(entry, 3.0, &model);
+  EXPECT_EQ(model.inertia(1, 5), 3.0);
+  EXPECT_EQ(model.inertia(5, 1), 3.0);
+  EXPECT_EQ(ValueIn(model, entry), 3.0);
+}
+
+TEST(FreeEntry, OfTheDampingHasARowAndAColumn) {
+  CoupledModel model;
+  SetValue(ParseFreeEntry("linear_damping.sway.yaw"), 3.0, &model);
+  EXPECT_EQ(model.linear_damping(1, 5), 3.0);
+  EXPECT_EQ(model.linear_damping(5, 1), 0.0);
+}
+
+TEST(FreeEntry, OfAThrusterThatIsNotNamedIsOne) {
+  EXPECT_EQ(ValueIn({}, ThrustGainEntry("port")), 1.0);
+}
+
+// Forces in N, moments in N m.
+TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
+  EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.surge")), "kg");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.sway.yaw")), "kg m");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.yaw")), "kg m^2");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("net_buoyancy")), "N");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("righting_moment.roll")), "N m");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_gain.port")), "1");
+}
+
+TEST(FreeEntry, IsRefusedByItsName) {
+  for (const std::string name : {"inertia.up", "righting_moment.yaw", "mass", "thrust_gain.", ""}) {
+    try {
+      ParseFreeEntry(name);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("'" + name + "'"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fathom
