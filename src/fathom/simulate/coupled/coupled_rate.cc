@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/coupled/coupled_rate.h"
+
+#include "fathom/vehicle/coupled/coriolis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace fathom {
+namespace {
+
+// The world's down, seen in the body.
+Eigen::Vector3d DownIn(const Eigen::Vector4d& q) {
+  return {2.0 * (q[0] * q[2] - q[3] * q[1]),
+          2.0 * (q[1] * q[2] + q[3] * q[0]),
+          q[3] * q[3] + q[2] * q[2] - q[0] * q[0] - q[1] * q[1]};
+}
+
+Vector6 Restoring(const CoupledModel& model, const Eigen::Vector3d& down) {
+  Vector6 force;
+  force << model.net_buoyancy * down, model.righting_roll * down[1],
+      -model.righting_pitch * down[0], 0.0;
+  return force;
+}
+
+// E of an entry of the inertia, times a vector.
+Vector6 TimesEntry(const FreeEntry& entry, const Vector6& x) {
+  const auto i = Index(entry.row), j = Index(entry.column);
+  Vector6 y = Vector6::Zero();
+  y[i] = x[j];
+  if (i != j) y[j] = x[i];
+  return y;
+}
+
+}  // namespace
+
+CoupledRate::CoupledRate(const CoupledModel& model, std::span<const FreeEntry> entries)
+    : model_(model), entries_(entries) {
+  is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
+  if (!is_usable_) return;
+  const auto size = static_cast<Eigen::Index>(model.dofs.size());
+  Eigen::MatrixXd part(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) {
+      part(i, j) = model.inertia(Index(model.dofs[i]), Index(model.dofs[j]));
+    }
+  }
+  const Eigen::MatrixXd inverse = part.inverse();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto dof = Index(model.dofs[i]);
+    scale_[dof] = 1.0 / std::sqrt(part(i, i));
+    for (Eigen::Index j = 0; j < size; ++j) inverse_(dof, Index(model.dofs[j])) = inverse(i, j);
+  }
+  for (const auto& [dof, moment] :
+       {std::pair{Dof::kRoll, model.righting_roll}, std::pair{Dof::kPitch, model.righting_pitch}}) {
+    const double scale = scale_[Index(dof)];
+    restoring_rate_ = std::max(restoring_rate_, scale * std::sqrt(std::abs(moment)));
+  }
+}
+
+CoupledFlow CoupledRate::At(const CoupledFlow& state, const Vector6& tau) const {
+  const Vector6& nu = state.nu;
+  Vector6 force = tau - model_.offset - Restoring(model_, DownIn(state.attitude));
+  force.noalias() -= model_.linear_damping * nu;
+  force.noalias() -= model_.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu);
+  if (model_.coriolis) force -= CoriolisForce(model_.inertia, nu);
+  CoupledFlow rate;
+  rate.nu.noalias() = inverse_ * force;
+  const Eigen::Quaterniond q(state.attitude);
+  rate.attitude = 0.5 * (q * Eigen::Quaterniond(0.0, nu[3], nu[4], nu[5])).coeffs();
+  rate.position = q * Eigen::Vector3d(nu.head<3>());
+  return rate;
+}
+
+Matrix6 CoupledRate::ForceJacobian(const Vector6& nu) const {
+  Matrix6 jacobian = -model_.linear_damping;
+  jacobian -= model_.quadratic_damping * (2.0 * nu.cwiseAbs()).asDiagonal();
+  if (model_.coriolis) jacobian -= CoriolisJacobian(model_.inertia, nu);
+  return jacobian;
+}
+
+void CoupledRate::TangentAt(const CoupledFlow& state,
+                            const CoupledFlow& rate,
+                            const std::vector<Vector6>& pushed,
+                            const CoupledTangent& tangent,
+                            CoupledTangent* tangent_rate) {
+  const Vector6& nu = state.nu;
+  const Eigen::Vector3d down = DownIn(state.attitude);
+  const Eigen::Matrix3d down_by_turn = CrossMatrix(down);
+  Eigen::Matrix<double, 6, 3> by_turn = Eigen::Matrix<double, 6, 3>::Zero();
+  by_turn.topRows<3>() = -model_.net_buoyancy * down_by_turn;
+  by_turn.row(3) = -model_.righting_roll * down_by_turn.row(1);
+  by_turn.row(4) = model_.righting_pitch * down_by_turn.row(0);
+  force_.noalias() = ForceJacobian(nu) * tangent.nu;
+  force_.noalias() += by_turn * tangent.turn;
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const FreeEntry& entry = entries_[k];
+    const auto row = Index(entry.row), column = Index(entry.column);
+    auto force = force_.col(static_cast<Eigen::Index>(k));
+    switch (entry.kind) {
+      case FreeEntry::Kind::kInertia:
+        force -= TimesEntry(entry, rate.nu);
+        if (model_.coriolis) force -= CoriolisForceOfMomentum(TimesEntry(entry, nu), nu);
+        break;
+      case FreeEntry::Kind::kLinearDamping:
+        force[row] -= nu[column];
+        break;
+      case FreeEntry::Kind::kQuadraticDamping:
+        force[row] -= std::abs(nu[column]) * nu[column];
+        break;
+      case FreeEntry::Kind::kRightingMoment:
+        force[row] -= entry.row == Dof::kRoll ? down[1] : -down[0];
+        break;
+      case FreeEntry::Kind::kNetBuoyancy:
+        force.head<3>() -= down;
+        break;
+      case FreeEntry::Kind::kOffset:
+        force[row] -= 1.0;
+        break;
+      case FreeEntry::Kind::kThrustGain:
+        force += pushed[k];
+        break;
+    }
+  }
+  const Eigen::Quaterniond q(state.attitude);
+  const Eigen::Matrix3d world_from_body = q.toRotationMatrix();
+  tangent_rate->nu.noalias() = inverse_ * force_;
+  tangent_rate->turn = tangent.nu.bottomRows<3>();
+  tangent_rate->turn.noalias() -= CrossMatrix(nu.tail<3>()) * tangent.turn;
+  tangent_rate->position.noalias() = world_from_body * tangent.nu.topRows<3>();
+  tangent_rate->position.noalias() -= (world_from_body * CrossMatrix(nu.head<3>())) * tangent.turn;
+}
+
+double CoupledRate::Quickest(const CoupledFlow& state) const {
+  const Matrix6 scaled = scale_.asDiagonal() * ForceJacobian(state.nu) * scale_.asDiagonal();
+  return std::max({scaled.norm(), restoring_rate_, state.nu.tail<3>().norm()});
+}
+
+}  // namespace fathom

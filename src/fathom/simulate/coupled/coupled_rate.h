@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/coupled/coupled_model.h"
+#include "fathom/vehicle/coupled/free_entry.h"
+#include "fathom/vehicle/coupled/six_vector.h"
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// A state, or its rate.
+struct CoupledFlow {
+  Vector6 nu;
+  Eigen::Vector4d attitude;
+  Eigen::Vector3d position;
+};
+
+// What a state depends on: columns as those of CoupledOutputs.
+struct CoupledTangent {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> nu;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> turn;      // in the body frame [rad]
+  Eigen::Matrix<double, 3, Eigen::Dynamic> position;  // in the world [m]
+
+  explicit CoupledTangent(Eigen::Index columns)
+      : nu(6, columns), turn(3, columns), position(3, columns) {
+    nu.setZero();
+    turn.setZero();
+    position.setZero();
+  }
+};
+
+// docs/coupled.md (1) as a rate of the state, and its derivative.
+class CoupledRate {
+ public:
+  // Both must outlive this.
+  CoupledRate(const CoupledModel& model, std::span<const FreeEntry> entries);
+
+  bool IsUsable() const { return is_usable_; }
+
+  // Rate at a state under forces `tau` [N], [N m]. The rates of DOFs that are not modelled are 0.
+  CoupledFlow At(const CoupledFlow& state, const Vector6& tau) const;
+
+  // The rate of a tangent. `rate`: At() the same. `pushed`: for each entry that is a thrust gain
+  // what the thruster gives at a gain of 1.
+  void TangentAt(const CoupledFlow& state,
+                 const CoupledFlow& rate,
+                 const std::vector<Vector6>& pushed,
+                 const CoupledTangent& tangent,
+                 CoupledTangent* tangent_rate);
+
+  // The quickest rate of a small difference [1/s], at a state: a bound that no unit changes.
+  double Quickest(const CoupledFlow& state) const;
+
+ private:
+  Matrix6 ForceJacobian(const Vector6& nu) const;  // of the right-hand side by nu
+
+  const CoupledModel& model_;
+  std::span<const FreeEntry> entries_;
+  Matrix6 inverse_ = Matrix6::Zero();  // of the modelled part of M
+  Vector6 scale_ = Vector6::Zero();    // 1 / sqrt(M_ii), 0 where not modelled
+  double restoring_rate_ = 0.0;        // [1/s]
+  bool is_usable_ = false;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> force_;  // what TangentAt() works in
+};
+
+}  // namespace fathom

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/coupled/coupled_simulation.h"
+
+#include "fathom/simulate/coupled/coupled_rate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestCoupledStep = 0.05;  // [s]
+constexpr double kMostRateTimesCoupledStep = 0.25;
+constexpr double kSmallestCoupledStep = 1e-6;  // [s]
+
+// On straight lines, held beyond the ends.
+double JoinedAt(const SampledSignal& signal, double t) {
+  const auto& time = signal.time;
+  const auto next = std::upper_bound(time.begin(), time.end(), t);
+  if (next == time.begin()) return signal.value.front();
+  if (next == time.end()) return signal.value.back();
+  const auto i = static_cast<std::size_t>(next - time.begin());
+  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+  return signal.value[i - 1] + share * (signal.value[i] - signal.value[i - 1]);
+}
+
+// The weights of the cubic through both ends of a step: of the values and of the slopes.
+struct HermiteWeights {
+  double begin, end, begin_slope, end_slope;
+
+  HermiteWeights(double share, double step) {
+    const double s2 = share * share, s3 = s2 * share;
+    begin = 2.0 * s3 - 3.0 * s2 + 1.0;
+    end = 3.0 * s2 - 2.0 * s3;
+    begin_slope = step * (s3 - 2.0 * s2 + share);
+    end_slope = step * (s3 - s2);
+  }
+
+  template <typename A, typename B, typename C, typename D, typename Out>
+  void Of(const A& x0, const B& x1, const C& v0, const D& v1, Out* out) const {
+    *out = begin * x0 + end * x1 + begin_slope * v0 + end_slope * v1;
+  }
+};
+
+void Advance(const CoupledFlow& from, const CoupledFlow& rate, double h, CoupledFlow* to) {
+  to->nu = from.nu + h * rate.nu;
+  to->attitude = from.attitude + h * rate.attitude;
+  to->position = from.position + h * rate.position;
+}
+
+void Advance(const CoupledTangent& from, const CoupledTangent& rate, double h, CoupledTangent* to) {
+  to->nu = from.nu + h * rate.nu;
+  to->turn = from.turn + h * rate.turn;
+  to->position = from.position + h * rate.position;
+}
+
+// Weights of the classical scheme: x + h/6 (k1 + 2 k2 + 2 k3 + k4).
+template <typename Flow>
+void Sum(const Flow (&rates)[4], double h, Flow* x) {
+  const double one = h / 6.0, two = h / 3.0;
+  x->nu += one * (rates[0].nu + rates[3].nu) + two * (rates[1].nu + rates[2].nu);
+  x->position +=
+      one * (rates[0].position + rates[3].position) + two * (rates[1].position + rates[2].position);
+}
+
+// One run, with all that it works in.
+class CoupledRun {
+ public:
+  CoupledRun(const CoupledModel& model,
+             std::span<const FreeEntry> entries,
+             const CoupledInputs& inputs,
+             bool with_tangent)
+      : model_(model),
+        entries_(entries),
+        inputs_(inputs),
+        with_tangent_(with_tangent),
+        rate_(model, entries),
+        columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
+        tangent_(columns_),
+        stage_tangent_(columns_),
+        end_tangent_rate_(columns_),
+        tangent_rates_{CoupledTangent(columns_),
+                       CoupledTangent(columns_),
+                       CoupledTangent(columns_),
+                       CoupledTangent(columns_)},
+        begin_tangent_(columns_),
+        shown_(columns_),
+        pushed_(entries.size(), Vector6::Zero()) {
+    for (const Dof dof : model.dofs) is_modelled_[Index(dof)] = true;
+  }
+
+  bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
+    if (!rate_.IsUsable()) return false;
+    Begin(start, stamps, outputs);
+    const double last = std::max(stamps.velocity.empty() ? stamps.start : stamps.velocity.back(),
+                                 stamps.pose.empty() ? stamps.start : stamps.pose.back());
+    double t = stamps.start;
+    Show(t, stamps, outputs);
+    while (t < last) {
+      HoldCommandAt(t);
+      double end = std::min(last, NextChange(t));
+      SetMeasured(t, &state_);
+      const double rate = rate_.Quickest(state_);
+      if (!std::isfinite(rate)) return false;
+      const double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
+      if (longest < kSmallestCoupledStep) return false;
+      // Equal steps to the next change.
+      const double num_steps = std::ceil((end - t) / longest);
+      if (num_steps > 1.0) end = t + (end - t) / num_steps;
+      Step(t, end - t);
+      ++outputs->num_steps;
+      if (!state_.nu.allFinite() || !state_.position.allFinite()) return false;
+      ShowWithin(t, end, stamps, outputs);
+      t = end;
+    }
+    return true;
+  }
+
+ private:
+  void Begin(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
+    state_ = {start.nu, start.attitude.normalized(), start.position};
+    const auto first = static_cast<Eigen::Index>(entries_.size());
+    const auto size = static_cast<Eigen::Index>(model_.dofs.size());
+    if (with_tangent_) {
+      for (Eigen::Index i = 0; i < size; ++i) tangent_.nu(Index(model_.dofs[i]), first + i) = 1.0;
+      tangent_.turn.rightCols<3>().setIdentity();
+    }
+    outputs->velocity.resize(stamps.velocity.size());
+    outputs->pose.resize(stamps.pose.size());
+    const auto rows = [](std::size_t n) { return 6 * static_cast<Eigen::Index>(n); };
+    outputs->velocity_sensitivity.resize(with_tangent_ ? rows(stamps.velocity.size()) : 0,
+                                         columns_);
+    outputs->pose_sensitivity.resize(with_tangent_ ? rows(stamps.pose.size()) : 0, columns_);
+    outputs->num_steps = 0;
+    next_velocity_ = next_pose_ = 0;
+    command_ = -1;
+  }
+
+  void SetMeasured(double t, CoupledFlow* state) const {
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (is_modelled_[i]) continue;
+      const SampledSignal& signal = inputs_.measured[i];
+      state->nu[static_cast<Eigen::Index>(i)] = signal.time.empty() ? 0.0 : JoinedAt(signal, t);
+    }
+  }
+
+  // Moves on to the row of the command that holds at `t`.
+  void HoldCommandAt(double t) {
+    const CoupledCommand& command = inputs_.command;
+    std::ptrdiff_t row = command_;
+    while (row + 1 < std::ssize(command.time) &&
+           command.time[static_cast<std::size_t>(row + 1)] <= t)
+      ++row;
+    if (row == command_ && row >= 0) return;
+    command_ = row;
+    tau_.setZero();
+    std::fill(pushed_.begin(), pushed_.end(), Vector6::Zero());
+    if (row < 0) return;
+    const auto at = static_cast<std::size_t>(row);
+    if (!command.force.empty()) tau_ = command.force[at];
+    for (const CommandedThruster& thruster : command.thrusters) {
+      const Vector6 push = thruster.thrust[at] * thruster.push;
+      const auto gain = model_.thrust_gain.find(thruster.name);
+      tau_ += (gain == model_.thrust_gain.end() ? 1.0 : gain->second) * push;
+      for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const bool is_its = entries_[k].kind == FreeEntry::Kind::kThrustGain &&
+                            entries_[k].thruster == thruster.name;
+        if (is_its) pushed_[k] += push;
+      }
+    }
+  }
+
+  // When the command changes next.
+  double NextChange(double t) const {
+    const auto& time = inputs_.command.time;
+    const auto next = static_cast<std::size_t>(command_ + 1);
+    return next < time.size() ? std::max(time[next], t) : std::numeric_limits<double>::infinity();
+  }
+
+  // One step of the classical scheme; what it begins with stays for the outputs within.
+  void Step(double t, double h) {
+    constexpr double kShares[4] = {0.0, 0.5, 0.5, 1.0};
+    begin_ = state_;
+    if (with_tangent_) begin_tangent_ = tangent_;
+    CoupledFlow stage = state_;
+    for (int k = 0; k < 4; ++k) {
+      if (k > 0) Advance(begin_, rates_[k - 1], kShares[k] * h, &stage);
+      SetMeasured(t + kShares[k] * h, &stage);
+      rates_[k] = rate_.At(stage, tau_);
+      if (!with_tangent_) continue;
+      if (k > 0) Advance(begin_tangent_, tangent_rates_[k - 1], kShares[k] * h, &stage_tangent_);
+      rate_.TangentAt(
+          stage, rates_[k], pushed_, k > 0 ? stage_tangent_ : begin_tangent_, &tangent_rates_[k]);
+    }
+    Sum(rates_, h, &state_);
+    state_.attitude += h / 6.0 * (rates_[0].attitude + rates_[3].attitude) +
+                       h / 3.0 * (rates_[1].attitude + rates_[2].attitude);
+    state_.attitude.normalize();
+    SetMeasured(t + h, &state_);
+    if (!with_tangent_) return;
+    Sum(tangent_rates_, h, &tangent_);
+    tangent_.turn += h / 6.0 * (tangent_rates_[0].turn + tangent_rates_[3].turn) +
+                     h / 3.0 * (tangent_rates_[1].turn + tangent_rates_[2].turn);
+  }
+
+  // Outputs at the state that a run stands at.
+  void Show(double t, const CoupledStamps& stamps, CoupledOutputs* outputs) {
+    SetMeasured(t, &state_);
+    if (next_velocity_ < stamps.velocity.size() && stamps.velocity[next_velocity_] <= t) {
+      WriteVelocity(state_, tangent_, outputs);
+    }
+    if (next_pose_ < stamps.pose.size() && stamps.pose[next_pose_] <= t) {
+      WritePose(state_, tangent_, outputs);
+    }
+  }
+
+  // Outputs within a step, up to its end.
+  void ShowWithin(double from, double to, const CoupledStamps& stamps, CoupledOutputs* outputs) {
+    const auto is_within = [&](const std::vector<double>& time, std::size_t next) {
+      return next < time.size() && time[next] < to;
+    };
+    if (is_within(stamps.velocity, next_velocity_) || is_within(stamps.pose, next_pose_)) {
+      end_rate_ = rate_.At(state_, tau_);
+      if (with_tangent_) rate_.TangentAt(state_, end_rate_, pushed_, tangent_, &end_tangent_rate_);
+    }
+    while (is_within(stamps.velocity, next_velocity_)) {
+      Interpolate(from, to, stamps.velocity[next_velocity_]);
+      WriteVelocity(between_, shown_, outputs);
+    }
+    while (is_within(stamps.pose, next_pose_)) {
+      Interpolate(from, to, stamps.pose[next_pose_]);
+      WritePose(between_, shown_, outputs);
+    }
+    Show(to, stamps, outputs);
+  }
+
+  void Interpolate(double from, double to, double t) {
+    const HermiteWeights cubic((t - from) / (to - from), to - from);
+    cubic.Of(begin_.nu, state_.nu, rates_[0].nu, end_rate_.nu, &between_.nu);
+    cubic.Of(begin_.attitude,
+             state_.attitude,
+             rates_[0].attitude,
+             end_rate_.attitude,
+             &between_.attitude);
+    between_.attitude.normalize();
+    cubic.Of(begin_.position,
+             state_.position,
+             rates_[0].position,
+             end_rate_.position,
+             &between_.position);
+    SetMeasured(t, &between_);
+    if (!with_tangent_) return;
+    const CoupledTangent& first = tangent_rates_[0];
+    const CoupledTangent& last = end_tangent_rate_;
+    cubic.Of(begin_tangent_.nu, tangent_.nu, first.nu, last.nu, &shown_.nu);
+    cubic.Of(begin_tangent_.turn, tangent_.turn, first.turn, last.turn, &shown_.turn);
+    cubic.Of(begin_tangent_.position,
+             tangent_.position,
+             first.position,
+             last.position,
+             &shown_.position);
+  }
+
+  void WriteVelocity(const CoupledFlow& state, const CoupledTangent& tangent, CoupledOutputs* to) {
+    to->velocity[next_velocity_] = state.nu;
+    if (with_tangent_) {
+      to->velocity_sensitivity.middleRows<6>(6 * static_cast<Eigen::Index>(next_velocity_)) =
+          tangent.nu;
+    }
+    ++next_velocity_;
+  }
+
+  void WritePose(const CoupledFlow& state, const CoupledTangent& tangent, CoupledOutputs* to) {
+    to->pose[next_pose_] = {state.nu, state.attitude, state.position};
+    if (with_tangent_) {
+      const auto row = 6 * static_cast<Eigen::Index>(next_pose_);
+      to->pose_sensitivity.middleRows<3>(row) = tangent.turn;
+      to->pose_sensitivity.middleRows<3>(row + 3) = tangent.position;
+    }
+    ++next_pose_;
+  }
+
+  const CoupledModel& model_;
+  std::span<const FreeEntry> entries_;
+  const CoupledInputs& inputs_;
+  const bool with_tangent_;
+  CoupledRate rate_;
+  const Eigen::Index columns_;
+  std::array<bool, 6> is_modelled_ = {};
+
+  CoupledFlow state_, begin_, between_, end_rate_;
+  CoupledFlow rates_[4];
+  CoupledTangent tangent_, stage_tangent_, end_tangent_rate_;
+  CoupledTangent tangent_rates_[4];
+  CoupledTangent begin_tangent_, shown_;
+
+  std::ptrdiff_t command_ = -1;  // the row that holds
+  Vector6 tau_ = Vector6::Zero();
+  std::vector<Vector6> pushed_;  // by entry: what its thruster gives at a gain of 1
+  std::size_t next_velocity_ = 0, next_pose_ = 0;
+};
+
+}  // namespace
+
+int NumCoupledColumns(const CoupledModel& model, std::span<const FreeEntry> entries) {
+  return static_cast<int>(entries.size() + model.dofs.size() + 3);
+}
+
+bool RunCoupled(const CoupledModel& model,
+                const CoupledInputs& inputs,
+                const CoupledState& start,
+                const CoupledStamps& stamps,
+                CoupledOutputs* outputs) {
+  return CoupledRun(model, {}, inputs, false).Over(start, stamps, outputs);
+}
+
+bool RunCoupledWithSensitivities(const CoupledModel& model,
+                                 std::span<const FreeEntry> entries,
+                                 const CoupledInputs& inputs,
+                                 const CoupledState& start,
+                                 const CoupledStamps& stamps,
+                                 CoupledOutputs* outputs) {
+  return CoupledRun(model, entries, inputs, true).Over(start, stamps, outputs);
+}
+
+}  // namespace fathom

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/coupled/coupled_simulation.h"
+
+#include "fathom/vehicle/coupled/motion_structure.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "plain_simulator.h"
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+const std::vector<Dof> kSix(kAllDofs.begin(), kAllDofs.end());
+
+// A small ROV with couplings, all of them.
+CoupledModel Rov() {
+  CoupledModel model;
+  model.dofs = kSix;
+  model.inertia.diagonal() << 40.0, 60.0, 70.0, 2.0, 3.0, 4.0;
+  model.inertia(1, 5) = model.inertia(5, 1) = 2.0;
+  model.inertia(0, 4) = model.inertia(4, 0) = -1.5;
+  model.linear_damping.diagonal() << 5.0, 8.0, 9.0, 0.5, 0.6, 0.8;
+  model.linear_damping(1, 5) = 0.7;
+  model.linear_damping(5, 1) = -0.4;
+  model.quadratic_damping.diagonal() << 30.0, 60.0, 80.0, 1.0, 1.2, 1.5;
+  model.offset << 0.3, -0.2, 0.0, 0.01, -0.02, 0.03;
+  model.net_buoyancy = 2.0;
+  model.righting_roll = 6.0;
+  model.righting_pitch = 7.0;
+  model.thrust_gain = {{"port", 0.8}};
+  model.coriolis = true;
+  return model;
+}
+
+// Steps of 2 s of two thrusters, beside forces.
+CoupledInputs Steps(int num_steps) {
+  CoupledInputs inputs;
+  CoupledCommand& command = inputs.command;
+  command.thrusters = {{"port", Vector6(1.0, 0.1, 0.0, 0.02, 0.0, 0.25), {}},
+                       {"starboard", Vector6(1.0, -0.1, 0.05, 0.0, 0.03, -0.25), {}}};
+  for (int k = 0; k < num_steps; ++k) {
+    command.time.push_back(2.0 * k);
+    command.thrusters[0].thrust.push_back(8.0 * std::sin(1.3 * k * k));
+    command.thrusters[1].thrust.push_back(8.0 * std::cos(0.7 * k * k));
+    Vector6 force = Vector6::Zero();
+    force[2] = 6.0 * std::sin(0.9 * k * k);
+    force[3] = 1.5 * std::sin(2.1 * k);
+    command.force.push_back(force);
+  }
+  return inputs;
+}
+
+Vector6 ForceOf(const CoupledModel& model, const CoupledInputs& inputs, std::size_t row) {
+  Vector6 tau = inputs.command.force[row];
+  for (const CommandedThruster& thruster : inputs.command.thrusters) {
+    const auto gain = model.thrust_gain.find(thruster.name);
+    tau += (gain == model.thrust_gain.end() ? 1.0 : gain->second) * thruster.thrust[row] *
+           thruster.push;
+  }
+  return tau;
+}
+
+CoupledState Moving() {
+  CoupledState start;
+  start.nu << 0.3, -0.1, 0.05, 0.1, -0.2, 0.15;
+  start.attitude =
+      Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, -1).normalized())).coeffs();
+  start.position << 1.0, -2.0, 3.0;
+  return start;
+}
+
+TEST(RunCoupled, GoesAsASecondSimulatorDoes) {
+  const CoupledModel model = Rov();
+  const CoupledInputs inputs = Steps(15);
+  CoupledStamps stamps;
+  for (int k = 0; k < 15; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
+  stamps.pose = stamps.velocity;
+  CoupledOutputs outputs;
+  const CoupledState start = Moving();
+  ASSERT_TRUE(RunCoupled(model, inputs, start, stamps, &outputs));
+
+  PlainSimulator plain(model);
+  plain.nu = start.nu;
+  plain.world_from_body = Eigen::Quaterniond(start.attitude).toRotationMatrix();
+  plain.position = start.position;
+  for (std::size_t k = 0; k < 15; ++k) {
+    plain.Advance(ForceOf(model, inputs, k), 2.0, 2e-4);
+    EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 2e-5) << k;
+    const Eigen::Quaterniond attitude(outputs.pose[k].attitude);
+    EXPECT_LT((attitude.toRotationMatrix() - plain.world_from_body).norm(), 2e-5) << k;
+    EXPECT_LT((outputs.pose[k].position - plain.position).norm(), 2e-5) << k;
+  }
+}
+
+// Outputs between the steps lie on a cubic.
+TEST(RunCoupled, ShowsTheSameAtAnyStamps) {
+  const CoupledInputs inputs = Steps(5);
+  CoupledStamps dense, sparse;
+  for (int k = 1; k <= 1000; ++k) dense.velocity.push_back(0.01 * k);
+  for (int k = 1; k <= 10; ++k) sparse.velocity.push_back(1.0 * k);
+  CoupledOutputs of_dense, of_sparse;
+  ASSERT_TRUE(RunCoupled(Rov(), inputs, Moving(), dense, &of_dense));
+  ASSERT_TRUE(RunCoupled(Rov(), inputs, Moving(), sparse, &of_sparse));
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_LT((of_dense.velocity[100 * k + 99] - of_sparse.velocity[k]).norm(), 1e-6);
+  }
+}
+
+// Without water, weight and thrust the momentum stays what it is in the world.
+TEST(RunCoupled, KeepsTheMomentumOfABodyThatNothingTouches) {
+  CoupledModel model;
+  model.dofs = kSix;
+  model.inertia.diagonal() << 40.0, 60.0, 70.0, 2.0, 3.0, 4.0;
+  model.coriolis = true;
+  CoupledStamps stamps;
+  for (int k = 1; k <= 20; ++k) stamps.pose.push_back(1.0 * k);
+  CoupledOutputs outputs;
+  const CoupledState start = Moving();
+  ASSERT_TRUE(RunCoupled(model, {}, start, stamps, &outputs));
+  const auto momentum = [&](const CoupledState& state) {
+    return Eigen::Vector3d(Eigen::Quaterniond(state.attitude) *
+                           Eigen::Vector3d((model.inertia * state.nu).head<3>()));
+  };
+  for (const CoupledState& state : outputs.pose) {
+    EXPECT_LT((momentum(state) - momentum(start)).norm(), 1e-4 * momentum(start).norm());
+    EXPECT_NEAR(state.nu.dot(model.inertia * state.nu),
+                start.nu.dot(model.inertia * start.nu),
+                1e-5 * start.nu.dot(model.inertia * start.nu));
+  }
+}
+
+// b = d_L w + d_Q w^2: a vehicle that nothing drives rises at that speed.
+TEST(RunCoupled, RisesAtTheSpeedOfItsBuoyancy) {
+  CoupledModel model;
+  model.dofs = {Dof::kHeave};
+  model.inertia(2, 2) = 70.0;
+  model.linear_damping(2, 2) = 9.0;
+  model.quadratic_damping(2, 2) = 80.0;
+  model.net_buoyancy = 2.0;
+  CoupledOutputs outputs;
+  CoupledStamps stamps;
+  stamps.velocity = {200.0};
+  ASSERT_TRUE(RunCoupled(model, {}, {}, stamps, &outputs));
+  const double speed = (-9.0 + std::sqrt(81.0 + 4.0 * 80.0 * 2.0)) / (2.0 * 80.0);
+  EXPECT_NEAR(outputs.velocity[0][2], -speed, 1e-9);
+}
+
+// A small roll swings with sqrt(K / I).
+TEST(RunCoupled, SwingsWithTheFrequencyOfAPendulum) {
+  CoupledModel model;
+  model.dofs = {Dof::kRoll};
+  model.inertia(3, 3) = 2.0;
+  model.righting_roll = 6.0;
+  const double period = 2.0 * std::numbers::pi * std::sqrt(2.0 / 6.0);
+  CoupledState start;
+  start.nu[3] = 1e-3;
+  CoupledOutputs outputs;
+  CoupledStamps stamps;
+  stamps.velocity = {0.25 * period, 0.5 * period, period};
+  ASSERT_TRUE(RunCoupled(model, {}, start, stamps, &outputs));
+  EXPECT_NEAR(outputs.velocity[0][3], 0.0, 2e-8);
+  EXPECT_NEAR(outputs.velocity[1][3], -1e-3, 2e-8);
+  EXPECT_NEAR(outputs.velocity[2][3], 1e-3, 2e-8);
+}
+
+TEST(RunCoupled, TakesDofsThatAreNotModelledAsMeasured) {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge};
+  model.inertia.diagonal() << 48.0, 81.0, 1.0, 1.0, 1.0, 16.0;
+  model.linear_damping(0, 0) = 145.0;
+  model.coriolis = true;
+  CoupledInputs inputs;
+  inputs.measured[1] = {{0.0, 100.0}, {0.2, 0.2}};
+  inputs.measured[5] = {{0.0, 100.0}, {0.5, 0.5}};
+  CoupledOutputs outputs;
+  CoupledStamps stamps;
+  stamps.velocity = {50.0};
+  ASSERT_TRUE(RunCoupled(model, inputs, {}, stamps, &outputs));
+  EXPECT_NEAR(outputs.velocity[0][0], 81.0 * 0.2 * 0.5 / 145.0, 1e-9);
+  EXPECT_EQ(outputs.velocity[0][1], 0.2);
+}
+
+TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
+  CoupledModel model = Rov();
+  model.inertia(1, 5) = model.inertia(5, 1) = 20.0;
+  CoupledOutputs outputs;
+  EXPECT_FALSE(RunCoupled(model, {}, {}, {}, &outputs));
+}
+
+// Each column of the sensitivities against the difference of two runs.
+TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
+  const CoupledModel model = Rov();
+  const CoupledInputs inputs = Steps(5);
+  MotionStructure structure = StructureOf(StandardStructure::kFull, kSix);
+  structure.entries.push_back(QuadraticDampingEntry(Dof::kYaw, Dof::kSway));
+  structure.entries.push_back(ThrustGainEntry("port"));
+  CoupledStamps stamps;
+  for (int k = 1; k <= 20; ++k) stamps.velocity.push_back(0.47 * k);
+  stamps.pose = stamps.velocity;
+  CoupledOutputs outputs;
+  const CoupledState start = Moving();
+  ASSERT_TRUE(
+      RunCoupledWithSensitivities(model, structure.entries, inputs, start, stamps, &outputs));
+  const int columns = NumCoupledColumns(model, structure.entries);
+  ASSERT_EQ(outputs.velocity_sensitivity.cols(), columns);
+
+  for (int column = 0; column < columns; ++column) {
+    const auto run = [&](double by) {
+      CoupledModel moved = model;
+      CoupledState from = start;
+      const int num_entries = static_cast<int>(structure.entries.size());
+      if (column < num_entries) {
+        const FreeEntry& entry = structure.entries[static_cast<std::size_t>(column)];
+        SetValue(entry, ValueIn(model, entry) + by, &moved);
+      } else if (column < num_entries + 6) {
+        from.nu[column - num_entries] += by;
+      } else {
+        const Eigen::Vector3d turn = by * Eigen::Vector3d::Unit(column - num_entries - 6);
+        const Eigen::Quaterniond by_turn(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+        from.attitude = (Eigen::Quaterniond(start.attitude) * by_turn).coeffs();
+      }
+      CoupledOutputs moved_outputs;
+      EXPECT_TRUE(RunCoupled(moved, inputs, from, stamps, &moved_outputs));
+      return moved_outputs;
+    };
+    constexpr double kStep = 1e-5;
+    const CoupledOutputs above = run(kStep), below = run(-kStep);
+    const std::string name = column < static_cast<int>(structure.entries.size())
+                                 ? NameOf(structure.entries[static_cast<std::size_t>(column)])
+                                 : std::to_string(column);
+    for (std::size_t k = 0; k < stamps.velocity.size(); ++k) {
+      const auto row = 6 * static_cast<Eigen::Index>(k);
+      const Vector6 velocity = (above.velocity[k] - below.velocity[k]) / (2.0 * kStep);
+      const Vector6 of_velocity = outputs.velocity_sensitivity.block<6, 1>(row, column);
+      EXPECT_LT((of_velocity - velocity).norm(), 1e-4 * (1.0 + velocity.norm())) << name;
+      const Eigen::Vector3d position =
+          (above.pose[k].position - below.pose[k].position) / (2.0 * kStep);
+      const Eigen::Vector3d of_position = outputs.pose_sensitivity.block<3, 1>(row + 3, column);
+      EXPECT_LT((of_position - position).norm(), 1e-4 * (1.0 + position.norm())) << name;
+      const Eigen::Quaterniond between = Eigen::Quaterniond(below.pose[k].attitude).conjugate() *
+                                         Eigen::Quaterniond(above.pose[k].attitude);
+      const Eigen::Vector3d turn = 2.0 * between.vec() / between.w() / (2.0 * kStep);
+      const Eigen::Vector3d of_turn = outputs.pose_sensitivity.block<3, 1>(row, column);
+      EXPECT_LT((of_turn - turn).norm(), 1e-4 * (1.0 + turn.norm())) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/coupled/coupled_model.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+
+// A second simulator of all six DOFs, written from Fossen 2021, Eqs. 6.43 to 6.46, by blocks and
+// with a rotation matrix, and integrated by its own small steps: the truth of the first.
+class PlainSimulator {
+ public:
+  Vector6 nu = Vector6::Zero();
+  Eigen::Matrix3d world_from_body = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+
+  explicit PlainSimulator(CoupledModel model) : model_(std::move(model)) {}
+
+  // Over a constant force, by the midpoint rule.
+  void Advance(const Vector6& tau, double duration, double step) {
+    const int steps = static_cast<int>(std::lround(duration / step));
+    for (int k = 0; k < steps; ++k) {
+      const Vector6 half = nu + 0.5 * step * Rate(nu, world_from_body, tau);
+      const Eigen::Matrix3d turned = world_from_body * Turn(0.5 * step * nu.tail<3>());
+      position += step * (turned * half.head<3>());
+      nu += step * Rate(half, turned, tau);
+      world_from_body *= Turn(step * half.tail<3>());
+    }
+  }
+
+ private:
+  static Eigen::Matrix3d S(const Eigen::Vector3d& x) {
+    Eigen::Matrix3d s;
+    s << 0, -x(2), x(1), x(2), 0, -x(0), -x(1), x(0), 0;
+    return s;
+  }
+
+  static Eigen::Matrix3d Turn(const Eigen::Vector3d& by) {
+    const double angle = by.norm();
+    if (angle < 1e-12) return Eigen::Matrix3d::Identity() + S(by);
+    return Eigen::AngleAxisd(angle, by / angle).toRotationMatrix();
+  }
+
+  Vector6 Rate(const Vector6& v, const Eigen::Matrix3d& rotation, const Vector6& tau) const {
+    const Matrix6& m = model_.inertia;
+    const Eigen::Vector3d v1 = v.head<3>(), v2 = v.tail<3>();
+    const Eigen::Vector3d a = m.block<3, 3>(0, 0) * v1 + m.block<3, 3>(0, 3) * v2;
+    const Eigen::Vector3d b = m.block<3, 3>(3, 0) * v1 + m.block<3, 3>(3, 3) * v2;
+    Vector6 force = tau - model_.offset;
+    if (model_.coriolis) {
+      force.head<3>() -= -S(a) * v2;
+      force.tail<3>() -= -S(a) * v1 - S(b) * v2;
+    }
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) {
+        force(i) -= model_.linear_damping(i, j) * v(j) +
+                    model_.quadratic_damping(i, j) * std::abs(v(j)) * v(j);
+      }
+    }
+    const double pitch = std::asin(-rotation(2, 0));
+    const double roll = std::atan2(rotation(2, 1), rotation(2, 2));
+    const Eigen::Vector3d up_force(0.0, 0.0, -model_.net_buoyancy);
+    force.head<3>() += rotation.transpose() * up_force;
+    force(3) -= model_.righting_roll * std::cos(pitch) * std::sin(roll);
+    force(4) -= model_.righting_pitch * std::sin(pitch);
+    return m.fullPivLu().solve(force);
+  }
+
+  CoupledModel model_;
+};
+
+}  // namespace fathom
