@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs every test. Says what both took.
+# Installs what is missing, builds everything and runs every test. Says what both took, and which
+# tests were the slowest.
 #
 #   scripts/test.sh          optimised, with debug information (preset dev)
 #   scripts/test.sh asan     under the address and undefined behaviour sanitizers

@@ -47,6 +47,16 @@ TEST(NamedCauses, AreNoneWhereUnseenDataGetWorse) {
                             "by .*: no cause is named"));
 }
 
+// A smaller one, of which too little is held out: a loss of 1 % that may be a gain of 69 %.
+TEST(NamedCauses, MayBeThereWhereUnseenDataDoNotDecide) {
+  const Path folder = EmptyTestFolder();
+  const Diagnosed diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=3", 1));
+  EXPECT_THAT(diagnosed.json["sentence"].get<std::string>(),
+              HasSubstr("may come from a thruster dead zone"));
+  EXPECT_THAT(diagnosed.run.out,
+              HasSubstr("The held-out data do not confirm this cause: use the model without it"));
+}
+
 // Under two minutes of one slow tone, thrust that fades looks like six other effects.
 TEST(NamedCauses, AreToldByTheirPlaceWhereManyFitAsWell) {
   const Path folder = EmptyTestFolder();

@@ -96,6 +96,17 @@ TEST(CommandClock, FarApartIsFoundWhereTheCommandActsAtNoNearerTime) {
   }
 }
 
+// Motion that another command drove: no clock puts these together.
+TEST(CommandClock, SaysNothingWhereTheCommandDoesNotAct) {
+  int num_told = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const Steered run = Simulated(RandomSteps(seed), 0.0, 300.0, seed);
+    const Steered other = Simulated(RandomSteps(seed + 1000), 0.0, 300.0, seed + 1000);
+    num_told += FindCommandDelay(other.command, run.segments) ? 1 : 0;
+  }
+  EXPECT_EQ(num_told, 0);
+}
+
 TEST(CommandClock, SaysNothingOfClocksThatAgree) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Steered run = Simulated(RandomSteps(seed), 0.0, 100.0, seed);

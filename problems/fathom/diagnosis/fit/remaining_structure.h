@@ -16,6 +16,9 @@ struct RemainingStructure {
   double gain = 0.0;     // twice the log-likelihood that smooth forces of any form would gain
   int num_columns = 0;   // degrees of freedom they took; 0: they were not tried
   double p_value = 1.0;  // of that gain where nothing is left
+
+  // Nothing was looked for: what is left is less than a sensor shows.
+  bool is_negligible = false;
 };
 
 // Tries forces that are free, smooth functions of command, lagged command, speed, position and the

@@ -21,7 +21,7 @@ namespace fathom {
 namespace {
 
 RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
-  if (LeavesNothing(prepared.data, choice.fit())) return {};
+  if (LeavesNothing(prepared.data, choice.fit())) return {.is_negligible = true};
   return FindRemainingStructure(prepared.data, choice.fit());
 }
 

@@ -31,7 +31,7 @@ struct Judgement {
   const HypothesisBook& book() const { return search.found.book; }
 
   // False where it was looked for and the data are too few.
-  bool IsRemainingTried() const { return evidence.IsNegligible() || remaining.num_columns > 0; }
+  bool IsRemainingTried() const { return remaining.is_negligible || remaining.num_columns > 0; }
 };
 
 // Confirms the best hypothesis of a search by likelihood on all training data, asks the data that

@@ -9,17 +9,17 @@ namespace fathom {
 // on data that no fit has seen, unless it says so; docs/diagnosis.md, "Verdict".
 struct VerdictRules {
   // What is left, of all structure [share of the log-likelihood's gain], below which it is no
-  // matter: an answer of 95 % is one.
+  // matter.
   static constexpr double kMaterialRest = 0.05;
 
   // RMS error of a free run over what scatters from sample to sample [1], above which the noise may
-  // have taken up what is missing. Correlated noise alone reaches about 1.5.
+  // have taken up what is missing.
   static constexpr double kMoreThanScatter = 2.0;
 
   // A cause refuses itself where it loses so much, however wide the interval of the loss is.
   static constexpr double kLossTooMuch = 0.05;
 
-  // The same of the error in training [share of NMAE]: the noise has eaten what the cause explains.
+  // The same of the error in training [share of NMAE].
   static constexpr double kLossTooMuchInTraining = 0.1;
 
   // Losses in the displacements that say nothing, as a jump of the poses before the held-out data
@@ -30,7 +30,7 @@ struct VerdictRules {
   // A gain in the poses that outweighs a loss in the velocities, for certain.
   static constexpr double kMaterialGainInPoses = 0.05;
 
-  // Of several logs, each of which gains: more than roundings of the fit.
+  // Of several logs, each of which gains: what is less is a trace.
   static constexpr double kLeastGainOfEachLog = 0.01;
 
   // A rung of the ladder of free runs is climbed for such a gain, for certain; where the blocks are

@@ -4,6 +4,7 @@
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
 #include "fathom/simulate/coupled/coupled_rate.h"
+#include "fathom/simulate/partner_signals.h"
 
 #include <algorithm>
 #include <array>
@@ -14,23 +15,14 @@
 #include <span>
 #include <vector>
 
+#include <glog/logging.h>
+
 namespace fathom {
 namespace {
 
 constexpr double kLongestCoupledStep = 0.05;  // [s]
 constexpr double kMostRateTimesCoupledStep = 0.25;
 constexpr double kSmallestCoupledStep = 1e-6;  // [s]
-
-// On straight lines, held beyond the ends.
-double JoinedAt(const SampledSignal& signal, double t) {
-  const auto& time = signal.time;
-  const auto next = std::upper_bound(time.begin(), time.end(), t);
-  if (next == time.begin()) return signal.value.front();
-  if (next == time.end()) return signal.value.back();
-  const auto i = static_cast<std::size_t>(next - time.begin());
-  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
-  return signal.value[i - 1] + share * (signal.value[i] - signal.value[i - 1]);
-}
 
 // The weights of the cubic through both ends of a step: of the values and of the slopes.
 struct HermiteWeights {
@@ -95,6 +87,11 @@ class CoupledRun {
         shown_(columns_),
         pushed_(entries.size(), Vector6::Zero()) {
     for (const Dof dof : model.dofs) is_modelled_[Index(dof)] = true;
+    const CoupledCommand& command = inputs.command;
+    CHECK(command.force.empty() || command.force.size() == command.time.size());
+    for (const CommandedThruster& thruster : command.thrusters) {
+      CHECK_EQ(thruster.thrust.size(), command.time.size());
+    }
   }
 
   bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
@@ -144,11 +141,10 @@ class CoupledRun {
     command_ = -1;
   }
 
-  void SetMeasured(double t, CoupledFlow* state) const {
+  void SetMeasured(double t, CoupledFlow* state) {
     for (std::size_t i = 0; i < 6; ++i) {
       if (is_modelled_[i]) continue;
-      const SampledSignal& signal = inputs_.measured[i];
-      state->nu[static_cast<Eigen::Index>(i)] = signal.time.empty() ? 0.0 : JoinedAt(signal, t);
+      state->nu[static_cast<Eigen::Index>(i)] = LineAt(inputs_.measured[i], t, &places_[i]).value;
     }
   }
 
@@ -295,6 +291,7 @@ class CoupledRun {
   CoupledRate rate_;
   const Eigen::Index columns_;
   std::array<bool, 6> is_modelled_ = {};
+  std::array<std::size_t, 6> places_ = {};  // of LineAt()
 
   CoupledFlow state_, begin_, between_, end_rate_;
   CoupledFlow rates_[4];

@@ -90,6 +90,7 @@ TEST(RemarksOnJudgement, SayHowFarTheDataCarryIt) {
                           HasSubstr("has poses but no velocities")));
   // Nothing is looked for where nothing is left: that it was not is no news.
   judgement.evidence = {.inertia = 800.0, .inertia_std = 9.0, .share_left = 4e-4};
+  judgement.remaining.is_negligible = true;
   EXPECT_THAT(RemarksOn(judgement), ElementsAre(HasSubstr("misses 0.04 % of the motion")));
 }
 
