@@ -137,4 +137,10 @@ std::string RoundedAt(double value, int decimals) {
   return fmt::format("{:.{}g}", value, std::clamp(digits, kFewestDigits, kMostDigits));
 }
 
+std::string ShareText(double share, int decimals) {
+  if (!std::isfinite(share)) return "-";
+  const bool is_shown = share == 0.0 || std::abs(share) >= 10.0 * std::pow(0.1, decimals);
+  return is_shown ? fmt::format("{:.{}f}", share, decimals) : fmt::format("{:.2g}", share);
+}
+
 }  // namespace fathom

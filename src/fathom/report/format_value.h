@@ -41,4 +41,8 @@ int DecimalsFor(double size);
 // and beyond, as many significant digits as end there, three at least: "0.0005994", "1.2346e+08".
 std::string RoundedAt(double value, int decimals);
 
+// A share such as an NMAE with so many decimals, or, where these would leave less than two digits
+// of it, with two: "0.013", "1.1e-05". "-" of what is not finite.
+std::string ShareText(double share, int decimals);
+
 }  // namespace fathom

@@ -117,6 +117,15 @@ TEST(WithInterval, IsTheNumberAloneWithoutADeviation) {
   EXPECT_EQ(WithInterval(0.42113, 0.0, "", 0.0, 20.0), "0.4211");
 }
 
+TEST(ShareText, KeepsTwoDigitsOfASmallShare) {
+  EXPECT_EQ(ShareText(0.0127, 3), "0.013");
+  EXPECT_EQ(ShareText(0.1, 4), "0.1000");
+  EXPECT_EQ(ShareText(1.13e-5, 3), "1.1e-05");
+  EXPECT_EQ(ShareText(0.0043, 3), "0.0043");
+  EXPECT_EQ(ShareText(0.0, 3), "0.000");
+  EXPECT_EQ(ShareText(std::numeric_limits<double>::quiet_NaN(), 3), "-");
+}
+
 TEST(WithInterval, WritesHugeNumbersWithAPowerOfTen) {
   EXPECT_EQ(WithInterval(3.21e7, 1.0e6, "N", -kInfinity, kInfinity),
             "3.21e+07 N (3.01e+07 to 3.41e+07 N)");

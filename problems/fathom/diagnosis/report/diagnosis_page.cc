@@ -12,6 +12,7 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/findings/explain_first.h"
+#include "fathom/report/format_value.h"
 #include "fathom/vehicle/effects/in_words.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -169,8 +170,9 @@ std::vector<Fact> FactsOf(const Diagnosis& diagnosis) {
   const double before = diagnosis.baseline.held_out.nmae, after = diagnosis.extended.held_out.nmae;
   if (std::isfinite(after)) {
     facts.push_back({NameOfNmae(diagnosis),
-                     diagnosis.ComparesTwoModels() ? fmt::format("{:.3f} → {:.3f}", before, after)
-                                                   : fmt::format("{:.3f}", after)});
+                     diagnosis.ComparesTwoModels()
+                         ? fmt::format("{} → {}", ShareText(before, 3), ShareText(after, 3))
+                         : ShareText(after, 3)});
     if (std::isfinite(diagnosis.noise_nmae)) {
       facts.push_back({"noise alone gives", fmt::format("about {:.2g}", diagnosis.noise_nmae)});
     }

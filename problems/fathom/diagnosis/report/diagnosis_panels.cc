@@ -6,6 +6,7 @@
 #include "fathom/base/median.h"
 #include "fathom/base/not_known.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
+#include "fathom/report/format_value.h"
 #include "fathom/report/held_curve.h"
 #include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/files/model_file.h"
@@ -53,9 +54,9 @@ std::string NmaeNote(const Diagnosis& diagnosis, const DiagnosedModel& model) {
     const char* const where = diagnosis.by_left_out_logs     ? "left-out"
                               : diagnosis.by_left_out_blocks ? "cross-validated"
                                                              : "held-out";
-    return fmt::format("{} NMAE {:.3f}", where, model.held_out.nmae);
+    return fmt::format("{} NMAE {}", where, ShareText(model.held_out.nmae, 3));
   }
-  return std::isfinite(model.train.nmae) ? fmt::format("NMAE {:.3f}", model.train.nmae) : "";
+  return std::isfinite(model.train.nmae) ? "NMAE " + ShareText(model.train.nmae, 3) : "";
 }
 
 void AddGap(TimePanel* panel) {
@@ -87,7 +88,7 @@ std::string OwnNote(const std::vector<const ResidualTrace*>& traces, const Curve
     if (run.size() != trace->time.size()) return fmt::format("{}diverges", where);
     runs.push_back({trace->time, trace->measured, run});
   }
-  return fmt::format("{}NMAE {:.3f}", where, FiguresOfRuns(runs).nmae);
+  return fmt::format("{}NMAE {}", where, ShareText(FiguresOfRuns(runs).nmae, 3));
 }
 
 bool Diverges(const std::vector<const ResidualTrace*>& traces, const Curve& curve) {

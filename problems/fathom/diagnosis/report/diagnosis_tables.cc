@@ -118,7 +118,7 @@ Table BeforeAndAfterTable(const Diagnosis& diagnosis) {
     }
   }
   const auto add_figure = [&](const std::string& name, double was, double is) {
-    add(name, Figure(was, "{:.4f}"), Figure(is, "{:.4f}"), moves_by(was, is));
+    add(name, ShareText(was, 4), ShareText(is, 4), moves_by(was, is));
   };
   const std::string nmae = fmt::format("{} NMAE", FittedQuantity(diagnosis));
   add_figure(
