@@ -236,6 +236,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
       break;
   }
   summary.converged = true;
+  summary.starts = point.starts;
   summary.cost = search.at.cost;
   summary.num_rows = search.at.num_rows;
   summary.undetermined = UndeterminedIn(search.at.normal, structure.entries);
@@ -245,13 +246,18 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     return summary;
   }
   const double step = MedianStep(problem.windows.front().segment->time);
-  const Eigen::MatrixXd scores = BlockScores(problem,
-                                             WeightsOf(summary.noise, options.huber_k),
-                                             point,
-                                             std::max(kBlock, kFewestOfBlock * step));
+  WindowScores scores;
+  if (!ScoresOf(problem,
+                WeightsOf(summary.noise, options.huber_k),
+                point,
+                std::max(kBlock, kFewestOfBlock * step),
+                &scores)) {
+    summary.message = "the simulation diverges";
+    return summary;
+  }
   const int num_unknowns = static_cast<int>(structure.entries.size()) +
                            problem.free.size() * static_cast<int>(problem.windows.size());
-  summary.covariance = CovarianceOf(search.at, scores, num_unknowns);
+  summary.covariance = CovarianceOf(search.at, scores.by_block, num_unknowns);
   summary.on_bound = OnBound(summary);
   summary.message = "converged";
   return summary;

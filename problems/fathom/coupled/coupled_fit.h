@@ -65,6 +65,7 @@ struct CoupledSummary {
   std::vector<FreeEntry> on_bound;      // pressed against what keeps the model physical
   std::vector<FreeEntry> undetermined;  // that trade against each other without a trace
 
+  std::vector<CoupledState> starts;  // of the windows, in their order
   std::vector<ChannelNoise> noise;
   double cost = std::numeric_limits<double>::quiet_NaN();  // half the sum of weighed squares
   int num_rows = 0;

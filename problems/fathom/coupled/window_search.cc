@@ -51,6 +51,14 @@ RowMajorRows WeighedRows(const WindowResiduals::Piece& piece, const ChannelWeigh
   return rows;
 }
 
+// Rows of residuals beyond `k`, which count linearly.
+void LessenWildRows(double k, RowMajorRows* rows) {
+  for (Eigen::Index i = 0; i < rows->rows(); ++i) {
+    const double weight = HuberWeight((*rows)(i, 0), k);
+    if (weight < 1.0) rows->row(i) *= std::sqrt(weight);
+  }
+}
+
 bool NormalOf(const WindowProblem& problem,
               const std::vector<ChannelWeight>& weights,
               const CoupledModel& model,
@@ -76,9 +84,8 @@ bool NormalOf(const WindowProblem& problem,
     RowMajorRows rows = WeighedRows(piece, weight);
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
       normal->cost += HuberCost(rows(i, 0), weight.huber_k);
-      const double w = HuberWeight(rows(i, 0), weight.huber_k);
-      if (w < 1.0) rows.row(i) *= std::sqrt(w);
     }
+    LessenWildRows(weight.huber_k, &rows);
     normal->num_rows += static_cast<int>(rows.rows());
     gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
   }
@@ -296,15 +303,19 @@ bool AllResiduals(const WindowProblem& problem,
   return true;
 }
 
-Eigen::MatrixXd BlockScores(const WindowProblem& problem,
-                            const std::vector<ChannelWeight>& weights,
-                            const WindowPoint& point,
-                            double block) {
+bool ScoresOf(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const WindowPoint& point,
+              double block,
+              WindowScores* scores) {
   const auto num = static_cast<Eigen::Index>(problem.entries.size());
-  std::vector<Eigen::VectorXd> scores;
+  const Eigen::Index m = problem.free.size();
+  scores->normal = Eigen::MatrixXd::Zero(num, num);
+  std::vector<Eigen::VectorXd> sums;
   for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    const CoupledWindow& window = problem.windows[w];
     WindowResiduals residuals;
-    if (!ResidualsOf(problem.windows[w],
+    if (!ResidualsOf(window,
                      point.model,
                      point.starts[w],
                      problem.entries,
@@ -312,42 +323,39 @@ Eigen::MatrixXd BlockScores(const WindowProblem& problem,
                      problem.free,
                      true,
                      &residuals)) {
-      return {};
+      return false;
     }
-    WindowNormal normal;
     std::vector<RowMajorRows> all;
-    const Eigen::Index m = problem.free.size();
     Eigen::MatrixXd ss = Eigen::MatrixXd::Zero(m, m), st = Eigen::MatrixXd::Zero(m, num);
     for (const WindowResiduals::Piece& piece : residuals.pieces) {
-      const ChannelWeight& weight = weights[piece.channel];
-      RowMajorRows rows = WeighedRows(piece, weight);
-      for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        const double factor = HuberWeight(rows(i, 0), weight.huber_k);
-        if (factor < 1.0) rows.row(i) *= std::sqrt(factor);
-      }
+      RowMajorRows& rows = all.emplace_back(WeighedRows(piece, weights[piece.channel]));
+      LessenWildRows(weights[piece.channel].huber_k, &rows);
+      const auto entries = rows.middleCols(1, num);
+      scores->normal.noalias() += entries.transpose() * entries;
       ss.noalias() += rows.rightCols(m).transpose() * rows.rightCols(m);
-      st.noalias() += rows.rightCols(m).transpose() * rows.middleCols(1, num);
-      all.push_back(std::move(rows));
+      st.noalias() += rows.rightCols(m).transpose() * entries;
     }
     const Eigen::MatrixXd by = StartSolver(ss, 0.0).solve(st);
-    std::map<long, Eigen::VectorXd> sums;
-    const double first = problem.windows[w].segment->time[problem.windows[w].samples.begin];
+    scores->normal -= st.transpose() * by;
+    std::map<long, Eigen::VectorXd> by_block;
+    const double first = window.segment->time[window.samples.begin];
     for (std::size_t p = 0; p < all.size(); ++p) {
       const RowMajorRows& rows = all[p];
       for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        const long at = std::lround(
-            std::floor((residuals.pieces[p].time[static_cast<std::size_t>(i)] - first) / block));
-        auto [found, is_new] = sums.try_emplace(at, Eigen::VectorXd::Zero(num));
-        found->second +=
-            rows(i, 0) * (rows.row(i).segment(1, num) - rows.row(i).tail(m) * by).transpose();
+        const double t = residuals.pieces[p].time[static_cast<std::size_t>(i)];
+        const auto at = static_cast<long>(std::floor((t - first) / block));
+        auto [sum, is_new] = by_block.try_emplace(at, Eigen::VectorXd::Zero(num));
+        sum->second.transpose() +=
+            rows(i, 0) * (rows.row(i).segment(1, num) - rows.row(i).tail(m) * by);
       }
     }
-    for (auto& [at, sum] : sums) scores.push_back(std::move(sum));
+    for (auto& [at, sum] : by_block) sums.push_back(std::move(sum));
   }
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(scores.size()), num);
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    matrix.row(static_cast<Eigen::Index>(i)) = scores[i];
-  return matrix;
+  scores->by_block.resize(static_cast<Eigen::Index>(sums.size()), num);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    scores->by_block.row(static_cast<Eigen::Index>(i)) = sums[i];
+  }
+  return true;
 }
 
 }  // namespace fathom

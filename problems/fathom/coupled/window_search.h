@@ -63,11 +63,18 @@ bool AllResiduals(const WindowProblem& problem,
                   const WindowPoint& point,
                   std::vector<WindowResiduals>* residuals);
 
-// Sums over blocks of time of what each weighed row adds to the gradient, with the starts
-// eliminated: rows by block. Their scatter tells how sure the entries are, whatever colour is left.
-Eigen::MatrixXd BlockScores(const WindowProblem& problem,
-                            const std::vector<ChannelWeight>& weights,
-                            const WindowPoint& point,
-                            double block);
+// What each weighed row adds to the gradient, with the starts eliminated, summed over blocks of
+// time. The blocks' scatter tells how sure the entries are, whatever colour is left.
+struct WindowScores {
+  Eigen::MatrixXd by_block;  // a row for each
+  Eigen::MatrixXd normal;    // of the entries, after the starts
+};
+
+// `block`: its length [s]. False if a run diverges.
+bool ScoresOf(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const WindowPoint& point,
+              double block,
+              WindowScores* scores);
 
 }  // namespace fathom

@@ -58,40 +58,51 @@ void AddFigures(const CoupledSegment& segment,
   (segment.is_held_out ? sums->held_out : sums->train).Add(time, measured, simulated);
 }
 
+// False if a run diverges.
+bool RunSegment(const CoupledModel& model,
+                const CoupledData& log,
+                const CoupledSegment& segment,
+                double horizon,
+                std::vector<Vector6>* predicted,
+                PositionMisses* misses) {
+  const bool has_position =
+      std::any_of(log.has_position.begin(), log.has_position.end(), [](bool has) { return has; });
+  for (const SampleWindow& window : WindowsOf(segment, horizon)) {
+    CoupledStamps stamps;
+    const auto begin = segment.time.begin();
+    stamps.velocity.assign(begin + static_cast<std::ptrdiff_t>(window.begin),
+                           begin + static_cast<std::ptrdiff_t>(window.end));
+    stamps.start = stamps.velocity.front();
+    const auto from =
+        std::lower_bound(segment.pose_time.begin(), segment.pose_time.end(), stamps.start);
+    const auto to = std::upper_bound(from, segment.pose_time.end(), stamps.velocity.back());
+    if (has_position) stamps.pose.assign(from, to);
+    CoupledOutputs outputs;
+    const CoupledState start = MeasuredState(segment, window.begin);
+    if (!RunCoupled(model, log.inputs, start, stamps, &outputs)) return false;
+    predicted->insert(predicted->end(), outputs.velocity.begin(), outputs.velocity.end());
+    misses->Add(
+        segment, stamps.start, outputs, static_cast<std::size_t>(from - segment.pose_time.begin()));
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<CoupledPrediction> PredictCoupled(const CoupledModel& model,
-                                                const CoupledData& data,
+                                                std::span<const CoupledData> logs,
                                                 double horizon) {
   CoupledPrediction prediction;
   std::array<DofSums, 6> sums;
   PositionMisses misses;
-  const bool has_position =
-      std::any_of(data.has_position.begin(), data.has_position.end(), [](bool has) { return has; });
-  for (const CoupledSegment& segment : data.segments) {
-    std::vector<Vector6>& predicted = prediction.velocity.emplace_back();
-    predicted.reserve(segment.time.size());
-    for (const SampleWindow& window : WindowsOf(segment, horizon)) {
-      CoupledStamps stamps;
-      const auto begin = segment.time.begin();
-      stamps.velocity.assign(begin + static_cast<std::ptrdiff_t>(window.begin),
-                             begin + static_cast<std::ptrdiff_t>(window.end));
-      stamps.start = stamps.velocity.front();
-      const auto from =
-          std::lower_bound(segment.pose_time.begin(), segment.pose_time.end(), stamps.start);
-      const auto to = std::upper_bound(from, segment.pose_time.end(), stamps.velocity.back());
-      if (has_position) stamps.pose.assign(from, to);
-      CoupledOutputs outputs;
-      const CoupledState start = MeasuredState(segment, window.begin);
-      if (!RunCoupled(model, data.inputs, start, stamps, &outputs)) return std::nullopt;
-      predicted.insert(predicted.end(), outputs.velocity.begin(), outputs.velocity.end());
-      misses.Add(segment,
-                 stamps.start,
-                 outputs,
-                 static_cast<std::size_t>(from - segment.pose_time.begin()));
-    }
-    for (const Dof dof : model.dofs) {
-      AddFigures(segment, predicted, dof, &sums[static_cast<std::size_t>(Index(dof))]);
+  for (const CoupledData& log : logs) {
+    auto& of_log = prediction.velocity.emplace_back();
+    for (const CoupledSegment& segment : log.segments) {
+      of_log.emplace_back();
+      if (!RunSegment(model, log, segment, horizon, &of_log.back(), &misses)) return std::nullopt;
+      for (const Dof dof : model.dofs) {
+        AddFigures(segment, of_log.back(), dof, &sums[static_cast<std::size_t>(Index(dof))]);
+      }
     }
   }
   for (const Dof dof : model.dofs) {

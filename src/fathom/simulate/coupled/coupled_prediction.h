@@ -10,14 +10,15 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace fathom {
 
-// What a model of several DOFs predicts for a log.
+// What a model of several DOFs predicts for logs.
 struct CoupledPrediction {
-  // Of each segment, at its stamps: the modelled velocities, the others as measured.
-  std::vector<std::vector<Vector6>> velocity;
+  // Of each segment of each log, at its stamps: the modelled velocities, the others as measured.
+  std::vector<std::vector<std::vector<Vector6>>> velocity;
 
   // By Index(Dof), of modelled DOFs; docs/models.md (7) and (8).
   std::array<FitFigures, 6> figures, train, held_out;
@@ -30,7 +31,7 @@ struct CoupledPrediction {
 // Free runs of `model` over its command, each begun anew from the measured state after `horizon`
 // [s], above 0; infinite: once for each segment. Nothing if a run diverges.
 std::optional<CoupledPrediction> PredictCoupled(const CoupledModel& model,
-                                                const CoupledData& data,
+                                                std::span<const CoupledData> logs,
                                                 double horizon);
 
 }  // namespace fathom
