@@ -22,11 +22,11 @@
 namespace fathom {
 namespace {
 
-constexpr int kMostPasses = 6;
-constexpr int kMostOrder = 12;            // of a channel's noise
-constexpr double kRoughPrecision = 0.03;  // of the passes before the last, in standard deviations
-constexpr double kFinePrecision = 1e-3;
-constexpr double kSettled = 0.05;      // a pass that moves no entry further is the last
+constexpr int kMostPasses = 5;
+constexpr int kMostOrder = 12;           // of a channel's noise
+constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
+constexpr double kFinePrecision = 0.02;
+constexpr double kSettled = 0.1;       // a pass that moves no entry further is the last
 constexpr double kSingular = 1e-11;    // of the scaled normal equations
 constexpr double kBlock = 1.0;         // [s] of the scores' blocks
 constexpr double kFewestOfBlock = 10;  // samples of a block
@@ -214,31 +214,47 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     summary.model = point.model;
     return summary;
   }
-  WindowSearch search;
+  // White noise first, unless its colour is known; then the colour of what is left, until the
+  // numbers stay. A colour with which the search goes astray, as that of a model that misses most
+  // of the motion, is given up for what came before it.
+  const bool is_given = !options.noise.empty();
+  const int num_white = is_given ? 0 : 2;
+  WindowSearch best;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const bool is_white = pass < 2;
-    summary.noise = NoiseOf(residuals, problem.channels, is_white);
-    const CoupledModel before = point.model;
-    search = SearchWindows(problem,
-                           WeightsOf(summary.noise, options.huber_k),
-                           point,
-                           options.max_iterations,
-                           is_white ? kRoughPrecision : kFinePrecision);
+    const bool is_white = pass < num_white;
+    std::vector<ChannelNoise> noise =
+        pass == 0 && is_given ? options.noise : NoiseOf(residuals, problem.channels, is_white);
+    WindowSearch search = SearchWindows(problem,
+                                        WeightsOf(noise, options.huber_k),
+                                        point,
+                                        options.max_iterations,
+                                        is_white ? kRoughPrecision : kFinePrecision);
     summary.num_iterations += search.num_iterations;
-    summary.model = search.point.model;
     if (!search.converged || !AllResiduals(problem, search.point, &residuals)) {
       summary.message = search.message;
-      return summary;
-    }
-    point = search.point;
-    if (!is_white &&
-        LargestMove(before, point.model, structure.entries, search.at.normal) < kSettled)
+      if (!best.converged) summary.model = search.point.model;
       break;
+    }
+    const double move =
+        LargestMove(point.model, search.point.model, structure.entries, search.at.normal);
+    point = search.point;
+    summary.noise = std::move(noise);
+    best = std::move(search);
+    if (is_given && !options.learns_noise) break;
+    if (!is_white && move < kSettled) break;
   }
+  if (!best.converged) return summary;
+  summary.model = point.model;
+  const WindowSearch& search = best;
   summary.converged = true;
   summary.starts = point.starts;
   summary.cost = search.at.cost;
   summary.num_rows = search.at.num_rows;
+  if (!options.learns_noise) {
+    summary.determined = true;
+    summary.message = "converged";
+    return summary;
+  }
   summary.undetermined = UndeterminedIn(search.at.normal, structure.entries);
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {

@@ -20,6 +20,13 @@
 
 namespace fathom {
 
+// What a fit took the residuals of one channel for.
+struct ChannelNoise {
+  Channel channel;
+  double std = 0.0;  // of the residuals [unit of the channel]
+  RowWhitener whitener;
+};
+
 struct CoupledFitOptions {
   // Motion is simulated from a free start anew after so long [s], above 0. A short window forgives
   // a disturbance and an unstable vehicle; a long one holds slow motion to the model.
@@ -37,17 +44,18 @@ struct CoupledFitOptions {
   // Where the search begins; absent: MomentumStart().
   std::optional<CoupledModel> start;
 
+  // What the residuals are taken for at first, as another fit of the same channels found them.
+  // Empty: white noise, whose colour is then learned.
+  std::vector<ChannelNoise> noise;
+
+  // Of a noise that is given: false leaves it as it is, and computes no covariance. For many fits
+  // of parts of the same data.
+  bool learns_noise = true;
+
   int max_iterations = 60;  // of each pass, above 0
 
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;
-};
-
-// What a fit took the residuals of one channel for.
-struct ChannelNoise {
-  Channel channel;
-  double std = 0.0;  // of the residuals [unit of the channel]
-  RowWhitener whitener;
 };
 
 // Numbers that were not computed are NaN, never zero.

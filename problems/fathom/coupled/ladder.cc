@@ -128,8 +128,10 @@ UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
                             CoupledFitOptions options) {
   UnseenErrors errors;
   options.start = fit.model;
+  options.noise = fit.noise;
+  options.learns_noise = false;
   for (const Fold& fold : folds) {
-    const CoupledSummary part = FitBlocks({{}, fold.train}, structure, options);
+    const CoupledSummary part = FitCoupled(fold.train, structure, options);
     if (!part.converged) return errors;
     const auto prediction = PredictCoupled(part.model, fold.unseen, kUnseenHorizon);
     if (!prediction) return errors;
@@ -268,6 +270,7 @@ EntrySearch SearchEntries(const CoupledLogs& logs,
     longer.entries.push_back(best->entry);
     CoupledFitOptions next = options.fit;
     next.start = StartedAt(here.model, *best);
+    next.noise = here.noise;
     CoupledSummary found = FitCoupled(logs.data, longer, next);
     if (!found.IsUsable() || StrengthOf(found, best->entry) < kStillThere) {
       banned.push_back(best->entry);
@@ -293,6 +296,7 @@ EntrySearch SearchEntries(const CoupledLogs& logs,
       banned.push_back(gone);
       CoupledFitOptions again = options.fit;
       again.start = search.fit.model;
+      again.noise = search.fit.noise;
       SetValue(gone, gone.kind == Kind::kThrustGain ? 1.0 : 0.0, &*again.start);
       search.fit = FitCoupled(logs.data, search.structure, again);
       break;
@@ -301,12 +305,12 @@ EntrySearch SearchEntries(const CoupledLogs& logs,
   return search;
 }
 
-MotionStructure Joined(MotionStructure a, const MotionStructure& b) {
-  for (const FreeEntry& entry : b.entries) {
-    if (!Holds(a, entry)) a.entries.push_back(entry);
+// What stands, with all entries of a standard structure.
+MotionStructure Joined(MotionStructure stands, const MotionStructure& standard) {
+  for (const FreeEntry& entry : standard.entries) {
+    if (!Holds(stands, entry)) stands.entries.push_back(entry);
   }
-  a.coriolis = a.coriolis || b.coriolis;
-  return a;
+  return stands;
 }
 
 }  // namespace
@@ -362,7 +366,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   for (const StandardStructure standard :
        {StandardStructure::kSymmetric, StandardStructure::kFull}) {
     const MotionStructure structure =
-        Joined(StructureOf(standard, dofs), ladder.rungs[ladder.accepted].structure);
+        Joined(ladder.rungs[ladder.accepted].structure, StructureOf(standard, dofs));
     if (structure.entries.size() == ladder.rungs[ladder.accepted].structure.entries.size())
       continue;
     try_rung(std::string(Name(standard)), structure, fit_from_accepted(structure));

@@ -18,8 +18,9 @@ namespace {
 
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-12;
-constexpr double kMostDamping = 1e12;
+constexpr int kMostTries = 12;           // of one step, with ever more damping
 constexpr double kStartRidge = 1e-10;    // of a start's own squares
+constexpr double kStartPrecision = 0.1;  // of each start, in standard deviations
 constexpr double kSmallestGain = 1e-10;  // of the cost
 
 double HuberCost(double r, double k) {
@@ -99,9 +100,11 @@ bool NormalOf(const WindowProblem& problem,
   return true;
 }
 
+// Infinite where a run diverges, or as soon as it is above `limit`.
 double CostAt(const WindowProblem& problem,
               const std::vector<ChannelWeight>& weights,
-              const WindowPoint& point) {
+              const WindowPoint& point,
+              double limit) {
   double cost = 0.0;
   WindowResiduals residuals;
   for (std::size_t w = 0; w < problem.windows.size(); ++w) {
@@ -122,6 +125,7 @@ double CostAt(const WindowProblem& problem,
         cost += HuberCost(rows(i, 0), weights[piece.channel].huber_k);
       }
     }
+    if (cost > limit) return std::numeric_limits<double>::infinity();
   }
   return cost;
 }
@@ -176,7 +180,9 @@ ReducedWindows Reduce(const Linearised& lines, Eigen::Index num_entries, double 
 struct Step {
   Eigen::VectorXd entries;
   std::vector<Eigen::VectorXd> starts;
-  double decrement = 0.0;  // squared length of the step, in standard deviations
+  // Squared lengths of the step in standard deviations: of the entries, and of the starts as well.
+  double of_entries = 0.0;
+  double decrement = 0.0;
 };
 
 bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damping, Step* step) {
@@ -192,7 +198,8 @@ bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damp
   if (solver.info() != Eigen::Success || !solver.isPositive()) return false;
   const Eigen::VectorXd scaled_step = -solver.solve(scale.cwiseProduct(gradient));
   step->entries = scale.cwiseProduct(scaled_step);
-  step->decrement = -scaled_step.dot(scale.cwiseProduct(gradient));
+  step->of_entries = -scaled_step.dot(scale.cwiseProduct(gradient));
+  step->decrement = step->of_entries;
   step->starts.clear();
   for (const WindowNormal& window : lines.windows) {
     const Eigen::VectorXd right = window.s + window.ts.transpose() * step->entries;
@@ -200,6 +207,14 @@ bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damp
     step->decrement += window.s.dot(StartSolver(window.ss, damping).solve(window.s));
   }
   return step->entries.allFinite();
+}
+
+// Whether what is left to go is small for the entries, and on average for each start.
+bool IsSmall(const Step& step, const Linearised& lines, double precision) {
+  const double rest = step.decrement - step.of_entries;
+  return (step.of_entries < precision * precision &&
+          rest < kStartPrecision * kStartPrecision * static_cast<double>(lines.windows.size())) ||
+         step.decrement < kSmallestGain * lines.cost;
 }
 
 WindowPoint Stepped(const WindowProblem& problem, const WindowPoint& from, const Step& step) {
@@ -231,54 +246,48 @@ WindowSearch SearchWindows(const WindowProblem& problem,
   }
   const auto num = static_cast<Eigen::Index>(problem.entries.size());
   PhysicalBarrier barrier = BarrierAt(start.model, problem.entries, problem.body);
-  double damping = kFirstDamping, growth = 2.0;
+  double damping = kFirstDamping;
   search.message = "the search has not come to its end";
-  for (search.num_iterations = 1; search.num_iterations <= max_iterations;
-       ++search.num_iterations) {
+  while (search.num_iterations < max_iterations) {
+    ++search.num_iterations;
     Step step;
-    bool is_lower = false;
-    while (damping < kMostDamping) {
+    WindowPoint trial;
+    double gain = -1.0, growth = 2.0;
+    bool is_small = false;
+    for (int tries = 0; tries < kMostTries && !(gain > 0.0) && !is_small; ++tries) {
+      PhysicalBarrier there;
       if (StepOf(lines, barrier, damping, &step)) {
-        const WindowPoint trial = Stepped(problem, search.point, step);
-        const PhysicalBarrier there = BarrierAt(trial.model, problem.entries, problem.body);
+        is_small = IsSmall(step, lines, precision);
+        trial = Stepped(problem, search.point, step);
+        there = BarrierAt(trial.model, problem.entries, problem.body);
+        const double before = lines.cost + barrier.cost;
         if (std::isfinite(there.cost)) {
-          const double gain =
-              lines.cost + barrier.cost - CostAt(problem, weights, trial) - there.cost;
-          if (gain > 0.0) {
-            search.point = trial;
-            barrier = there;
-            // Less damping the better the squares foretold the gain.
-            const double foretold = std::max(0.5 * step.decrement, 1e-300);
-            const double quality = std::min(gain / foretold, 1.0);
-            damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));
-            damping = std::max(damping, kLeastDamping);
-            growth = 2.0;
-            is_lower = true;
-            break;
-          }
+          gain = before - there.cost - CostAt(problem, weights, trial, before - there.cost);
         }
-        // So near to the optimum that rounding decides.
-        if (step.decrement < precision * precision) break;
       }
-      damping *= growth;
-      growth *= 2.0;
+      if (gain > 0.0) {
+        // Less damping the better the squares foretold the gain.
+        const double quality = std::min(gain / std::max(0.5 * step.decrement, 1e-300), 1.0);
+        damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));
+        damping = std::max(damping, kLeastDamping);
+        barrier = there;
+      } else {
+        damping *= growth;
+        growth *= 2.0;
+      }
     }
-    const bool is_small =
-        step.decrement < precision * precision || step.decrement < kSmallestGain * lines.cost;
-    if (!is_lower) {
-      search.converged = is_small || damping >= kMostDamping;
-      search.message = is_small ? "converged" : "no step lowers the error any more";
-      break;
+    if (gain > 0.0) {
+      search.point = std::move(trial);
+      if (!Linearise(problem, weights, search.point, &lines)) {
+        search.message = "the simulation diverges";
+        return search;
+      }
     }
-    if (!Linearise(problem, weights, search.point, &lines)) {
-      search.message = "the simulation diverges";
-      return search;
-    }
-    if (is_small && damping < 1e-2) {
-      search.converged = true;
-      search.message = "converged";
-      break;
-    }
+    if (!is_small && gain > 0.0) continue;
+    // At the end, or where rounding lets no step lower the error any more.
+    search.converged = true;
+    search.message = "converged";
+    break;
   }
   search.at = Reduce(lines, num, 0.0);
   return search;
