@@ -26,11 +26,26 @@ constexpr int kMostPasses = 5;
 constexpr int kMostOrder = 12;           // of a channel's noise
 constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
 constexpr double kFinePrecision = 0.02;
-constexpr double kSettled = 0.1;       // a pass that moves no entry further is the last
-constexpr double kSingular = 1e-11;    // of the scaled normal equations
-constexpr double kBlock = 1.0;         // [s] of the scores' blocks
-constexpr double kFewestOfBlock = 10;  // samples of a block
-constexpr double kOnBound = 0.3;       // within so many standard deviations of its bound
+constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
+constexpr double kSingular = 1e-11;      // of the scaled normal equations
+constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
+constexpr double kBlocksOfEntry = 4.0;   // at least, for each number that is free
+constexpr double kFewestOfBlock = 10.0;  // samples
+constexpr double kOnBound = 0.3;         // within so many standard deviations of its bound
+
+// As long as leaves enough of them: what is left of the noise's colour stays within a block.
+double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_entries) {
+  double total = 0.0, longest = 0.0;
+  for (const CoupledWindow& window : windows) {
+    const std::vector<double>& time = window.segment->time;
+    const double length = time[window.samples.end - 1] - time[window.samples.begin];
+    total += length;
+    longest = std::max(longest, length);
+  }
+  const double step = MedianStep(windows.front().segment->time);
+  const double enough = total / (kBlocksOfEntry * static_cast<double>(num_entries));
+  return std::max({kShortestBlock, kFewestOfBlock * step, std::min(enough, longest)});
+}
 
 // A robust standard deviation.
 double SpreadOf(std::vector<double> values) {
@@ -261,12 +276,11 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
     return summary;
   }
-  const double step = MedianStep(problem.windows.front().segment->time);
   WindowScores scores;
   if (!ScoresOf(problem,
                 WeightsOf(summary.noise, options.huber_k),
                 point,
-                std::max(kBlock, kFewestOfBlock * step),
+                BlockLength(problem.windows, structure.entries.size()),
                 &scores)) {
     summary.message = "the simulation diverges";
     return summary;

@@ -18,7 +18,7 @@ namespace fathom {
 // (less the body's own, where that is known) or a linear damping that is not positive definite, and
 // towards a quadratic damping below 0.
 //
-//   -mu (log det(M - M_rigid) + log det((D_L + D_L')/2) + sum log D_Q,ii)     docs/coupled.md (9)
+//   -mu (log det(M - M_rigid) + log det((D_L + D_L')/2) + sum log D_Q,ii)     docs/coupled.md (7)
 //
 // mu is so small, 0.05 of what half a standard deviation squared is, that a number which the data
 // hold well away from its bound does not move; one that they push against it ends just above.

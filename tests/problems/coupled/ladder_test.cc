@@ -3,11 +3,8 @@
 
 #include "fathom/coupled/ladder.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <cmath>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,65 +15,43 @@
 namespace fathom {
 namespace {
 
-// Off the diagonal, of a size that shows: 5 to 30 % of the geometric mean of the two diagonal
-// entries, drawn among the couplings that a vehicle with two sides alike may have, and others.
-std::vector<FreeEntry> AddCouplings(int num, CoupledModel* model, std::mt19937* random) {
-  std::vector<FreeEntry> all;
-  for (const Dof row : model->dofs) {
-    for (const Dof column : model->dofs) {
-      if (row == column) continue;
-      if (row < column) all.push_back(InertiaEntry(row, column));
-      all.push_back(LinearDampingEntry(row, column));
-    }
-  }
-  std::shuffle(all.begin(), all.end(), *random);
-  all.resize(static_cast<std::size_t>(num));
-  for (const FreeEntry& entry : all) {
-    const Matrix6& matrix =
-        entry.kind == FreeEntry::Kind::kInertia ? model->inertia : model->linear_damping;
-    const int i = Index(entry.row), j = Index(entry.column);
-    const double mean = std::sqrt(matrix(i, i) * matrix(j, j));
-    const double share = std::uniform_real_distribution<double>(0.1, 0.35)(*random);
-    SetValue(entry,
-             (std::uniform_int_distribution<int>(0, 1)(*random) ? 1.0 : -1.0) * share * mean,
-             model);
-  }
-  return all;
+using ::testing::UnorderedElementsAre;
+
+std::vector<std::string> NamesIn(const Ladder& ladder) {
+  std::vector<std::string> names;
+  for (const NamedEntry& named : ladder.named) names.push_back(NameOf(named.entry));
+  return names;
 }
 
-TEST(ClimbLadder, Drawn) {
-  const int first = std::atoi(getenv("FIRST") ? getenv("FIRST") : "0");
-  const int last = std::atoi(getenv("LAST") ? getenv("LAST") : "4");
-  for (int seed = first; seed < last; ++seed) {
-    std::mt19937 random(1000 + seed);
-    CoupledModel truth = DrawnPlanarVehicle(&random);
-    truth.coriolis = seed % 2 == 0;
-    const std::vector<FreeEntry> hidden = AddCouplings(seed % 5, &truth, &random);
-    CoupledLogs logs;
-    logs.data = {DrawnLog(truth, {}, &random)};
-    const Ladder ladder = ClimbLadder(logs, truth.dofs, {});
-    std::printf("%d C %d accepted %s C %d hidden:",
-                seed,
-                truth.coriolis,
-                ladder.rungs[ladder.accepted].name.c_str(),
-                ladder.rungs[ladder.accepted].structure.coriolis);
-    for (const FreeEntry& entry : hidden)
-      std::printf(" %s=%.3g", NameOf(entry).c_str(), ValueIn(truth, entry));
-    std::printf(" | named:");
-    for (const NamedEntry& named : ladder.named) {
-      const bool is_right = std::find(hidden.begin(), hidden.end(), named.entry) != hidden.end();
-      std::printf(" %s%s=%.3g+-%.2g",
-                  is_right ? "" : "FALSE ",
-                  NameOf(named.entry).c_str(),
-                  named.value,
-                  named.std);
-    }
-    std::printf(" |");
-    for (const auto& rung : ladder.rungs)
-      std::printf(" %s %.1f", rung.name.c_str(), rung.gain_in_errors);
-    std::printf("\n");
-    std::fflush(stdout);
-  }
+Ladder LadderOf(const CoupledModel& truth, std::mt19937* random) {
+  DrawnLogOptions options;
+  options.duration = 100.0;
+  CoupledLogs logs;
+  logs.data = {DrawnLog(truth, options, random)};
+  return ClimbLadder(logs, truth.dofs, {});
+}
+
+TEST(ClimbLadder, NamesTheCouplingsThatAreThere) {
+  std::mt19937 random(1002);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.inertia(0, 5) = truth.inertia(5, 0) = -1.9;
+  truth.linear_damping(1, 5) = -1.5;
+  const Ladder ladder = LadderOf(truth, &random);
+  EXPECT_THAT(NamesIn(ladder),
+              UnorderedElementsAre("inertia.surge.yaw", "linear_damping.sway.yaw"));
+  const LadderRung& accepted = ladder.rungs[ladder.accepted];
+  EXPECT_TRUE(accepted.structure.coriolis);
+  EXPECT_NEAR(accepted.fit.model.inertia(0, 5), -1.9, 0.15);
+  EXPECT_NEAR(accepted.fit.model.linear_damping(1, 5), -1.5, 0.5);
+}
+
+TEST(ClimbLadder, NamesNothingWhereNothingIs) {
+  std::mt19937 random(1001);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.coriolis = false;
+  const Ladder ladder = LadderOf(truth, &random);
+  EXPECT_EQ(ladder.rungs[ladder.accepted].name, "diagonal");
+  EXPECT_TRUE(ladder.named.empty());
 }
 
 }  // namespace
