@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// One DOF's model from one log, or from several together, by one identifier family.
+// The model of one DOF, or of several coupled ones, from one log or from several together.
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/coupled/coupled_text.h"
 #include "fathom/free_decay/decay_text.h"
 #include "fathom/free_decay/log_decay.h"
 #include "fathom/identification/identification_text.h"
@@ -13,6 +14,7 @@
 #include "fathom/identification/run_agreement_text.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/signal/sources/dof_of_log.h"
+#include "fathom/tool/coupled_flags.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/output_flags.h"
@@ -20,6 +22,7 @@
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -65,14 +68,17 @@ namespace {
 
 const ToolInfo kInfo = {
     "fathom_identify",
-    "Identifies the motion model of one degree of freedom from logs.",
+    "Identifies the motion model of one degree of freedom, or of several together, from logs.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
-    "[--offset=shared|per_log] [--model=FILE] [--decay_from=SECONDS] [--json=FILE]",
+    "[--offset=shared|per_log] [--model=FILE] [--decay_from=SECONDS] [--json=FILE]\n"
+    "--log=LOG [--log=LOG ...] --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] "
+    "[--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
     "Several logs, as --log=A --log=B or --log=A,B, are fitted together, each with its own initial "
     "state, and with --offset=per_log its own buoyancy. The family joint uses "
     "the corners in detections.csv and the camera's calibration: docs/joint_refinement.md. A log "
-    "without a command is a free decay, which tells damping by inertia: docs/free_decay.md.",
+    "without a command is a free decay, which tells damping by inertia: docs/free_decay.md. "
+    "--dofs makes one model of several degrees of freedom: docs/coupled.md.",
     {"log"}};
 
 LogIdentificationOptions OptionsFromFlags() {
@@ -217,8 +223,33 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
   return kExitUsable;
 }
 
+int RunCoupledIdentification() {
+  if (DofFromFlag()) {
+    throw InputError("--dof: stands beside --dofs, expected one of them.");
+  }
+  const CoupledIdentificationOptions options = CoupledOptionsFromFlags();
+  RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
+  CoupledIdentification identified = IdentifyCoupled(ReadLogsFromFlags({}), options);
+  for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
+  if (!identified.is_usable) {
+    std::fprintf(stderr, "fathom_identify: no usable model: %s.\n", identified.message.c_str());
+    return kExitNoFit;
+  }
+  PrintText(stdout, FormatCoupledIdentification(identified));
+  if (FLAGS_model.empty()) return kExitUsable;
+  identified.fitted.provenance = {{"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
+                                  {"velocity", FLAGS_velocity},
+                                  {"held_out", FLAGS_held_out},
+                                  {"structure", FLAGS_structure},
+                                  {"window", fmt::format("{}", FLAGS_window)},
+                                  {"version", FATHOM_VERSION}};
+  WriteFile(FLAGS_model, FormatCoupledModel(identified.fitted));
+  return kExitUsable;
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  if (IsCoupledAsked()) return RunCoupledIdentification();
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(options);

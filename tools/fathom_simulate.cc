@@ -3,6 +3,7 @@
 
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/findings/finding_json.h"
@@ -15,18 +16,21 @@
 #include "fathom/simulate/log_prediction.h"
 #include "fathom/simulate/model_for_log.h"
 #include "fathom/simulate/prediction_remarks.h"
+#include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,6 +49,9 @@ DEFINE_bool(
     false,
     "Keep effects of a run (a current, a bias, a lost thruster) also on other logs. Their times "
     "then count from this log's first command.");
+DEFINE_double(horizon,
+              std::numeric_limits<double>::infinity(),
+              "Of a model of several DOFs: begin anew from the measured state after so long [s].");
 
 namespace fathom {
 namespace {
@@ -55,14 +62,16 @@ const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
-    "[--json=FILE] [--keep_run_effects]",
+    "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts where the model fits the first two seconds best, and anew after a gap of "
     "over 30 s and at the ends of held-out intervals. A verdict of "
     "fathom_diagnose is simulated with its causes, as the sensor would show it. The motion of "
     "other DOFs is taken from the log. Causes of a run are left out on any other log. "
-    "Several logs, as --log=A --log=B or --log=A,B, are scored one by one.",
+    "Several logs, as --log=A --log=B or --log=A,B, are scored one by one. A model of several "
+    "degrees of freedom (fathom_identify --dofs) is simulated as one; --horizon begins its runs "
+    "anew: docs/coupled.md.",
     {"log"}};
 
 // t and the predicted velocity at the stamps of all segments.
@@ -237,18 +246,69 @@ void RequireDofOf(const FittedModel& model) {
                                Name(model.dof)));
 }
 
+void RequireOneLogForOut(std::size_t num_logs) {
+  if (FLAGS_out.empty() || num_logs == 1) return;
+  throw InputError("--out: holds the prediction of one log, expected a single --log with it.");
+}
+
+int RunCoupledModel(const FittedCoupledModel& fitted) {
+  if (DofFromFlag()) {
+    throw InputError(
+        fmt::format("--dof: is given, but {} is a model of several DOFs: expected no "
+                    "--dof.",
+                    FLAGS_model));
+  }
+  if (!(FLAGS_horizon > 0.0)) {
+    throw InputError(fmt::format("--horizon: is {}, expected more than 0 s.", FLAGS_horizon));
+  }
+  const std::vector<Log> logs = ReadLogsFromFlags({});
+  RequireOneLogForOut(logs.size());
+  std::vector<CoupledScore> scores;
+  bool all_run = true;
+  for (const Log& log : logs) {
+    const CoupledScore& score = scores.emplace_back(ScoreCoupled(fitted, log, FLAGS_horizon));
+    if (logs.size() > 1) fmt::print("{}\n", log.path.string());
+    if (score.prediction) {
+      PrintText(stdout, CoupledScoreText(score, FLAGS_horizon));
+    } else {
+      std::fflush(stdout);
+      fmt::print(stderr,
+                 "fathom_simulate: the simulation of {} over {} diverges. --horizon begins it "
+                 "anew.\n",
+                 FLAGS_model,
+                 log.path.string());
+      all_run = false;
+    }
+    PrintRemarks(score.data.remarks);
+  }
+  for (const std::string& caveat : fitted.caveats) {
+    PrintRemarks({"Said when the model was fitted: " + caveat});
+  }
+  if (!all_run) return 2;
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, CoupledScoresJson(scores, FLAGS_horizon));
+  if (!FLAGS_out.empty()) WriteFile(FLAGS_out, CoupledPredictionCsv(scores.front()));
+  return 0;
+}
+
 int Run() {
   RequireFlag("model", FLAGS_model, "a model or verdict file");
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   std::vector<std::string> inputs = InputsFromFlags();
   inputs.push_back(FLAGS_model);
   RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}}, inputs);
+  if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
+    return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
+  }
+  if (std::isfinite(FLAGS_horizon)) {
+    throw InputError(
+        fmt::format("--horizon: goes with a model of several DOFs, expected none: {} is "
+                    "of one.",
+                    FLAGS_model));
+  }
   const FittedModel fitted = ReadModel(FLAGS_model);
   RequireDofOf(fitted);
   const std::vector<Log> logs = ReadLogsFromFlags(fitted.dof, /*may_lack_motion=*/true);
-  if (!FLAGS_out.empty() && logs.size() > 1) {
-    throw InputError("--out: holds the prediction of one log, expected a single --log with it.");
-  }
+  RequireOneLogForOut(logs.size());
   std::vector<LogScore> scores;
   for (const Log& log : logs) {
     LogScore& score = scores.emplace_back(ScoreOf(fitted, log));

@@ -331,5 +331,42 @@ TEST(IdentifyTool, AMotionThatDoesNotDecayEndsWithExitCodeTwo) {
   EXPECT_THAT(run.err, HasSubstr("no usable model: Nothing decays"));
 }
 
+// From a log to a model of two DOFs to its prediction.
+TEST(IdentifyTool, MakesOneModelOfSeveralDofsThatFathomSimulateRuns) {
+  const Path folder = EmptyTestFolder();
+  const std::string model = (folder / "model.json").string();
+  const ToolRun run = RunToolBinary(
+      "fathom_identify",
+      {"--log=" + kFlatfish, "--dofs=surge,heave", "--structure=coriolis", "--model=" + model});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(JsonOf(model)["schema"], "fathom-model-2");
+  EXPECT_NEAR(JsonOf(model)["parameters"]["inertia.surge"]["value"], 851.05, 0.05 * 851.05);
+  const Path scores = folder / "scores.json", out = folder / "prediction.csv";
+  const ToolRun simulated = RunToolBinary("fathom_simulate",
+                                          {"--model=" + model,
+                                           "--log=" + kFlatfish,
+                                           "--horizon=20",
+                                           "--out=" + out.string(),
+                                           "--json=" + scores.string()});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_THAT(simulated.out, HasSubstr("surge, training data: velocity MAE"));
+  EXPECT_LT(JsonOf(scores)["dofs"]["surge"]["nmae"], 0.2);
+  EXPECT_THAT(ReadColumns(out).names, ::testing::ElementsAre("t", "u", "w"));
+}
+
+TEST(IdentifyTool, RefusesDofsThatAreNone) {
+  const auto error = [](const std::string& flag) {
+    const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, flag});
+    EXPECT_EQ(run.exit_code, 1);
+    return run.err;
+  };
+  EXPECT_THAT(error("--dofs=surge,up"), HasSubstr("--dofs: is 'up'"));
+  EXPECT_THAT(error("--dofs=surge,surge"), HasSubstr("names surge twice"));
+  const ToolRun both =
+      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dofs=surge,yaw", "--dof=surge"});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_THAT(both.err, HasSubstr("--dof: stands beside --dofs"));
+}
+
 }  // namespace
 }  // namespace fathom

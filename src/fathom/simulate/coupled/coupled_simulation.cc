@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLongestCoupledStep = 0.05;  // [s]
 constexpr double kMostRateTimesCoupledStep = 0.25;
-constexpr double kSmallestCoupledStep = 1e-6;  // [s]
+constexpr double kSmallestCoupledStep = 5e-4;  // [s]; a vehicle so quick is a trial gone astray
 
 // The weights of the cubic through both ends of a step: of the values and of the slopes.
 struct HermiteWeights {

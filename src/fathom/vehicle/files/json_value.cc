@@ -188,6 +188,13 @@ std::string JsonValue::Text() const {
   return place_->json.get<std::string>();
 }
 
+bool JsonValue::Boolean() const {
+  if (!place_->json.is_boolean()) {
+    Fail(fmt::format("is {}, expected true or false", Shortened(place_->json)));
+  }
+  return place_->json.get<bool>();
+}
+
 double JsonValue::Number() const {
   if (!place_->json.is_number() || !std::isfinite(place_->json.get<double>())) {
     Fail(fmt::format("is {}, expected a finite number", Shortened(place_->json)));
@@ -197,6 +204,11 @@ double JsonValue::Number() const {
 
 double JsonValue::NumberIfKnown() const {
   return place_->json.is_null() ? std::numeric_limits<double>::quiet_NaN() : Number();
+}
+
+double JsonValue::NumberIfThere(const std::string& key) const {
+  const auto value = MemberIfThere(key);
+  return value ? value->NumberIfKnown() : std::numeric_limits<double>::quiet_NaN();
 }
 
 void JsonValue::RequireKeysOf(const std::vector<std::string>& known) const {

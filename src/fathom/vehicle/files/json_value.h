@@ -29,8 +29,12 @@ class JsonValue {
   std::vector<JsonValue> List() const;
   std::vector<std::string> Texts() const;
   std::string Text() const;
+  bool Boolean() const;
   double Number() const;         // finite
   double NumberIfKnown() const;  // NaN for null
+
+  // Of a key: NaN where it is null or missing.
+  double NumberIfThere(const std::string& key) const;
 
   // Throws InputError if this is no object, or holds a key beside these.
   void RequireKeysOf(const std::vector<std::string>& known) const;

@@ -4,6 +4,7 @@
 #include "fathom/vehicle/files/model_file.h"
 
 #include "fathom/base/files/input_file.h"
+#include "fathom/vehicle/files/figures_entry.h"
 
 #include <cmath>
 
@@ -14,13 +15,6 @@ namespace fathom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json FormatFigures(const FitFigures& figures) {
-  return {{"mae", figures.mae},
-          {"nmae", figures.nmae},
-          {"n", figures.num_samples},
-          {"duration", figures.duration}};
-}
 
 // With the range of the data that were fitted, where it is known.
 Json FormatFit(const FittedModel& fitted) {

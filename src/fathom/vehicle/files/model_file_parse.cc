@@ -4,6 +4,7 @@
 #include "fathom/base/not_known.h"
 #include "fathom/base/quoted.h"
 #include "fathom/vehicle/files/effect_entries.h"
+#include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
@@ -57,29 +58,9 @@ const std::vector<std::string> kKeysOfDiagnosedModel = {"parameters",
                                                         "covariance",
                                                         "log_likelihood"};
 
-// NaN where the file says null or nothing.
-double NumberIfThere(const JsonValue& json, const std::string& key) {
-  const auto value = json.MemberIfThere(key);
-  return value ? value->NumberIfKnown() : kNotKnown;
-}
-
 std::vector<std::string> TextsIfThere(const JsonValue& json, const std::string& key) {
   const auto list = json.MemberIfThere(key);
   return list ? list->Texts() : std::vector<std::string>();
-}
-
-FitFigures ReadFigures(const JsonValue& json) {
-  FitFigures figures;
-  figures.mae = NumberIfThere(json, "mae");
-  figures.nmae = NumberIfThere(json, "nmae");
-  if (const double duration = NumberIfThere(json, "duration"); std::isfinite(duration)) {
-    figures.duration = duration;
-  }
-  const double num_samples = NumberIfThere(json, "n");
-  if (num_samples >= 0.0 && num_samples <= std::numeric_limits<int>::max()) {
-    figures.num_samples = static_cast<int>(num_samples);
-  }
-  return figures;
 }
 
 ValueRange ReadRange(const JsonValue& json) {
@@ -247,8 +228,8 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
   if (is_verdict) {
     fitted.train = ReadFigures(model);
     fitted.range = ReadDataRange(model);
-    fitted.held_out.mae = NumberIfThere(model, "heldout_mae");
-    fitted.held_out.nmae = NumberIfThere(model, "heldout_nmae");
+    fitted.held_out.mae = model.NumberIfThere("heldout_mae");
+    fitted.held_out.nmae = model.NumberIfThere("heldout_nmae");
   } else {
     if (const auto fit = file.MemberIfThere("fit")) {
       fit->RequireKeysOf(kKeysOfFit);

@@ -77,6 +77,40 @@ ThrustTable ReadThrustTable(const YamlMap& map) {
   return table;
 }
 
+// Of the tensor: rows, symmetric.
+Eigen::Matrix3d ReadTensor(const YamlMap& map, std::string_view key) {
+  const std::vector<std::vector<double>> rows = map.NumberLists(key, 3);
+  if (rows.size() != 3) {
+    map.Fail(key, fmt::format("has {} rows, expected 3 of 3 numbers each.", rows.size()));
+  }
+  Eigen::Matrix3d tensor;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      tensor(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    }
+  }
+  if (!tensor.isApprox(tensor.transpose(), 1e-9)) {
+    map.Fail(key, "is not symmetric, expected I_xy in both places.");
+  }
+  return tensor;
+}
+
+RigidBody ReadBody(const YamlMap& map, const std::optional<double>& mass) {
+  RigidBody body;
+  body.mass = mass;
+  if (map.Has("inertia_tensor")) body.inertia_tensor = ReadTensor(map, "inertia_tensor");
+  if (map.Has("centre_of_mass")) body.centre_of_mass = Vector(map, "centre_of_mass");
+  if (map.Has("volume")) body.volume = NumberAbove0(map, "volume");
+  if (map.Has("centre_of_buoyancy")) body.centre_of_buoyancy = Vector(map, "centre_of_buoyancy");
+  const auto about_centre = InertiaAboutCentreOfMass(body);
+  if (about_centre && !IsPossibleInertia(*about_centre)) {
+    map.Fail("inertia_tensor",
+             "is that of no body: about the centre of mass a principal moment is below 0 or above "
+             "the sum of the two others. It is expected about the body's origin, in kg m^2.");
+  }
+  return body;
+}
+
 Thruster ReadThruster(const YamlMap& map, const std::vector<ThrustTable>& tables) {
   Thruster thruster;
   thruster.name = map.Name("name");
@@ -133,6 +167,9 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
       if (inertia->Has(Name(dof))) vehicle.inertia[Index(dof)] = NumberAbove0(*inertia, Name(dof));
     }
   }
+  vehicle.body.mass = vehicle.mass;
+  if (const auto body = file.OptionalMap("rigid_body"))
+    vehicle.body = ReadBody(*body, vehicle.mass);
   for (const YamlMap& map : file.OptionalMaps("thrust_tables")) {
     vehicle.thrust_tables.push_back(ReadThrustTable(map));
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/vehicle/coupled/rigid_body.h"
 #include "fathom/vehicle/thrust_table.h"
 #include "fathom/vehicle/thruster.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -25,6 +26,7 @@ struct Vehicle {
   std::optional<Eigen::Vector3d> size;  // length, width, height [m], above 0
   // Mass plus added mass, by Index(Dof) [kg] or [kg m^2], above 0; what free decays are scaled by.
   std::array<std::optional<double>, 6> inertia;
+  RigidBody body;                          // its mass is the one above
   std::vector<Thruster> thrusters;         // may be empty: commands are then forces
   std::vector<ThrustTable> thrust_tables;  // that thrusters name
 

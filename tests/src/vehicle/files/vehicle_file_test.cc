@@ -75,6 +75,34 @@ TEST(VehicleFile, ReadsTheInertiasThatItKnows) {
   EXPECT_FALSE(vehicle.inertia[Index(Dof::kSway)].has_value());
 }
 
+TEST(VehicleFile, ReadsTheBody) {
+  const Vehicle vehicle =
+      ParseVehicleFile("v.yaml",
+                       "name: rov\nmass: 20\nrigid_body:\n"
+                       "  inertia_tensor: [[1, 0, 0.1], [0, 2, 0], [0.1, 0, 2.5]]\n"
+                       "  centre_of_mass: [0, 0, 0.05]\n"
+                       "  volume: 0.0201\n"
+                       "  centre_of_buoyancy: [0, 0, -0.02]\n");
+  EXPECT_EQ(vehicle.body.mass, 20.0);
+  ASSERT_TRUE(RigidInertia(vehicle.body));
+  EXPECT_EQ((*RigidInertia(vehicle.body))(3, 5), 0.1);
+  EXPECT_EQ((*RigidInertia(vehicle.body))(0, 4), 20.0 * 0.05);
+  EXPECT_EQ(vehicle.body.volume, 0.0201);
+  EXPECT_EQ(vehicle.body.centre_of_buoyancy, Eigen::Vector3d(0, 0, -0.02));
+}
+
+TEST(VehicleFile, RefusesATensorOfNoBody) {
+  const auto message = [](const std::string& tensor) {
+    return Error(
+        "name: rov\nmass: 20\nrigid_body:\n  centre_of_mass: [0, 0, 0]\n"
+        "  inertia_tensor: " +
+        tensor + "\n");
+  };
+  EXPECT_THAT(message("[[1, 0, 0], [0, 1, 0], [0, 0, 2.5]]"), HasSubstr("of no body"));
+  EXPECT_THAT(message("[[1, 0.2, 0], [0, 1, 0], [0, 0, 1.5]]"), HasSubstr("not symmetric"));
+  EXPECT_THAT(message("[[1, 0, 0], [0, 1, 0]]"), HasSubstr("2 rows"));
+}
+
 TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
   EXPECT_EQ(Error("name: a\ninertia: {yaw: 0}\n"),
             "v.yaml:2: key 'inertia.yaw' is 0, expected a number above 0.");
@@ -87,7 +115,7 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
-            "inertia, thrust_tables, thrusters, "
+            "inertia, rigid_body, thrust_tables, thrusters, "
             "models. Correct or remove it.");
 }
 

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/coupled_fit.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/median.h"
+#include "fathom/coupled/momentum_start.h"
+#include "fathom/coupled/physical_barrier.h"
+#include "fathom/coupled/window_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kMostPasses = 5;
+constexpr int kMostOrder = 12;           // of a channel's noise
+constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
+constexpr double kFinePrecision = 0.02;
+constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
+constexpr double kSingular = 1e-11;      // of the scaled normal equations
+constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
+constexpr double kBlocksOfEntry = 4.0;   // at least, for each number that is free
+constexpr double kFewestOfBlock = 10.0;  // samples
+constexpr double kOnBound = 0.3;         // within so many standard deviations of its bound
+
+// As long as leaves enough of them: what is left of the noise's colour stays within a block.
+double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_entries) {
+  double total = 0.0, longest = 0.0;
+  for (const CoupledWindow& window : windows) {
+    const std::vector<double>& time = window.segment->time;
+    const double length = time[window.samples.end - 1] - time[window.samples.begin];
+    total += length;
+    longest = std::max(longest, length);
+  }
+  const double step = MedianStep(windows.front().segment->time);
+  const double enough = total / (kBlocksOfEntry * static_cast<double>(num_entries));
+  return std::max({kShortestBlock, kFewestOfBlock * step, std::min(enough, longest)});
+}
+
+// A robust standard deviation.
+double SpreadOf(std::vector<double> values) {
+  if (values.empty()) return 1.0;
+  for (double& value : values) value = std::abs(value);
+  return std::max(1.4826 * Median(std::move(values)), 1e-12);
+}
+
+std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& residuals,
+                                          std::size_t channel) {
+  std::vector<std::vector<double>> pieces;
+  for (const WindowResiduals& window : residuals) {
+    for (const WindowResiduals::Piece& piece : window.pieces) {
+      if (piece.channel == channel) {
+        pieces.emplace_back(piece.residual.data(), piece.residual.data() + piece.residual.size());
+      }
+    }
+  }
+  return pieces;
+}
+
+// What the residuals look like: white of their spread, or coloured. Wild ones are cut to five
+// standard deviations before their colour is learned.
+std::vector<ChannelNoise> NoiseOf(const std::vector<WindowResiduals>& residuals,
+                                  const std::vector<Channel>& channels,
+                                  bool is_white) {
+  std::vector<ChannelNoise> noise;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    std::vector<std::vector<double>> pieces = PiecesOf(residuals, c);
+    std::vector<double> all;
+    for (const auto& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+    const double std = SpreadOf(all);
+    Autoregression colour = {{}, std * std};
+    if (!is_white) {
+      for (auto& piece : pieces) {
+        for (double& value : piece) value = std::clamp(value, -5.0 * std, 5.0 * std);
+      }
+      colour = FitAutoregression(std::move(pieces), kMostOrder);
+      if (!(colour.innovation_variance > 0.0)) colour = {{}, std * std};
+    }
+    noise.push_back({channels[c], std, RowWhitener(colour)});
+  }
+  return noise;
+}
+
+std::vector<ChannelWeight> WeightsOf(const std::vector<ChannelNoise>& noise, double huber_k) {
+  std::vector<ChannelWeight> weights;
+  for (const ChannelNoise& channel : noise) weights.push_back({channel.whitener, huber_k});
+  return weights;
+}
+
+// The entries that trade against each other: those of the directions without a trace.
+std::vector<FreeEntry> UndeterminedIn(const Eigen::MatrixXd& normal,
+                                      const std::vector<FreeEntry>& entries) {
+  const Eigen::VectorXd diagonal = normal.diagonal();
+  std::vector<FreeEntry> found;
+  const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
+  for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
+    if (!(diagonal[k] > 0.0) || !std::isfinite(largest))
+      found.push_back(entries[static_cast<std::size_t>(k)]);
+  }
+  if (!found.empty() || diagonal.size() == 0) return found;
+  const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * normal *
+                                                             scale.asDiagonal());
+  for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
+    if (eigen.eigenvalues()[i] > kSingular) continue;
+    for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
+      const FreeEntry& entry = entries[static_cast<std::size_t>(k)];
+      if (std::abs(eigen.eigenvectors()(k, i)) > 0.2 &&
+          std::find(found.begin(), found.end(), entry) == found.end()) {
+        found.push_back(entry);
+      }
+    }
+  }
+  return found;
+}
+
+// Of the entries: what white innovations say, widened where the scores scatter more.
+Eigen::MatrixXd CovarianceOf(const ReducedWindows& at,
+                             const Eigen::MatrixXd& scores,
+                             int num_unknowns) {
+  const Eigen::MatrixXd inverse =
+      at.normal.ldlt().solve(Eigen::MatrixXd::Identity(at.normal.rows(), at.normal.cols()));
+  const double freedom = std::max(at.num_rows - num_unknowns, 1);
+  const Eigen::MatrixXd model = inverse * (at.num_rows / freedom);
+  if (scores.rows() <= scores.cols()) return model;
+  const double blocks = static_cast<double>(scores.rows());
+  const double few = blocks / (blocks - static_cast<double>(scores.cols())) * at.num_rows / freedom;
+  const Eigen::MatrixXd sandwich = few * inverse * (scores.transpose() * scores) * inverse;
+  Eigen::VectorXd wider(model.rows());
+  for (Eigen::Index k = 0; k < model.rows(); ++k) {
+    wider[k] = std::sqrt(std::max(sandwich(k, k) / model(k, k), 1.0));
+  }
+  return wider.asDiagonal() * model * wider.asDiagonal();
+}
+
+// Entries whose own bound the search leans on.
+std::vector<FreeEntry> OnBound(const CoupledSummary& summary) {
+  std::vector<FreeEntry> found;
+  for (std::size_t k = 0; k < summary.entries.size(); ++k) {
+    const FreeEntry& entry = summary.entries[k];
+    const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
+                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
+    if (!is_damping || entry.row != entry.column) continue;
+    const auto at = static_cast<Eigen::Index>(k);
+    if (ValueIn(summary.model, entry) < kOnBound * std::sqrt(summary.covariance(at, at))) {
+      found.push_back(entry);
+    }
+  }
+  return found;
+}
+
+std::string NamesOf(const std::vector<FreeEntry>& entries) {
+  std::vector<std::string> names;
+  for (const FreeEntry& entry : entries) names.push_back(NameOf(entry));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+double LargestMove(const CoupledModel& from,
+                   const CoupledModel& to,
+                   const std::vector<FreeEntry>& entries,
+                   const Eigen::MatrixXd& normal) {
+  Eigen::VectorXd move(static_cast<Eigen::Index>(entries.size()));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    move[static_cast<Eigen::Index>(k)] = ValueIn(to, entries[k]) - ValueIn(from, entries[k]);
+  }
+  return std::sqrt(std::max(move.dot(normal * move), 0.0));
+}
+
+}  // namespace
+
+std::vector<std::string> CoupledFitOptions::Problems() const {
+  std::vector<std::string> problems;
+  if (!(window > 0.0))
+    problems.push_back(fmt::format("window is {} s, expected more than 0", window));
+  if (!(huber_k > 0.0))
+    problems.push_back(fmt::format("huber_k is {}, expected more than 0", huber_k));
+  if (max_iterations < 1) {
+    problems.push_back(fmt::format("max_iterations is {}, expected at least 1", max_iterations));
+  }
+  return problems;
+}
+
+CoupledSummary FitCoupled(std::span<const CoupledData> logs,
+                          const MotionStructure& structure,
+                          const CoupledFitOptions& options) {
+  if (const auto problems = options.Problems(); !problems.empty()) {
+    throw InputError("CoupledFitOptions: " + problems.front() + ".");
+  }
+  CoupledSummary summary;
+  summary.entries = structure.entries;
+  const auto size = static_cast<Eigen::Index>(structure.entries.size());
+  summary.covariance =
+      Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+  WindowProblem problem;
+  problem.windows = CoupledWindowsOf(logs, options.window);
+  problem.entries = structure.entries;
+  problem.channels = ChannelsOf(logs);
+  problem.free = FreeStartOf(logs, problem.channels);
+  problem.body = options.body;
+  if (problem.windows.empty()) {
+    summary.message = "nothing is left to train on: the held-out intervals take all of the data";
+    return summary;
+  }
+  WindowPoint point;
+  if (options.start) {
+    point.model = *options.start;
+    point.model.dofs = structure.dofs;
+    point.model.coriolis = structure.coriolis;
+    const Vector6 least = Vector6::Constant(1e-9);
+    point.model = MovedInside(point.model, structure.entries, options.body, least, least, least);
+  } else {
+    point.model = MomentumStart(logs, structure, options.held, options.body);
+  }
+  for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
+
+  std::vector<WindowResiduals> residuals;
+  if (!AllResiduals(problem, point, &residuals)) {
+    summary.message = "the first guess diverges";
+    summary.model = point.model;
+    return summary;
+  }
+  // White noise first, unless its colour is known; then the colour of what is left, until the
+  // numbers stay. A colour with which the search goes astray, as that of a model that misses most
+  // of the motion, is given up for what came before it.
+  const bool is_given = !options.noise.empty();
+  const int num_white = is_given ? 0 : 2;
+  WindowSearch best;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const bool is_white = pass < num_white;
+    std::vector<ChannelNoise> noise =
+        pass == 0 && is_given ? options.noise : NoiseOf(residuals, problem.channels, is_white);
+    WindowSearch search = SearchWindows(problem,
+                                        WeightsOf(noise, options.huber_k),
+                                        point,
+                                        options.max_iterations,
+                                        is_white ? kRoughPrecision : kFinePrecision);
+    summary.num_iterations += search.num_iterations;
+    if (!search.converged || !AllResiduals(problem, search.point, &residuals)) {
+      summary.message = search.message;
+      if (!best.converged) summary.model = search.point.model;
+      break;
+    }
+    const double move =
+        LargestMove(point.model, search.point.model, structure.entries, search.at.normal);
+    point = search.point;
+    summary.noise = std::move(noise);
+    best = std::move(search);
+    if (is_given && !options.learns_noise) break;
+    if (!is_white && move < kSettled) break;
+  }
+  if (!best.converged) return summary;
+  summary.model = point.model;
+  const WindowSearch& search = best;
+  summary.converged = true;
+  summary.starts = point.starts;
+  summary.cost = search.at.cost;
+  summary.num_rows = search.at.num_rows;
+  if (!options.learns_noise) {
+    summary.determined = true;
+    summary.message = "converged";
+    return summary;
+  }
+  summary.undetermined = UndeterminedIn(search.at.normal, structure.entries);
+  summary.determined = summary.undetermined.empty();
+  if (!summary.determined) {
+    summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
+    return summary;
+  }
+  WindowScores scores;
+  if (!ScoresOf(problem,
+                WeightsOf(summary.noise, options.huber_k),
+                point,
+                BlockLength(problem.windows, structure.entries.size()),
+                &scores)) {
+    summary.message = "the simulation diverges";
+    return summary;
+  }
+  const int num_unknowns = static_cast<int>(structure.entries.size()) +
+                           problem.free.size() * static_cast<int>(problem.windows.size());
+  summary.covariance = CovarianceOf(search.at, scores.by_block, num_unknowns);
+  summary.on_bound = OnBound(summary);
+  summary.message = "converged";
+  return summary;
+}
+
+}  // namespace fathom

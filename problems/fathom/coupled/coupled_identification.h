@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/coupled/ladder.h"
+#include "fathom/log/log.h"
+#include "fathom/vehicle/coupled/fitted_coupled_model.h"
+#include "fathom/vehicle/coupled/motion_structure.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct CoupledIdentificationOptions {
+  std::vector<Dof> dofs;                       // in the order of Dof, each once
+  std::optional<StandardStructure> structure;  // absent: chosen by ClimbLadder()
+  CoupledFitOptions fit;
+};
+
+struct CoupledIdentification {
+  bool is_usable = false;
+  std::string message;  // why not
+  FittedCoupledModel fitted;
+  CoupledSummary fit;
+  std::optional<Ladder> ladder;  // where the structure was chosen
+  std::vector<std::string> remarks;
+};
+
+// One model of several DOFs from one or several logs. The vehicle file that the first log names
+// tells the rigid body and the thrusters.
+//
+// Throws InputError if the logs lack what CoupledDataOf() needs, or differ in their command's unit.
+CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
+                                      const CoupledIdentificationOptions& options);
+
+// The logs as a fit takes them; `vehicle`: of the first that names a file, or nothing.
+struct Vehicle;
+CoupledLogs CoupledLogsOf(std::vector<Log> logs,
+                          const std::vector<Dof>& dofs,
+                          const std::optional<Vehicle>& vehicle);
+
+}  // namespace fathom

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/coupled_text.h"
+
+#include "fathom/report/format_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// The bound of an entry on the diagonal of a damping.
+double LowerBound(const FreeEntry& entry) {
+  const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
+                          entry.kind == FreeEntry::Kind::kQuadraticDamping;
+  const bool is_bounded =
+      (is_damping || entry.kind == FreeEntry::Kind::kInertia) && entry.row == entry.column;
+  return is_bounded ? 0.0 : -std::numeric_limits<double>::infinity();
+}
+
+std::string EntryUnit(const FreeEntry& entry, const std::string& force_unit) {
+  const std::string unit = UnitOf(entry);
+  if (force_unit == "N" || entry.kind == FreeEntry::Kind::kThrustGain) return UnitText(unit);
+  return fmt::format("{} {}/N", UnitText(unit), force_unit);
+}
+
+std::string Named(const NamedEntry& named) {
+  std::string text =
+      fmt::format("{} ({})", NameOf(named.entry), FormatValue(named.value, named.std));
+  if (named.not_told_apart.empty()) return text;
+  std::vector<std::string> others;
+  for (const FreeEntry& entry : named.not_told_apart) others.push_back(NameOf(entry));
+  return text + fmt::format(", or in its place {}", fmt::join(others, " or "));
+}
+
+}  // namespace
+
+Table CoupledEntryTable(const FittedCoupledModel& fitted) {
+  Table table;
+  table.columns = {{"number"}, {"value", true}, {"unit"}, {"95 % interval", true}};
+  for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+    const FreeEntry& entry = fitted.entries[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    const double value = ValueIn(fitted.model, entry), std = std::sqrt(fitted.covariance(at, at));
+    table.rows.push_back({{NameOf(entry),
+                           FormatValue(value, std),
+                           EntryUnit(entry, fitted.force_unit),
+                           FormatInterval(value, std, LowerBound(entry))}});
+  }
+  return table;
+}
+
+Table CoupledFigureTable(const FittedCoupledModel& fitted) {
+  Table table;
+  table.caption =
+      fmt::format("Free runs, begun anew from the measured state every {:g} s:", fitted.horizon);
+  table.columns = {{"DOF"}, {"MAE", true}, {"unit"}, {"NMAE", true}, {"NMAE held out", true}};
+  for (const Dof dof : fitted.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    table.rows.push_back({{std::string(Name(dof)),
+                           fmt::format("{:.4g}", fitted.train[at].mae),
+                           std::string(VelocityUnit(dof)),
+                           ShareText(fitted.train[at].nmae, 3),
+                           ShareText(fitted.held_out[at].nmae, 3)}});
+  }
+  return table;
+}
+
+Table LadderTable(const Ladder& ladder, const std::vector<Dof>& dofs) {
+  Table table;
+  table.caption =
+      "Structures, by their NMAE over data that were not fitted, in free runs of 5 s. \"nearer\" "
+      "is "
+      "against the one that stood before:";
+  table.columns = {{"structure"}, {"numbers", true}};
+  for (const Dof dof : dofs) table.columns.push_back({std::string(Name(dof)), true});
+  table.columns.push_back({"nearer", true});
+  table.columns.push_back({"standard errors", true});
+  for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
+    const LadderRung& rung = ladder.rungs[k];
+    TableRow& row = table.rows.emplace_back();
+    row.cells = {rung.name, fmt::format("{}", rung.structure.entries.size())};
+    for (const Dof dof : dofs) {
+      row.cells.push_back(ShareText(rung.unseen_nmae[static_cast<std::size_t>(Index(dof))], 3));
+    }
+    const bool is_compared = rung.gain_in_errors != 0.0;
+    row.cells.push_back(is_compared ? fmt::format("{:.1f} %", 100.0 * rung.gain) : "-");
+    row.cells.push_back(is_compared ? fmt::format("{:.1f}", rung.gain_in_errors) : "-");
+    if (!rung.fit.IsUsable()) row.flag = RowFlag::kUnusable;
+    if (k == ladder.accepted && rung.fit.IsUsable()) row.flag = RowFlag::kBest;
+  }
+  return table;
+}
+
+std::string LadderSentence(const Ladder& ladder) {
+  const LadderRung& accepted = ladder.rungs[ladder.accepted];
+  std::string text = fmt::format("Structure: {}.", accepted.name);
+  if (accepted.structure.coriolis) text += " C(nu) is in the data.";
+  if (ladder.named.empty()) return text + " No single number beyond it is.\n";
+  std::vector<std::string> names;
+  for (const NamedEntry& named : ladder.named) names.push_back(Named(named));
+  return text + fmt::format(" The data show {}.\n", fmt::join(names, "; "));
+}
+
+std::string FormatCoupledIdentification(const CoupledIdentification& identified) {
+  const FittedCoupledModel& fitted = identified.fitted;
+  std::string text;
+  if (identified.ladder) {
+    text += LadderSentence(*identified.ladder) + "\n";
+    text += FormatTable(LadderTable(*identified.ladder, fitted.model.dofs)) + "\n";
+  }
+  text += FormatTable(CoupledEntryTable(fitted)) + "\n";
+  text += FormatTable(CoupledFigureTable(fitted));
+  for (const std::string& caveat : fitted.caveats) text += "note: " + caveat + "\n";
+  return text;
+}
+
+}  // namespace fathom

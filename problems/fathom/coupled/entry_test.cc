@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/entry_test.h"
+
+#include "fathom/coupled/window_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+namespace {
+
+constexpr double kTestBlock = 1.0;  // [s]
+
+}  // namespace
+
+std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
+                                   const CoupledSummary& fit,
+                                   const std::vector<FreeEntry>& candidates,
+                                   const CoupledFitOptions& options) {
+  WindowProblem problem;
+  problem.windows = CoupledWindowsOf(logs, options.window);
+  problem.entries = fit.entries;
+  problem.entries.insert(problem.entries.end(), candidates.begin(), candidates.end());
+  problem.channels = ChannelsOf(logs);
+  problem.free = FreeStartOf(logs, problem.channels);
+  const WindowPoint point = {fit.model, fit.starts};
+  std::vector<ChannelWeight> weights;
+  for (const ChannelNoise& noise : fit.noise) weights.push_back({noise.whitener, options.huber_k});
+  WindowScores scores;
+  if (!ScoresOf(problem, weights, point, kTestBlock, &scores)) return {};
+
+  const auto num_free = static_cast<Eigen::Index>(fit.entries.size());
+  const auto num = static_cast<Eigen::Index>(candidates.size());
+  const Eigen::MatrixXd free_normal = scores.normal.topLeftCorner(num_free, num_free);
+  const Eigen::MatrixXd cross = scores.normal.topRightCorner(num_free, num);
+  const Eigen::MatrixXd by = free_normal.ldlt().solve(cross);
+  // What the free numbers cannot imitate.
+  const Eigen::MatrixXd own = scores.normal.bottomRightCorner(num, num) - cross.transpose() * by;
+  const Eigen::MatrixXd blocks =
+      scores.by_block.rightCols(num) - scores.by_block.leftCols(num_free) * by;
+  const Eigen::VectorXd sum = blocks.colwise().sum();
+  const double few = static_cast<double>(blocks.rows()) /
+                     std::max(1.0, static_cast<double>(blocks.rows() - num_free));
+  std::vector<EntryTest> tests;
+  for (Eigen::Index c = 0; c < num; ++c) {
+    EntryTest& test = tests.emplace_back();
+    test.entry = candidates[static_cast<std::size_t>(c)];
+    const double own_square = own(c, c);
+    if (!(own_square > 1e-9 * scores.normal(num_free + c, num_free + c))) {
+      test.likeness.assign(candidates.size(), 0.0);
+      continue;  // the model's numbers imitate it
+    }
+    const double scatter = few * blocks.col(c).squaredNorm();
+    test.z = -sum[c] / std::sqrt(std::max(scatter, own_square));
+    test.value = -sum[c] / own_square;
+    for (Eigen::Index d = 0; d < num; ++d) {
+      const double both = std::sqrt(own_square * std::max(own(d, d), 1e-300));
+      test.likeness.push_back(own(c, d) / both);
+    }
+  }
+  return tests;
+}
+
+}  // namespace fathom

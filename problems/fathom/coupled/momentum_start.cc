@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/momentum_start.h"
+
+#include "fathom/coupled/physical_barrier.h"
+#include "fathom/vehicle/coupled/coriolis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace fathom {
+namespace {
+
+constexpr double kPiece = 1.0;               // [s]
+constexpr std::size_t kFewestOfPiece = 6;    // samples
+constexpr double kRidge = 1e-6;              // of a column's own squares
+constexpr double kLeastDampingShare = 0.02;  // of the force over the speed
+constexpr double kLeastInertiaShare = 0.05;  // of the impulse over the change of speed
+
+using Kind = FreeEntry::Kind;
+
+// What an entry of 1 adds to the left side of (6), at a velocity and its change.
+Vector6 RateOf(const FreeEntry& entry,
+               const Vector6& nu,
+               const Eigen::Vector3d& down,
+               bool coriolis) {
+  Vector6 force = Vector6::Zero();
+  const auto i = Index(entry.row), j = Index(entry.column);
+  switch (entry.kind) {
+    case Kind::kInertia: {
+      if (!coriolis) break;
+      Vector6 momentum = Vector6::Zero();
+      momentum[i] = nu[j];
+      if (i != j) momentum[j] = nu[i];
+      force = CoriolisForceOfMomentum(momentum, nu);
+      break;
+    }
+    case Kind::kLinearDamping:
+      force[i] = nu[j];
+      break;
+    case Kind::kQuadraticDamping:
+      force[i] = std::abs(nu[j]) * nu[j];
+      break;
+    case Kind::kRightingMoment:
+      force[i] = entry.row == Dof::kRoll ? down[1] : -down[0];
+      break;
+    case Kind::kNetBuoyancy:
+      force.head<3>() = down;
+      break;
+    case Kind::kOffset:
+      force[i] = 1.0;
+      break;
+    case Kind::kThrustGain:
+      break;
+  }
+  return force;
+}
+
+// Impulses of a command, by stamp.
+class Impulses {
+ public:
+  explicit Impulses(const CoupledCommand& command) : command_(command) {}
+
+  // From `from` to `to`, of all forces; and of one thruster at a gain of 1.
+  Vector6 Of(double from, double to, const CoupledModel& model, const FreeEntry* gain) {
+    Vector6 sum = Vector6::Zero();
+    const std::vector<double>& time = command_.time;
+    auto next =
+        static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), from) - time.begin());
+    for (double t = from; t < to;) {
+      const double until = next < time.size() ? std::min(time[next], to) : to;
+      if (next > 0) sum += (until - t) * ForceAt(next - 1, model, gain);
+      t = until;
+      ++next;
+    }
+    return sum;
+  }
+
+ private:
+  Vector6 ForceAt(std::size_t row, const CoupledModel& model, const FreeEntry* only) const {
+    Vector6 force = Vector6::Zero();
+    if (only == nullptr && !command_.force.empty()) force = command_.force[row];
+    for (const CommandedThruster& thruster : command_.thrusters) {
+      if (only != nullptr && only->thruster != thruster.name) continue;
+      const auto found = model.thrust_gain.find(thruster.name);
+      const double gain = only != nullptr || found == model.thrust_gain.end() ? 1.0 : found->second;
+      force += gain * thruster.thrust[row] * thruster.push;
+    }
+    return force;
+  }
+
+  const CoupledCommand& command_;
+};
+
+Vector6 KnownOr0(const Vector6& velocity) {
+  return velocity.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+}
+
+// Rows of (6), a row for each modelled DOF and piece.
+struct Balance {
+  std::vector<Eigen::VectorXd> rows;
+  std::vector<double> right;
+  std::vector<int> dof;
+};
+
+void AddPieces(const CoupledData& log,
+               const CoupledSegment& segment,
+               const MotionStructure& structure,
+               const CoupledModel& held,
+               Balance* balance) {
+  const auto num = static_cast<Eigen::Index>(structure.entries.size());
+  Impulses impulses(log.inputs.command);
+  std::size_t begin = 0;
+  while (begin + 1 < segment.time.size()) {
+    std::size_t end = begin + 1;
+    while (end + 1 < segment.time.size() &&
+           (segment.time[end] - segment.time[begin] < kPiece || end - begin < kFewestOfPiece)) {
+      ++end;
+    }
+    const CoupledState first = MeasuredState(segment, begin), last = MeasuredState(segment, end);
+    Eigen::Matrix<double, 6, Eigen::Dynamic> left =
+        Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, num);
+    Vector6 right = impulses.Of(segment.time[begin], segment.time[end], held, nullptr);
+    const Vector6 change = last.nu - first.nu;
+    right -= held.inertia * change;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double dt = segment.time[i + 1] - segment.time[i];
+      const Vector6 nu = 0.5 * (KnownOr0(segment.velocity[i]) + KnownOr0(segment.velocity[i + 1]));
+      const Eigen::Quaterniond attitude(MeasuredState(segment, i).attitude);
+      const Eigen::Vector3d down = attitude.conjugate() * Eigen::Vector3d::UnitZ();
+      Vector6 known = held.linear_damping * nu +
+                      held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset;
+      if (structure.coriolis) known += CoriolisForce(held.inertia, nu);
+      known.head<3>() += held.net_buoyancy * down;
+      known[3] += held.righting_roll * down[1];
+      known[4] -= held.righting_pitch * down[0];
+      right -= dt * known;
+      for (Eigen::Index k = 0; k < num; ++k) {
+        left.col(k) +=
+            dt *
+            RateOf(structure.entries[static_cast<std::size_t>(k)], nu, down, structure.coriolis);
+      }
+    }
+    for (Eigen::Index k = 0; k < num; ++k) {
+      const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
+      if (entry.kind == Kind::kInertia) {
+        left(Index(entry.row), k) += change[Index(entry.column)];
+        if (entry.row != entry.column) left(Index(entry.column), k) += change[Index(entry.row)];
+      } else if (entry.kind == Kind::kThrustGain) {
+        left.col(k) -= impulses.Of(segment.time[begin], segment.time[end], held, &entry);
+      }
+    }
+    for (const Dof dof : structure.dofs) {
+      balance->rows.emplace_back(left.row(Index(dof)));
+      balance->right.push_back(right[Index(dof)]);
+      balance->dof.push_back(Index(dof));
+    }
+    begin = end;
+  }
+}
+
+// The least squares of the rows, each DOF's by its own scatter.
+Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter) {
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(num);
+  for (int pass = 0; pass < 3; ++pass) {
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(num, num);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(num);
+    Vector6 squares = Vector6::Zero(), count = Vector6::Constant(1e-9);
+    for (std::size_t i = 0; i < balance.rows.size(); ++i) {
+      const double miss = balance.right[i] - balance.rows[i].dot(solution);
+      squares[balance.dof[i]] += miss * miss;
+      count[balance.dof[i]] += 1.0;
+    }
+    for (int i = 0; i < 6; ++i) (*scatter)[i] = std::sqrt(squares[i] / count[i]) + 1e-12;
+    for (std::size_t i = 0; i < balance.rows.size(); ++i) {
+      const double weight = 1.0 / ((*scatter)[balance.dof[i]] * (*scatter)[balance.dof[i]]);
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(balance.rows[i], weight);
+      right += weight * balance.right[i] * balance.rows[i];
+    }
+    normal = normal.selfadjointView<Eigen::Lower>();
+    const Eigen::VectorXd diagonal = normal.diagonal().cwiseMax(1e-300);
+    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+    Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    scaled.diagonal().array() += kRidge;
+    solution = scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(right));
+  }
+  return solution;
+}
+
+// How large forces, speeds and changes of speed are, by DOF.
+struct Sizes {
+  Vector6 force = Vector6::Zero(), speed = Vector6::Zero(), impulse = Vector6::Zero(),
+          change = Vector6::Zero();
+};
+
+Sizes SizesOf(std::span<const CoupledData> logs, const CoupledModel& held) {
+  Sizes sizes;
+  double num = 0.0;
+  for (const CoupledData& log : logs) {
+    Impulses impulses(log.inputs.command);
+    for (const CoupledSegment& segment : log.segments) {
+      if (segment.is_held_out) continue;
+      for (const SampleWindow& window : WindowsOf(segment, 2.0 * kPiece)) {
+        const double from = segment.time[window.begin], to = segment.time[window.end - 1];
+        const Vector6 impulse = impulses.Of(from, to, held, nullptr);
+        const Vector6 first = MeasuredState(segment, window.begin).nu;
+        const Vector6 change = MeasuredState(segment, window.end - 1).nu - first;
+        sizes.impulse += impulse.cwiseAbs2();
+        sizes.change += change.cwiseAbs2();
+        sizes.force += (impulse / std::max(to - from, 1e-9)).cwiseAbs2();
+        sizes.speed += first.cwiseAbs2();
+        num += 1.0;
+      }
+    }
+  }
+  for (Vector6* size : {&sizes.force, &sizes.speed, &sizes.impulse, &sizes.change}) {
+    *size = (*size / std::max(num, 1.0)).cwiseSqrt().cwiseMax(1e-9);
+  }
+  return sizes;
+}
+
+}  // namespace
+
+CoupledModel MomentumStart(std::span<const CoupledData> logs,
+                           const MotionStructure& structure,
+                           const CoupledModel& held,
+                           const RigidBody& body) {
+  CoupledModel known = held;
+  known.dofs = structure.dofs;
+  known.coriolis = structure.coriolis;
+  for (const FreeEntry& entry : structure.entries) SetValue(entry, 0.0, &known);
+  Balance balance;
+  for (const CoupledData& log : logs) {
+    for (const CoupledSegment& segment : log.segments) {
+      if (!segment.is_held_out) AddPieces(log, segment, structure, known, &balance);
+    }
+  }
+  Vector6 scatter;
+  const Eigen::VectorXd solution =
+      Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
+  for (std::size_t k = 0; k < structure.entries.size(); ++k) {
+    SetValue(structure.entries[k], solution[static_cast<Eigen::Index>(k)], &known);
+  }
+  // A DOF that nothing drives takes its sizes from the one that is driven most.
+  Sizes sizes = SizesOf(logs, held);
+  const Vector6 damping = kLeastDampingShare * sizes.force.cwiseQuotient(sizes.speed);
+  const Vector6 quadratic = damping.cwiseQuotient(sizes.speed);
+  const Vector6 inertia = kLeastInertiaShare * sizes.impulse.cwiseQuotient(sizes.change);
+  const auto floor = [](const Vector6& least) { return least.cwiseMax(1e-6).cwiseMin(1e6).eval(); };
+  return MovedInside(
+      known, structure.entries, body, floor(damping), floor(quadratic), floor(inertia));
+}
+
+}  // namespace fathom

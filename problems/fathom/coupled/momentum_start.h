@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/vehicle/coupled/motion_structure.h"
+#include "fathom/vehicle/coupled/rigid_body.h"
+
+#include <span>
+
+namespace fathom {
+
+// A first guess by least squares: docs/coupled.md (1) for all DOFs at once, which is the paper's
+// Eq. 6 with couplings, integrated over pieces of a second so that no acceleration is needed.
+//
+//   M (nu_b - nu_a) + int (C nu + D nu + g + o - B T) dt = 0       docs/coupled.md (6)
+//
+// It is linear in the entries. Entries that these data cannot tell stay small. The result is
+// inside the bounds of PhysicalBarrier. `held`: the numbers that are not free.
+CoupledModel MomentumStart(std::span<const CoupledData> logs,
+                           const MotionStructure& structure,
+                           const CoupledModel& held,
+                           const RigidBody& body);
+
+}  // namespace fathom

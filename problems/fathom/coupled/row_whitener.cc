@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/row_whitener.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace fathom {
+
+RowWhitener::RowWhitener(const Autoregression& noise) {
+  const auto order = static_cast<std::size_t>(noise.order());
+  predictors_.assign(order + 1, {});
+  std_.assign(order + 1, 0.0);
+  predictors_[order] = noise.coefficients;
+  double variance = noise.innovation_variance;
+  std_[order] = std::sqrt(variance);
+  // Downwards: the last coefficient is the reflection coefficient.
+  for (std::size_t n = order; n > 0; --n) {
+    const std::vector<double>& longer = predictors_[n];
+    const double reflection = longer[n - 1];
+    const double rest = 1.0 - reflection * reflection;
+    std::vector<double>& shorter = predictors_[n - 1];
+    shorter.resize(n - 1);
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      shorter[k] = (longer[k] + reflection * longer[n - 2 - k]) / rest;
+    }
+    variance /= rest;
+    std_[n - 1] = std::sqrt(variance);
+  }
+}
+
+void RowWhitener::Apply(Eigen::Ref<RowMajorRows> rows) const {
+  // From the last row up: each takes rows that are not whitened yet.
+  for (Eigen::Index i = rows.rows() - 1; i >= 0; --i) {
+    const auto n = static_cast<std::size_t>(std::min<Eigen::Index>(i, order()));
+    const std::vector<double>& predictor = predictors_[n];
+    for (std::size_t k = 0; k < n; ++k) {
+      rows.row(i) -= predictor[k] * rows.row(i - 1 - static_cast<Eigen::Index>(k));
+    }
+    rows.row(i) /= std_[n];
+  }
+}
+
+double RowWhitener::LogStd(int n) const {
+  return std::log(std_[static_cast<std::size_t>(std::min(n, order()))]);
+}
+
+}  // namespace fathom

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/window_search.h"
+
+#include "fathom/coupled/physical_barrier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+namespace fathom {
+namespace {
+
+constexpr double kFirstDamping = 1e-3;
+constexpr double kLeastDamping = 1e-12;
+constexpr int kMostTries = 12;           // of one step, with ever more damping
+constexpr double kStartRidge = 1e-10;    // of a start's own squares
+constexpr double kStartPrecision = 0.1;  // of each start, in standard deviations
+constexpr double kSmallestGain = 1e-10;  // of the cost
+
+double HuberCost(double r, double k) {
+  const double size = std::abs(r);
+  return size <= k ? 0.5 * r * r : k * size - 0.5 * k * k;
+}
+
+double HuberWeight(double r, double k) {
+  const double size = std::abs(r);
+  return size <= k ? 1.0 : k / size;
+}
+
+// Normal equations of one window: entries t, start s.
+struct WindowNormal {
+  Eigen::MatrixXd tt, ts, ss;
+  Eigen::VectorXd t, s;
+  double cost = 0.0;
+  int num_rows = 0;
+};
+
+// The rows of a piece, weighed: residual, entries, start.
+RowMajorRows WeighedRows(const WindowResiduals::Piece& piece, const ChannelWeight& weight) {
+  const auto n = piece.residual.size();
+  RowMajorRows rows(n, 1 + piece.by_entry.cols() + piece.by_start.cols());
+  rows.col(0) = piece.residual;
+  rows.middleCols(1, piece.by_entry.cols()) = piece.by_entry;
+  rows.rightCols(piece.by_start.cols()) = piece.by_start;
+  weight.whitener.Apply(rows);
+  return rows;
+}
+
+// Rows of residuals beyond `k`, which count linearly.
+void LessenWildRows(double k, RowMajorRows* rows) {
+  for (Eigen::Index i = 0; i < rows->rows(); ++i) {
+    const double weight = HuberWeight((*rows)(i, 0), k);
+    if (weight < 1.0) rows->row(i) *= std::sqrt(weight);
+  }
+}
+
+bool NormalOf(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const CoupledModel& model,
+              const CoupledWindow& window,
+              const CoupledState& start,
+              WindowNormal* normal) {
+  WindowResiduals residuals;
+  if (!ResidualsOf(window,
+                   model,
+                   start,
+                   problem.entries,
+                   problem.channels,
+                   problem.free,
+                   true,
+                   &residuals)) {
+    return false;
+  }
+  const auto num_entries = static_cast<Eigen::Index>(problem.entries.size());
+  const Eigen::Index num = 1 + num_entries + problem.free.size();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num, num);
+  for (const WindowResiduals::Piece& piece : residuals.pieces) {
+    const ChannelWeight& weight = weights[piece.channel];
+    RowMajorRows rows = WeighedRows(piece, weight);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      normal->cost += HuberCost(rows(i, 0), weight.huber_k);
+    }
+    LessenWildRows(weight.huber_k, &rows);
+    normal->num_rows += static_cast<int>(rows.rows());
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  }
+  gram = gram.selfadjointView<Eigen::Lower>();
+  const Eigen::Index m = problem.free.size();
+  normal->tt = gram.block(1, 1, num_entries, num_entries);
+  normal->ts = gram.block(1, 1 + num_entries, num_entries, m);
+  normal->ss = gram.bottomRightCorner(m, m);
+  normal->t = gram.col(0).segment(1, num_entries);
+  normal->s = gram.col(0).tail(m);
+  return true;
+}
+
+// Infinite where a run diverges, or as soon as it is above `limit`.
+double CostAt(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const WindowPoint& point,
+              double limit) {
+  double cost = 0.0;
+  WindowResiduals residuals;
+  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    if (!ResidualsOf(problem.windows[w],
+                     point.model,
+                     point.starts[w],
+                     problem.entries,
+                     problem.channels,
+                     problem.free,
+                     false,
+                     &residuals)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    for (WindowResiduals::Piece& piece : residuals.pieces) {
+      RowMajorRows rows = piece.residual;
+      weights[piece.channel].whitener.Apply(rows);
+      for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        cost += HuberCost(rows(i, 0), weights[piece.channel].huber_k);
+      }
+    }
+    if (cost > limit) return std::numeric_limits<double>::infinity();
+  }
+  return cost;
+}
+
+// The start's own equations with a little added, so that what it leaves no trace of stays.
+Eigen::LLT<Eigen::MatrixXd> StartSolver(const Eigen::MatrixXd& ss, double damping) {
+  Eigen::MatrixXd damped = ss;
+  damped.diagonal() *= 1.0 + damping + kStartRidge;
+  const double largest = std::max(ss.diagonal().maxCoeff(), 1e-300);
+  damped.diagonal().array() += 1e-14 * largest;
+  return Eigen::LLT<Eigen::MatrixXd>(damped);
+}
+
+struct Linearised {
+  std::vector<WindowNormal> windows;
+  double cost = 0.0;
+  int num_rows = 0;
+};
+
+bool Linearise(const WindowProblem& problem,
+               const std::vector<ChannelWeight>& weights,
+               const WindowPoint& point,
+               Linearised* out) {
+  out->windows.assign(problem.windows.size(), {});
+  out->cost = 0.0;
+  out->num_rows = 0;
+  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    if (!NormalOf(
+            problem, weights, point.model, problem.windows[w], point.starts[w], &out->windows[w])) {
+      return false;
+    }
+    out->cost += out->windows[w].cost;
+    out->num_rows += out->windows[w].num_rows;
+  }
+  return true;
+}
+
+ReducedWindows Reduce(const Linearised& lines, Eigen::Index num_entries, double damping) {
+  ReducedWindows reduced = {lines.cost,
+                            Eigen::MatrixXd::Zero(num_entries, num_entries),
+                            Eigen::VectorXd::Zero(num_entries),
+                            lines.num_rows};
+  for (const WindowNormal& window : lines.windows) {
+    const auto solver = StartSolver(window.ss, damping);
+    const Eigen::MatrixXd by = solver.solve(window.ts.transpose());
+    reduced.normal += window.tt - window.ts * by;
+    reduced.gradient += window.t - by.transpose() * window.s;
+  }
+  return reduced;
+}
+
+struct Step {
+  Eigen::VectorXd entries;
+  std::vector<Eigen::VectorXd> starts;
+  // Squared lengths of the step in standard deviations: of the entries, and of the starts as well.
+  double of_entries = 0.0;
+  double decrement = 0.0;
+};
+
+bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damping, Step* step) {
+  const auto num = barrier.gradient.size();
+  const ReducedWindows reduced = Reduce(lines, num, damping);
+  Eigen::MatrixXd normal = reduced.normal + barrier.hessian;
+  const Eigen::VectorXd gradient = reduced.gradient + barrier.gradient;
+  // By columns of unit length.
+  const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  scaled.diagonal().array() += damping + 1e-13;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(scaled);
+  if (solver.info() != Eigen::Success || !solver.isPositive()) return false;
+  const Eigen::VectorXd scaled_step = -solver.solve(scale.cwiseProduct(gradient));
+  step->entries = scale.cwiseProduct(scaled_step);
+  step->of_entries = -scaled_step.dot(scale.cwiseProduct(gradient));
+  step->decrement = step->of_entries;
+  step->starts.clear();
+  for (const WindowNormal& window : lines.windows) {
+    const Eigen::VectorXd right = window.s + window.ts.transpose() * step->entries;
+    step->starts.emplace_back(-StartSolver(window.ss, damping).solve(right));
+    step->decrement += window.s.dot(StartSolver(window.ss, damping).solve(window.s));
+  }
+  return step->entries.allFinite();
+}
+
+// Whether what is left to go is small for the entries, and on average for each start.
+bool IsSmall(const Step& step, const Linearised& lines, double precision) {
+  const double rest = step.decrement - step.of_entries;
+  return (step.of_entries < precision * precision &&
+          rest < kStartPrecision * kStartPrecision * static_cast<double>(lines.windows.size())) ||
+         step.decrement < kSmallestGain * lines.cost;
+}
+
+WindowPoint Stepped(const WindowProblem& problem, const WindowPoint& from, const Step& step) {
+  WindowPoint to = from;
+  for (std::size_t k = 0; k < problem.entries.size(); ++k) {
+    const FreeEntry& entry = problem.entries[k];
+    SetValue(
+        entry, ValueIn(from.model, entry) + step.entries[static_cast<Eigen::Index>(k)], &to.model);
+  }
+  for (std::size_t w = 0; w < to.starts.size(); ++w) {
+    to.starts[w] = Moved(from.starts[w], problem.free, step.starts[w]);
+  }
+  return to;
+}
+
+}  // namespace
+
+WindowSearch SearchWindows(const WindowProblem& problem,
+                           const std::vector<ChannelWeight>& weights,
+                           const WindowPoint& start,
+                           int max_iterations,
+                           double precision) {
+  WindowSearch search;
+  search.point = start;
+  Linearised lines;
+  if (!Linearise(problem, weights, start, &lines)) {
+    search.message = "the simulation diverges where the search begins";
+    return search;
+  }
+  const auto num = static_cast<Eigen::Index>(problem.entries.size());
+  PhysicalBarrier barrier = BarrierAt(start.model, problem.entries, problem.body);
+  double damping = kFirstDamping;
+  search.message = "the search has not come to its end";
+  while (search.num_iterations < max_iterations) {
+    ++search.num_iterations;
+    Step step;
+    WindowPoint trial;
+    double gain = -1.0, growth = 2.0;
+    bool is_small = false;
+    for (int tries = 0; tries < kMostTries && !(gain > 0.0) && !is_small; ++tries) {
+      PhysicalBarrier there;
+      if (StepOf(lines, barrier, damping, &step)) {
+        is_small = IsSmall(step, lines, precision);
+        trial = Stepped(problem, search.point, step);
+        there = BarrierAt(trial.model, problem.entries, problem.body);
+        const double before = lines.cost + barrier.cost;
+        if (std::isfinite(there.cost)) {
+          gain = before - there.cost - CostAt(problem, weights, trial, before - there.cost);
+        }
+      }
+      if (gain > 0.0) {
+        // Less damping the better the squares foretold the gain.
+        const double quality = std::min(gain / std::max(0.5 * step.decrement, 1e-300), 1.0);
+        damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));
+        damping = std::max(damping, kLeastDamping);
+        barrier = there;
+      } else {
+        damping *= growth;
+        growth *= 2.0;
+      }
+    }
+    if (gain > 0.0) {
+      search.point = std::move(trial);
+      if (!Linearise(problem, weights, search.point, &lines)) {
+        search.message = "the simulation diverges";
+        return search;
+      }
+    }
+    if (!is_small && gain > 0.0) continue;
+    // At the end, or where rounding lets no step lower the error any more.
+    search.converged = true;
+    search.message = "converged";
+    break;
+  }
+  search.at = Reduce(lines, num, 0.0);
+  return search;
+}
+
+bool AllResiduals(const WindowProblem& problem,
+                  const WindowPoint& point,
+                  std::vector<WindowResiduals>* residuals) {
+  residuals->assign(problem.windows.size(), {});
+  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    if (!ResidualsOf(problem.windows[w],
+                     point.model,
+                     point.starts[w],
+                     problem.entries,
+                     problem.channels,
+                     problem.free,
+                     false,
+                     &(*residuals)[w])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ScoresOf(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const WindowPoint& point,
+              double block,
+              WindowScores* scores) {
+  const auto num = static_cast<Eigen::Index>(problem.entries.size());
+  const Eigen::Index m = problem.free.size();
+  scores->normal = Eigen::MatrixXd::Zero(num, num);
+  std::vector<Eigen::VectorXd> sums;
+  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    const CoupledWindow& window = problem.windows[w];
+    WindowResiduals residuals;
+    if (!ResidualsOf(window,
+                     point.model,
+                     point.starts[w],
+                     problem.entries,
+                     problem.channels,
+                     problem.free,
+                     true,
+                     &residuals)) {
+      return false;
+    }
+    std::vector<RowMajorRows> all;
+    Eigen::MatrixXd ss = Eigen::MatrixXd::Zero(m, m), st = Eigen::MatrixXd::Zero(m, num);
+    for (const WindowResiduals::Piece& piece : residuals.pieces) {
+      RowMajorRows& rows = all.emplace_back(WeighedRows(piece, weights[piece.channel]));
+      LessenWildRows(weights[piece.channel].huber_k, &rows);
+      const auto entries = rows.middleCols(1, num);
+      scores->normal.noalias() += entries.transpose() * entries;
+      ss.noalias() += rows.rightCols(m).transpose() * rows.rightCols(m);
+      st.noalias() += rows.rightCols(m).transpose() * entries;
+    }
+    const Eigen::MatrixXd by = StartSolver(ss, 0.0).solve(st);
+    scores->normal -= st.transpose() * by;
+    std::map<long, Eigen::VectorXd> by_block;
+    const double first = window.segment->time[window.samples.begin];
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const RowMajorRows& rows = all[p];
+      for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        const double t = residuals.pieces[p].time[static_cast<std::size_t>(i)];
+        const auto at = static_cast<long>(std::floor((t - first) / block));
+        auto [sum, is_new] = by_block.try_emplace(at, Eigen::VectorXd::Zero(num));
+        sum->second.transpose() +=
+            rows(i, 0) * (rows.row(i).segment(1, num) - rows.row(i).tail(m) * by);
+      }
+    }
+    for (auto& [at, sum] : by_block) sums.push_back(std::move(sum));
+  }
+  scores->by_block.resize(static_cast<Eigen::Index>(sums.size()), num);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    scores->by_block.row(static_cast<Eigen::Index>(i)) = sums[i];
+  }
+  return true;
+}
+
+}  // namespace fathom

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/vehicle/files/coupled_model_file.h"
+
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
+#include "fathom/vehicle/files/effect_entries.h"
+#include "fathom/vehicle/files/figures_entry.h"
+#include "fathom/vehicle/files/json_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kSchema = "fathom-model-2";
+
+const std::vector<std::string> kKeysOfCoupled = {"schema",
+                                                 "dofs",
+                                                 "structure",
+                                                 "coriolis",
+                                                 "force_unit",
+                                                 "parameters",
+                                                 "held",
+                                                 "covariance",
+                                                 "horizon",
+                                                 "fit",
+                                                 "held_out",
+                                                 "caveats",
+                                                 "provenance",
+                                                 "log_fingerprints"};
+
+// Of each modelled DOF, by its name.
+Json FormatByDof(const std::array<FitFigures, 6>& figures, const std::vector<Dof>& dofs) {
+  Json json = Json::object();
+  for (const Dof dof : dofs) {
+    json[std::string(Name(dof))] = FormatFigures(figures[static_cast<std::size_t>(Index(dof))]);
+  }
+  return json;
+}
+
+// Every entry that a model of all six DOFs could have, but for thrust gains.
+std::vector<FreeEntry> AllEntries() {
+  std::vector<FreeEntry> all;
+  for (const Dof row : kAllDofs) {
+    for (const Dof column : kAllDofs) {
+      if (row <= column) all.push_back(InertiaEntry(row, column));
+      all.push_back(LinearDampingEntry(row, column));
+      all.push_back(QuadraticDampingEntry(row, column));
+    }
+    all.push_back(OffsetEntry(row));
+  }
+  all.push_back(RightingMomentEntry(Dof::kRoll));
+  all.push_back(RightingMomentEntry(Dof::kPitch));
+  all.push_back(NetBuoyancyEntry());
+  return all;
+}
+
+// What a model holds beside its identified numbers.
+Json FormatHeld(const FittedCoupledModel& fitted) {
+  Json held = Json::object();
+  const auto add = [&](const FreeEntry& entry, double without) {
+    const double value = ValueIn(fitted.model, entry);
+    const bool is_free =
+        std::find(fitted.entries.begin(), fitted.entries.end(), entry) != fitted.entries.end();
+    if (value != without && !is_free) held[NameOf(entry)] = value;
+  };
+  for (const FreeEntry& entry : AllEntries()) add(entry, 0.0);
+  for (const auto& [thruster, gain] : fitted.model.thrust_gain) add(ThrustGainEntry(thruster), 1.0);
+  return held;
+}
+
+std::vector<Dof> ReadDofs(const JsonValue& json) {
+  std::vector<Dof> dofs;
+  for (const std::string& name : json.Texts()) {
+    const auto dof = DofFromName(name);
+    if (!dof) json.Fail(fmt::format("holds {}, expected names of DOFs", Quoted(name)));
+    if (!dofs.empty() && *dof <= dofs.back()) {
+      json.Fail("is not in the order surge, sway, heave, roll, pitch, yaw, each once");
+    }
+    dofs.push_back(*dof);
+  }
+  if (dofs.empty()) json.Fail("is empty, expected at least one DOF");
+  return dofs;
+}
+
+FreeEntry ReadEntry(const JsonValue& json, const std::string& key, const std::vector<Dof>& dofs) {
+  FreeEntry entry;
+  try {
+    entry = ParseFreeEntry(key);
+  } catch (const InputError& error) {
+    json.Fail(fmt::format("holds a wrong key: {}", error.what()));
+  }
+  const bool has_row =
+      entry.kind != FreeEntry::Kind::kThrustGain && entry.kind != FreeEntry::Kind::kNetBuoyancy;
+  if (has_row && std::find(dofs.begin(), dofs.end(), entry.row) == dofs.end()) {
+    json.Fail(fmt::format("holds {}, whose DOF is none of 'dofs'", Quoted(key)));
+  }
+  return entry;
+}
+
+std::array<FitFigures, 6> ReadByDof(const JsonValue& json) {
+  std::array<FitFigures, 6> figures;
+  for (const std::string& name : json.Keys()) {
+    const auto dof = DofFromName(name);
+    if (!dof) json.Fail(fmt::format("holds {}, expected names of DOFs", Quoted(name)));
+    figures[static_cast<std::size_t>(Index(*dof))] = ReadFigures(json.Member(name));
+  }
+  return figures;
+}
+
+Eigen::MatrixXd ReadCovariance(const JsonValue& json, std::size_t size) {
+  const auto n = static_cast<Eigen::Index>(size);
+  Eigen::MatrixXd covariance(n, n);
+  const std::vector<JsonValue> rows = json.List();
+  if (rows.size() != size) {
+    json.Fail(
+        fmt::format("has {} rows, expected one for each of {} parameters", rows.size(), size));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<JsonValue> row = rows[static_cast<std::size_t>(i)].List();
+    if (row.size() != size) {
+      rows[static_cast<std::size_t>(i)].Fail(
+          fmt::format("has {} entries, expected {}", row.size(), size));
+    }
+    for (Eigen::Index j = 0; j < n; ++j) {
+      covariance(i, j) = row[static_cast<std::size_t>(j)].NumberIfKnown();
+    }
+  }
+  return covariance;
+}
+
+}  // namespace
+
+std::string FormatCoupledModel(const FittedCoupledModel& fitted) {
+  Json dofs = Json::array(), parameters = Json::object(), covariance = Json::array();
+  for (const Dof dof : fitted.model.dofs) dofs.push_back(Name(dof));
+  for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    parameters[NameOf(fitted.entries[k])] = {{"value", ValueIn(fitted.model, fitted.entries[k])},
+                                             {"std", std::sqrt(fitted.covariance(at, at))},
+                                             {"unit", UnitOf(fitted.entries[k])}};
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < fitted.covariance.cols(); ++j) {
+      row.push_back(fitted.covariance(at, j));
+    }
+    covariance.push_back(row);
+  }
+  const Json json = {{"schema", kSchema},
+                     {"dofs", dofs},
+                     {"structure", fitted.structure},
+                     {"coriolis", fitted.model.coriolis},
+                     {"force_unit", fitted.force_unit},
+                     {"parameters", parameters},
+                     {"held", FormatHeld(fitted)},
+                     {"covariance", covariance},
+                     {"horizon", fitted.horizon},
+                     {"fit", FormatByDof(fitted.train, fitted.model.dofs)},
+                     {"held_out", FormatByDof(fitted.held_out, fitted.model.dofs)},
+                     {"caveats", fitted.caveats},
+                     {"provenance", fitted.provenance},
+                     {"log_fingerprints", fitted.log_fingerprints}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view text) {
+  const JsonValue file = JsonValue::Parse(name, text);
+  if (const std::string schema = file.Member("schema").Text(); schema != kSchema) {
+    file.Member("schema").Fail(fmt::format("is {}, expected \"{}\"", Quoted(schema), kSchema));
+  }
+  file.RequireKeysOf(kKeysOfCoupled);
+  FittedCoupledModel fitted;
+  fitted.model.dofs = ReadDofs(file.Member("dofs"));
+  fitted.structure = file.Member("structure").Text();
+  fitted.model.coriolis = file.Member("coriolis").Boolean();
+  fitted.force_unit = file.Member("force_unit").Text();
+  const JsonValue parameters = file.Member("parameters");
+  for (const std::string& key : parameters.Keys()) {
+    const FreeEntry entry = ReadEntry(parameters, key, fitted.model.dofs);
+    SetValue(entry, ReadParameter(parameters.Member(key), UnitOf(entry)).value, &fitted.model);
+    fitted.entries.push_back(entry);
+  }
+  if (const auto held = file.MemberIfThere("held")) {
+    for (const std::string& key : held->Keys()) {
+      SetValue(ReadEntry(*held, key, fitted.model.dofs), held->Member(key).Number(), &fitted.model);
+    }
+  }
+  if (!IsPositiveDefinite(fitted.model.inertia, fitted.model.dofs)) {
+    parameters.Fail("hold an inertia that is not positive definite");
+  }
+  fitted.covariance = ReadCovariance(file.Member("covariance"), fitted.entries.size());
+  fitted.horizon = file.NumberIfThere("horizon");
+  if (const auto fit = file.MemberIfThere("fit")) fitted.train = ReadByDof(*fit);
+  if (const auto held_out = file.MemberIfThere("held_out")) fitted.held_out = ReadByDof(*held_out);
+  if (const auto caveats = file.MemberIfThere("caveats")) fitted.caveats = caveats->Texts();
+  if (const auto provenance = file.MemberIfThere("provenance")) {
+    for (const std::string& key : provenance->Keys()) {
+      fitted.provenance[key] = provenance->Member(key).Text();
+    }
+  }
+  if (const auto prints = file.MemberIfThere("log_fingerprints")) {
+    fitted.log_fingerprints = prints->Texts();
+  }
+  return fitted;
+}
+
+FittedCoupledModel ReadCoupledModel(const std::filesystem::path& path) {
+  return ParseCoupledModel(path.string(), ReadFile(path));
+}
+
+bool IsCoupledModel(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return false;
+  const auto schema = json.find("schema");
+  return schema != json.end() && schema->is_string() && schema->get<std::string>() == kSchema;
+}
+
+}  // namespace fathom

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/block_fit.h"
+
+#include "fathom/output_error/output_error.h"
+#include "fathom/signal/joined_signals.h"
+
+#include <random>
+#include <vector>
+
+#include "drawn_vehicle.h"
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+// What a log file would hold of drawn data.
+Log LogOf(const CoupledData& data) {
+  Log log;
+  log.name = data.log;
+  log.dofs = data.dofs;
+  log.command.emplace();
+  log.command->time = data.inputs.command.time;
+  log.velocity.emplace();
+  log.velocity->time = data.segments.front().time;
+  for (const Dof dof : data.dofs) {
+    log.command->columns.emplace_back(ForceColumn(dof));
+    std::vector<double>& force = log.command->values.emplace_back();
+    for (const Vector6& tau : data.inputs.command.force) force.push_back(tau[Index(dof)]);
+    log.velocity->columns.emplace_back(VelocityColumn(dof));
+    std::vector<double>& velocity = log.velocity->values.emplace_back();
+    for (const Vector6& nu : data.segments.front().velocity) velocity.push_back(nu[Index(dof)]);
+  }
+  return log;
+}
+
+TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
+  std::mt19937 random(11);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.coriolis = false;
+  CoupledLogs logs;
+  logs.logs = {LogOf(DrawnLog(truth, {}, &random))};
+  logs.data = {CoupledDataOf(logs.logs.front(), truth.dofs)};
+  const CoupledSummary blocks =
+      FitBlocks(logs, StructureOf(StandardStructure::kDiagonal, truth.dofs), {});
+  ASSERT_TRUE(blocks.IsUsable()) << blocks.message;
+  for (const Dof dof : truth.dofs) {
+    const JoinedSignals signals = JoinSignals(logs.logs, dof, std::nullopt);
+    OutputErrorOptions options;
+    options.output = OutputOf(signals.all.train);
+    const OutputErrorSummary one = FitOutputError(signals.all.train, options);
+    const int i = Index(dof);
+    EXPECT_EQ(blocks.model.inertia(i, i), one.model.inertia);
+    EXPECT_EQ(blocks.model.linear_damping(i, i), one.model.linear_damping);
+    EXPECT_EQ(blocks.model.quadratic_damping(i, i), one.model.quadratic_damping);
+    EXPECT_EQ(blocks.model.offset[i], one.model.buoyancy);
+  }
+}
+
+}  // namespace
+}  // namespace fathom

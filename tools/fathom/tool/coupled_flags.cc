@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/coupled_flags.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
+#include "fathom/tool/flag_values.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(dofs,
+              "",
+              "Several degrees of freedom as one coupled model: surge,sway,yaw. Instead of --dof.");
+DEFINE_string(structure,
+              "auto",
+              "Of --dofs, what is free: diagonal, coriolis, symmetric, full, or auto: as the data "
+              "show.");
+DEFINE_double(window, 20.0, "Of --dofs: the simulation begins anew after so long [s].");
+
+namespace fathom {
+
+bool IsCoupledAsked() { return !FLAGS_dofs.empty(); }
+
+CoupledIdentificationOptions CoupledOptionsFromFlags() {
+  CoupledIdentificationOptions options;
+  for (const std::string& name : SplitAtCommas(FLAGS_dofs)) {
+    options.dofs.push_back(ParseFlag("dofs", name, ParseDof));
+  }
+  std::sort(options.dofs.begin(), options.dofs.end());
+  if (const auto twice = std::adjacent_find(options.dofs.begin(), options.dofs.end());
+      twice != options.dofs.end()) {
+    throw InputError(fmt::format("--dofs: names {} twice, expected each once.", Name(*twice)));
+  }
+  if (FLAGS_structure != "auto") {
+    options.structure = StandardStructureFromName(FLAGS_structure);
+    if (!options.structure) {
+      throw InputError(
+          fmt::format("--structure: is {}, expected diagonal, coriolis, symmetric, full or auto.",
+                      Quoted(FLAGS_structure)));
+    }
+  }
+  options.fit.window = FLAGS_window;
+  if (const auto problems = options.fit.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("--{}.", problems.front()));
+  }
+  return options;
+}
+
+}  // namespace fathom

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/coupled_scores.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/log/log_fingerprint.h"
+#include "fathom/report/format_value.h"
+#include "fathom/vehicle/files/thruster_shares.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json JsonOf(const FitFigures& figures) {
+  return {{"mae", figures.mae},
+          {"nmae", figures.nmae},
+          {"n", figures.num_samples},
+          {"duration", figures.duration}};
+}
+
+Json JsonOf(const CoupledScore& score, double horizon) {
+  Json dofs = Json::object();
+  const CoupledPrediction prediction = score.prediction.value_or(CoupledPrediction());
+  for (const Dof dof : score.data.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    Json of = JsonOf(prediction.figures[at]);
+    of["train"] = JsonOf(prediction.train[at]);
+    of["held_out"] = JsonOf(prediction.held_out[at]);
+    dofs[std::string(Name(dof))] = of;
+  }
+  return {{"schema", "fathom-coupled-score-1"},
+          {"log", score.log},
+          {"horizon", std::isfinite(horizon) ? Json(horizon) : Json()},
+          {"dofs", dofs},
+          {"position_error_10_s", prediction.position_error},
+          {"remarks", score.data.remarks}};
+}
+
+std::string FiguresLine(const char* part, const FitFigures& figures, Dof dof) {
+  if (figures.num_samples == 0) return "";
+  return fmt::format("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
+                     Name(dof),
+                     part,
+                     figures.mae,
+                     VelocityUnit(dof),
+                     ShareText(figures.nmae, 4),
+                     figures.num_samples,
+                     figures.duration);
+}
+
+}  // namespace
+
+CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, double horizon) {
+  CoupledScore score;
+  score.log = log.name;
+  const std::optional<Vehicle> vehicle = VehicleOf(log);
+  score.data =
+      CoupledDataOf(log, fitted.model.dofs, vehicle ? vehicle->thrusters : std::vector<Thruster>());
+  if (score.data.force_unit != fitted.force_unit) {
+    throw InputError(fmt::format("{}: is commanded in {}, expected {}, the unit of the model.",
+                                 log.path.string(),
+                                 score.data.force_unit,
+                                 fitted.force_unit));
+  }
+  const std::vector<std::string>& known = fitted.log_fingerprints;
+  score.is_trained_on_it = std::find(known.begin(), known.end(), FingerprintOf(log)) != known.end();
+  score.prediction = PredictCoupled(fitted.model, {&score.data, 1}, horizon);
+  return score;
+}
+
+std::string CoupledScoreText(const CoupledScore& score, double horizon) {
+  std::string text =
+      std::isfinite(horizon)
+          ? fmt::format("Free runs, begun anew from the measured state every {:g} s:\n", horizon)
+          : std::string("Free runs, one for each stretch of the log:\n");
+  for (const Dof dof : score.data.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    const CoupledPrediction& prediction = *score.prediction;
+    if (!score.is_trained_on_it) {
+      text += FiguresLine(", another log", prediction.figures[at], dof);
+      continue;
+    }
+    text += FiguresLine(", training data", prediction.train[at], dof);
+    text += FiguresLine(", held out", prediction.held_out[at], dof);
+  }
+  if (std::isfinite(score.prediction->position_error)) {
+    text += fmt::format("position 10 s after a start: off by {:.3g} m (RMS)\n",
+                        score.prediction->position_error);
+  }
+  return text;
+}
+
+std::string CoupledPredictionCsv(const CoupledScore& score) {
+  std::string csv = "t";
+  for (const Dof dof : score.data.dofs) csv += fmt::format(",{}", VelocityColumn(dof));
+  csv += "\n";
+  for (std::size_t s = 0; s < score.data.segments.size(); ++s) {
+    const std::vector<double>& time = score.data.segments[s].time;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      csv += fmt::format("{}", time[i]);
+      for (const Dof dof : score.data.dofs) {
+        csv += fmt::format(",{}", score.prediction->velocity.front()[s][i][Index(dof)]);
+      }
+      csv += "\n";
+    }
+  }
+  return csv;
+}
+
+std::string CoupledScoresJson(std::span<const CoupledScore> scores, double horizon) {
+  Json json;
+  if (scores.size() == 1) {
+    json = JsonOf(scores.front(), horizon);
+  } else {
+    json = {{"schema", "fathom-coupled-scores-1"}, {"scores", Json::array()}};
+    for (const CoupledScore& score : scores) json["scores"].push_back(JsonOf(score, horizon));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fathom
