@@ -24,6 +24,7 @@
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
+#include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -197,13 +198,6 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
   PrintRemarks(score.remarks);
 }
 
-Json FormatFigures(const FitFigures& figures) {
-  return {{"mae", figures.mae},
-          {"nmae", figures.nmae},
-          {"n", figures.num_samples},
-          {"duration", figures.duration}};
-}
-
 // Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
 Json FormatScore(const LogScore& score, const FittedModel& model) {
   std::vector<std::string> remarks = score.remarks;
@@ -217,8 +211,8 @@ Json FormatScore(const LogScore& score, const FittedModel& model) {
           {"nmae", figures.nmae},
           {"n", figures.num_samples},
           {"duration", figures.duration},
-          {"train", FormatFigures(prediction.train)},
-          {"held_out", FormatFigures(prediction.held_out)},
+          {"train", JsonOfFigures<Json>(prediction.train)},
+          {"held_out", JsonOfFigures<Json>(prediction.held_out)},
           {"findings", JsonOf<Json>(score.findings)},
           {"remarks", remarks}};
 }

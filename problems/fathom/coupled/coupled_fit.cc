@@ -70,7 +70,7 @@ std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& re
 // What the residuals look like: white of their spread, or coloured. Wild ones are cut to five
 // standard deviations before their colour is learned.
 std::vector<ChannelNoise> NoiseOf(const std::vector<WindowResiduals>& residuals,
-                                  const std::vector<Channel>& channels,
+                                  const std::vector<FittedChannel>& channels,
                                   bool is_white) {
   std::vector<ChannelNoise> noise;
   for (std::size_t c = 0; c < channels.size(); ++c) {

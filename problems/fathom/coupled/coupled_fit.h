@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/channel.h"
+#include "fathom/coupled/fitted_channel.h"
 #include "fathom/coupled/row_whitener.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
@@ -22,7 +22,7 @@ namespace fathom {
 
 // What a fit took the residuals of one channel for.
 struct ChannelNoise {
-  Channel channel;
+  FittedChannel channel;
   double std = 0.0;  // of the residuals [unit of the channel]
   RowWhitener whitener;
 };

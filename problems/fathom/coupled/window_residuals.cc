@@ -22,18 +22,18 @@ Eigen::Vector3d TurnBetween(const Eigen::Quaterniond& measured, const Eigen::Vec
 
 // Simulated less measured at the i-th sample of a window.
 double ResidualAt(const CoupledWindow& window,
-                  const Channel& channel,
+                  const FittedChannel& channel,
                   const CoupledOutputs& outputs,
                   std::size_t i) {
   const CoupledSegment& segment = *window.segment;
   switch (channel.kind) {
-    case Channel::Kind::kVelocity:
+    case FittedChannel::Kind::kVelocity:
       return outputs.velocity[i][channel.row] -
              segment.velocity[window.samples.begin + i][channel.row];
-    case Channel::Kind::kTurn:
+    case FittedChannel::Kind::kTurn:
       return TurnBetween(segment.attitude[window.poses.begin + i],
                          outputs.pose[i].attitude)[channel.row - 3];
-    case Channel::Kind::kPosition:
+    case FittedChannel::Kind::kPosition:
       break;
   }
   return outputs.pose[i].position[channel.row] -
@@ -41,14 +41,14 @@ double ResidualAt(const CoupledWindow& window,
 }
 
 // The row of the outputs' sensitivities that is of a channel's i-th sample.
-Eigen::Index SensitivityRow(const Channel& channel, std::size_t i) {
+Eigen::Index SensitivityRow(const FittedChannel& channel, std::size_t i) {
   const auto first = 6 * static_cast<Eigen::Index>(i);
   switch (channel.kind) {
-    case Channel::Kind::kVelocity:
+    case FittedChannel::Kind::kVelocity:
       return first + channel.row;
-    case Channel::Kind::kTurn:
+    case FittedChannel::Kind::kTurn:
       return first + channel.row - 3;
-    case Channel::Kind::kPosition:
+    case FittedChannel::Kind::kPosition:
       break;
   }
   return first + 3 + channel.row;
@@ -66,14 +66,15 @@ std::vector<Eigen::Index> StartColumns(const FreeStart& free, std::size_t num_en
   return columns;
 }
 
-void AddDerivatives(const Channel& channel,
+void AddDerivatives(const FittedChannel& channel,
                     const CoupledOutputs& outputs,
                     std::size_t first,
                     std::size_t num_entries,
                     const FreeStart& free,
                     WindowResiduals::Piece* piece) {
-  const auto& sensitivity = channel.kind == Channel::Kind::kVelocity ? outputs.velocity_sensitivity
-                                                                     : outputs.pose_sensitivity;
+  const auto& sensitivity = channel.kind == FittedChannel::Kind::kVelocity
+                                ? outputs.velocity_sensitivity
+                                : outputs.pose_sensitivity;
   const std::vector<Eigen::Index> columns = StartColumns(free, num_entries);
   const auto n = piece->residual.size();
   piece->by_entry.resize(n, static_cast<Eigen::Index>(num_entries));
@@ -84,7 +85,7 @@ void AddDerivatives(const Channel& channel,
     for (std::size_t k = 0; k < columns.size(); ++k) {
       piece->by_start(i, static_cast<Eigen::Index>(k)) = sensitivity(row, columns[k]);
     }
-    if (channel.kind == Channel::Kind::kPosition) {
+    if (channel.kind == FittedChannel::Kind::kPosition) {
       piece->by_start(i, free.size() - 3 + channel.row) = 1.0;
     }
   }
@@ -120,7 +121,8 @@ int FreeStart::size() const {
   return static_cast<int>(rows.size()) + static_cast<int>(num_turns) + (position ? 3 : 0);
 }
 
-FreeStart FreeStartOf(std::span<const CoupledData> logs, const std::vector<Channel>& channels) {
+FreeStart FreeStartOf(std::span<const CoupledData> logs,
+                      const std::vector<FittedChannel>& channels) {
   FreeStart free;
   for (const Dof dof : logs.front().dofs) {
     free.rows.push_back(Index(dof));
@@ -128,10 +130,10 @@ FreeStart FreeStartOf(std::span<const CoupledData> logs, const std::vector<Chann
     if (dof == Dof::kRoll || dof == Dof::kPitch)
       free.turns[static_cast<std::size_t>(Index(dof) - 3)] = true;
   }
-  for (const Channel& channel : channels) {
-    if (channel.kind == Channel::Kind::kTurn)
+  for (const FittedChannel& channel : channels) {
+    if (channel.kind == FittedChannel::Kind::kTurn)
       free.turns[static_cast<std::size_t>(channel.row - 3)] = true;
-    if (channel.kind == Channel::Kind::kPosition) free.position = true;
+    if (channel.kind == FittedChannel::Kind::kPosition) free.position = true;
   }
   return free;
 }
@@ -157,7 +159,7 @@ bool ResidualsOf(const CoupledWindow& window,
                  const CoupledModel& model,
                  const CoupledState& start,
                  std::span<const FreeEntry> entries,
-                 const std::vector<Channel>& channels,
+                 const std::vector<FittedChannel>& channels,
                  const FreeStart& free,
                  bool with_derivatives,
                  WindowResiduals* residuals) {
@@ -166,8 +168,8 @@ bool ResidualsOf(const CoupledWindow& window,
     return std::vector<double>(time.begin() + static_cast<std::ptrdiff_t>(range.begin),
                                time.begin() + static_cast<std::ptrdiff_t>(range.end));
   };
-  const auto is_of_velocity = [](const Channel& channel) {
-    return channel.kind == Channel::Kind::kVelocity;
+  const auto is_of_velocity = [](const FittedChannel& channel) {
+    return channel.kind == FittedChannel::Kind::kVelocity;
   };
   CoupledStamps stamps;
   stamps.start = segment.time[window.samples.begin];

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/channel.h"
+#include "fathom/coupled/fitted_channel.h"
 #include "fathom/coupled/row_whitener.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
@@ -38,7 +38,8 @@ struct FreeStart {
 
   int size() const;
 };
-FreeStart FreeStartOf(std::span<const CoupledData> logs, const std::vector<Channel>& channels);
+FreeStart FreeStartOf(std::span<const CoupledData> logs,
+                      const std::vector<FittedChannel>& channels);
 
 // A start moved by a step of what is free.
 CoupledState Moved(const CoupledState& start, const FreeStart& free, const Eigen::VectorXd& step);
@@ -65,7 +66,7 @@ bool ResidualsOf(const CoupledWindow& window,
                  const CoupledModel& model,
                  const CoupledState& start,
                  std::span<const FreeEntry> entries,
-                 const std::vector<Channel>& channels,
+                 const std::vector<FittedChannel>& channels,
                  const FreeStart& free,
                  bool with_derivatives,
                  WindowResiduals* residuals);

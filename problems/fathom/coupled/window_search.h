@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/channel.h"
+#include "fathom/coupled/fitted_channel.h"
 #include "fathom/coupled/window_residuals.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
@@ -22,7 +22,7 @@ namespace fathom {
 struct WindowProblem {
   std::vector<CoupledWindow> windows;
   std::vector<FreeEntry> entries;
-  std::vector<Channel> channels;
+  std::vector<FittedChannel> channels;
   FreeStart free;
   RigidBody body;
 };

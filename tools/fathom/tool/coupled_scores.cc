@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/report/format_value.h"
+#include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -21,21 +22,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json JsonOf(const FitFigures& figures) {
-  return {{"mae", figures.mae},
-          {"nmae", figures.nmae},
-          {"n", figures.num_samples},
-          {"duration", figures.duration}};
-}
-
 Json JsonOf(const CoupledScore& score, double horizon) {
   Json dofs = Json::object();
   const CoupledPrediction prediction = score.prediction.value_or(CoupledPrediction());
   for (const Dof dof : score.data.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    Json of = JsonOf(prediction.figures[at]);
-    of["train"] = JsonOf(prediction.train[at]);
-    of["held_out"] = JsonOf(prediction.held_out[at]);
+    Json of = JsonOfFigures<Json>(prediction.figures[at]);
+    of["train"] = JsonOfFigures<Json>(prediction.train[at]);
+    of["held_out"] = JsonOfFigures<Json>(prediction.held_out[at]);
     dofs[std::string(Name(dof))] = of;
   }
   return {{"schema", "fathom-coupled-score-1"},

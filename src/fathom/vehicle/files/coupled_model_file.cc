@@ -43,7 +43,8 @@ const std::vector<std::string> kKeysOfCoupled = {"schema",
 Json FormatByDof(const std::array<FitFigures, 6>& figures, const std::vector<Dof>& dofs) {
   Json json = Json::object();
   for (const Dof dof : dofs) {
-    json[std::string(Name(dof))] = FormatFigures(figures[static_cast<std::size_t>(Index(dof))]);
+    json[std::string(Name(dof))] =
+        JsonOfFigures<Json>(figures[static_cast<std::size_t>(Index(dof))]);
   }
   return json;
 }

@@ -8,13 +8,6 @@
 
 namespace fathom {
 
-nlohmann::ordered_json FormatFigures(const FitFigures& figures) {
-  return {{"mae", figures.mae},
-          {"nmae", figures.nmae},
-          {"n", figures.num_samples},
-          {"duration", figures.duration}};
-}
-
 FitFigures ReadFigures(const JsonValue& json) {
   FitFigures figures;
   figures.mae = json.NumberIfThere("mae");

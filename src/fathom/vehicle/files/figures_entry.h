@@ -6,13 +6,17 @@
 #include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/fitted_model.h"
 
-#include <nlohmann/json.hpp>
-
 namespace fathom {
 
-// How model files hold figures: {"mae", "nmae", "n", "duration"}; a number that is not known is
-// null.
-nlohmann::ordered_json FormatFigures(const FitFigures& figures);
+// How files hold figures: {"mae", "nmae", "n", "duration"}; a number that is not known is null.
+template <typename Json>
+Json JsonOfFigures(const FitFigures& figures) {
+  return {{"mae", figures.mae},
+          {"nmae", figures.nmae},
+          {"n", figures.num_samples},
+          {"duration", figures.duration}};
+}
+
 FitFigures ReadFigures(const JsonValue& json);
 
 }  // namespace fathom

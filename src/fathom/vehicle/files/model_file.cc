@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 // With the range of the data that were fitted, where it is known.
 Json FormatFit(const FittedModel& fitted) {
-  Json fit = FormatFigures(fitted.train);
+  Json fit = JsonOfFigures<Json>(fitted.train);
   if (fitted.range) {
     fit["speed_range"] = {fitted.range->speed.low, fitted.range->speed.high};
     fit["force_range"] = {fitted.range->force.low, fitted.range->force.high};
@@ -76,7 +76,7 @@ std::string FormatModel(const FittedModel& fitted) {
                {"parameters", parameters},
                {"covariance", covariance},
                {"fit", FormatFit(fitted)},
-               {"held_out", FormatFigures(fitted.held_out)},
+               {"held_out", JsonOfFigures<Json>(fitted.held_out)},
                {"caveats", fitted.caveats},
                {"provenance", fitted.provenance}};
   if (!fitted.thruster_shares.empty()) json["thruster_shares"] = fitted.thruster_shares;

@@ -13,7 +13,7 @@
 namespace fathom {
 
 // One measured quantity that a fit compares the simulation with.
-struct Channel {
+struct FittedChannel {
   enum class Kind {
     kVelocity,  // of velocity.csv, along `row`
     kTurn,      // of the attitude: a small turn about the body's axis of the DOF `row` [rad]
@@ -22,15 +22,15 @@ struct Channel {
   Kind kind = Kind::kVelocity;
   int row = 0;
 
-  bool operator==(const Channel&) const = default;
+  bool operator==(const FittedChannel&) const = default;
 };
 
 // "u", "attitude about x", "position x".
-std::string NameOf(const Channel& channel);
+std::string NameOf(const FittedChannel& channel);
 
 // What a fit of these logs takes: the velocities of the modelled DOFs; the attitude of roll and
 // pitch, which their righting moments need, and of yaw where no rate is measured; the positions
 // where a linear velocity is not.
-std::vector<Channel> ChannelsOf(std::span<const CoupledData> logs);
+std::vector<FittedChannel> ChannelsOf(std::span<const CoupledData> logs);
 
 }  // namespace fathom

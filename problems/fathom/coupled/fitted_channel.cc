@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/coupled/channel.h"
+#include "fathom/coupled/fitted_channel.h"
 
 #include <algorithm>
 #include <array>
@@ -17,20 +17,20 @@ constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
 
 }  // namespace
 
-std::string NameOf(const Channel& channel) {
+std::string NameOf(const FittedChannel& channel) {
   switch (channel.kind) {
-    case Channel::Kind::kVelocity:
+    case FittedChannel::Kind::kVelocity:
       return std::string(VelocityColumn(kAllDofs[static_cast<std::size_t>(channel.row)]));
-    case Channel::Kind::kTurn:
+    case FittedChannel::Kind::kTurn:
       return fmt::format("attitude about {}", kAxes[static_cast<std::size_t>(channel.row - 3)]);
-    case Channel::Kind::kPosition:
+    case FittedChannel::Kind::kPosition:
       break;
   }
   return fmt::format("position {}", kAxes[static_cast<std::size_t>(channel.row)]);
 }
 
-std::vector<Channel> ChannelsOf(std::span<const CoupledData> logs) {
-  std::vector<Channel> channels;
+std::vector<FittedChannel> ChannelsOf(std::span<const CoupledData> logs) {
+  std::vector<FittedChannel> channels;
   bool lacks_linear = false;
   const auto has_velocity = [&](Dof dof) {
     return std::all_of(logs.begin(), logs.end(), [&](const CoupledData& log) {
@@ -41,17 +41,17 @@ std::vector<Channel> ChannelsOf(std::span<const CoupledData> logs) {
       logs.begin(), logs.end(), [](const CoupledData& log) { return log.has_attitude; });
   for (const Dof dof : logs.front().dofs) {
     const bool has_rate = has_velocity(dof);
-    if (has_rate) channels.push_back({Channel::Kind::kVelocity, Index(dof)});
+    if (has_rate) channels.push_back({FittedChannel::Kind::kVelocity, Index(dof)});
     lacks_linear = lacks_linear || (!has_rate && !IsAngular(dof));
     if (!IsAngular(dof) || !has_attitude) continue;
-    if (dof != Dof::kYaw || !has_rate) channels.push_back({Channel::Kind::kTurn, Index(dof)});
+    if (dof != Dof::kYaw || !has_rate) channels.push_back({FittedChannel::Kind::kTurn, Index(dof)});
   }
   if (!lacks_linear) return channels;
   for (int axis = 0; axis < 3; ++axis) {
     const bool is_known = std::all_of(logs.begin(), logs.end(), [&](const CoupledData& log) {
       return log.has_position[static_cast<std::size_t>(axis)];
     });
-    if (is_known) channels.push_back({Channel::Kind::kPosition, axis});
+    if (is_known) channels.push_back({FittedChannel::Kind::kPosition, axis});
   }
   return channels;
 }
