@@ -7,6 +7,7 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/coupled/coupled_text.h"
+#include "fathom/findings/log_check.h"
 #include "fathom/free_decay/decay_text.h"
 #include "fathom/free_decay/log_decay.h"
 #include "fathom/identification/identification_text.h"
@@ -224,12 +225,15 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
 }
 
 int RunCoupledIdentification() {
-  if (DofFromFlag()) {
-    throw InputError("--dof: stands beside --dofs, expected one of them.");
-  }
   const CoupledIdentificationOptions options = CoupledOptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
-  CoupledIdentification identified = IdentifyCoupled(ReadLogsFromFlags({}), options);
+  std::vector<Log> logs = ReadLogsFromFlags({});
+  // Before the fit, which takes a while.
+  const std::vector<Finding> findings = CheckLogs(logs, options.dofs);
+  PrintWarnings(findings);
+  PrintNotes(findings);
+  std::fflush(stdout);
+  CoupledIdentification identified = IdentifyCoupled(std::move(logs), options);
   for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
   if (!identified.is_usable) {
     std::fprintf(stderr, "fathom_identify: no usable model: %s.\n", identified.message.c_str());
@@ -249,6 +253,19 @@ int RunCoupledIdentification() {
 
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  std::vector<const char*> of_one_dof = {"dof",
+                                         "family",
+                                         "source",
+                                         "offset",
+                                         "json",
+                                         "gains",
+                                         "integrator",
+                                         "huber",
+                                         "shooting_window",
+                                         "weighting"};
+  // gflags takes a NaN for given.
+  if (HasDecayFrom()) of_one_dof.push_back("decay_from");
+  RequireFlagsOfOneKind(of_one_dof);
   if (IsCoupledAsked()) return RunCoupledIdentification();
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());

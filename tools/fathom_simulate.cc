@@ -252,6 +252,11 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
                     "--dof.",
                     FLAGS_model));
   }
+  if (FLAGS_keep_run_effects) {
+    throw InputError(fmt::format(
+        "--keep_run_effects: {} is a model of several DOFs, which has no effects: expected none.",
+        FLAGS_model));
+  }
   if (!(FLAGS_horizon > 0.0)) {
     throw InputError(fmt::format("--horizon: is {}, expected more than 0 s.", FLAGS_horizon));
   }
@@ -260,6 +265,7 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
   std::vector<CoupledScore> scores;
   bool all_run = true;
   for (const Log& log : logs) {
+    PrintWarnings(CheckLogs({&log, 1}, fitted.model.dofs));
     const CoupledScore& score = scores.emplace_back(ScoreCoupled(fitted, log, FLAGS_horizon));
     if (logs.size() > 1) fmt::print("{}\n", log.path.string());
     if (score.prediction) {

@@ -365,7 +365,7 @@ TEST(IdentifyTool, RefusesDofsThatAreNone) {
   const ToolRun both =
       RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dofs=surge,yaw", "--dof=surge"});
   EXPECT_EQ(both.exit_code, 1);
-  EXPECT_THAT(both.err, HasSubstr("--dof: stands beside --dofs"));
+  EXPECT_THAT(both.err, HasSubstr("--dof: goes with a model of one DOF"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "fathom/findings/mass_check.h"
 #include "fathom/findings/motion_check.h"
 #include "fathom/findings/other_axes.h"
+#include "fathom/findings/pose_twist_check.h"
 #include "fathom/findings/sanity.h"
 #include "fathom/findings/stamp_check.h"
 #include "fathom/signal/sources/choose_source.h"
@@ -104,6 +105,25 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
     std::ranges::move(signals.train, std::back_inserter(segments));
   }
   Add(CheckSanity(segments, dof, CommandUnitOf(logs.front(), dof)), &findings);
+  return WarningsFirst(std::move(findings));
+}
+
+std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>& dofs) {
+  std::vector<Finding> findings;
+  for (const Log& log : logs) Add(OfLog(log, logs.size(), CheckPoseAgainstTwist(log)), &findings);
+  for (const Dof dof : dofs) {
+    const bool can_be_checked = std::ranges::all_of(logs, [&](const Log& log) {
+      return log.command && log.command->Find(ForceColumn(dof)) != nullptr &&
+             !SourcesOf(log, dof).empty();
+    });
+    if (!can_be_checked) continue;
+    for (Finding& finding : CheckLogs(logs, dof)) {
+      const bool is_known = std::ranges::any_of(findings, [&](const Finding& known) {
+        return known.code == finding.code && known.sentence == finding.sentence;
+      });
+      if (!is_known) findings.push_back(std::move(finding));
+    }
+  }
   return WarningsFirst(std::move(findings));
 }
 

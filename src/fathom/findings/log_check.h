@@ -26,6 +26,10 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
 // couplings take. Throws InputError as SignalsOf() does.
 std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof);
 
+// The same of several DOFs together, each finding once, and whether poses and velocities are one
+// motion (pose_twist_check.h). A DOF that a log does not command or measure is passed over.
+std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>& dofs);
+
 // Why no model can come of such data, whatever the method: the sentence on a command or a velocity
 // that never changes; empty if there is none.
 std::string WhyNoModel(const std::vector<Finding>& findings);

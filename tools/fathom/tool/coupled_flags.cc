@@ -24,7 +24,29 @@ DEFINE_double(window, 20.0, "Of --dofs: the simulation begins anew after so long
 
 namespace fathom {
 
+namespace {
+
+bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+
+}  // namespace
+
 bool IsCoupledAsked() { return !FLAGS_dofs.empty(); }
+
+void RequireFlagsOfOneKind(const std::vector<const char*>& of_one_dof) {
+  if (!IsCoupledAsked()) {
+    for (const char* flag : {"structure", "window"}) {
+      if (!IsGiven(flag)) continue;
+      throw InputError(fmt::format(
+          "--{}: goes with --dofs, expected none: without it a model of one DOF is made.", flag));
+    }
+    return;
+  }
+  for (const char* flag : of_one_dof) {
+    if (!IsGiven(flag)) continue;
+    throw InputError(
+        fmt::format("--{}: goes with a model of one DOF, expected none beside --dofs.", flag));
+  }
+}
 
 CoupledIdentificationOptions CoupledOptionsFromFlags() {
   CoupledIdentificationOptions options;

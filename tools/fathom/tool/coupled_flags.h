@@ -20,6 +20,10 @@ namespace fathom {
 // Whether --dofs asks for a model of several.
 bool IsCoupledAsked();
 
+// Throws InputError for a flag that says nothing of what was asked for: with --dofs one of
+// `of_one_dof`, which only a model of one DOF heeds, without it --structure or --window.
+void RequireFlagsOfOneKind(const std::vector<const char*>& of_one_dof);
+
 // What these flags say. Throws InputError for names that are none, and a DOF named twice.
 CoupledIdentificationOptions CoupledOptionsFromFlags();
 
