@@ -7,6 +7,7 @@
 #include "fathom/base/median.h"
 #include "fathom/coupled/momentum_start.h"
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/coupled/window_scores.h"
 #include "fathom/coupled/window_search.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ std::vector<ChannelNoise> NoiseOf(const std::vector<WindowResiduals>& residuals,
       colour = FitAutoregression(std::move(pieces), kMostOrder);
       if (!(colour.innovation_variance > 0.0)) colour = {{}, std * std};
     }
-    noise.push_back({channels[c], std, RowWhitener(colour)});
+    noise.push_back({channels[c], RowWhitener(colour)});
   }
   return noise;
 }

@@ -23,7 +23,6 @@ namespace fathom {
 // What a fit took the residuals of one channel for.
 struct ChannelNoise {
   FittedChannel channel;
-  double std = 0.0;  // of the residuals [unit of the channel]
   RowWhitener whitener;
 };
 

@@ -32,8 +32,7 @@ std::string NamesOfEntries(const std::vector<FreeEntry>& entries) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-}  // namespace
-
+// As a fit takes them.
 CoupledLogs CoupledLogsOf(std::vector<Log> logs,
                           const std::vector<Dof>& dofs,
                           const std::optional<Vehicle>& vehicle) {
@@ -52,6 +51,8 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
   out.logs = std::move(logs);
   return out;
 }
+
+}  // namespace
 
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                       const CoupledIdentificationOptions& options) {
@@ -72,10 +73,11 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     identified.fit = FitBlocks(all, StructureOf(*options.structure, options.dofs), fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {
-    LadderOptions ladder = {fit, 0.01, {}};
+    EntrySearchOptions search;
+    search.fit = fit;
     const auto& thrusters = all.data.front().inputs.command.thrusters;
-    for (const CommandedThruster& thruster : thrusters) ladder.thrusters.push_back(thruster.name);
-    identified.ladder = ClimbLadder(all, options.dofs, ladder);
+    for (const CommandedThruster& thruster : thrusters) search.thrusters.push_back(thruster.name);
+    identified.ladder = ClimbLadder(all, options.dofs, search);
     identified.fit = identified.ladder->rungs[identified.ladder->accepted].fit;
     identified.fitted.structure = "auto";
   }

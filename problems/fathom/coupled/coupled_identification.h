@@ -36,10 +36,4 @@ struct CoupledIdentification {
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                       const CoupledIdentificationOptions& options);
 
-// The logs as a fit takes them; `vehicle`: of the first that names a file, or nothing.
-struct Vehicle;
-CoupledLogs CoupledLogsOf(std::vector<Log> logs,
-                          const std::vector<Dof>& dofs,
-                          const std::optional<Vehicle>& vehicle);
-
 }  // namespace fathom

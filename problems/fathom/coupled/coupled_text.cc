@@ -29,9 +29,7 @@ double LowerBound(const FreeEntry& entry) {
 }
 
 std::string EntryUnit(const FreeEntry& entry, const std::string& force_unit) {
-  const std::string unit = UnitOf(entry);
-  if (force_unit == "N" || entry.kind == FreeEntry::Kind::kThrustGain) return UnitText(unit);
-  return fmt::format("{} {}/N", UnitText(unit), force_unit);
+  return UnitText(UnitOf(entry, force_unit));
 }
 
 std::string Named(const NamedEntry& named) {
@@ -93,9 +91,9 @@ Table LadderTable(const Ladder& ladder, const std::vector<Dof>& dofs) {
     for (const Dof dof : dofs) {
       row.cells.push_back(ShareText(rung.unseen_nmae[static_cast<std::size_t>(Index(dof))], 3));
     }
-    const bool is_compared = rung.gain_in_errors != 0.0;
-    row.cells.push_back(is_compared ? fmt::format("{:.1f} %", 100.0 * rung.gain) : "-");
-    row.cells.push_back(is_compared ? fmt::format("{:.1f}", rung.gain_in_errors) : "-");
+    const bool is_compared = rung.gain.in_errors != 0.0;
+    row.cells.push_back(is_compared ? fmt::format("{:.1f} %", 100.0 * rung.gain.share) : "-");
+    row.cells.push_back(is_compared ? fmt::format("{:.1f}", rung.gain.in_errors) : "-");
     if (!rung.fit.IsUsable()) row.flag = RowFlag::kUnusable;
     if (k == ladder.accepted && rung.fit.IsUsable()) row.flag = RowFlag::kBest;
   }

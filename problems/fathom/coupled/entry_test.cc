@@ -3,7 +3,7 @@
 
 #include "fathom/coupled/entry_test.h"
 
-#include "fathom/coupled/window_search.h"
+#include "fathom/coupled/window_scores.h"
 
 #include <algorithm>
 #include <cmath>

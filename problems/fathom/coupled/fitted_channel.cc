@@ -4,30 +4,9 @@
 #include "fathom/coupled/fitted_channel.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <string_view>
-
-#include <fmt/format.h>
 
 namespace fathom {
-namespace {
-
-constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
-
-}  // namespace
-
-std::string NameOf(const FittedChannel& channel) {
-  switch (channel.kind) {
-    case FittedChannel::Kind::kVelocity:
-      return std::string(VelocityColumn(kAllDofs[static_cast<std::size_t>(channel.row)]));
-    case FittedChannel::Kind::kTurn:
-      return fmt::format("attitude about {}", kAxes[static_cast<std::size_t>(channel.row - 3)]);
-    case FittedChannel::Kind::kPosition:
-      break;
-  }
-  return fmt::format("position {}", kAxes[static_cast<std::size_t>(channel.row)]);
-}
 
 std::vector<FittedChannel> ChannelsOf(std::span<const CoupledData> logs) {
   std::vector<FittedChannel> channels;

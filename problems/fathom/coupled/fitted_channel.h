@@ -7,7 +7,6 @@
 #include "fathom/simulate/coupled/coupled_data.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace fathom {
@@ -24,9 +23,6 @@ struct FittedChannel {
 
   bool operator==(const FittedChannel&) const = default;
 };
-
-// "u", "attitude about x", "position x".
-std::string NameOf(const FittedChannel& channel);
 
 // What a fit of these logs takes: the velocities of the modelled DOFs; the attitude of roll and
 // pitch, which their righting moments need, and of yaw where no rate is measured; the positions

@@ -43,8 +43,4 @@ void RowWhitener::Apply(Eigen::Ref<RowMajorRows> rows) const {
   }
 }
 
-double RowWhitener::LogStd(int n) const {
-  return std::log(std_[static_cast<std::size_t>(std::min(n, order()))]);
-}
-
 }  // namespace fathom

@@ -27,9 +27,6 @@ class RowWhitener {
 
   int order() const { return static_cast<int>(predictors_.size()) - 1; }
 
-  // log of the innovation's standard deviation after `n` samples.
-  double LogStd(int n) const;
-
  private:
   std::vector<std::vector<double>> predictors_ = {{}};  // by how many samples stand before
   std::vector<double> std_ = {1.0};                     // of what they do not predict

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -19,19 +18,8 @@ namespace {
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-12;
 constexpr int kMostTries = 12;           // of one step, with ever more damping
-constexpr double kStartRidge = 1e-10;    // of a start's own squares
 constexpr double kStartPrecision = 0.1;  // of each start, in standard deviations
 constexpr double kSmallestGain = 1e-10;  // of the cost
-
-double HuberCost(double r, double k) {
-  const double size = std::abs(r);
-  return size <= k ? 0.5 * r * r : k * size - 0.5 * k * k;
-}
-
-double HuberWeight(double r, double k) {
-  const double size = std::abs(r);
-  return size <= k ? 1.0 : k / size;
-}
 
 // Normal equations of one window: entries t, start s.
 struct WindowNormal {
@@ -41,52 +29,18 @@ struct WindowNormal {
   int num_rows = 0;
 };
 
-// The rows of a piece, weighed: residual, entries, start.
-RowMajorRows WeighedRows(const WindowResiduals::Piece& piece, const ChannelWeight& weight) {
-  const auto n = piece.residual.size();
-  RowMajorRows rows(n, 1 + piece.by_entry.cols() + piece.by_start.cols());
-  rows.col(0) = piece.residual;
-  rows.middleCols(1, piece.by_entry.cols()) = piece.by_entry;
-  rows.rightCols(piece.by_start.cols()) = piece.by_start;
-  weight.whitener.Apply(rows);
-  return rows;
-}
-
-// Rows of residuals beyond `k`, which count linearly.
-void LessenWildRows(double k, RowMajorRows* rows) {
-  for (Eigen::Index i = 0; i < rows->rows(); ++i) {
-    const double weight = HuberWeight((*rows)(i, 0), k);
-    if (weight < 1.0) rows->row(i) *= std::sqrt(weight);
-  }
-}
-
 bool NormalOf(const WindowProblem& problem,
               const std::vector<ChannelWeight>& weights,
-              const CoupledModel& model,
-              const CoupledWindow& window,
-              const CoupledState& start,
+              const WindowPoint& point,
+              std::size_t w,
               WindowNormal* normal) {
   WindowResiduals residuals;
-  if (!ResidualsOf(window,
-                   model,
-                   start,
-                   problem.entries,
-                   problem.channels,
-                   problem.free,
-                   true,
-                   &residuals)) {
-    return false;
-  }
+  if (!ResidualsIn(problem, point, w, true, &residuals)) return false;
   const auto num_entries = static_cast<Eigen::Index>(problem.entries.size());
   const Eigen::Index num = 1 + num_entries + problem.free.size();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(num, num);
   for (const WindowResiduals::Piece& piece : residuals.pieces) {
-    const ChannelWeight& weight = weights[piece.channel];
-    RowMajorRows rows = WeighedRows(piece, weight);
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      normal->cost += HuberCost(rows(i, 0), weight.huber_k);
-    }
-    LessenWildRows(weight.huber_k, &rows);
+    const RowMajorRows rows = WeighedRows(piece, weights[piece.channel], &normal->cost);
     normal->num_rows += static_cast<int>(rows.rows());
     gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
   }
@@ -108,35 +62,15 @@ double CostAt(const WindowProblem& problem,
   double cost = 0.0;
   WindowResiduals residuals;
   for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!ResidualsOf(problem.windows[w],
-                     point.model,
-                     point.starts[w],
-                     problem.entries,
-                     problem.channels,
-                     problem.free,
-                     false,
-                     &residuals)) {
+    if (!ResidualsIn(problem, point, w, false, &residuals)) {
       return std::numeric_limits<double>::infinity();
     }
-    for (WindowResiduals::Piece& piece : residuals.pieces) {
-      RowMajorRows rows = piece.residual;
-      weights[piece.channel].whitener.Apply(rows);
-      for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        cost += HuberCost(rows(i, 0), weights[piece.channel].huber_k);
-      }
+    for (const WindowResiduals::Piece& piece : residuals.pieces) {
+      WeighedRows(piece, weights[piece.channel], &cost);
     }
     if (cost > limit) return std::numeric_limits<double>::infinity();
   }
   return cost;
-}
-
-// The start's own equations with a little added, so that what it leaves no trace of stays.
-Eigen::LLT<Eigen::MatrixXd> StartSolver(const Eigen::MatrixXd& ss, double damping) {
-  Eigen::MatrixXd damped = ss;
-  damped.diagonal() *= 1.0 + damping + kStartRidge;
-  const double largest = std::max(ss.diagonal().maxCoeff(), 1e-300);
-  damped.diagonal().array() += 1e-14 * largest;
-  return Eigen::LLT<Eigen::MatrixXd>(damped);
 }
 
 struct Linearised {
@@ -153,10 +87,7 @@ bool Linearise(const WindowProblem& problem,
   out->cost = 0.0;
   out->num_rows = 0;
   for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!NormalOf(
-            problem, weights, point.model, problem.windows[w], point.starts[w], &out->windows[w])) {
-      return false;
-    }
+    if (!NormalOf(problem, weights, point, w, &out->windows[w])) return false;
     out->cost += out->windows[w].cost;
     out->num_rows += out->windows[w].num_rows;
   }
@@ -291,80 +222,6 @@ WindowSearch SearchWindows(const WindowProblem& problem,
   }
   search.at = Reduce(lines, num, 0.0);
   return search;
-}
-
-bool AllResiduals(const WindowProblem& problem,
-                  const WindowPoint& point,
-                  std::vector<WindowResiduals>* residuals) {
-  residuals->assign(problem.windows.size(), {});
-  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!ResidualsOf(problem.windows[w],
-                     point.model,
-                     point.starts[w],
-                     problem.entries,
-                     problem.channels,
-                     problem.free,
-                     false,
-                     &(*residuals)[w])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool ScoresOf(const WindowProblem& problem,
-              const std::vector<ChannelWeight>& weights,
-              const WindowPoint& point,
-              double block,
-              WindowScores* scores) {
-  const auto num = static_cast<Eigen::Index>(problem.entries.size());
-  const Eigen::Index m = problem.free.size();
-  scores->normal = Eigen::MatrixXd::Zero(num, num);
-  std::vector<Eigen::VectorXd> sums;
-  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    const CoupledWindow& window = problem.windows[w];
-    WindowResiduals residuals;
-    if (!ResidualsOf(window,
-                     point.model,
-                     point.starts[w],
-                     problem.entries,
-                     problem.channels,
-                     problem.free,
-                     true,
-                     &residuals)) {
-      return false;
-    }
-    std::vector<RowMajorRows> all;
-    Eigen::MatrixXd ss = Eigen::MatrixXd::Zero(m, m), st = Eigen::MatrixXd::Zero(m, num);
-    for (const WindowResiduals::Piece& piece : residuals.pieces) {
-      RowMajorRows& rows = all.emplace_back(WeighedRows(piece, weights[piece.channel]));
-      LessenWildRows(weights[piece.channel].huber_k, &rows);
-      const auto entries = rows.middleCols(1, num);
-      scores->normal.noalias() += entries.transpose() * entries;
-      ss.noalias() += rows.rightCols(m).transpose() * rows.rightCols(m);
-      st.noalias() += rows.rightCols(m).transpose() * entries;
-    }
-    const Eigen::MatrixXd by = StartSolver(ss, 0.0).solve(st);
-    scores->normal -= st.transpose() * by;
-    std::map<long, Eigen::VectorXd> by_block;
-    const double first = window.segment->time[window.samples.begin];
-    for (std::size_t p = 0; p < all.size(); ++p) {
-      const RowMajorRows& rows = all[p];
-      for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        const double t = residuals.pieces[p].time[static_cast<std::size_t>(i)];
-        const auto at = static_cast<long>(std::floor((t - first) / block));
-        auto [sum, is_new] = by_block.try_emplace(at, Eigen::VectorXd::Zero(num));
-        sum->second.transpose() +=
-            rows(i, 0) * (rows.row(i).segment(1, num) - rows.row(i).tail(m) * by);
-      }
-    }
-    for (auto& [at, sum] : by_block) sums.push_back(std::move(sum));
-  }
-  scores->by_block.resize(static_cast<Eigen::Index>(sums.size()), num);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    scores->by_block.row(static_cast<Eigen::Index>(i)) = sums[i];
-  }
-  return true;
 }
 
 }  // namespace fathom

@@ -141,7 +141,9 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   return {kind, *row, *column};
 }
 
-std::string UnitOf(const FreeEntry& entry) {
+namespace {
+
+std::string SiUnitOf(const FreeEntry& entry) {
   const int row = IsAngular(entry.row) ? 1 : 0, column = IsAngular(entry.column) ? 1 : 0;
   switch (entry.kind) {
     case EntryKind::kInertia:
@@ -159,6 +161,14 @@ std::string UnitOf(const FreeEntry& entry) {
       return "1";
   }
   return "";
+}
+
+}  // namespace
+
+std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
+  const std::string unit = SiUnitOf(entry);
+  if (force_unit == "N" || entry.kind == EntryKind::kThrustGain) return unit;
+  return fmt::format("{} {}/N", unit, force_unit);
 }
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry) {

@@ -55,8 +55,8 @@ std::string NameOf(const FreeEntry& entry);
 // entry of a coupled model: ...". A thruster may have any name.
 FreeEntry ParseFreeEntry(std::string_view name);
 
-// "kg m^2/s"; "1" of a thrust gain.
-std::string UnitOf(const FreeEntry& entry);
+// "kg m^2/s"; "1" of a thrust gain. Of commands in another unit than N and N m, "kg A/N".
+std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry);
 void SetValue(const FreeEntry& entry, double value, CoupledModel* model);

@@ -147,9 +147,10 @@ std::string FormatCoupledModel(const FittedCoupledModel& fitted) {
   for (const Dof dof : fitted.model.dofs) dofs.push_back(Name(dof));
   for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
-    parameters[NameOf(fitted.entries[k])] = {{"value", ValueIn(fitted.model, fitted.entries[k])},
-                                             {"std", std::sqrt(fitted.covariance(at, at))},
-                                             {"unit", UnitOf(fitted.entries[k])}};
+    parameters[NameOf(fitted.entries[k])] = {
+        {"value", ValueIn(fitted.model, fitted.entries[k])},
+        {"std", std::sqrt(fitted.covariance(at, at))},
+        {"unit", UnitOf(fitted.entries[k], fitted.force_unit)}};
     Json row = Json::array();
     for (Eigen::Index j = 0; j < fitted.covariance.cols(); ++j) {
       row.push_back(fitted.covariance(at, j));
@@ -187,7 +188,9 @@ FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view t
   const JsonValue parameters = file.Member("parameters");
   for (const std::string& key : parameters.Keys()) {
     const FreeEntry entry = ReadEntry(parameters, key, fitted.model.dofs);
-    SetValue(entry, ReadParameter(parameters.Member(key), UnitOf(entry)).value, &fitted.model);
+    SetValue(entry,
+             ReadParameter(parameters.Member(key), UnitOf(entry, fitted.force_unit)).value,
+             &fitted.model);
     fitted.entries.push_back(entry);
   }
   if (const auto held = file.MemberIfThere("held")) {
@@ -219,10 +222,12 @@ FittedCoupledModel ReadCoupledModel(const std::filesystem::path& path) {
 }
 
 bool IsCoupledModel(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return false;
-  const auto schema = json.find("schema");
-  return schema != json.end() && schema->is_string() && schema->get<std::string>() == kSchema;
+  try {
+    const JsonValue file = JsonValue::Parse("", text);
+    return file.Has("schema") && file.Member("schema").Text() == kSchema;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace fathom

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/entry_search.h"
+
+#include "fathom/coupled/entry_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kStillThere = 3.0;  // standard deviations that an entry keeps
+constexpr std::size_t kMostNamed = 8;
+constexpr double kAlike = 0.9;  // correlation of two that are not told apart
+
+// The two-sided quantile of a standard normal number: P(|z| > result) = p.
+double NormalQuantile(double p) {
+  double low = 0.0, high = 10.0;
+  for (int i = 0; i < 60; ++i) {
+    const double z = 0.5 * (low + high);
+    (std::erfc(z / std::numbers::sqrt2) > p ? low : high) = z;
+  }
+  return low;
+}
+
+bool Holds(const MotionStructure& structure, const FreeEntry& entry) {
+  return std::find(structure.entries.begin(), structure.entries.end(), entry) !=
+         structure.entries.end();
+}
+
+// Everything off the diagonal, and the thrusters.
+std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
+                                        const std::vector<std::string>& thrusters) {
+  std::vector<FreeEntry> all;
+  for (const Dof row : structure.dofs) {
+    for (const Dof column : structure.dofs) {
+      if (row == column) continue;
+      if (row < column) all.push_back(InertiaEntry(row, column));
+      all.push_back(LinearDampingEntry(row, column));
+    }
+  }
+  for (const std::string& thruster : thrusters) all.push_back(ThrustGainEntry(thruster));
+  std::erase_if(all, [&](const FreeEntry& entry) { return Holds(structure, entry); });
+  return all;
+}
+
+double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
+  const auto at = std::find(fit.entries.begin(), fit.entries.end(), entry) - fit.entries.begin();
+  return std::sqrt(fit.covariance(at, at));
+}
+
+// What an entry is where it has no effect.
+double WithoutEffect(const FreeEntry& entry) {
+  return entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
+}
+
+// How far from where it has no effect, in standard deviations.
+double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry) {
+  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry)) / StdOf(fit, entry);
+}
+
+// A start for one entry more, where its test puts it.
+CoupledModel StartedAt(CoupledModel model, const EntryTest& test) {
+  const double before = ValueIn(model, test.entry);
+  SetValue(test.entry, before + test.value, &model);
+  return model;
+}
+
+// The other candidates that would move the simulation as the `best` does.
+std::vector<FreeEntry> Alike(const EntryTest& best, const std::vector<FreeEntry>& candidates) {
+  std::vector<FreeEntry> alike;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (std::abs(best.likeness[c]) > kAlike && !(candidates[c] == best.entry)) {
+      alike.push_back(candidates[c]);
+    }
+  }
+  return alike;
+}
+
+// Takes out the first that has become needless beside the others; true if there was one.
+bool TakeOutNeedless(std::span<const CoupledData> logs,
+                     const CoupledFitOptions& options,
+                     EntrySearch* search,
+                     std::vector<FreeEntry>* banned) {
+  const auto needless = std::ranges::find_if(search->named, [&](const NamedEntry& named) {
+    return StrengthOf(search->fit, named.entry) < kStillThere;
+  });
+  if (needless == search->named.end()) return false;
+  const FreeEntry gone = needless->entry;
+  banned->push_back(gone);
+  search->named.erase(needless);
+  std::erase(search->structure.entries, gone);
+  CoupledFitOptions again = options;
+  again.start = search->fit.model;
+  again.noise = search->fit.noise;
+  SetValue(gone, WithoutEffect(gone), &*again.start);
+  search->fit = FitCoupled(logs, search->structure, again);
+  return search->fit.IsUsable();
+}
+
+}  // namespace
+
+EntrySearch SearchEntries(std::span<const CoupledData> logs,
+                          const MotionStructure& structure,
+                          const CoupledSummary& fit,
+                          const EntrySearchOptions& options) {
+  EntrySearch search = {structure, fit, {}};
+  if (fit.starts.empty()) {
+    // Blocks were fitted one by one; the tests need one run of all.
+    CoupledFitOptions together = options.fit;
+    together.start = fit.model;
+    search.fit = FitCoupled(logs, structure, together);
+  }
+  std::vector<FreeEntry> banned;
+  while (search.fit.IsUsable() && search.named.size() < kMostNamed) {
+    std::vector<FreeEntry> candidates = CandidatesBeyond(search.structure, options.thrusters);
+    std::erase_if(candidates, [&](const FreeEntry& entry) {
+      return std::ranges::find(banned, entry) != banned.end();
+    });
+    if (candidates.empty()) break;
+    const std::vector<EntryTest> tests = TestEntries(logs, search.fit, candidates, options.fit);
+    const auto best =
+        std::ranges::max_element(tests, {}, [](const EntryTest& test) { return std::abs(test.z); });
+    const double least =
+        NormalQuantile(options.false_alarm / static_cast<double>(candidates.size()));
+    if (best == tests.end() || std::abs(best->z) < least) break;
+    MotionStructure longer = search.structure;
+    longer.entries.push_back(best->entry);
+    CoupledFitOptions next = options.fit;
+    next.start = StartedAt(search.fit.model, *best);
+    next.noise = search.fit.noise;
+    CoupledSummary found = FitCoupled(logs, longer, next);
+    if (!found.IsUsable() || StrengthOf(found, best->entry) < kStillThere) {
+      banned.push_back(best->entry);
+      continue;
+    }
+    search.structure = std::move(longer);
+    search.fit = std::move(found);
+    search.named.push_back({best->entry, 0.0, 0.0, Alike(*best, candidates)});
+    while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
+    }
+  }
+  if (!search.fit.IsUsable()) return search;
+  for (NamedEntry& named : search.named) {
+    named.value = ValueIn(search.fit.model, named.entry);
+    named.std = StdOf(search.fit, named.entry);
+  }
+  return search;
+}
+
+}  // namespace fathom

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/coupled/coupled_fit.h"
+#include "fathom/vehicle/coupled/free_entry.h"
+#include "fathom/vehicle/coupled/motion_structure.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+struct EntrySearchOptions {
+  CoupledFitOptions fit;
+
+  // How likely an entry that is not there is taken, all candidates together. Between 0 and 1.
+  double false_alarm = 0.01;
+
+  std::vector<std::string> thrusters;  // whose gain may be off
+};
+
+// A number beyond a structure that the data show.
+struct NamedEntry {
+  FreeEntry entry;
+  double value = 0.0;  // and its standard deviation [unit of the entry]
+  double std = 0.0;
+  std::vector<FreeEntry> not_told_apart;  // candidates that would do nearly as well
+};
+
+struct EntrySearch {
+  MotionStructure structure;  // with what was added
+  CoupledSummary fit;
+  std::vector<NamedEntry> named;  // in the order in which they were found
+};
+
+// Adds the entry that the data ask for most until they ask for none; an entry that a later one
+// makes needless goes. Candidates: all off the diagonal of the inertia and of the linear damping,
+// and the gain of each thruster; docs/coupled.md. `fit`: of `structure`, usable.
+EntrySearch SearchEntries(std::span<const CoupledData> logs,
+                          const MotionStructure& structure,
+                          const CoupledSummary& fit,
+                          const EntrySearchOptions& options);
+
+}  // namespace fathom

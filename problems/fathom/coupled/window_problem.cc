@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/window_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fathom {
+namespace {
+
+constexpr double kStartRidge = 1e-10;  // of a start's own squares
+
+// Half the square of a residual; beyond `k` it counts linearly.
+double HuberCost(double residual, double k) {
+  const double size = std::abs(residual);
+  return size <= k ? 0.5 * residual * residual : k * size - 0.5 * k * k;
+}
+
+}  // namespace
+
+bool ResidualsIn(const WindowProblem& problem,
+                 const WindowPoint& point,
+                 std::size_t w,
+                 bool with_derivatives,
+                 WindowResiduals* residuals) {
+  return ResidualsOf(problem.windows[w],
+                     point.model,
+                     point.starts[w],
+                     problem.entries,
+                     problem.channels,
+                     problem.free,
+                     with_derivatives,
+                     residuals);
+}
+
+bool AllResiduals(const WindowProblem& problem,
+                  const WindowPoint& point,
+                  std::vector<WindowResiduals>* residuals) {
+  residuals->assign(problem.windows.size(), {});
+  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
+    if (!ResidualsIn(problem, point, w, false, &(*residuals)[w])) return false;
+  }
+  return true;
+}
+
+RowMajorRows WeighedRows(const WindowResiduals::Piece& piece,
+                         const ChannelWeight& weight,
+                         double* cost) {
+  RowMajorRows rows(piece.residual.size(), 1 + piece.by_entry.cols() + piece.by_start.cols());
+  rows.col(0) = piece.residual;
+  rows.middleCols(1, piece.by_entry.cols()) = piece.by_entry;
+  rows.rightCols(piece.by_start.cols()) = piece.by_start;
+  weight.whitener.Apply(rows);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const double size = std::abs(rows(i, 0));
+    *cost += HuberCost(size, weight.huber_k);
+    if (size > weight.huber_k) rows.row(i) *= std::sqrt(weight.huber_k / size);
+  }
+  return rows;
+}
+
+Eigen::LLT<Eigen::MatrixXd> StartSolver(const Eigen::MatrixXd& ss, double damping) {
+  Eigen::MatrixXd damped = ss;
+  damped.diagonal() *= 1.0 + damping + kStartRidge;
+  const double largest = std::max(ss.diagonal().maxCoeff(), 1e-300);
+  damped.diagonal().array() += 1e-14 * largest;
+  return Eigen::LLT<Eigen::MatrixXd>(damped);
+}
+
+}  // namespace fathom
