@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Any bytes as a model file of several DOFs; what is read must be written and read again to the
+// same.
+
+#include "fathom/base/input_error.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  fathom::IsCoupledModel(text);
+  try {
+    const auto model = fathom::ParseCoupledModel("m.json", text);
+    const auto again = fathom::ParseCoupledModel("m.json", fathom::FormatCoupledModel(model));
+    if (again.entries != model.entries) std::abort();
+    if (again.model.dofs != model.model.dofs) std::abort();
+    if (again.model.inertia != model.model.inertia) std::abort();
+    if (again.model.linear_damping != model.model.linear_damping) std::abort();
+    if (again.model.thrust_gain != model.model.thrust_gain) std::abort();
+  } catch (const fathom::InputError&) {
+  }
+  return 0;
+}
