@@ -92,6 +92,11 @@ std::vector<ChannelNoise> NoiseOf(const std::vector<WindowResiduals>& residuals,
   return noise;
 }
 
+// Whether a noise is one of these channels, in their order.
+bool IsOf(const std::vector<ChannelNoise>& noise, const std::vector<FittedChannel>& channels) {
+  return std::ranges::equal(noise, channels, {}, &ChannelNoise::channel);
+}
+
 std::vector<ChannelWeight> WeightsOf(const std::vector<ChannelNoise>& noise, double huber_k) {
   std::vector<ChannelWeight> weights;
   for (const ChannelNoise& channel : noise) weights.push_back({channel.whitener, huber_k});
@@ -233,7 +238,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   // White noise first, unless its colour is known; then the colour of what is left, until the
   // numbers stay. A colour with which the search goes astray, as that of a model that misses most
   // of the motion, is given up for what came before it.
-  const bool is_given = !options.noise.empty();
+  const bool is_given = IsOf(options.noise, problem.channels);
   const int num_white = is_given ? 0 : 2;
   WindowSearch best;
   for (int pass = 0; pass < kMostPasses; ++pass) {

@@ -43,8 +43,8 @@ struct CoupledFitOptions {
   // Where the search begins; absent: MomentumStart().
   std::optional<CoupledModel> start;
 
-  // What the residuals are taken for at first, as another fit of the same channels found them.
-  // Empty: white noise, whose colour is then learned.
+  // What the residuals are taken for at first, as another fit found them. Of other channels than
+  // this fit's, or empty: white noise, whose colour is then learned.
   std::vector<ChannelNoise> noise;
 
   // Of a noise that is given: false leaves it as it is, and computes no covariance. For many fits

@@ -132,6 +132,22 @@ TEST(FitCoupled, FindsAWeakThruster) {
   EXPECT_NEAR(summary.model.thrust_gain.at("port"), 0.7, 0.02);
 }
 
+// As where some blocks of a fit before had a noise of their own.
+TEST(FitCoupled, TakesNoNoiseOfOtherChannels) {
+  std::mt19937 random(9);
+  const CoupledModel truth = DrawnPlanarVehicle(&random);
+  DrawnLogOptions drawn;
+  drawn.duration = 60.0;
+  const CoupledData log = DrawnLog(truth, drawn, &random);
+  const MotionStructure structure = StructureOf(StandardStructure::kCoriolis, truth.dofs);
+  const CoupledSummary usual = FitCoupled({&log, 1}, structure);
+  CoupledFitOptions options;
+  options.noise = {usual.noise.back()};
+  const CoupledSummary summary = FitCoupled({&log, 1}, structure, options);
+  ASSERT_TRUE(summary.IsUsable()) << summary.message;
+  EXPECT_EQ(summary.model.inertia, usual.model.inertia);
+}
+
 TEST(FitCoupled, SaysWhatTheDataDoNotTellApart) {
   std::mt19937 random(2);
   const CoupledModel truth = DrawnPlanarVehicle(&random);
