@@ -84,6 +84,7 @@ CoupledSummary FitUncoupled(const CoupledLogs& logs,
   const OutputErrorSummary fit = FitOutputError(joined.all.train, one);
   CoupledSummary summary;
   summary.message = fit.message;
+  if (summary.message.ends_with('.')) summary.message.pop_back();
   summary.converged = fit.converged;
   summary.determined = fit.determined;
   summary.model = options.held;

@@ -149,6 +149,20 @@ Eigen::MatrixXd CovarianceOf(const ReducedWindows& at,
   return wider.asDiagonal() * model * wider.asDiagonal();
 }
 
+// Inertias of DOFs that these data do not tell: the 95 % interval reaches 0.
+std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary) {
+  std::vector<FreeEntry> found;
+  for (std::size_t k = 0; k < summary.entries.size(); ++k) {
+    const FreeEntry& entry = summary.entries[k];
+    if (entry.kind != FreeEntry::Kind::kInertia || entry.row != entry.column) continue;
+    const auto at = static_cast<Eigen::Index>(k);
+    if (!(ValueIn(summary.model, entry) > 1.96 * std::sqrt(summary.covariance(at, at)))) {
+      found.push_back(entry);
+    }
+  }
+  return found;
+}
+
 // Entries whose own bound the search leans on.
 std::vector<FreeEntry> OnBound(const CoupledSummary& summary) {
   std::vector<FreeEntry> found;
@@ -294,6 +308,15 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   const int num_unknowns = static_cast<int>(structure.entries.size()) +
                            problem.free.size() * static_cast<int>(problem.windows.size());
   summary.covariance = CovarianceOf(search.at, scores.by_block, num_unknowns);
+  summary.undetermined = InertiasThatMayBe0(summary);
+  summary.determined = summary.undetermined.empty();
+  if (!summary.determined) {
+    summary.message = fmt::format(
+        "the data leave room for none of {}: drive these DOFs harder, or "
+        "leave them out of --dofs",
+        NamesOf(summary.undetermined));
+    return summary;
+  }
   summary.on_bound = OnBound(summary);
   summary.message = "converged";
   return summary;

@@ -68,9 +68,10 @@ struct CoupledSummary {
 
   CoupledModel model;
   std::vector<FreeEntry> entries;
-  Eigen::MatrixXd covariance;           // of the entries, in their order
-  std::vector<FreeEntry> on_bound;      // pressed against what keeps the model physical
-  std::vector<FreeEntry> undetermined;  // that trade against each other without a trace
+  Eigen::MatrixXd covariance;       // of the entries, in their order
+  std::vector<FreeEntry> on_bound;  // pressed against what keeps the model physical
+  std::vector<FreeEntry>
+      undetermined;  // that trade against each other without a trace, or may be 0
 
   std::vector<CoupledState> starts;  // of the windows, in their order
   std::vector<ChannelNoise> noise;

@@ -178,7 +178,7 @@ WindowSearch SearchWindows(const WindowProblem& problem,
   const auto num = static_cast<Eigen::Index>(problem.entries.size());
   PhysicalBarrier barrier = BarrierAt(start.model, problem.entries, problem.body);
   double damping = kFirstDamping;
-  search.message = "the search has not come to its end";
+  search.message = "the search did not come to its end: these data may not tell the numbers apart";
   while (search.num_iterations < max_iterations) {
     ++search.num_iterations;
     Step step;

@@ -132,6 +132,18 @@ TEST(FitCoupled, FindsAWeakThruster) {
   EXPECT_NEAR(summary.model.thrust_gain.at("port"), 0.7, 0.02);
 }
 
+// Nothing drives sway, so that nothing tells its inertia.
+TEST(FitCoupled, IsNotUsableWhereAnInertiaMayBe0) {
+  std::mt19937 random(4);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.coriolis = false;
+  DrawnLogOptions drawn;
+  drawn.force[1] = 0.0;
+  const CoupledData log = DrawnLog(truth, drawn, &random);
+  const MotionStructure structure = StructureOf(StandardStructure::kDiagonal, truth.dofs);
+  EXPECT_FALSE(FitCoupled({&log, 1}, structure).IsUsable());
+}
+
 // As where some blocks of a fit before had a noise of their own.
 TEST(FitCoupled, TakesNoNoiseOfOtherChannels) {
   std::mt19937 random(9);
