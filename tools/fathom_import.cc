@@ -181,7 +181,7 @@ void TellDamage(const std::filesystem::path& file, const Contents& contents) {
   for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
 }
 
-// On stderr, of a recording that holds none of what a map needs.
+// On stderr, of a recording that holds none of what a map needs. Its remarks may say why.
 void TellNothingRecognised(const std::filesystem::path& file, const Contents& contents) {
   PrintText(stderr,
             fmt::format("fathom_import: {0}: nothing in it was recognised, expected {1}. "
@@ -189,6 +189,8 @@ void TellNothingRecognised(const std::filesystem::path& file, const Contents& co
                         "how a map is written by hand.\n",
                         file.string(),
                         WhatIsLookedFor(contents.format)));
+  if (!contents.IsComplete()) return;  // TellDamage() told them
+  for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
 }
 
 // Those of --maps.

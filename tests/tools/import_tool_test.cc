@@ -144,6 +144,15 @@ TEST(ImportTool, MakesTheSameLogOfAMat) {
   }
 }
 
+TEST(ImportTool, SaysWhichHeaderHidTheNames) {
+  const Path folder = EmptyTestFolder();
+  const Path file =
+      WriteTestFile(folder / "run.csv", "index,t,u,tau\n0,0.1,5\n0.1,0.2,5\n0.2,0.3,5\n");
+  const ToolRun run = Import({"--from=" + file.string(), "--suggest"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("line 1 has 4 names, the rows 3 cells"));
+}
+
 TEST(ImportTool, RefusesToSuggestAMapOfWhatItDoesNotKnow) {
   const Path folder = EmptyTestFolder();
   const Path file = WriteTestFile(folder / "beans.csv", "a,beans,peas\n1,2,3\n2,3,4\n3,4,5\n");

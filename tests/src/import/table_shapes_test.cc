@@ -168,7 +168,7 @@ TEST(TableShapes, StampsOfSecondsAndNanosecondsInTwoColumns) {
   EXPECT_NEAR(wrong.log.origin->out_of_order[0].share, 0.1, 1e-12);
 }
 
-TEST(TableShapes, TwoForcesSideBySideAreThrusters) {
+TEST(TableShapes, TwoForcesSideBySideAddUpToTheForceAhead) {
   const auto file =
       ScratchFile("run.csv",
                   ",original_timestamp,left_force,right_force,surge\n0,1717171717000,1,2,3\n"
@@ -176,9 +176,14 @@ TEST(TableShapes, TwoForcesSideBySideAreThrusters) {
   const SuggestedMap map = SuggestMap(*OpenRecording(file), std::nullopt);
   EXPECT_THAT(map.text,
               testing::AllOf(testing::HasSubstr("The stamps are the column original_timestamp"),
-                             testing::HasSubstr("  thruster_1: {field: left_force, unit: N}"),
-                             testing::HasSubstr("  thruster_2: {field: right_force, unit: N}"),
                              testing::HasSubstr("  u: {field: surge, unit: m/s}")));
+
+  const Log log =
+      ImportLog(
+          file, *OpenRecording(file), ParseImportMap("suggested.yaml", map.text), std::nullopt)
+          .log;
+  ASSERT_NE(log.command->Find("tau_surge"), nullptr);
+  EXPECT_THAT(*log.command->Find("tau_surge"), testing::ElementsAre(3.0, 3.0, 4.0));
 }
 
 // As `rostopic echo -p` writes them, a topic each.

@@ -41,6 +41,7 @@ double StampOf(ColumnSource* time, bool has_nanoseconds, std::span<const double>
 struct ChannelPart {
   Selection selection;  // the columns' fields, then those of the conditions
   std::vector<ColumnSource> columns;
+  std::size_t num_fields = 0;              // of all columns together
   std::vector<double> conditions;          // the values that the latter must have
   std::optional<ColumnSource> time;        // the field of the stamps, behind all of them
   bool has_nanoseconds = false;            // a field of these follows the stamps
@@ -56,7 +57,7 @@ struct ChannelPart {
   void Take(double time, std::span<const double> values) {
     const std::uint64_t index = num_samples++;
     for (std::size_t i = 0; i < conditions.size(); ++i) {
-      if (values[columns.size() + i] != conditions[i]) return;
+      if (values[num_fields + i] != conditions[i]) return;
     }
     if (this->time) time = StampOf(&*this->time, has_nanoseconds, values);
     // Rows without a stamp come at the rate, each after the one before.
@@ -64,8 +65,11 @@ struct ChannelPart {
     ++num_seen;
     // Which of the other channel's stamps is known when all is read.
     samples.time.push_back(other_time ? static_cast<double>(index) : time + delay);
+    std::size_t next = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      samples.values[i].push_back(columns[i].InSi(values[i]));
+      double sum = 0.0;
+      for (std::size_t k = 0; k < columns[i].selection.fields.size(); ++k) sum += values[next++];
+      samples.values[i].push_back(columns[i].InSi(sum));
     }
   }
 };
@@ -85,7 +89,10 @@ void AddColumn(const ColumnSource& source,
     part = parts->insert(parts->end(), std::move(added));
   }
   part->columns.push_back(source);
-  part->selection.fields.push_back(source.selection.fields.front());
+  for (const std::string& field : source.selection.fields) {
+    part->selection.fields.push_back(field);
+    ++part->num_fields;
+  }
   part->samples.values.emplace_back();
 }
 

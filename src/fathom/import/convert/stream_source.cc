@@ -59,6 +59,30 @@ const Field& FieldOf(const std::filesystem::path& file,
   return channel.fields.front();
 }
 
+// Adds further fields to a sum. All state the same unit, or the map says it.
+void AddFields(const std::filesystem::path& file,
+               const Contents& contents,
+               const Channel& channel,
+               const ColumnMap& map,
+               const Field& first,
+               Selection* selection) {
+  for (const std::string& name : map.added) {
+    const Field& field = FieldOf(file, contents, channel, name);
+    if (map.unit.empty() && field.unit != first.unit) {
+      throw InputError(fmt::format(
+          "{}: {} {} is in {}, expected the unit of {}, to which it is added: {}. Say the unit of "
+          "both in the map with 'unit'.",
+          file.string(),
+          channel.name,
+          Quoted(field.name),
+          Quoted(field.unit),
+          Quoted(first.name),
+          Quoted(first.unit)));
+    }
+    selection->fields.push_back(field.name);
+  }
+}
+
 }  // namespace
 
 double ColumnSource::InSi(double number) const {
@@ -95,6 +119,7 @@ ColumnSource SourceOf(const std::filesystem::path& file,
   const Field& field = FieldOf(file, contents, channel, map.field);
   ColumnSource source = {
       column, {channel.name, {field.name}}, {}, map.scale, map.offset, map.is_reversed};
+  AddFields(file, contents, channel, map, field, &source.selection);
   const auto dimension = DimensionOf(column);
   if (is_plain || dimension == Dimension::kPlain) return source;
 

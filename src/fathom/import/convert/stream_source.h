@@ -19,7 +19,7 @@ namespace fathom {
 // command changes sign, and its pulse p becomes 3000 us - p; a pulse of 0 stays off.
 struct ColumnSource {
   std::string column;   // its name in the log
-  Selection selection;  // of one field
+  Selection selection;  // of one field, or of those that are added up
   Unit unit;            // of the number, after `scale` and `offset`
   double scale = 1.0;
   double offset = 0.0;

@@ -51,7 +51,8 @@ std::vector<Condition> ConditionsOf(const YamlMap& map) {
 
 // `u: VN`, or `u: {field: VN, unit: cm/s, scale: -1, offset: 0, channel: XKF1}`.
 //
-// A thruster's may also be `reversed`.
+// Or of several fields of a channel, in one unit: `u: {sum: [left, right], unit: N}`. A thruster's
+// may also be `reversed`.
 ColumnMap ColumnOf(const YamlMap& map, std::string_view key, bool is_thruster = false) {
   ColumnMap column;
   if (!map.HoldsMap(key)) {
@@ -59,7 +60,15 @@ ColumnMap ColumnOf(const YamlMap& map, std::string_view key, bool is_thruster = 
     return column;
   }
   const YamlMap entry = map.Map(key);
-  column.field = entry.String("field");
+  if (entry.Has("sum")) {
+    if (entry.Has("field")) entry.Fail("sum", "stands beside 'field', expected one of the two.");
+    column.added = entry.Strings("sum");
+    if (column.added.size() < 2) entry.Fail("sum", "expected a list of two fields at least.");
+    column.field = column.added.front();
+    column.added.erase(column.added.begin());
+  } else {
+    column.field = entry.String("field");
+  }
   column.channel = entry.String("channel", "");
   column.unit = entry.String("unit", "");
   column.scale = entry.Number("scale", 1.0);

@@ -27,12 +27,13 @@ enum class Frame {
 
 // Where a column of a log comes from.
 struct ColumnMap {
-  std::string channel;       // empty: the stream's
-  std::string field;         // its name, or its number from 1 on
-  std::string unit;          // empty: the stream's, or what the recording states, or SI
-  double scale = 1.0;        // of the number as it stands, with its sign
-  double offset = 0.0;       // added after the scale, in the same unit
-  bool is_reversed = false;  // of a thruster: the motor turns the other way round
+  std::string channel;             // empty: the stream's
+  std::string field;               // its name, or its number from 1 on
+  std::vector<std::string> added;  // further fields of the channel, in the same unit: their sum
+  std::string unit;                // empty: the stream's, or what the recording states, or SI
+  double scale = 1.0;              // of the number as it stands, with its sign
+  double offset = 0.0;             // added after the scale, in the same unit
+  bool is_reversed = false;        // of a thruster: the motor turns the other way round
 };
 
 // Samples of a channel count where a field has this value.

@@ -28,6 +28,10 @@ struct Names {
   std::vector<std::string_view> names;
 };
 
+// Two forces side by side: no columns of a log, but together that of surge.
+constexpr const char* kPort = "force_port";
+constexpr const char* kStarboard = "force_starboard";
+
 const std::vector<Names>& CommandNames() {
   static const std::vector<Names> kNames = {
       {"tau_surge",
@@ -62,9 +66,8 @@ const std::vector<Names>& CommandNames() {
         "yawtorque",
         "yawmoment",
         "wrenchtorquez"}},
-      {"thruster_1",
-       {"leftforce", "forceleft", "leftthrust", "thrustleft", "portforce", "portthrust"}},
-      {"thruster_2",
+      {kPort, {"leftforce", "forceleft", "leftthrust", "thrustleft", "portforce", "portthrust"}},
+      {kStarboard,
        {"rightforce",
         "forceright",
         "rightthrust",
@@ -128,6 +131,7 @@ struct Found {
   std::string column;
   Field field;
   NamedPlace place;
+  std::string added = {};  // a second field, whose numbers are added to it; may be empty
 };
 
 // At most one column for each field. A field in a unit of another dimension is not it.
@@ -154,18 +158,25 @@ std::vector<Found> FindByNames(const std::vector<Names>& table,
   return all;
 }
 
-bool Has(const std::vector<Found>& found, std::string_view column) {
-  return std::any_of(
-      found.begin(), found.end(), [&](const Found& f) { return f.column == column; });
+const Found* Find(const std::vector<Found>& found, std::string_view column) {
+  const auto at =
+      std::find_if(found.begin(), found.end(), [&](const Found& f) { return f.column == column; });
+  return at == found.end() ? nullptr : &*at;
 }
 
-// Two thrusters, one on each side, in place of forces on the vehicle; or what is left without them.
-std::vector<Found> ForcesOrThrusters(std::vector<Found> found) {
-  const auto is_thruster = [](const Found& f) { return f.column.starts_with("thruster_"); };
-  const bool are_thrusters =
-      Has(found, "thruster_1") && Has(found, "thruster_2") &&
-      std::count_if(found.begin(), found.end(), is_thruster) == std::ssize(found);
-  if (!are_thrusters) std::erase_if(found, is_thruster);
+bool Has(const std::vector<Found>& found, std::string_view column) {
+  return Find(found, column) != nullptr;
+}
+
+// Two forces side by side become that of surge, unless forces on the vehicle are there too.
+std::vector<Found> WithSidesAdded(std::vector<Found> found) {
+  const Found* port = Find(found, kPort);
+  const Found* starboard = Find(found, kStarboard);
+  if (port != nullptr && starboard != nullptr && found.size() == 2 &&
+      port->field.unit == starboard->field.unit) {
+    return {{"tau_surge", port->field, port->place, starboard->place.field}};
+  }
+  std::erase_if(found, [](const Found& f) { return f.column == kPort || f.column == kStarboard; });
   return found;
 }
 
@@ -200,7 +211,16 @@ std::string StreamText(const char* stream,
   }
   text += frame;
   for (const Found& f : found) {
-    if (f.field.unit.empty()) {
+    if (!f.added.empty()) {
+      text += fmt::format(
+          "  {}: {{sum: [{}, {}], unit: {}}}  # both push ahead: is it this? Moments need a "
+          "vehicle "
+          "file: thruster_1, thruster_2\n",
+          f.column,
+          YamlText(f.place.field),
+          YamlText(f.added),
+          f.field.unit.empty() ? "N" : YamlText(f.field.unit));
+    } else if (f.field.unit.empty()) {
       const std::string_view unit = SiUnit(DimensionOf(f.column).value_or(Dimension::kForce));
       text += fmt::format(
           "  {}: {{{}field: {}, unit: {}}}  # states no unit: is it this?\n",
@@ -255,7 +275,7 @@ SuggestedMap MapByNames(const Contents& contents) {
   for (const NamedChannel& channel : channels) {
     std::vector<std::string> taken;
     if (channel.channel.clock) taken.push_back(channel.channel.clock->name);
-    keep_better(channel, ForcesOrThrusters(FindByNames(CommandNames(), channel, &taken)), &command);
+    keep_better(channel, WithSidesAdded(FindByNames(CommandNames(), channel, &taken)), &command);
     std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
     const bool has_position = Has(of_pose, "x") && Has(of_pose, "y");
     const bool is_pose = Has(of_pose, "qw") || (has_position && Has(of_pose, "yaw")) ||
@@ -278,9 +298,6 @@ SuggestedMap MapByNames(const Contents& contents) {
         unused.push_back(names_channel ? place.channel + " " + place.field : place.field);
       }
     }
-  }
-  if (command.channel != nullptr && Has(command.found, "thruster_1")) {
-    map.text += "vehicle: vehicle.yaml  # of your vehicle; its thrusters in this order\n";
   }
   if (command.channel != nullptr) {
     map.text += StreamText("command",
