@@ -3,8 +3,14 @@
 
 // What a simulation gets wrong, and why: names the cause as far as the logs force it.
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
 #include "fathom/base/parallel_for.h"
+#include "fathom/coupled/cause_words.h"
+#include "fathom/coupled/coupled_page.h"
+#include "fathom/coupled/coupled_text.h"
+#include "fathom/coupled/coupled_verdict_file.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
@@ -14,12 +20,14 @@
 #include "fathom/diagnosis/report/next_steps.h"
 #include "fathom/diagnosis/report/verdict_file.h"
 #include "fathom/diagnosis/report/verdict_sentence.h"
+#include "fathom/findings/log_check.h"
 #include "fathom/free_decay/log_decay.h"
 #include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/remark.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/dof_of_log.h"
+#include "fathom/tool/coupled_flags.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
@@ -66,8 +74,11 @@ namespace {
 const ToolInfo kInfo = {
     "fathom_diagnose",
     "Finds what the model of one degree of freedom gets wrong, names the cause when the data "
-    "allow only one answer, and measures how much the model improves with it.",
-    "--log=LOG [--log=LOG ...] --dof=DOF [--source=SOURCE] [--verdict=FILE] [--report=FILE]",
+    "allow only one answer, and measures how much the model improves with it. With --dofs it finds "
+    "couplings between degrees of freedom, and thrusters that are weak.",
+    "--log=LOG [--log=LOG ...] --dof=DOF [--source=SOURCE] [--verdict=FILE] [--report=FILE]\n"
+    "--log=LOG [--log=LOG ...] --dofs=DOF,DOF... [--window=SECONDS] [--verdict=FILE] "
+    "[--report=FILE]",
     "fathom_diagnose --log=data/flatfish --dof=surge --verdict=surge.json --report=surge.html\n"
     "  fathom_simulate --model=surge.json --log=data/flatfish",
     "Several logs, as --log=A --log=B or --log=A,B, are diagnosed together. Every verdict is a "
@@ -190,8 +201,57 @@ std::vector<Finding> Without(std::vector<Finding> findings, const std::vector<Fi
   return findings;
 }
 
+void PrintCoupled(const CoupledDiagnosis& diagnosis, const CoupledIdentification& identified) {
+  PrintText(
+      stdout,
+      fmt::format(
+          "{}: {}\n", Name(diagnosis.verdict), CoupledVerdictSentence(diagnosis, identified)));
+  if (diagnosis.causes.size() > 1) {
+    for (const NamedEntry& cause : diagnosis.causes) {
+      PrintText(stdout, CauseSentence(cause, identified.fitted.force_unit) + "\n");
+    }
+  }
+  PrintText(stdout, "\n" + FormatCoupledIdentification(identified) + "\n");
+  for (const std::string& step : CoupledNextSteps(diagnosis)) {
+    PrintText(stdout, "next: " + step + "\n");
+  }
+  for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
+}
+
+int RunCoupledDiagnosis() {
+  const CoupledIdentificationOptions options = CoupledOptionsFromFlags();
+  if (options.structure) {
+    throw InputError(
+        "--structure: goes with fathom_identify, expected none: a diagnosis chooses it.");
+  }
+  RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
+  std::vector<Log> logs = ReadLogsFromFlags({});
+  const PageOrigin origin = OriginOfPage(logs);
+  std::vector<Finding> findings = CheckLogs(logs, options.dofs);
+  PrintWarnings(findings);
+  std::fflush(stderr);
+  const CoupledIdentification identified = IdentifyCoupled(std::move(logs), options);
+  if (!identified.is_usable) {
+    std::fprintf(stderr, "fathom_diagnose: no diagnosis: %s.\n", identified.message.c_str());
+    return kExitNoFit;
+  }
+  const CoupledDiagnosis diagnosis = DiagnoseCoupled(identified, std::move(findings));
+  if (!FLAGS_verdict.empty()) {
+    WriteFile(FLAGS_verdict, FormatCoupledVerdict(diagnosis, identified));
+  }
+  if (!FLAGS_report.empty()) {
+    Page page = CoupledPage(diagnosis, identified);
+    page.origin = origin;
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
+  PrintCoupled(diagnosis, identified);
+  return kExitUsable;
+}
+
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+  RequireFlagsOfOneKind({"dof", "source", "false_alarm_rate", "effort", "seed"});
+  if (IsCoupledAsked()) return RunCoupledDiagnosis();
   DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   const Logs logs = LogsFromFlags();

@@ -32,6 +32,7 @@ constexpr double kSingular = 1e-11;      // of the scaled normal equations
 constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
 constexpr double kBlocksOfEntry = 4.0;   // at least, for each number that is free
 constexpr double kFewestOfBlock = 10.0;  // samples
+constexpr int kMostDamped = 8;           // times that the damping of a first guess is doubled
 constexpr double kOnBound = 0.3;         // within so many standard deviations of its bound
 
 // As long as leaves enough of them: what is left of the noise's colour stays within a block.
@@ -149,13 +150,15 @@ Eigen::MatrixXd CovarianceOf(const ReducedWindows& at,
   return wider.asDiagonal() * model * wider.asDiagonal();
 }
 
-// Inertias of DOFs that these data do not tell: the 95 % interval reaches 0.
-std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary) {
+// Inertias of DOFs that neither these data nor the dry mass tell: the 95 % interval reaches 0.
+std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary, const RigidBody& body) {
+  const Matrix6 known = KnownInertia(body);
   std::vector<FreeEntry> found;
   for (std::size_t k = 0; k < summary.entries.size(); ++k) {
     const FreeEntry& entry = summary.entries[k];
     if (entry.kind != FreeEntry::Kind::kInertia || entry.row != entry.column) continue;
     const auto at = static_cast<Eigen::Index>(k);
+    if (known(Index(entry.row), Index(entry.row)) > 0.0) continue;
     if (!(ValueIn(summary.model, entry) > 1.96 * std::sqrt(summary.covariance(at, at)))) {
       found.push_back(entry);
     }
@@ -164,15 +167,19 @@ std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary) {
 }
 
 // Entries whose own bound the search leans on.
-std::vector<FreeEntry> OnBound(const CoupledSummary& summary) {
+std::vector<FreeEntry> OnBound(const CoupledSummary& summary, const RigidBody& body) {
+  const Matrix6 known = KnownInertia(body);
   std::vector<FreeEntry> found;
   for (std::size_t k = 0; k < summary.entries.size(); ++k) {
     const FreeEntry& entry = summary.entries[k];
-    const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
-                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
-    if (!is_damping || entry.row != entry.column) continue;
+    using Kind = FreeEntry::Kind;
+    const bool is_damping =
+        entry.kind == Kind::kLinearDamping || entry.kind == Kind::kQuadraticDamping;
+    if (!(is_damping || entry.kind == Kind::kInertia) || entry.row != entry.column) continue;
     const auto at = static_cast<Eigen::Index>(k);
-    if (ValueIn(summary.model, entry) < kOnBound * std::sqrt(summary.covariance(at, at))) {
+    const double bound =
+        entry.kind == Kind::kInertia ? known(Index(entry.row), Index(entry.row)) : 0.0;
+    if (ValueIn(summary.model, entry) - bound < kOnBound * std::sqrt(summary.covariance(at, at))) {
       found.push_back(entry);
     }
   }
@@ -194,6 +201,17 @@ double LargestMove(const CoupledModel& from,
     move[static_cast<Eigen::Index>(k)] = ValueIn(to, entries[k]) - ValueIn(from, entries[k]);
   }
   return std::sqrt(std::max(move.dot(normal * move), 0.0));
+}
+
+// A first guess whose runs diverge, with twice its damping along each DOF.
+CoupledModel MoreDamped(CoupledModel model, const std::vector<FreeEntry>& entries) {
+  for (const FreeEntry& entry : entries) {
+    const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
+                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
+    if (!is_damping || entry.row != entry.column) continue;
+    SetValue(entry, 2.0 * ValueIn(model, entry), &model);
+  }
+  return model;
 }
 
 }  // namespace
@@ -244,7 +262,12 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
 
   std::vector<WindowResiduals> residuals;
-  if (!AllResiduals(problem, point, &residuals)) {
+  bool runs = AllResiduals(problem, point, &residuals);
+  for (int k = 0; k < kMostDamped && !runs; ++k) {
+    point.model = MoreDamped(std::move(point.model), problem.entries);
+    runs = AllResiduals(problem, point, &residuals);
+  }
+  if (!runs) {
     summary.message = "the first guess diverges";
     summary.model = point.model;
     return summary;
@@ -308,7 +331,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   const int num_unknowns = static_cast<int>(structure.entries.size()) +
                            problem.free.size() * static_cast<int>(problem.windows.size());
   summary.covariance = CovarianceOf(search.at, scores.by_block, num_unknowns);
-  summary.undetermined = InertiasThatMayBe0(summary);
+  summary.undetermined = InertiasThatMayBe0(summary, options.body);
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {
     summary.message = fmt::format(
@@ -317,7 +340,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
         NamesOf(summary.undetermined));
     return summary;
   }
-  summary.on_bound = OnBound(summary);
+  summary.on_bound = OnBound(summary, options.body);
   summary.message = "converged";
   return summary;
 }

@@ -5,7 +5,6 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/simulate/coupled/coupled_prediction.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -60,7 +59,7 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   const std::optional<Vehicle> vehicle = VehicleOfAll(logs);
   CoupledIdentification identified;
   identified.fitted.log_fingerprints = FingerprintsOf(logs);
-  const CoupledLogs all = CoupledLogsOf(std::move(logs), options.dofs, vehicle);
+  CoupledLogs all = CoupledLogsOf(std::move(logs), options.dofs, vehicle);
   for (const CoupledData& data : all.data) {
     for (const std::string& remark : data.remarks) {
       identified.remarks.push_back(all.data.size() > 1 ? fmt::format("{}: {}", data.log, remark)
@@ -94,10 +93,11 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   fitted.horizon = fit.window;
   if (!result.on_bound.empty()) {
     fitted.caveats.push_back(
-        fmt::format("Ended on the bound 0: {}. These intervals are to be cut there.",
+        fmt::format("Ended on what a body can be, no damping below 0 and no inertia below the "
+                    "body's own: {}. These intervals are to be cut there.",
                     NamesOfEntries(result.on_bound)));
   }
-  const auto prediction = PredictCoupled(fitted.model, all.data, fit.window);
+  auto prediction = PredictCoupled(fitted.model, all.data, fit.window);
   if (!prediction) {
     identified.is_usable = false;
     identified.message = "free runs of the model diverge";
@@ -105,6 +105,13 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   }
   fitted.train = prediction->train;
   fitted.held_out = prediction->held_out;
+  identified.prediction = std::move(*prediction);
+  if (identified.ladder && identified.ladder->rungs.front().fit.converged) {
+    CoupledModel diagonal = identified.ladder->rungs.front().fit.model;
+    diagonal.dofs = options.dofs;
+    identified.diagonal = PredictCoupled(diagonal, all.data, fit.window);
+  }
+  identified.data = std::move(all.data);
   return identified;
 }
 

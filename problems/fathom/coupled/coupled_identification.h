@@ -5,6 +5,8 @@
 
 #include "fathom/coupled/ladder.h"
 #include "fathom/log/log.h"
+#include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/simulate/coupled/coupled_prediction.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
@@ -26,6 +28,10 @@ struct CoupledIdentification {
   FittedCoupledModel fitted;
   CoupledSummary fit;
   std::optional<Ladder> ladder;  // where the structure was chosen
+
+  std::vector<CoupledData> data;              // the logs as the fit took them
+  CoupledPrediction prediction;               // free runs of a window's length, where usable
+  std::optional<CoupledPrediction> diagonal;  // the same of the ladder's first rung
   std::vector<std::string> remarks;
 };
 

@@ -32,6 +32,32 @@ std::string EntryUnit(const FreeEntry& entry, const std::string& force_unit) {
   return UnitText(UnitOf(entry, force_unit));
 }
 
+// Of an entry, its value with its deviation where it was identified.
+std::string MatrixCell(const FittedCoupledModel& fitted, const FreeEntry& entry) {
+  const double value = ValueIn(fitted.model, entry);
+  const auto at = std::find(fitted.entries.begin(), fitted.entries.end(), entry);
+  if (at == fitted.entries.end()) return value == 0.0 ? "-" : FormatValue(value);
+  const auto k = at - fitted.entries.begin();
+  return FormatValue(value, std::sqrt(fitted.covariance(k, k)));
+}
+
+Table MatrixTable(const char* caption,
+                  const FittedCoupledModel& fitted,
+                  FreeEntry (*entry)(Dof row, Dof column)) {
+  Table table;
+  table.caption = caption;
+  table.columns = {{""}};
+  for (const Dof dof : fitted.model.dofs) table.columns.push_back({std::string(Name(dof)), true});
+  for (const Dof row : fitted.model.dofs) {
+    TableRow& cells = table.rows.emplace_back();
+    cells.cells = {std::string(Name(row))};
+    for (const Dof column : fitted.model.dofs) {
+      cells.cells.push_back(MatrixCell(fitted, entry(row, column)));
+    }
+  }
+  return table;
+}
+
 std::string Named(const NamedEntry& named) {
   std::string text =
       fmt::format("{} ({})", NameOf(named.entry), FormatValue(named.value, named.std));
@@ -56,6 +82,23 @@ Table CoupledEntryTable(const FittedCoupledModel& fitted) {
                            FormatInterval(value, std, LowerBound(entry))}});
   }
   return table;
+}
+
+std::vector<Table> CoupledMatrixTables(const FittedCoupledModel& fitted) {
+  std::vector<Table> tables;
+  const auto add = [&](const char* caption, const Matrix6& matrix, auto entry) {
+    if (!matrix.isZero(0.0)) tables.push_back(MatrixTable(caption, fitted, entry));
+  };
+  add("Inertia M: the force along a row for an acceleration in a column. SI units.",
+      fitted.model.inertia,
+      InertiaEntry);
+  add("Linear damping: the force along a row for a velocity in a column. SI units.",
+      fitted.model.linear_damping,
+      LinearDampingEntry);
+  add("Quadratic damping: the same for a velocity times its size. SI units.",
+      fitted.model.quadratic_damping,
+      QuadraticDampingEntry);
+  return tables;
 }
 
 Table CoupledFigureTable(const FittedCoupledModel& fitted) {
@@ -103,7 +146,10 @@ Table LadderTable(const Ladder& ladder, const std::vector<Dof>& dofs) {
 std::string LadderSentence(const Ladder& ladder) {
   const LadderRung& accepted = ladder.rungs[ladder.accepted];
   std::string text = fmt::format("Structure: {}.", accepted.name);
-  if (accepted.structure.coriolis) text += " C(nu) is in the data.";
+  const bool has_won = std::ranges::any_of(ladder.rungs, [](const LadderRung& rung) {
+    return rung.name == "coriolis" && rung.is_accepted;
+  });
+  if (has_won) text += " C(nu) is in the data.";
   if (ladder.named.empty()) return text + " No single number beyond it is.\n";
   std::vector<std::string> names;
   for (const NamedEntry& named : ladder.named) names.push_back(Named(named));

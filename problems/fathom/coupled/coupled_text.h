@@ -7,11 +7,15 @@
 #include "fathom/report/table.h"
 
 #include <string>
+#include <vector>
 
 namespace fathom {
 
 // The identified numbers with their intervals.
 Table CoupledEntryTable(const FittedCoupledModel& fitted);
+
+// Inertia and damping as matrices, rows and columns by DOF; only those that hold more than 0.
+std::vector<Table> CoupledMatrixTables(const FittedCoupledModel& fitted);
 
 // How near free runs are, a row for each DOF.
 Table CoupledFigureTable(const FittedCoupledModel& fitted);

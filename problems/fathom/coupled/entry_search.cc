@@ -14,7 +14,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kStillThere = 3.0;  // standard deviations that an entry keeps
 constexpr std::size_t kMostNamed = 8;
 constexpr double kAlike = 0.9;  // correlation of two that are not told apart
 
@@ -49,19 +48,9 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
   return all;
 }
 
-double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
-  const auto at = std::find(fit.entries.begin(), fit.entries.end(), entry) - fit.entries.begin();
-  return std::sqrt(fit.covariance(at, at));
-}
-
 // What an entry is where it has no effect.
 double WithoutEffect(const FreeEntry& entry) {
   return entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
-}
-
-// How far from where it has no effect, in standard deviations.
-double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry) {
-  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry)) / StdOf(fit, entry);
 }
 
 // A start for one entry more, where its test puts it.
@@ -105,18 +94,28 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
 
 }  // namespace
 
+double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
+  const auto at = std::find(fit.entries.begin(), fit.entries.end(), entry) - fit.entries.begin();
+  return std::sqrt(fit.covariance(at, at));
+}
+
+double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry) {
+  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry)) / StdOf(fit, entry);
+}
+
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
-                          const MotionStructure& structure,
-                          const CoupledSummary& fit,
+                          EntrySearch begun,
                           const EntrySearchOptions& options) {
-  EntrySearch search = {structure, fit, {}};
-  if (fit.starts.empty()) {
+  EntrySearch search = std::move(begun);
+  if (search.fit.starts.empty()) {
     // Blocks were fitted one by one; the tests need one run of all.
     CoupledFitOptions together = options.fit;
-    together.start = fit.model;
-    search.fit = FitCoupled(logs, structure, together);
+    together.start = search.fit.model;
+    search.fit = FitCoupled(logs, search.structure, together);
   }
   std::vector<FreeEntry> banned;
+  while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
+  }
   while (search.fit.IsUsable() && search.named.size() < kMostNamed) {
     std::vector<FreeEntry> candidates = CandidatesBeyond(search.structure, options.thrusters);
     std::erase_if(candidates, [&](const FreeEntry& entry) {

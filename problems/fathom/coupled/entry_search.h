@@ -30,18 +30,26 @@ struct NamedEntry {
   std::vector<FreeEntry> not_told_apart;  // candidates that would do nearly as well
 };
 
+// The standard deviation of an entry of a fit.
+double StdOf(const CoupledSummary& fit, const FreeEntry& entry);
+
+// How far an entry is from where it has no effect, in standard deviations.
+double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry);
+
+inline constexpr double kStillThere = 3.0;  // of these an entry that is named keeps
+
 struct EntrySearch {
-  MotionStructure structure;  // with what was added
-  CoupledSummary fit;
-  std::vector<NamedEntry> named;  // in the order in which they were found
+  MotionStructure structure;
+  CoupledSummary fit;                  // of it
+  std::vector<NamedEntry> named = {};  // in the order in which they were found
 };
 
 // Adds the entry that the data ask for most until they ask for none; an entry that a later one
 // makes needless goes. Candidates: all off the diagonal of the inertia and of the linear damping,
-// and the gain of each thruster; docs/coupled.md. `fit`: of `structure`, usable.
+// and the gain of each thruster; docs/coupled.md. `begun`: a usable fit, and what another search
+// has named in it.
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
-                          const MotionStructure& structure,
-                          const CoupledSummary& fit,
+                          EntrySearch begun,
                           const EntrySearchOptions& options);
 
 }  // namespace fathom

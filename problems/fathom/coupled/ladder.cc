@@ -3,14 +3,18 @@
 
 #include "fathom/coupled/ladder.h"
 
+#include "fathom/coupled/momentum_start.h"
+
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace fathom {
 namespace {
 
 constexpr double kLeastErrors = 1.65;  // standard errors that a rung must win by
+constexpr double kMuchNearer = 20.0;   // -2 log likelihood of (6)
 
 // What stands, with all entries of a standard structure.
 MotionStructure Joined(MotionStructure stands, const MotionStructure& standard) {
@@ -66,6 +70,53 @@ class Climb {
   UnseenErrors stands_;
 };
 
+// A thruster whose gain may be off.
+struct SuspectThruster {
+  MotionStructure structure;  // with its gain
+  NamedEntry named;
+};
+
+// The one whose gain brings (6) nearest, if that is much nearer. Before a fit, since that of a
+// model whose thruster is dead may end anywhere.
+std::optional<SuspectThruster> WeakestThruster(const CoupledLogs& logs,
+                                               const MotionStructure& structure,
+                                               const EntrySearchOptions& options) {
+  const double without = MomentumMisfit(logs.data, structure, options.fit.held);
+  std::vector<double> misfits;
+  for (const std::string& thruster : options.thrusters) {
+    MotionStructure longer = structure;
+    longer.entries.push_back(ThrustGainEntry(thruster));
+    misfits.push_back(MomentumMisfit(logs.data, longer, options.fit.held));
+  }
+  const auto least = std::ranges::min_element(misfits);
+  if (least == misfits.end() || !(*least < without - kMuchNearer)) return std::nullopt;
+  SuspectThruster suspect = {structure, {}};
+  for (std::size_t k = 0; k < misfits.size(); ++k) {
+    const FreeEntry gain = ThrustGainEntry(options.thrusters[k]);
+    if (misfits[k] == *least) {
+      suspect.structure.entries.push_back(gain);
+      suspect.named.entry = gain;
+    } else if (misfits[k] < *least + kMuchNearer) {
+      suspect.named.not_told_apart.push_back(gain);
+    }
+  }
+  return suspect;
+}
+
+// The search beside C(nu), where that does not stand. A weak thruster may hide C(nu), and the other
+// way round: either alone then predicts worse than neither.
+EntrySearch WithCoriolis(const CoupledLogs& logs,
+                         const EntrySearch& found,
+                         const EntrySearchOptions& options) {
+  EntrySearch joint = found;
+  joint.structure.coriolis = true;
+  CoupledFitOptions fit = options.fit;
+  fit.start = found.fit.model;
+  joint.fit = FitCoupled(logs.data, joint.structure, fit);
+  if (!joint.fit.IsUsable()) return joint;
+  return SearchEntries(logs.data, std::move(joint), options);
+}
+
 }  // namespace
 
 Ladder ClimbLadder(const CoupledLogs& logs,
@@ -76,11 +127,27 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     climb.Try(std::string(Name(standard)), StructureOf(standard, dofs));
   }
   std::vector<NamedEntry> named;
+  const MotionStructure coriolis = StructureOf(StandardStructure::kCoriolis, dofs);
+  if (const auto weak = WeakestThruster(logs, coriolis, options)) {
+    CoupledSummary fit = FitBlocks(logs, weak->structure, options.fit);  // from its own start
+    if (fit.IsUsable() && StrengthOf(fit, weak->named.entry) > kStillThere &&
+        climb.Try("thruster", weak->structure, std::move(fit))) {
+      named.push_back(weak->named);
+    }
+  }
   if (climb.standing().fit.IsUsable()) {
-    EntrySearch search =
-        SearchEntries(logs.data, climb.standing().structure, climb.standing().fit, options);
-    if (!search.named.empty() && climb.Try("entries", search.structure, std::move(search.fit))) {
-      named = std::move(search.named);
+    const MotionStructure stands = climb.standing().structure;
+    const EntrySearch search =
+        SearchEntries(logs.data, {stands, climb.standing().fit, named}, options);
+    if (search.structure.entries != stands.entries &&
+        climb.Try("entries", search.structure, search.fit)) {
+      named = search.named;
+    }
+    if (!search.named.empty() && !stands.coriolis) {
+      EntrySearch joint = WithCoriolis(logs, search, options);
+      if (climb.Try("coriolis, entries", joint.structure, std::move(joint.fit))) {
+        named = std::move(joint.named);
+      }
     }
   }
   for (const auto standard : {StandardStructure::kSymmetric, StandardStructure::kFull}) {
@@ -89,6 +156,11 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     if (structure.entries.size() > stands.entries.size()) {
       climb.Try(std::string(Name(standard)), structure);
     }
+  }
+  const CoupledSummary& last = climb.standing().fit;
+  for (NamedEntry& entry : named) {
+    entry.value = ValueIn(last.model, entry.entry);
+    entry.std = StdOf(last, entry.entry);
   }
   Ladder ladder = climb.Take();
   ladder.named = std::move(named);

@@ -15,7 +15,8 @@ namespace fathom {
 
 // One structure that was tried.
 struct LadderRung {
-  std::string name;  // "diagonal", "coriolis", "entries", "symmetric", "full"
+  // "diagonal", "coriolis", "entries", "coriolis, entries", "symmetric", "full"
+  std::string name;
   MotionStructure structure;
   CoupledSummary fit;  // of all training data
 

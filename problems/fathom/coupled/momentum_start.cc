@@ -7,6 +7,7 @@
 #include "fathom/vehicle/coupled/coriolis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -21,6 +22,8 @@ constexpr std::size_t kFewestOfPiece = 6;    // samples
 constexpr double kRidge = 1e-6;              // of a column's own squares
 constexpr double kLeastDampingShare = 0.02;  // of the force over the speed
 constexpr double kLeastInertiaShare = 0.05;  // of the impulse over the change of speed
+
+constexpr double kNoForce = 1e-9;  // [N], [N m]
 
 using Kind = FreeEntry::Kind;
 
@@ -164,9 +167,30 @@ void AddPieces(const CoupledData& log,
   }
 }
 
-// The least squares of the rows, each DOF's by its own scatter.
+// For a DOF that nothing drives, the largest number of those of its kind, along an axis or about
+// one, that something drives; of all where its kind has none.
+void FillUndriven(const std::array<bool, 6>& is_driven, Vector6* values) {
+  const Vector6 known = *values;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    if (is_driven[static_cast<std::size_t>(i)]) continue;
+    double of_kind = 0.0, of_all = 0.0;
+    for (Eigen::Index j = 0; j < 6; ++j) {
+      if (!is_driven[static_cast<std::size_t>(j)]) continue;
+      of_all = std::max(of_all, known[j]);
+      if (i / 3 == j / 3) of_kind = std::max(of_kind, known[j]);
+    }
+    (*values)[i] = of_kind > 0.0 ? of_kind : std::max(of_all, known[i]);
+  }
+}
+
+// The least squares of the rows, each DOF's by its own scatter. Numbers of 0 solve the rows of a
+// DOF that nothing drives, so their scatter says nothing.
 Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter) {
   Eigen::VectorXd solution = Eigen::VectorXd::Zero(num);
+  std::array<bool, 6> is_driven = {};
+  for (std::size_t i = 0; i < balance.rows.size(); ++i) {
+    if (balance.right[i] != 0.0) is_driven[static_cast<std::size_t>(balance.dof[i])] = true;
+  }
   for (int pass = 0; pass < 3; ++pass) {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(num, num);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(num);
@@ -177,6 +201,7 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
       count[balance.dof[i]] += 1.0;
     }
     for (int i = 0; i < 6; ++i) (*scatter)[i] = std::sqrt(squares[i] / count[i]) + 1e-12;
+    FillUndriven(is_driven, scatter);
     for (std::size_t i = 0; i < balance.rows.size(); ++i) {
       const double weight = 1.0 / ((*scatter)[balance.dof[i]] * (*scatter)[balance.dof[i]]);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(balance.rows[i], weight);
@@ -190,6 +215,27 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
     solution = scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(right));
   }
   return solution;
+}
+
+// The model with the numbers that are not free; the others are 0.
+CoupledModel KnownOf(const MotionStructure& structure, const CoupledModel& held) {
+  CoupledModel known = held;
+  known.dofs = structure.dofs;
+  known.coriolis = structure.coriolis;
+  for (const FreeEntry& entry : structure.entries) SetValue(entry, 0.0, &known);
+  return known;
+}
+
+Balance BalanceOf(std::span<const CoupledData> logs,
+                  const MotionStructure& structure,
+                  const CoupledModel& known) {
+  Balance balance;
+  for (const CoupledData& log : logs) {
+    for (const CoupledSegment& segment : log.segments) {
+      if (!segment.is_held_out) AddPieces(log, segment, structure, known, &balance);
+    }
+  }
+  return balance;
 }
 
 // How large forces, speeds and changes of speed are, by DOF.
@@ -219,7 +265,7 @@ Sizes SizesOf(std::span<const CoupledData> logs, const CoupledModel& held) {
     }
   }
   for (Vector6* size : {&sizes.force, &sizes.speed, &sizes.impulse, &sizes.change}) {
-    *size = (*size / std::max(num, 1.0)).cwiseSqrt().cwiseMax(1e-9);
+    *size = (*size / std::max(num, 1.0)).cwiseSqrt().cwiseMax(kNoForce);
   }
   return sizes;
 }
@@ -230,30 +276,38 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
                            const MotionStructure& structure,
                            const CoupledModel& held,
                            const RigidBody& body) {
-  CoupledModel known = held;
-  known.dofs = structure.dofs;
-  known.coriolis = structure.coriolis;
-  for (const FreeEntry& entry : structure.entries) SetValue(entry, 0.0, &known);
-  Balance balance;
-  for (const CoupledData& log : logs) {
-    for (const CoupledSegment& segment : log.segments) {
-      if (!segment.is_held_out) AddPieces(log, segment, structure, known, &balance);
-    }
-  }
+  CoupledModel known = KnownOf(structure, held);
+  const Balance balance = BalanceOf(logs, structure, known);
   Vector6 scatter;
   const Eigen::VectorXd solution =
       Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
   for (std::size_t k = 0; k < structure.entries.size(); ++k) {
     SetValue(structure.entries[k], solution[static_cast<Eigen::Index>(k)], &known);
   }
-  // A DOF that nothing drives takes its sizes from the one that is driven most.
   Sizes sizes = SizesOf(logs, held);
+  std::array<bool, 6> is_driven;
+  for (std::size_t i = 0; i < 6; ++i) {
+    is_driven[i] = sizes.force[static_cast<Eigen::Index>(i)] > kNoForce;
+  }
+  FillUndriven(is_driven, &sizes.force);
+  FillUndriven(is_driven, &sizes.impulse);
   const Vector6 damping = kLeastDampingShare * sizes.force.cwiseQuotient(sizes.speed);
   const Vector6 quadratic = damping.cwiseQuotient(sizes.speed);
   const Vector6 inertia = kLeastInertiaShare * sizes.impulse.cwiseQuotient(sizes.change);
   const auto floor = [](const Vector6& least) { return least.cwiseMax(1e-6).cwiseMin(1e6).eval(); };
   return MovedInside(
       known, structure.entries, body, floor(damping), floor(quadratic), floor(inertia));
+}
+
+double MomentumMisfit(std::span<const CoupledData> logs,
+                      const MotionStructure& structure,
+                      const CoupledModel& held) {
+  const Balance balance = BalanceOf(logs, structure, KnownOf(structure, held));
+  Vector6 scatter;
+  Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
+  double misfit = 0.0;
+  for (const int dof : balance.dof) misfit += 2.0 * std::log(scatter[dof]);
+  return misfit;
 }
 
 }  // namespace fathom

@@ -23,4 +23,10 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
                            const CoupledModel& held,
                            const RigidBody& body);
 
+// How far these least squares miss: the sum over rows of log(scatter^2) of their DOF, a -2 log
+// likelihood but for a constant. Lower is nearer; for comparing structures without a fit.
+double MomentumMisfit(std::span<const CoupledData> logs,
+                      const MotionStructure& structure,
+                      const CoupledModel& held);
+
 }  // namespace fathom

@@ -44,9 +44,6 @@ Eigen::MatrixXd Part(const Matrix6& matrix, const std::vector<int>& rows) {
   return part;
 }
 
-// What the body alone has of the inertia; 0 unless all of it is known.
-Matrix6 KnownInertia(const RigidBody& body) { return RigidInertia(body).value_or(Matrix6::Zero()); }
-
 // One -mu log det X, X a part of a matrix that some entries make up.
 void AddLogDet(const Eigen::MatrixXd& x,
                const std::vector<int>& rows,
@@ -85,6 +82,13 @@ void AddLogDet(const Eigen::MatrixXd& x,
 }
 
 }  // namespace
+
+Matrix6 KnownInertia(const RigidBody& body) {
+  if (const auto rigid = RigidInertia(body)) return *rigid;
+  Matrix6 known = Matrix6::Zero();
+  if (body.mass) known.diagonal().head<3>().setConstant(*body.mass);
+  return known;
+}
 
 PhysicalBarrier BarrierAt(const CoupledModel& model,
                           std::span<const FreeEntry> entries,

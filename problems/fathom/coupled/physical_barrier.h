@@ -29,6 +29,10 @@ struct PhysicalBarrier {
   Eigen::MatrixXd hessian;
 };
 
+// M_rigid: what the body alone has of the inertia. Its dry mass along the axes where no more is
+// known, 0 of nothing.
+Matrix6 KnownInertia(const RigidBody& body);
+
 PhysicalBarrier BarrierAt(const CoupledModel& model,
                           std::span<const FreeEntry> entries,
                           const RigidBody& body);

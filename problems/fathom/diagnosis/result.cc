@@ -13,20 +13,6 @@
 
 namespace fathom {
 
-std::string_view Name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kConsistent:
-      return "consistent";
-    case Verdict::kExplained:
-      return "explained";
-    case Verdict::kAmbiguous:
-      return "ambiguous";
-    case Verdict::kUnexplained:
-      return "unexplained";
-  }
-  return "";
-}
-
 std::string WhyOfNoUse(const Diagnosis& diagnosis) {
   if (!diagnosis.IsUsable()) return diagnosis.message;
   if (diagnosis.verdict != Verdict::kConsistent) return "";

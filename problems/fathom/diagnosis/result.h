@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/findings/finding.h"
+#include "fathom/findings/verdict.h"
 #include "fathom/log/held_command.h"
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
@@ -13,23 +14,11 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
 namespace fathom {
-
-// What a diagnosis ends with.
-enum class Verdict {
-  kConsistent,   // nothing beyond noise, and nothing red is said of the data
-  kExplained,    // one or more causes are named
-  kAmbiguous,    // something is missing, and these logs cannot tell which of several causes it is
-  kUnexplained,  // something is missing, and nothing in the catalogue accounts for it
-};
-
-// "consistent", "explained", "ambiguous" or "unexplained".
-std::string_view Name(Verdict verdict);
 
 // A model of the training data.
 struct DiagnosedModel {

@@ -23,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "fathom-model-2";
+constexpr std::string_view kVerdictSchema = "fathom-verdict-2";  // holds a model
 
 const std::vector<std::string> kKeysOfCoupled = {"schema",
                                                  "dofs",
@@ -175,7 +176,9 @@ std::string FormatCoupledModel(const FittedCoupledModel& fitted) {
 }
 
 FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view text) {
-  const JsonValue file = JsonValue::Parse(name, text);
+  const JsonValue whole = JsonValue::Parse(name, text);
+  const bool is_verdict = whole.Member("schema").Text() == kVerdictSchema;
+  const JsonValue file = is_verdict ? whole.Member("model") : whole;
   if (const std::string schema = file.Member("schema").Text(); schema != kSchema) {
     file.Member("schema").Fail(fmt::format("is {}, expected \"{}\"", Quoted(schema), kSchema));
   }
@@ -224,7 +227,9 @@ FittedCoupledModel ReadCoupledModel(const std::filesystem::path& path) {
 bool IsCoupledModel(std::string_view text) {
   try {
     const JsonValue file = JsonValue::Parse("", text);
-    return file.Has("schema") && file.Member("schema").Text() == kSchema;
+    if (!file.Has("schema")) return false;
+    const std::string schema = file.Member("schema").Text();
+    return schema == kSchema || schema == kVerdictSchema;
   } catch (const InputError&) {
     return false;
   }

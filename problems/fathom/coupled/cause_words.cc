@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/cause_words.h"
+
+#include "fathom/report/format_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+using Kind = FreeEntry::Kind;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kHardly = 0.15;  // of its thrust, below which a thruster is as good as dead
+
+std::string ThrusterWords(const NamedEntry& cause) {
+  const std::string share =
+      WithInterval(100.0 * cause.value, 100.0 * cause.std, "%", -kInfinite, kInfinite);
+  const char* meaning = "it is weak";
+  if (cause.value < -kHardly)
+    meaning = "it pushes the wrong way";
+  else if (cause.value < kHardly)
+    meaning = "it pushes hardly or not at all";
+  else if (cause.value > 1.0)
+    meaning = "it pushes harder than stated";
+  return fmt::format("Thruster {} gives {} of the thrust that the vehicle file states: {}.",
+                     cause.entry.thruster,
+                     share,
+                     meaning);
+}
+
+bool IsTurn(Dof dof) { return dof >= Dof::kRoll; }
+
+// "pushes the vehicle in sway", "turns it in yaw".
+std::string Acts(Dof row) {
+  return fmt::format(IsTurn(row) ? fmt::runtime("a moment in {}") : fmt::runtime("a force in {}"),
+                     Name(row));
+}
+
+std::string CouplingWords(const FreeEntry& entry) {
+  if (entry.kind == Kind::kInertia) {
+    return fmt::format("An acceleration in {} makes {}, and one in {} {}",
+                       Name(entry.column),
+                       Acts(entry.row),
+                       Name(entry.row),
+                       Acts(entry.column));
+  }
+  return fmt::format("A velocity in {} makes {}", Name(entry.column), Acts(entry.row));
+}
+
+std::string NamesOfCauses(const std::vector<NamedEntry>& causes) {
+  std::vector<std::string> names;
+  for (const NamedEntry& cause : causes) {
+    names.push_back(
+        fmt::format("{} ({})", NameOf(cause.entry), FormatValue(cause.value, cause.std)));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string NamesOfDofs(const std::vector<Dof>& dofs) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : dofs) names.push_back(Name(dof));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What free runs still miss, or nothing.
+std::string MissedWords(const CoupledDiagnosis& diagnosis,
+                        const CoupledIdentification& identified) {
+  std::vector<std::string> missed;
+  for (const Dof dof : diagnosis.missed) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    missed.push_back(
+        fmt::format("{} {:.0f} %", Name(dof), 100.0 * identified.prediction.figures[at].nmae));
+  }
+  if (missed.empty()) return "";
+  return fmt::format(" Free runs of {:g} s still miss more of the motion than scatter does: {}.",
+                     identified.fitted.horizon,
+                     fmt::join(missed, ", "));
+}
+
+}  // namespace
+
+std::string CauseSentence(const NamedEntry& cause, const std::string& force_unit) {
+  std::string text = cause.entry.kind == Kind::kThrustGain
+                         ? ThrusterWords(cause)
+                         : fmt::format("{}: {}.",
+                                       CouplingWords(cause.entry),
+                                       WithInterval(cause.value,
+                                                    cause.std,
+                                                    UnitText(UnitOf(cause.entry, force_unit)),
+                                                    -kInfinite,
+                                                    kInfinite));
+  if (cause.not_told_apart.empty()) return text;
+  std::vector<std::string> others;
+  for (const FreeEntry& entry : cause.not_told_apart) others.push_back(NameOf(entry));
+  return text + fmt::format(" These data cannot tell it from {}.", fmt::join(others, " or "));
+}
+
+std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
+                                   const CoupledIdentification& identified) {
+  const std::string missed = MissedWords(diagnosis, identified);
+  switch (diagnosis.verdict) {
+    case Verdict::kConsistent:
+      return fmt::format(
+          "Nothing beyond the {} model is in the data.",
+          identified.fitted.model.coriolis ? "diagonal model with C(nu)" : "diagonal");
+    case Verdict::kExplained:
+    case Verdict::kAmbiguous:
+      if (diagnosis.causes.size() == 1) {
+        return CauseSentence(diagnosis.causes.front(), identified.fitted.force_unit) + missed;
+      }
+      return fmt::format("The data show {}{}.{}",
+                         NamesOfCauses(diagnosis.causes),
+                         diagnosis.verdict == Verdict::kAmbiguous
+                             ? ", or in place of some of it others that move the vehicle alike"
+                             : "",
+                         missed);
+    case Verdict::kUnexplained:
+      break;
+  }
+  if (missed.empty()) {
+    return "No coupling and no weak thruster is in the data, but a red finding speaks against "
+           "them.";
+  }
+  return "No coupling and no weak thruster explains what is missing." + missed;
+}
+
+std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
+  std::vector<std::string> steps;
+  for (const NamedEntry& cause : diagnosis.causes) {
+    if (cause.entry.kind == Kind::kThrustGain) {
+      steps.push_back(fmt::format(
+          "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
+          "the vehicle file.",
+          cause.entry.thruster));
+    }
+    if (!cause.not_told_apart.empty()) {
+      steps.push_back(fmt::format(
+          "To tell {} from the others, drive each thruster and each DOF alone, at several levels.",
+          NameOf(cause.entry)));
+    }
+  }
+  if (!diagnosis.missed.empty()) {
+    steps.push_back(
+        fmt::format("Run fathom_diagnose --dof on each of {}: effects of the actuators, the water "
+                    "and the sensors are in the models of one DOF.",
+                    NamesOfDofs(diagnosis.missed)));
+  }
+  if (std::ranges::any_of(diagnosis.findings,
+                          [](const Finding& f) { return f.severity == Severity::kWarning; })) {
+    steps.push_back("Mend what the red findings name, and diagnose the logs again.");
+  }
+  if (steps.empty()) {
+    steps.push_back("Use the model within the speeds and commands of these data.");
+  }
+  return steps;
+}
+
+}  // namespace fathom

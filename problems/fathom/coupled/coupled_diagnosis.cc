@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/coupled_diagnosis.h"
+
+#include "fathom/simulate/noise_floor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis of one DOF
+constexpr double kClear = 3.0;         // standard deviations of a number of a whole structure
+
+// The free runs that the model is judged by, along one DOF.
+std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified) {
+  std::vector<FreeRun> runs;
+  for (std::size_t k = 0; k < identified.data.size(); ++k) {
+    for (std::size_t s = 0; s < identified.data[k].segments.size(); ++s) {
+      const CoupledSegment& segment = identified.data[k].segments[s];
+      FreeRun& run = runs.emplace_back();
+      for (std::size_t i = 0; i < segment.time.size(); ++i) {
+        const double measured = segment.velocity[i][Index(dof)];
+        if (!std::isfinite(measured)) continue;
+        run.time.push_back(segment.time[i]);
+        run.measured.push_back(measured);
+        run.predicted.push_back(identified.prediction.velocity[k][s][i][Index(dof)]);
+      }
+    }
+  }
+  return runs;
+}
+
+double StdOfEntry(const FittedCoupledModel& fitted, std::size_t k) {
+  const auto at = static_cast<Eigen::Index>(k);
+  return std::sqrt(fitted.covariance(at, at));
+}
+
+bool IsOffDiagonal(const FreeEntry& entry) {
+  using Kind = FreeEntry::Kind;
+  return entry.row != entry.column &&
+         (entry.kind == Kind::kInertia || entry.kind == Kind::kLinearDamping);
+}
+
+// What the search named, as the accepted model has it, and of a structure that was accepted as a
+// whole the numbers that stand clear of 0.
+std::vector<NamedEntry> CausesIn(const FittedCoupledModel& fitted, const Ladder& ladder) {
+  std::vector<NamedEntry> causes;
+  for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+    const FreeEntry& entry = fitted.entries[k];
+    const double value = ValueIn(fitted.model, entry), std = StdOfEntry(fitted, k);
+    const auto named = std::ranges::find(ladder.named, entry, &NamedEntry::entry);
+    if (named != ladder.named.end()) {
+      causes.push_back({entry, value, std, named->not_told_apart});
+    } else if (IsOffDiagonal(entry) && std::abs(value) > kClear * std) {
+      causes.push_back({entry, value, std, {}});
+    }
+  }
+  return causes;
+}
+
+bool IsRed(const Finding& finding) { return finding.severity == Severity::kWarning; }
+
+Verdict VerdictOf(const CoupledDiagnosis& diagnosis) {
+  if (diagnosis.causes.empty()) {
+    const bool is_open =
+        !diagnosis.missed.empty() || std::ranges::any_of(diagnosis.findings, IsRed);
+    return is_open ? Verdict::kUnexplained : Verdict::kConsistent;
+  }
+  const bool is_ambiguous = std::ranges::any_of(
+      diagnosis.causes, [](const NamedEntry& cause) { return !cause.not_told_apart.empty(); });
+  return is_ambiguous ? Verdict::kAmbiguous : Verdict::kExplained;
+}
+
+}  // namespace
+
+CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
+                                 std::vector<Finding> findings) {
+  CoupledDiagnosis diagnosis;
+  diagnosis.findings = std::move(findings);
+  diagnosis.causes = CausesIn(identified.fitted, *identified.ladder);
+  diagnosis.scatter_nmae.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const Dof dof : identified.fitted.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    const std::vector<FreeRun> runs = RunsAlong(dof, identified);
+    diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
+    if (FiguresOfRuns(runs).nmae > kMissesMotion * diagnosis.scatter_nmae[at]) {
+      diagnosis.missed.push_back(dof);
+    }
+  }
+  diagnosis.verdict = VerdictOf(diagnosis);
+  return diagnosis;
+}
+
+}  // namespace fathom
