@@ -140,7 +140,7 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
       {"source", std::string(Name(result.source))},
       {"velocity", FLAGS_velocity},
       {"held_out", FLAGS_held_out},
-      {"gains", FLAGS_gains},
+      {"gains", result.gains ? FormatGains(*result.gains) : FLAGS_gains},
       {"integrator", FLAGS_integrator},
       {"offset", FLAGS_offset},
       {"huber", fmt::format("{}", FLAGS_huber)},

@@ -67,6 +67,7 @@ TEST(FathomCommand, ListsEverySubCommandWithWhatItSaysOfItself) {
                                     "check",
                                     "compare",
                                     "diagnose",
+                                    "follow",
                                     "identify",
                                     "import",
                                     "init",

@@ -13,19 +13,40 @@
 
 namespace fathom {
 
-ToolRun RunToolBinary(const std::string& name,
-                      const std::vector<std::string>& arguments,
-                      const std::function<void(int)>& on_start) {
-  const std::string binary = fmt::format("{}/{}", FATHOM_TOOLS_DIR, name);
-  const ChildResult result =
-      RunChild({.program = binary, .arguments = arguments, .on_start = on_start});
+namespace {
+
+std::string BinaryOf(const std::string& name) {
+  return fmt::format("{}/{}", FATHOM_TOOLS_DIR, name);
+}
+
+ToolRun RunOf(const ChildCommand& command) {
+  const ChildResult result = RunChild(command);
   if (result.end == ChildEnd::kNotStarted) {
-    throw std::runtime_error("cannot run " + binary + ": " + result.err);
+    throw std::runtime_error("cannot run " + command.program + ": " + result.err);
   }
   return {.exit_code = result.exit_code,
           .out = result.out,
           .err = result.err,
           .peak_memory = result.peak_memory};
+}
+
+}  // namespace
+
+ToolRun RunToolBinary(const std::string& name,
+                      const std::vector<std::string>& arguments,
+                      const std::function<void(int)>& on_start) {
+  return RunOf({.program = BinaryOf(name), .arguments = arguments, .on_start = on_start});
+}
+
+ToolRun RunToolBinaryOn(const std::filesystem::path& input,
+                        const std::string& name,
+                        const std::vector<std::string>& arguments) {
+  ChildCommand shell = {
+      .program = "sh",
+      .arguments = {"-c", "input=$1; shift; exec \"$@\" < \"$input\"", "sh", input.string()}};
+  shell.arguments.push_back(BinaryOf(name));
+  shell.arguments.insert(shell.arguments.end(), arguments.begin(), arguments.end());
+  return RunOf(shell);
 }
 
 std::filesystem::path EmptyTestFolder() {

@@ -27,6 +27,11 @@ ToolRun RunToolBinary(const std::string& name,
                       const std::vector<std::string>& arguments,
                       const std::function<void(int)>& on_start = {});
 
+// The same with the file `input` as stdin.
+ToolRun RunToolBinaryOn(const std::filesystem::path& input,
+                        const std::string& name,
+                        const std::vector<std::string>& arguments);
+
 // A new, empty folder for the running test in FATHOM_SCRATCH_DIR, named after it.
 std::filesystem::path EmptyTestFolder();
 

@@ -6,8 +6,8 @@
 #include "fathom/adaptive/choose_gains.h"
 #include "fathom/adaptive/inertia_step.h"
 #include "fathom/adaptive/pass.h"
+#include "fathom/adaptive/usable_estimate.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/interval95.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kLastPart = 1.0 / 3.0;  // of the pass, over which the scatter is taken
-constexpr double kHeaviest = 0.99e5;     // [kg]: alpha has not left its lower bound
-constexpr double kMostScatter = 0.5;     // of the inertia's sd, by its value
-constexpr double kSettledChange = 0.1;   // of the inertia over the last part
-constexpr double kSettledStep = 0.04;    // of the inertia, by output error from the end
+constexpr double kSettledChange = 0.1;  // of the inertia over the last part
+constexpr double kSettledStep = 0.04;   // of the inertia, by output error from the end
 
 using Models = std::vector<ParameterVector>;
 
@@ -91,7 +88,7 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   }
 
   AdaptiveIdentifier identifier({.gains = summary.gains, .integrator = options.integrator});
-  const auto last_part_begin = static_cast<size_t>((1.0 - kLastPart) * static_cast<double>(n));
+  const size_t last_part_begin = BeginOfLastPart(n);
   Models last_part;
   Feed(pass, &identifier, [&] {
     const auto k = static_cast<size_t>(identifier.num_samples() - 1);
@@ -104,17 +101,8 @@ AdaptiveSummary FitAdaptive(std::span<const Segment> segments, const AdaptiveOpt
   const UncoupledModel<double> model = identifier.Estimate();
   const ParameterCovariance scatter = ScatterAbout(ToVector(model), last_part);
   const double inertia_std = std::sqrt(scatter(kInertia, kInertia));
-  if (model.inertia > kHeaviest) {
-    summary.message =
-        "The inverse of the inertia stayed at its lower bound: the force does not explain the "
-        "motion. Check its sign, its unit and the clocks.";
-    return summary;
-  }
-  if (!(inertia_std < kMostScatter * model.inertia)) {
-    summary.message = fmt::format(
-        "The inertia did not converge: {:.4g} ± {:.2g} over the last third of the pass.",
-        model.inertia,
-        kStdsOf95 * inertia_std);
+  if (std::string why = WhyUnusable(model, inertia_std); !why.empty()) {
+    summary.message = std::move(why);
     return summary;
   }
   summary.model = model;

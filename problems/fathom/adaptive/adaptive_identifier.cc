@@ -27,6 +27,17 @@ State Moved(const State& state, double h, const State& derivative) {
 
 }  // namespace
 
+std::string_view Name(AdaptiveIntegrator integrator) {
+  return integrator == AdaptiveIntegrator::kEuler ? "euler" : "runge_kutta";
+}
+
+AdaptiveIntegrator ParseAdaptiveIntegrator(const std::string& name) {
+  for (const auto integrator : {AdaptiveIntegrator::kEuler, AdaptiveIntegrator::kRungeKutta}) {
+    if (name == Name(integrator)) return integrator;
+  }
+  throw InputError(fmt::format("is '{}', expected euler or runge_kutta.", name));
+}
+
 std::vector<std::string> AdaptiveOptions::Problems() const {
   return gains ? gains->Problems() : std::vector<std::string>{};
 }
@@ -39,6 +50,22 @@ AdaptiveIdentifier::AdaptiveIdentifier(const AdaptiveOptions& options)
                                  fmt::join(problems, "; ")));
   }
   gains_ = *options.gains;
+}
+
+AdaptiveIdentifier::AdaptiveIdentifier(const AdaptiveOptions& options, const AdaptiveState& state)
+    : AdaptiveIdentifier(options) {
+  state_ = {
+      state.estimated_velocity, state.lumped[0], state.lumped[1], state.lumped[2], state.lumped[3]};
+  CHECK(std::all_of(state_.begin(), state_.end(), [](double x) { return std::isfinite(x); }));
+  t_ = state.t;
+  force_ = state.force;
+  velocity_ = state.velocity;
+  num_samples_ = state.num_samples;
+  segment_started_ = state.segment_started;
+}
+
+AdaptiveState AdaptiveIdentifier::state() const {
+  return {state_[0], lumped(), t_, force_, velocity_, num_samples_, segment_started_};
 }
 
 void AdaptiveIdentifier::StartSegment() { segment_started_ = false; }

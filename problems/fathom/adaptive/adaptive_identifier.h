@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include "fathom/adaptive/adaptive_state.h"
 #include "fathom/adaptive/gains.h"
 #include "fathom/vehicle/uncoupled_model.h"
 
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -17,6 +19,13 @@ enum class AdaptiveIntegrator {
   kEuler,       // as in the paper; the estimated velocity starts at 0
   kRungeKutta,  // order four, the measured velocity interpolated linearly, the force held
 };
+
+// "euler" or "runge_kutta", as in flags and files.
+std::string_view Name(AdaptiveIntegrator integrator);
+
+// Throws InputError for another name: "is 'heun', expected euler or runge_kutta.", for the name of
+// a flag to be put before it.
+AdaptiveIntegrator ParseAdaptiveIntegrator(const std::string& name);
 
 struct AdaptiveOptions {
   // Nothing: chosen from the data by FitAdaptive. AdaptiveIdentifier needs them given.
@@ -43,6 +52,9 @@ class AdaptiveIdentifier {
   // Throws InputError if the options break their rules or hold no gains.
   explicit AdaptiveIdentifier(const AdaptiveOptions& options);
 
+  // Goes on where another one was: its state(), which must be finite. Throws as above.
+  AdaptiveIdentifier(const AdaptiveOptions& options, const AdaptiveState& state);
+
   // One sample: stamp [s], after the one before; force [N] or [N m], held until the next stamp;
   // measured velocity [m/s] or [rad/s].
   void Add(double t, double force, double velocity);
@@ -60,6 +72,8 @@ class AdaptiveIdentifier {
 
   // Phi.
   std::array<double, 4> lumped() const { return {state_[1], state_[2], state_[3], state_[4]}; }
+
+  AdaptiveState state() const;
 
   // False once the state has left the finite numbers; it stays so.
   bool IsFinite() const { return is_finite_; }

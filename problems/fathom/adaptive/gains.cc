@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 
@@ -20,6 +21,10 @@ std::vector<std::string> AdaptiveGains::Problems() const {
     }
   }
   return problems;
+}
+
+std::string FormatGains(const AdaptiveGains& gains) {
+  return fmt::format("{},{}", gains.a_m, fmt::join(gains.lambda, ","));
 }
 
 }  // namespace fathom

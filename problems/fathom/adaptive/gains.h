@@ -24,4 +24,7 @@ struct AdaptiveGains {
   std::vector<std::string> Problems() const;
 };
 
+// "a_m,l1,l2,l3,l4", as --gains takes them: the same numbers to the last digit.
+std::string FormatGains(const AdaptiveGains& gains);
+
 }  // namespace fathom

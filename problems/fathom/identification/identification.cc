@@ -91,9 +91,12 @@ Identification Identify(const Signals& signals,
       result.condition_number = summary.condition_number;
       break;
     }
-    case Family::kAdaptive:
-      TakeOver(FitAdaptive(signals.train, options.adaptive), &result);
+    case Family::kAdaptive: {
+      const AdaptiveSummary summary = FitAdaptive(signals.train, options.adaptive);
+      TakeOver(summary, &result);
+      result.gains = summary.gains;
       break;
+    }
     case Family::kOutputError: {
       OutputErrorOptions output_error = options.output_error;
       output_error.output = OutputOf(signals.train);

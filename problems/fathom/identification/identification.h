@@ -35,6 +35,9 @@ struct Identification {
   std::string weighting;
   std::string weighting_reason;
 
+  // Of the adaptive law alone: those that were used, given or chosen.
+  std::optional<AdaptiveGains> gains;
+
   // Of output error alone: by OutputErrorOptions::offsets.
   std::vector<OutputErrorSummary::Offset> offsets;
 

@@ -10,7 +10,7 @@
 DEFINE_string(dof,
               "",
               "surge, sway, heave, roll, pitch or yaw. Default: the only DOF of the log, or that "
-              "of the model.");
+              "of the model; a stream has none.");
 
 namespace fathom {
 

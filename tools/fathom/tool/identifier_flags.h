@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/identification/identification.h"
+#include "fathom/tool/adaptive_flags.h"
 #include "fathom/tool/log_flags.h"
 
 #include <string>
@@ -11,8 +12,6 @@
 #include <gflags/gflags_declare.h>
 
 // Flags that the identifying tools share.
-DECLARE_string(gains);
-DECLARE_string(integrator);
 DECLARE_double(huber);
 DECLARE_double(shooting_window);
 DECLARE_string(weighting);

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom {
+
+struct SampleLine {
+  double t = 0.0;         // [s]
+  double force = 0.0;     // tau [N] or [N m], held from t on
+  double velocity = 0.0;  // v [m/s] or [rad/s]
+};
+
+// Reads the lines t,tau,v of a stream that may still grow, each as soon as it is there.
+//
+// The first line may name the columns: t, tau and v in any order, and others, which are not read.
+// Blank lines and those that begin with # are passed over. Nothing else is: see Next().
+class SampleLines {
+ public:
+  // `name` stands for the stream in messages; `in` must outlive this.
+  SampleLines(std::string name, std::istream* in);
+
+  // Takes a stamp for the one before the first line's; `from` says where it stands.
+  void GoOnBehind(double t, const std::string& from);
+
+  // The next sample; nothing at the end of the stream. Waits for a line. Throws InputError, with
+  // line, column, what was found and what was expected, for a cell that is no finite number, a
+  // line with another number of cells, names without t, tau and v, stamps that do not rise, a
+  // carriage return, a line of over 4095 bytes and a stream that cannot be read.
+  std::optional<SampleLine> Next();
+
+  // Names of columns that are not read, once the first line was taken.
+  const std::vector<std::string>& not_read() const { return not_read_; }
+
+ private:
+  bool ReadLine();  // into text_; false at the end
+  void TakeNames();
+  double NumberIn(std::size_t role) const;
+  void RequireRising(double t) const;
+  [[noreturn]] void Fail(const std::string& problem) const;
+
+  std::string name_;
+  std::istream* in_;
+  long line_ = 0;  // counted from 1
+  std::array<char, 4096> buffer_ = {};
+  std::string_view text_;
+  std::vector<std::string_view> cells_;  // of text_
+  bool has_first_line_ = false;
+  std::size_t num_cells_ = 3;
+  std::array<std::size_t, 3> column_ = {0, 1, 2};  // of t, tau and v
+  std::vector<std::string> not_read_;
+  std::optional<double> last_stamp_;
+  std::string last_stamp_from_;
+};
+
+}  // namespace fathom
