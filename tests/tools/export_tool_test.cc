@@ -1,8 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/process/run_child.h"
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "expect_refusal.h"
 #include "run_tool.h"
@@ -62,6 +68,62 @@ TEST(ExportTool, WritesEachFormatAndSaysWhatItChecked) {
     EXPECT_THAT(TextOf(out), StartsWith(begins));
     EXPECT_THAT(TextOf(out), HasSubstr("Made by fathom_export "));
   }
+}
+
+// A main() that runs the exported small.h over a command held between stamps, and prints the speed
+// at each: from the first speed of the prediction.
+std::string MainOverCommand(const CsvColumns& command, double first_speed) {
+  std::string rows;
+  for (const auto& row : command.rows) rows += fmt::format("{{{}, {}}},\n", row[0], row[1]);
+  return fmt::format(
+      "#include \"small.h\"\n#include <stdio.h>\n"
+      "static const double command[{0}][2] = {{\n{1}}};\n"
+      "int main(void) {{\n"
+      "  small_state state = {{{{{2}}}, {{0, 0, 0, 1}}, {{0}}}};\n"
+      "  double tau[6] = {{0}};\n"
+      "  int i;\n"
+      "  for (i = 0; i < {0}; ++i) {{\n"
+      "    printf(\"%.17g\\n\", state.nu[0]);\n"
+      "    tau[0] = command[i][1];\n"
+      "    if (i + 1 < {0}) small_step(&state, tau, command[i + 1][0] - command[i][0]);\n"
+      "  }}\n"
+      "  return 0;\n"
+      "}}\n",
+      command.rows.size(),
+      rows,
+      first_speed);
+}
+
+// Round trip: the model as a C program predicts a log as fathom_simulate does.
+TEST(ExportTool, PredictsALogInCAsFathomSimulateDoes) {
+  const ExportInputs inputs;
+  const Path log = WriteSmallLog(inputs.folder / "log");
+  const Path csv = inputs.folder / "prediction.csv";
+  const ToolRun simulated =
+      RunToolBinary("fathom_simulate",
+                    {"--model=" + inputs.model, "--log=" + log.string(), "--out=" + csv.string()});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  const ToolRun exported = RunToolBinary(
+      "fathom_export", {"--model=" + inputs.model, "--format=c", "--out=" + inputs.Out("small.h")});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  const std::vector<double> speeds = ReadColumns(csv).Values("u");
+  const CsvColumns command = ReadColumns(log / "command.csv");
+  ASSERT_EQ(command.rows.size(), speeds.size());
+  const Path source =
+      WriteTestFile(inputs.folder / "main.c", MainOverCommand(command, speeds.front()));
+  const std::string program = inputs.Out("program");
+  const ChildResult compiled =
+      RunChild({"cc", {"-std=c99", "-o", program, source.string(), "-lm"}});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  std::istringstream out(RunChild({program, {}}).out);
+  double largest = 0.0;
+  for (const double speed : speeds) {
+    double in_c = 0.0;
+    ASSERT_TRUE(out >> in_c);
+    largest = std::max(largest, std::abs(in_c - speed));
+  }
+  // Both take the same steps of the same scheme, from stamp to stamp.
+  EXPECT_LT(largest, 1e-12);
 }
 
 // A lag that no format holds.

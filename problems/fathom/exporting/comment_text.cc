@@ -6,12 +6,24 @@
 #include "fathom/base/interval95.h"
 #include "fathom/base/quoted.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
 
 namespace fathom {
+namespace {
+
+// Inertias and dampings on the diagonal are: their intervals end there.
+bool IsAtLeast0(const FreeEntry& entry) {
+  const bool is_bounded = entry.kind == FreeEntry::Kind::kInertia ||
+                          entry.kind == FreeEntry::Kind::kLinearDamping ||
+                          entry.kind == FreeEntry::Kind::kQuadraticDamping;
+  return is_bounded && entry.row == entry.column;
+}
+
+}  // namespace
 
 std::string CommentText(std::string_view text) {
   const std::string line = ShownOnOneLine(text);
@@ -39,8 +51,10 @@ std::string CommentOn(const ExportNumber& number) {
     text += ", held";
   } else if (std::isfinite(number.std)) {
     const double half = kStdsOf95 * number.std;
-    text +=
-        fmt::format(", 95 % interval {:.4g} to {:.4g}", number.value - half, number.value + half);
+    const double low = number.value - half;
+    text += fmt::format(", 95 % interval {:.4g} to {:.4g}",
+                        IsAtLeast0(number.entry) ? std::max(low, 0.0) : low,
+                        number.value + half);
   } else {
     text += ", interval not known";
   }

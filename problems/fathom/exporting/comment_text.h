@@ -19,7 +19,8 @@ std::string CommentText(std::string_view text);
 // A number as C, XML and MATLAB read it back to the bit, with a point or an exponent: "40.0".
 std::string LiteralOf(double value);
 
-// "kg, 95 % interval 39.6 to 40.8, log tank_07".
+// "kg, 95 % interval 39.6 to 40.8, log tank_07". The interval of an inertia or a damping on the
+// diagonal ends at 0.
 std::string CommentOn(const ExportNumber& number);
 
 // "surge, sway and yaw".

@@ -128,6 +128,19 @@ void AddRightingRemarks(const ExportModel& model,
   }
 }
 
+// Inertia that couples a modelled DOF with one that was only measured.
+void AddPartnerRemarks(const ExportModel& model, std::vector<std::string>* remarks) {
+  for (const ExportNumber& number : model.numbers) {
+    const auto partner = static_cast<std::size_t>(Index(number.entry.column));
+    if (number.entry.kind != FreeEntry::Kind::kInertia || ModelledDofs(model)[partner]) continue;
+    remarks->push_back(fmt::format("{} of {:.4g} {} is left out: {} is not modelled.",
+                                   NameOf(number.entry),
+                                   number.value,
+                                   number.unit,
+                                   Name(number.entry.column)));
+  }
+}
+
 std::vector<std::string> RemarksOn(const ExportModel& model, const RigidBody& body) {
   std::vector<std::string> remarks = model.left_out;
   remarks.push_back(VolumeRemark(model, body));
@@ -149,6 +162,7 @@ std::vector<std::string> RemarksOn(const ExportModel& model, const RigidBody& bo
                       number.value));
     }
   }
+  AddPartnerRemarks(model, &remarks);
   if (!model.model.coriolis) {
     remarks.push_back(
         "The model has no Coriolis forces, but Gazebo adds those of the inertia. They act where "

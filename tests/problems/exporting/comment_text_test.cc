@@ -43,6 +43,13 @@ TEST(CommentOn, TellsTheIntervalWhereItIsKnown) {
   EXPECT_EQ(CommentOn(number), "kg, held, log tank_07");
 }
 
+TEST(CommentOn, EndsTheIntervalOfADampingAt0) {
+  ExportNumber number = {LinearDampingEntry(Dof::kYaw, Dof::kYaw), 1.0, 1.0, true, "kg m^2/s", ""};
+  EXPECT_EQ(CommentOn(number), "kg m^2/s, 95 % interval 0 to 2.96");
+  number.entry = LinearDampingEntry(Dof::kYaw, Dof::kSway);
+  EXPECT_EQ(CommentOn(number), "kg m^2/s, 95 % interval -0.96 to 2.96");
+}
+
 TEST(NamesOf, AreInASentence) {
   EXPECT_EQ(NamesOf({Dof::kSurge}), "surge");
   EXPECT_EQ(NamesOf({Dof::kSurge, Dof::kSway, Dof::kYaw}), "surge, sway and yaw");

@@ -172,6 +172,14 @@ TEST(GazeboModel, NamesWhatItCannotHold) {
   EXPECT_THAT(file.remarks, Contains(HasSubstr("at z = -0.01946 m, up")));
 }
 
+TEST(GazeboModel, NamesAnInertiaByADofThatIsNotModelled) {
+  FittedCoupledModel fitted = GenericBoat();
+  SetValue(InertiaEntry(Dof::kSway, Dof::kRoll), 1.25, &fitted.model);
+  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "boat.json"), TargetWithBody());
+  EXPECT_THAT(file.remarks,
+              Contains("inertia.sway.roll of 1.25 kg m is left out: roll is not modelled."));
+}
+
 TEST(GazeboModel, RefusesAVehicleWhoseBodyIsNotKnown) {
   ExportTarget target = TargetWithBody();
   target.vehicle->body.centre_of_mass.reset();
