@@ -45,6 +45,19 @@ TEST(CheckExport, RefusesDampingThatDrives) {
   EXPECT_THAT(CheckExport(model).front(), HasSubstr("A free decay from 0.5"));
 }
 
+// Both eigenvalues of D are above 0, but those of its symmetric part are not: a turn gives the sway
+// (60 x 0.5/80 m/s^2 for about a second) more energy than it had itself.
+TEST(CheckExport, RefusesDampingThatDrivesForAWhile) {
+  CoupledModel model;
+  model.dofs = {Dof::kSway, Dof::kYaw};
+  model.inertia(1, 1) = 80.0;
+  model.inertia(5, 5) = 7.0;
+  model.linear_damping(1, 1) = 20.0;
+  model.linear_damping(5, 5) = 3.0;
+  model.linear_damping(1, 5) = 60.0;
+  EXPECT_THAT(CheckExport(model), ElementsAre(HasSubstr("0.5 rad/s of yaw gains energy at")));
+}
+
 TEST(CheckExport, RefusesADofWithoutDamping) {
   CoupledModel model = GenericBoat().model;
   model.linear_damping(0, 0) = model.quadratic_damping(0, 0) = 0.0;
