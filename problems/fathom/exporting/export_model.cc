@@ -44,6 +44,15 @@ std::map<std::string, std::string> ProvenanceIn(const std::string& name, const s
   return provenance;
 }
 
+// "run_01 and 2 more" of "dives/run_01,dives/run_02,dives/run_03".
+std::string ShortNameOf(const std::string& logs) {
+  const auto num_more = std::count(logs.begin(), logs.end(), ',');
+  std::string first = logs.substr(0, logs.find(','));
+  while (first.size() > 1 && first.back() == '/') first.pop_back();
+  const std::string name = first.substr(first.find_last_of('/') + 1);
+  return num_more == 0 ? name : fmt::format("{} and {} more", name, num_more);
+}
+
 // "boat.json: log tank_07, family output_error, version 0.1.0".
 std::string SourceLine(const std::string& file,
                        const std::map<std::string, std::string>& provenance) {
@@ -108,7 +117,7 @@ std::string EffectLeftOut(const ActiveEffect& active, const FittedModel& fitted)
 
 void AddOneDof(const FittedModel& fitted, const std::string& file, ExportModel* exported) {
   const ParameterVector values = ToVector(fitted.model);
-  const std::string log = ValueAt(fitted.provenance, "log");
+  const std::string log = ShortNameOf(ValueAt(fitted.provenance, "log"));
   for (int i = 0; i < kNumParameters; ++i) {
     const FreeEntry entry = EntryOf(i, fitted.dof);
     SetValue(entry, values[i], &exported->model);
@@ -137,7 +146,7 @@ ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& f
   exported.force_unit = SharedUnit(fitted.force_unit);
   exported.sources = {SourceLine(file, fitted.provenance)};
   exported.caveats = fitted.caveats;
-  const std::string log = ValueAt(fitted.provenance, "log");
+  const std::string log = ShortNameOf(ValueAt(fitted.provenance, "log"));
   std::vector<FreeEntry> all = EntriesWithoutGains();
   for (const auto& [thruster, gain] : fitted.model.thrust_gain) {
     all.push_back(ThrustGainEntry(thruster));

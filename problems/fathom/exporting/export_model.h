@@ -22,7 +22,7 @@ struct ExportNumber {
   double std = std::numeric_limits<double>::quiet_NaN();  // NaN: not known
   bool is_identified = true;                              // false: it was held
   std::string unit;                                       // "kg m^2/s"
-  std::string log;                                        // that it was identified from
+  std::string log;                                        // that it was identified from, in short
 };
 
 // A model as all formats take it: docs/export.md.

@@ -76,6 +76,16 @@ TEST(ExportModel, HoldsEveryNumberOfAModelOfSeveralDofs) {
   EXPECT_THAT(exported.left_out, IsEmpty());
 }
 
+// The whole paths stand once, in the head.
+TEST(ExportModel, NamesTheLogsOfANumberInShort) {
+  FittedCoupledModel fitted = GenericBoat();
+  fitted.provenance["log"] = "dives/run_01/,dives/run_02,dives/run_03";
+  const ExportModel exported = ExportModelOf(fitted, "boat.json");
+  EXPECT_EQ(exported.numbers.front().log, "run_01 and 2 more");
+  EXPECT_THAT(exported.sources,
+              ElementsAre("boat.json: log dives/run_01/,dives/run_02,dives/run_03"));
+}
+
 TEST(ExportModel, NamesTheEffectsThatItLeavesOut) {
   FittedModel fitted = GenericOneDof(Dof::kSurge);
   const Effect* lag = FindEffect("thruster_lag");
