@@ -30,12 +30,6 @@ std::string MacroOrZero(const ExportModel& model, const FreeEntry& entry, const 
   return Has(model, entry) ? MacroOf(model, entry, name) : "0.0";
 }
 
-// Only the modelled rows are equations.
-bool IsModelledRow(const ExportModel& model, Dof row) {
-  const auto& dofs = model.model.dofs;
-  return std::find(dofs.begin(), dofs.end(), row) != dofs.end();
-}
-
 // The part of the force along a row that one of the two dampings gives.
 std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const std::string& name) {
   std::vector<std::string> terms;
@@ -67,7 +61,7 @@ std::vector<MacroTerm> TermsOf(const ExportModel& model,
                                Dof row,
                                const std::string& name) {
   std::vector<MacroTerm> terms;
-  if (!IsModelledRow(model, row)) return terms;
+  if (!IsModelled(model, row)) return terms;  // no equation
   for (const ExportNumber& number : model.numbers) {
     if (number.entry.kind != kind || number.entry.row != row) continue;
     terms.push_back({number.entry.column, MacroOf(model, number.entry, name)});

@@ -61,6 +61,7 @@ std::string Parameters(const ExportModel& model, const std::string& name) {
 // The modelled DOFs by their indices, "0, 1, 5".
 std::string Indices(const std::vector<Dof>& dofs) {
   std::vector<int> indices;
+  indices.reserve(dofs.size());
   for (const Dof dof : dofs) indices.push_back(Index(dof));
   return fmt::to_string(fmt::join(indices, ", "));
 }
@@ -193,6 +194,7 @@ std::string ForcesOfThrusters(const ExportModel& model, const ExportTarget& targ
   const std::vector<Thruster>& thrusters = target.vehicle->thrusters;
   const auto allocation = AllocationMatrix(thrusters);
   std::vector<std::string> names;
+  names.reserve(thrusters.size());
   for (const Thruster& thruster : thrusters) names.push_back(CommentText(thruster.name));
   std::string text = fmt::format(
       "/* tau of the thrusts [N] of {1}: B(kappa) T. */\n"

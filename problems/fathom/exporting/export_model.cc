@@ -140,6 +140,10 @@ void AddOneDof(const FittedModel& fitted, const std::string& file, ExportModel* 
 
 }  // namespace
 
+bool IsModelled(const ExportModel& model, Dof dof) {
+  return std::find(model.model.dofs.begin(), model.model.dofs.end(), dof) != model.model.dofs.end();
+}
+
 ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& file) {
   ExportModel exported;
   exported.model = fitted.model;

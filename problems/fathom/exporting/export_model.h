@@ -39,6 +39,8 @@ struct ExportModel {
   std::vector<std::string> left_out;  // what no format holds, a sentence each: effects
 };
 
+bool IsModelled(const ExportModel& model, Dof dof);
+
 ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& file);
 
 // Several models of one DOF as one, its matrices diagonal. The buoyancy of heave becomes the net

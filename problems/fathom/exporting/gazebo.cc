@@ -5,9 +5,9 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/exporting/comment_text.h"
+#include "fathom/exporting/gazebo_remarks.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +18,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kGravity = 9.8;        // [m/s^2], of Gazebo's worlds
-constexpr double kWaterDensity = 1000;  // [kg/m^3], of Gazebo's buoyancy system
 
 constexpr std::string_view kSdfAxes = "xyzpqr";          // of <fluid_added_mass>
 constexpr std::string_view kForceLetters = "xyzkmn";     // of the plugin
@@ -56,20 +53,12 @@ RigidBody RequireRigidBody(const ExportTarget& target) {
       fmt::join(missing, "` and `")));
 }
 
-std::array<bool, 6> ModelledDofs(const ExportModel& model) {
-  std::array<bool, 6> is_modelled = {};
-  for (const Dof dof : model.model.dofs) is_modelled[static_cast<std::size_t>(Index(dof))] = true;
-  return is_modelled;
-}
-
 // M - M_rigid where the model tells M.
 Matrix6 AddedMassOf(const ExportModel& model, const Matrix6& rigid) {
-  const std::array<bool, 6> is_modelled = ModelledDofs(model);
   Matrix6 added = Matrix6::Zero();
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      const bool is_known = is_modelled[static_cast<std::size_t>(i)] &&
-                            is_modelled[static_cast<std::size_t>(j)] &&
+      const bool is_known = IsModelled(model, kAllDofs[i]) && IsModelled(model, kAllDofs[j]) &&
                             (i == j || !model.is_joined);
       if (is_known) added(i, j) = model.model.inertia(i, j) - rigid(i, j);
     }
@@ -97,87 +86,6 @@ std::vector<std::string> ProblemsOf(const ExportModel& model,
         "of the DOFs that are not modelled contradicts the model.");
   }
   return problems;
-}
-
-std::string VolumeRemark(const ExportModel& model, const RigidBody& body) {
-  return fmt::format(
-      "Weight and buoyancy come from Gazebo's gravity and gz::sim::systems::Buoyancy, which needs "
-      "a collision. For the net buoyancy of {:.4g} N give it a volume of {:.6g} m^3 (at {} "
-      "kg/m^3 and {} m/s^2).",
-      model.model.net_buoyancy,
-      (*body.mass + model.model.net_buoyancy / kGravity) / kWaterDensity,
-      kWaterDensity,
-      kGravity);
-}
-
-// Roll and pitch right themselves by W z_g - B z_b, z down.
-void AddRightingRemarks(const ExportModel& model,
-                        const RigidBody& body,
-                        std::vector<std::string>* remarks) {
-  const double weight = *body.mass * kGravity;
-  const double buoyancy = weight + model.model.net_buoyancy;
-  for (const ExportNumber& number : model.numbers) {
-    if (number.entry.kind != FreeEntry::Kind::kRightingMoment) continue;
-    const double down = (weight * body.centre_of_mass->z() - number.value) / buoyancy;
-    remarks->push_back(
-        fmt::format("{} of {:.4g} N m has no element: put the centre of that collision at z = "
-                    "{:.4g} m, up.",
-                    NameOf(number.entry),
-                    number.value,
-                    Turned(down, -1.0)));
-  }
-}
-
-// Inertia that couples a modelled DOF with one that was only measured.
-void AddPartnerRemarks(const ExportModel& model, std::vector<std::string>* remarks) {
-  for (const ExportNumber& number : model.numbers) {
-    const auto partner = static_cast<std::size_t>(Index(number.entry.column));
-    if (number.entry.kind != FreeEntry::Kind::kInertia || ModelledDofs(model)[partner]) continue;
-    remarks->push_back(fmt::format("{} of {:.4g} {} is left out: {} is not modelled.",
-                                   NameOf(number.entry),
-                                   number.value,
-                                   number.unit,
-                                   Name(number.entry.column)));
-  }
-}
-
-std::vector<std::string> RemarksOn(const ExportModel& model, const RigidBody& body) {
-  std::vector<std::string> remarks = model.left_out;
-  remarks.push_back(VolumeRemark(model, body));
-  AddRightingRemarks(model, body, &remarks);
-  for (const ExportNumber& number : model.numbers) {
-    if (number.entry.kind == FreeEntry::Kind::kOffset && number.value != 0.0) {
-      remarks.push_back(
-          fmt::format("{} of {:.4g} {} is left out: no element holds a constant "
-                      "force. Subtract it from the thrust.",
-                      NameOf(number.entry),
-                      number.value,
-                      number.unit));
-    }
-    if (number.entry.kind == FreeEntry::Kind::kThrustGain) {
-      remarks.push_back(
-          fmt::format("{} of {:.4g} is left out: multiply the thrust coefficient of "
-                      "that thruster's plugin by it.",
-                      NameOf(number.entry),
-                      number.value));
-    }
-  }
-  AddPartnerRemarks(model, &remarks);
-  if (!model.model.coriolis) {
-    remarks.push_back(
-        "The model has no Coriolis forces, but Gazebo adds those of the inertia. They act where "
-        "several degrees of freedom move at once.");
-  }
-  std::vector<Dof> others;
-  for (const Dof dof : kAllDofs) {
-    if (!ModelledDofs(model)[static_cast<std::size_t>(Index(dof))]) others.push_back(dof);
-  }
-  if (!others.empty()) {
-    remarks.push_back(
-        fmt::format("Not modelled: {}. Their added mass and damping are not known and stand as 0.",
-                    NamesOf(others)));
-  }
-  return remarks;
 }
 
 // "<mass>13.5</mass>", indented.
@@ -299,7 +207,7 @@ ExportedFile GazeboModel(const ExportModel& model, const ExportTarget& target) {
   ExportedFile file;
   file.problems = ProblemsOf(model, rigid, added);
   if (!file.problems.empty()) return file;
-  file.remarks = RemarksOn(model, body);
+  file.remarks = GazeboRemarks(model, body);
   file.text = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<!-- {}\n"

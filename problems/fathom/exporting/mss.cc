@@ -51,6 +51,7 @@ std::string Assignments(const ExportModel& model) {
 // The modelled DOFs from 1, "1 2 6".
 std::string RowNumbers(const std::vector<Dof>& dofs) {
   std::vector<int> rows;
+  rows.reserve(dofs.size());
   for (const Dof dof : dofs) rows.push_back(Index(dof) + 1);
   return fmt::to_string(fmt::join(rows, " "));
 }

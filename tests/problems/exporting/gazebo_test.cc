@@ -172,6 +172,15 @@ TEST(GazeboModel, NamesWhatItCannotHold) {
   EXPECT_THAT(file.remarks, Contains(HasSubstr("at z = -0.01946 m, up")));
 }
 
+// 30 kg in 1000 kg/m^3.
+TEST(GazeboModel, SaysThatANetBuoyancyIsNotKnown) {
+  const ExportedFile file =
+      GazeboModel(ExportModelOf(GenericBoat(), "boat.json"), TargetWithBody());
+  EXPECT_THAT(file.remarks,
+              Contains(HasSubstr("The net buoyancy is not known: to let the vehicle hover give it "
+                                 "a volume of 0.03 m^3")));
+}
+
 TEST(GazeboModel, NamesAnInertiaByADofThatIsNotModelled) {
   FittedCoupledModel fitted = GenericBoat();
   SetValue(InertiaEntry(Dof::kSway, Dof::kRoll), 1.25, &fitted.model);
