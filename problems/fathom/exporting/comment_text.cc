@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/comment_text.h"
+
+#include "fathom/base/interval95.h"
+#include "fathom/base/quoted.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+// Inertias and dampings on the diagonal are: their intervals end there.
+bool IsAtLeast0(const FreeEntry& entry) {
+  const bool is_bounded = entry.kind == FreeEntry::Kind::kInertia ||
+                          entry.kind == FreeEntry::Kind::kLinearDamping ||
+                          entry.kind == FreeEntry::Kind::kQuadraticDamping;
+  return is_bounded && entry.row == entry.column;
+}
+
+}  // namespace
+
+std::string CommentText(std::string_view text) {
+  const std::string line = ShownOnOneLine(text);
+  std::string safe;
+  for (const char c : line) {
+    const char last = safe.empty() ? ' ' : safe.back();
+    // Comments of C, its trigraphs, comments of XML.
+    const bool ends = (last == '*' && c == '/') || (last == '/' && c == '*') ||
+                      (last == '?' && c == '?') || (last == '-' && c == '-');
+    if (ends) safe += ' ';
+    safe += c;
+  }
+  return safe;
+}
+
+std::string LiteralOf(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string CommentOn(const ExportNumber& number) {
+  std::string text = number.unit;
+  if (!number.is_identified) {
+    text += ", held";
+  } else if (std::isfinite(number.std)) {
+    const double half = kStdsOf95 * number.std;
+    const double low = number.value - half;
+    text += fmt::format(", 95 % interval {:.4g} to {:.4g}",
+                        IsAtLeast0(number.entry) ? std::max(low, 0.0) : low,
+                        number.value + half);
+  } else {
+    text += ", interval not known";
+  }
+  if (!number.log.empty()) text += ", log " + number.log;
+  return CommentText(text);
+}
+
+std::string NamesOf(const std::vector<Dof>& dofs) {
+  std::string names;
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    if (i > 0) names += i + 1 == dofs.size() ? " and " : ", ";
+    names += Name(dofs[i]);
+  }
+  return names;
+}
+
+std::vector<std::string> HeadLines(const ExportModel& model,
+                                   const ExportTarget& target,
+                                   const std::vector<std::string>& remarks) {
+  std::vector<std::string> lines = {
+      fmt::format("{}: a motion model of {}.", target.name, NamesOf(model.model.dofs)),
+      fmt::format("Made by {}. Make it anew from the model instead of editing it.", target.origin)};
+  for (const std::string& source : model.sources) lines.push_back("From " + source);
+  for (const std::string& caveat : model.caveats) {
+    lines.push_back("Said when it was fitted: " + caveat);
+  }
+  for (const std::string& remark : remarks) lines.push_back("Note: " + remark);
+  for (std::string& line : lines) line = CommentText(line);
+  return lines;
+}
+
+}  // namespace fathom

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/export_checks.h"
+
+#include "fathom/simulate/coupled/coupled_simulation.h"
+#include "fathom/vehicle/coupled/coriolis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLetGoAt = 0.5;        // [m/s] or [rad/s]
+constexpr double kTimeConstants = 5.0;  // that a decay runs over
+constexpr int kNumEnergies = 200;
+
+double SmallestEigenvalue(const CoupledModel& model) {
+  const auto size = static_cast<Eigen::Index>(model.dofs.size());
+  Eigen::MatrixXd part(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) {
+      part(i, j) = model.inertia(Index(model.dofs[static_cast<std::size_t>(i)]),
+                                 Index(model.dofs[static_cast<std::size_t>(j)]));
+    }
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(part, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+// Velocities of the modelled DOFs that no symmetry hides anything at.
+Vector6 DrawnVelocity(const CoupledModel& model, int draw) {
+  Vector6 nu = Vector6::Zero();
+  for (const Dof dof : model.dofs) nu[Index(dof)] = std::sin(1.0 + 1.7 * draw + 2.3 * Index(dof));
+  return nu;
+}
+
+// The work of C(nu) over what its parts do without regard to sign.
+double LargestWorkOfCoriolis(const CoupledModel& model) {
+  double largest = 0.0;
+  for (int draw = 0; draw < 10; ++draw) {
+    const Vector6 nu = DrawnVelocity(model, draw);
+    const Vector6 force = CoriolisForce(model.inertia, nu);
+    const double scale = nu.cwiseAbs().dot(force.cwiseAbs());
+    if (scale > 0.0) largest = std::max(largest, std::abs(nu.dot(force)) / scale);
+  }
+  return largest;
+}
+
+// How long the slowest DOF alone takes [s]; infinite where one has no damping.
+double SlowestTimeConstant(const CoupledModel& model) {
+  double slowest = 0.0;
+  for (const Dof dof : model.dofs) {
+    const auto i = Index(dof);
+    const double damping = model.linear_damping(i, i) + model.quadratic_damping(i, i) * kLetGoAt;
+    slowest = std::max(slowest, damping > 0.0 ? model.inertia(i, i) / damping : INFINITY);
+  }
+  return slowest;
+}
+
+double EnergyOf(const CoupledModel& model, const Vector6& nu) {
+  return 0.5 * nu.dot(model.inertia * nu);
+}
+
+// What is wrong with the decay from a speed along one DOF; empty: nothing.
+std::string ProblemWithDecay(const CoupledModel& model, Dof dof, double duration) {
+  CoupledState start;
+  start.nu[Index(dof)] = kLetGoAt;
+  CoupledStamps stamps;
+  for (int k = 0; k <= kNumEnergies; ++k) stamps.velocity.push_back(duration * k / kNumEnergies);
+  CoupledOutputs outputs;
+  if (!RunCoupled(model, {}, start, stamps, &outputs)) {
+    return fmt::format("A free decay from {} {} of {} diverges, or is too stiff to run.",
+                       kLetGoAt,
+                       VelocityUnit(dof),
+                       Name(dof));
+  }
+  const double first = EnergyOf(model, outputs.velocity.front());
+  double last = first;
+  for (std::size_t k = 1; k < outputs.velocity.size(); ++k) {
+    const double energy = EnergyOf(model, outputs.velocity[k]);
+    // The scheme's own error is far smaller.
+    if (energy > last + 1e-6 * first) {
+      return fmt::format(
+          "A free decay from {} {} of {} gains energy at {:.3g} s: the damping "
+          "drives the vehicle.",
+          kLetGoAt,
+          VelocityUnit(dof),
+          Name(dof),
+          stamps.velocity[k]);
+    }
+    last = energy;
+  }
+  if (last < 0.5 * first) return "";
+  return fmt::format("A free decay from {} {} of {} keeps {:.0f} % of its energy after {:.3g} s.",
+                     kLetGoAt,
+                     VelocityUnit(dof),
+                     Name(dof),
+                     100.0 * last / first,
+                     duration);
+}
+
+// The model with damping, inertia and Coriolis forces alone.
+CoupledModel WithoutRestoring(CoupledModel model) {
+  model.offset.setZero();
+  model.net_buoyancy = model.righting_roll = model.righting_pitch = 0.0;
+  return model;
+}
+
+}  // namespace
+
+std::vector<std::string> CheckExport(const CoupledModel& model) {
+  const double smallest = SmallestEigenvalue(model);
+  if (!(smallest > 0.0)) {
+    return {
+        fmt::format("The inertia M has an eigenvalue of {:.4g}, expected all above 0.", smallest)};
+  }
+  std::vector<std::string> problems;
+  if (model.coriolis) {
+    const double work = LargestWorkOfCoriolis(model);
+    if (!(work < 1e-12)) {
+      problems.push_back(
+          fmt::format("The Coriolis forces do work: nu' C nu is {:.2g} of its parts.", work));
+    }
+  }
+  const double slowest = SlowestTimeConstant(model);
+  if (!std::isfinite(slowest)) {
+    problems.push_back("A DOF has no damping: nothing ends its motion.");
+    return problems;
+  }
+  const CoupledModel free = WithoutRestoring(model);
+  for (const Dof dof : model.dofs) {
+    std::string problem = ProblemWithDecay(free, dof, kTimeConstants * slowest);
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  }
+  return problems;
+}
+
+}  // namespace fathom

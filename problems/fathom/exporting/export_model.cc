@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/export_model.h"
+
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
+#include "fathom/vehicle/files/json_value.h"
+#include "fathom/vehicle/files/model_file.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// Empty if the file does not say.
+std::string ValueAt(const std::map<std::string, std::string>& provenance, const std::string& key) {
+  const auto found = provenance.find(key);
+  return found == provenance.end() ? "" : found->second;
+}
+
+constexpr std::array<const char*, 5> kToldKeys = {
+    "log", "family", "source", "structure", "version"};
+
+// What a model or verdict file of one DOF tells of its making, which ParseModel() leaves out.
+std::map<std::string, std::string> ProvenanceIn(const std::string& name, const std::string& text) {
+  const JsonValue file = JsonValue::Parse(name, text);
+  if (file.Has("log")) return {{"log", file.Member("log").Text()}};  // a verdict
+  std::map<std::string, std::string> provenance;
+  const auto told = file.MemberIfThere("provenance");
+  if (!told) return provenance;
+  for (const char* key : kToldKeys) {
+    if (told->Has(key)) provenance[key] = told->Member(key).Text();
+  }
+  return provenance;
+}
+
+// "run_01 and 2 more" of "dives/run_01,dives/run_02,dives/run_03".
+std::string ShortNameOf(const std::string& logs) {
+  const auto num_more = std::count(logs.begin(), logs.end(), ',');
+  std::string first = logs.substr(0, logs.find(','));
+  while (first.size() > 1 && first.back() == '/') first.pop_back();
+  const std::string name = first.substr(first.find_last_of('/') + 1);
+  return num_more == 0 ? name : fmt::format("{} and {} more", name, num_more);
+}
+
+// "boat.json: log tank_07, family output_error, version 0.1.0".
+std::string SourceLine(const std::string& file,
+                       const std::map<std::string, std::string>& provenance) {
+  std::vector<std::string> parts;
+  for (const char* key : kToldKeys) {
+    const std::string value = ValueAt(provenance, key);
+    if (!value.empty()) parts.push_back(fmt::format("{} {}", key, value));
+  }
+  return fmt::format(
+      "{}{}", file, parts.empty() ? "" : fmt::format(": {}", fmt::join(parts, ", ")));
+}
+
+// Every entry that a model could have, but for thrust gains.
+std::vector<FreeEntry> EntriesWithoutGains() {
+  std::vector<FreeEntry> all;
+  for (const Dof row : kAllDofs) {
+    for (const Dof column : kAllDofs) {
+      if (row <= column) all.push_back(InertiaEntry(row, column));
+    }
+  }
+  for (const auto& entry_of : {LinearDampingEntry, QuadraticDampingEntry}) {
+    for (const Dof row : kAllDofs) {
+      for (const Dof column : kAllDofs) all.push_back(entry_of(row, column));
+    }
+  }
+  all.push_back(RightingMomentEntry(Dof::kRoll));
+  all.push_back(RightingMomentEntry(Dof::kPitch));
+  all.push_back(NetBuoyancyEntry());
+  for (const Dof row : kAllDofs) all.push_back(OffsetEntry(row));
+  return all;
+}
+
+// The entry of a parameter of a model of one DOF, by its index in kParameterInfo.
+FreeEntry EntryOf(int index, Dof dof) {
+  if (index == kInertia) return InertiaEntry(dof, dof);
+  if (index == kQuadraticDamping) return QuadraticDampingEntry(dof, dof);
+  if (index == kLinearDamping) return LinearDampingEntry(dof, dof);
+  return dof == Dof::kHeave ? NetBuoyancyEntry() : OffsetEntry(dof);
+}
+
+// "N" also of moments in N m.
+std::string SharedUnit(const std::string& force_unit) {
+  return force_unit == "N m" ? "N" : force_unit;
+}
+
+// "surge: thruster_lag, time_constant 0.5 s: no format holds effects."
+std::string EffectLeftOut(const ActiveEffect& active, const FittedModel& fitted) {
+  const auto& infos = active.effect->info().parameters;
+  std::vector<std::string> values;
+  for (std::size_t k = 0; k < infos.size(); ++k) {
+    values.push_back(fmt::format("{} {:.6g} {}",
+                                 infos[k].name,
+                                 active.values[k],
+                                 UnitOf(infos[k].quantity, fitted.dof, fitted.force_unit)));
+  }
+  return fmt::format(
+      "The effect {} of {} is left out ({}): the model without it is exported.",
+      LabelOf(active.effect->info(), active.setting),
+      Name(fitted.dof),
+      values.empty() ? "it has no parameters" : fmt::to_string(fmt::join(values, ", ")));
+}
+
+void AddOneDof(const FittedModel& fitted, const std::string& file, ExportModel* exported) {
+  const ParameterVector values = ToVector(fitted.model);
+  const std::string log = ShortNameOf(ValueAt(fitted.provenance, "log"));
+  for (int i = 0; i < kNumParameters; ++i) {
+    const FreeEntry entry = EntryOf(i, fitted.dof);
+    SetValue(entry, values[i], &exported->model);
+    exported->numbers.push_back({entry,
+                                 values[i],
+                                 std::sqrt(fitted.covariance(i, i)),
+                                 true,
+                                 ParameterUnit(i, fitted.dof, fitted.force_unit),
+                                 log});
+  }
+  exported->model.dofs.push_back(fitted.dof);
+  exported->sources.push_back(SourceLine(file, fitted.provenance));
+  for (const std::string& caveat : fitted.caveats) {
+    exported->caveats.push_back(fmt::format("{}: {}", Name(fitted.dof), caveat));
+  }
+  for (const ActiveEffect& active : fitted.effects) {
+    exported->left_out.push_back(EffectLeftOut(active, fitted));
+  }
+}
+
+}  // namespace
+
+bool IsModelled(const ExportModel& model, Dof dof) {
+  return std::find(model.model.dofs.begin(), model.model.dofs.end(), dof) != model.model.dofs.end();
+}
+
+ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& file) {
+  ExportModel exported;
+  exported.model = fitted.model;
+  exported.force_unit = SharedUnit(fitted.force_unit);
+  exported.sources = {SourceLine(file, fitted.provenance)};
+  exported.caveats = fitted.caveats;
+  const std::string log = ShortNameOf(ValueAt(fitted.provenance, "log"));
+  std::vector<FreeEntry> all = EntriesWithoutGains();
+  for (const auto& [thruster, gain] : fitted.model.thrust_gain) {
+    all.push_back(ThrustGainEntry(thruster));
+  }
+  for (const FreeEntry& entry : all) {
+    ExportNumber number;
+    number.entry = entry;
+    number.value = ValueIn(fitted.model, entry);
+    number.unit = UnitOf(entry, fitted.force_unit);
+    number.log = log;
+    const auto found = std::find(fitted.entries.begin(), fitted.entries.end(), entry);
+    number.is_identified = found != fitted.entries.end();
+    if (number.is_identified) {
+      const auto at = static_cast<Eigen::Index>(found - fitted.entries.begin());
+      number.std = std::sqrt(fitted.covariance(at, at));
+    }
+    const double without = entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
+    if (number.is_identified || number.value != without) exported.numbers.push_back(number);
+  }
+  return exported;
+}
+
+ExportModel ExportModelOf(const std::vector<FittedModel>& models,
+                          const std::vector<std::string>& files) {
+  ExportModel exported;
+  exported.is_joined = true;
+  exported.force_unit = SharedUnit(models.front().force_unit);
+  // In the order of Dof, as a coupled model has them.
+  std::array<const FittedModel*, 6> by_dof = {};
+  std::array<std::string, 6> file_of;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const auto dof = static_cast<std::size_t>(Index(models[k].dof));
+    if (by_dof[dof] != nullptr) {
+      throw InputError(fmt::format("{}: is a model of {}, as {} is: expected each DOF once.",
+                                   files[k],
+                                   Name(models[k].dof),
+                                   file_of[dof]));
+    }
+    if (SharedUnit(models[k].force_unit) != exported.force_unit) {
+      throw InputError(fmt::format("{}: takes commands in {}, {} in {}: expected one unit.",
+                                   files[k],
+                                   models[k].force_unit,
+                                   files.front(),
+                                   models.front().force_unit));
+    }
+    by_dof[dof] = &models[k];
+    file_of[dof] = files[k];
+  }
+  for (std::size_t dof = 0; dof < 6; ++dof) {
+    if (by_dof[dof] != nullptr) AddOneDof(*by_dof[dof], file_of[dof], &exported);
+  }
+  if (models.size() > 1) {
+    exported.left_out.push_back(
+        "Each degree of freedom was identified alone: what couples them (Coriolis forces, inertia "
+        "and damping off the diagonal) is not known and left out.");
+  }
+  return exported;
+}
+
+ExportModel ReadExportModel(const std::vector<std::filesystem::path>& paths) {
+  std::vector<FittedModel> models;
+  std::vector<std::string> files;
+  for (const std::filesystem::path& path : paths) {
+    const std::string text = ReadFile(path);
+    if (IsCoupledModel(text)) {
+      if (paths.size() > 1) {
+        throw InputError(fmt::format(
+            "{}: is a model of several DOFs: expected it alone, or models of one DOF each.",
+            path.string()));
+      }
+      return ExportModelOf(ParseCoupledModel(path.string(), text), path.string());
+    }
+    models.push_back(ParseModel(path.string(), text));
+    models.back().provenance = ProvenanceIn(path.string(), text);
+    files.push_back(path.string());
+  }
+  return ExportModelOf(models, files);
+}
+
+}  // namespace fathom

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/export_target.h"
+
+namespace fathom {
+namespace {
+
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+std::string IdentifierOf(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  for (char& c : name) {
+    if (!IsLetter(c) && !IsDigit(c)) c = '_';
+  }
+  if (name.empty() || !IsLetter(name.front())) name = "model_" + name;
+  return name;
+}
+
+}  // namespace fathom

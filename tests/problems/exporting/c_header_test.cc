@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/c_header.h"
+
+#include "fathom/exporting/comment_text.h"
+#include "fathom/process/run_child.h"
+#include "fathom/simulate/coupled/coupled_simulation.h"
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "generic_models.h"
+#include "written_out_rate.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Path = std::filesystem::path;
+
+ExportTarget Target(const std::string& name) { return {name, "a test"}; }
+
+std::string Row(const Eigen::VectorXd& values) {
+  std::string row;
+  for (const double value : values) row += (row.empty() ? "{" : ", ") + LiteralOf(value);
+  return row + "}";
+}
+
+void Write(const Path& path, const std::string& text) { std::ofstream(path) << text; }
+
+// Compiles a header and a main() that uses it as strictly as C compilers can, runs it, and gives
+// the numbers that it prints.
+std::vector<double> NumbersPrinted(const std::string& test,
+                                   const std::string& name,
+                                   const std::string& header,
+                                   const std::string& body) {
+  const Path folder = Path(FATHOM_SCRATCH_DIR) / ("exporting_" + test);
+  std::filesystem::create_directories(folder);
+  Write(folder / (name + ".h"), header);
+  Write(folder / "main.c",
+        fmt::format("#include \"{}.h\"\n#include <stdio.h>\nint main(void) {{\n{}return 0;\n}}\n",
+                    name,
+                    body));
+  const std::string program = (folder / "program").string();
+  const ChildResult compiled = RunChild({"cc",
+                                         {"-std=c99",
+                                          "-Wall",
+                                          "-Wextra",
+                                          "-Werror",
+                                          "-pedantic",
+                                          "-o",
+                                          program,
+                                          (folder / "main.c").string(),
+                                          "-lm"}});
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  const ChildResult run = RunChild({program, {}});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  std::istringstream out(run.out);
+  std::vector<double> numbers;
+  for (double number = 0.0; out >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+// Prints dnu/dt at each state.
+std::string BodyOfAccelerations(const std::string& name, const std::vector<DrawnState>& states) {
+  std::string body = "double a[6];\nint i;\n";
+  for (const DrawnState& state : states) {
+    body += fmt::format(
+        "{{ const {0}_state s = {{{1}, {2}, {{0, 0, 0}}}}; const double tau[6] = {3};\n"
+        "{0}_acceleration(&s, tau, a); for (i = 0; i < 6; ++i) printf(\"%.17g\\n\", a[i]); }}\n",
+        name,
+        Row(state.nu),
+        Row(state.world_from_body.coeffs()),
+        Row(state.tau));
+  }
+  return body;
+}
+
+void ExpectAccelerationsOf(const std::string& name,
+                           const CoupledModel& model,
+                           const ExportModel& exported) {
+  const std::vector<DrawnState> states = DrawnStates(model, 20, /*all_move=*/true);
+  const std::vector<double> numbers = NumbersPrinted("accelerations_" + name,
+                                                     name,
+                                                     CHeader(exported, Target(name)).text,
+                                                     BodyOfAccelerations(name, states));
+  ASSERT_EQ(numbers.size(), 6 * states.size());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Vector6 truth = WrittenOutRate(model, states[k]);
+    const Vector6 given = Eigen::Map<const Vector6>(&numbers[6 * k]);
+    EXPECT_LT((given - truth).norm(), 1e-12 * truth.norm()) << given.transpose();
+  }
+}
+
+TEST(CHeader, AcceleratesAsTheEquationsOfSixDofs) {
+  const FittedCoupledModel fitted = GenericRov();
+  ExpectAccelerationsOf("rov", fitted.model, ExportModelOf(fitted, "rov.json"));
+}
+
+// Roll, pitch and heave move as the caller says, and enter C(nu).
+TEST(CHeader, AcceleratesAsTheEquationsOfABoat) {
+  const FittedCoupledModel fitted = GenericBoat();
+  ExpectAccelerationsOf("boat", fitted.model, ExportModelOf(fitted, "boat.json"));
+}
+
+TEST(CHeader, AcceleratesAsModelsOfOneDofEach) {
+  const FittedModel heave = GenericOneDof(Dof::kHeave), yaw = GenericOneDof(Dof::kYaw);
+  CoupledModel truth;
+  truth.dofs = {Dof::kHeave, Dof::kYaw};
+  truth.inertia(2, 2) = heave.model.inertia;
+  truth.inertia(5, 5) = yaw.model.inertia;
+  truth.linear_damping(2, 2) = heave.model.linear_damping;
+  truth.linear_damping(5, 5) = yaw.model.linear_damping;
+  truth.quadratic_damping(2, 2) = heave.model.quadratic_damping;
+  truth.quadratic_damping(5, 5) = yaw.model.quadratic_damping;
+  truth.net_buoyancy = heave.model.buoyancy;
+  truth.offset(5) = yaw.model.buoyancy;
+  ExpectAccelerationsOf("two", truth, ExportModelOf({yaw, heave}, {"yaw.json", "heave.json"}));
+}
+
+// A second of each of 20 forces, by steps of both that are the same.
+TEST(CHeader, RunsAsOurOwnSimulation) {
+  constexpr double kStep = 0.02;
+  constexpr int kNumSteps = 1000, kStepsOfAForce = 50;
+  const FittedCoupledModel fitted = GenericRov();
+  const std::vector<DrawnState> drawn = DrawnStates(fitted.model, kNumSteps / kStepsOfAForce, true);
+  const DrawnState& start = drawn.front();
+
+  CoupledInputs inputs;
+  for (int k = 0; k < kNumSteps; ++k) {
+    inputs.command.time.push_back(kStep * k);
+    inputs.command.force.push_back(drawn[static_cast<std::size_t>(k / kStepsOfAForce)].tau);
+  }
+  CoupledOutputs outputs;
+  CoupledStamps stamps;
+  stamps.pose = {kStep * kNumSteps};
+  ASSERT_TRUE(RunCoupled(fitted.model,
+                         inputs,
+                         {start.nu, start.world_from_body.coeffs(), Eigen::Vector3d(1, -2, 3)},
+                         stamps,
+                         &outputs));
+  ASSERT_EQ(outputs.num_steps, kNumSteps);
+
+  std::string body = fmt::format("static const double tau[{}][6] = {{\n", drawn.size());
+  for (const DrawnState& state : drawn) body += Row(state.tau) + ",\n";
+  body += fmt::format(
+      "}};\nrov_state s = {{{}, {}, {{1, -2, 3}}}};\nint i;\n"
+      "for (i = 0; i < {}; ++i) rov_step(&s, tau[i / {}], {});\n"
+      "for (i = 0; i < 6; ++i) printf(\"%.17g\\n\", s.nu[i]);\n"
+      "for (i = 0; i < 4; ++i) printf(\"%.17g\\n\", s.attitude[i]);\n"
+      "for (i = 0; i < 3; ++i) printf(\"%.17g\\n\", s.position[i]);\n",
+      Row(start.nu),
+      Row(start.world_from_body.coeffs()),
+      kNumSteps,
+      kStepsOfAForce,
+      kStep);
+  const std::vector<double> numbers = NumbersPrinted(
+      "run", "rov", CHeader(ExportModelOf(fitted, "rov.json"), Target("rov")).text, body);
+  ASSERT_EQ(numbers.size(), 13u);
+  // A thousand steps of rounding, 1e-16 each, some a hundred times as large in the end.
+  const CoupledState& end = outputs.pose.front();
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(numbers[static_cast<std::size_t>(i)], end.nu[i], 1e-11);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(numbers[static_cast<std::size_t>(6 + i)], end.attitude[i], 1e-11);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(numbers[static_cast<std::size_t>(10 + i)], end.position[i], 1e-10);
+  }
+}
+
+// m dv/dt + d v + b = F from rest: v = (F - b)/d (1 - exp(-t d/m)), and its integral.
+TEST(CHeader, ComesToSpeedAsTheClosedForm) {
+  FittedModel fitted = GenericOneDof(Dof::kSurge);
+  fitted.model = {23.0, 0.0, 4.5, 0.7};
+  const std::vector<double> numbers =
+      NumbersPrinted("closed_form",
+                     "surge",
+                     CHeader(ExportModelOf({fitted}, {"surge.json"}), Target("surge")).text,
+                     "surge_state s = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0}};\n"
+                     "const double tau[6] = {3.1, 0, 0, 0, 0, 0};\n"
+                     "int i;\n"
+                     "for (i = 0; i < 200; ++i) surge_step(&s, tau, 0.05);\n"
+                     "printf(\"%.17g %.17g\\n\", s.nu[0], s.position[0]);\n");
+  ASSERT_EQ(numbers.size(), 2u);
+  const double m = 23.0, d = 4.5, t = 10.0, top = (3.1 - 0.7) / d;
+  // The scheme: (0.05 d/m)^4 / 120 of what is left to come, over 2 time constants: 2e-10.
+  EXPECT_NEAR(numbers[0], top * (1.0 - std::exp(-t * d / m)), 1e-9);
+  EXPECT_NEAR(numbers[1], top * (t - m / d * (1.0 - std::exp(-t * d / m))), 1e-8);
+}
+
+// Port pushes ahead at y = -0.45 m: 0.8 x 10 N and 0.45 m x 8 N = 3.6 N m; starboard down at
+// x = 0.3 m: 5 N and a pitch of -0.3 x 5 = -1.5 N m.
+TEST(CHeader, AllocatesTheThrustsOfTheVehicle) {
+  ExportTarget target = Target("rov");
+  target.vehicle.emplace();
+  target.vehicle->thrusters = {{"port", {-0.4, -0.45, 0.0}, {1.0, 0.0, 0.0}},
+                               {"down */ tube", {0.3, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+  const ExportedFile file = CHeader(ExportModelOf(GenericRov(), "rov.json"), target);
+  EXPECT_TRUE(file.remarks.empty());
+  const std::vector<double> numbers =
+      NumbersPrinted("allocation",
+                     "rov",
+                     file.text,
+                     "const double thrust[2] = {10, 5}; double tau[6]; int i;\n"
+                     "rov_forces(thrust, tau);\n"
+                     "for (i = 0; i < 6; ++i) printf(\"%.17g\\n\", tau[i]);\n");
+  ASSERT_EQ(numbers.size(), 6u);
+  const std::vector<double> truth = {8.0, 0.0, 5.0, 0.0, -1.5, 3.6};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(numbers[i], truth[i], 1e-14);
+}
+
+TEST(CHeader, SaysOfEachNumberWhereItIsFrom) {
+  const std::string text = CHeader(ExportModelOf(GenericRov(), "rov.json"), Target("rov")).text;
+  // 40 give or take 1.96 x 0.1.
+  EXPECT_THAT(text,
+              HasSubstr("#define ROV_INERTIA_SURGE 40.0 /* kg, 95 % interval 39.8 to 40.2, log "
+                        "tank_07 */\n"));
+  EXPECT_THAT(text,
+              HasSubstr("#define ROV_INERTIA_SURGE_PITCH (-1.5) /* kg m, 95 % interval -1.696 to "
+                        "-1.304, log tank_07 */\n"));
+  EXPECT_THAT(text, HasSubstr("ROV_THRUST_GAIN_1 0.8 /* thruster port, 1, interval not known"));
+  EXPECT_THAT(text, HasSubstr("From rov.json: log tank_07, version 0.1.0\n"));
+}
+
+TEST(CHeader, SaysWhichGainItHasNoThrusterFor) {
+  const ExportedFile file = CHeader(ExportModelOf(GenericRov(), "rov.json"), Target("rov"));
+  ASSERT_EQ(file.remarks.size(), 1u);
+  EXPECT_THAT(file.remarks[0], HasSubstr("gain 0.8 of the thruster port is left out"));
+  EXPECT_THAT(file.text, HasSubstr("Note: " + file.remarks[0]));
+  EXPECT_THAT(file.text, Not(HasSubstr("rov_forces")));
+}
+
+}  // namespace
+}  // namespace fathom

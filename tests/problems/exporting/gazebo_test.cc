@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/exporting/gazebo.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/vehicle/coupled/coriolis.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "generic_models.h"
+#include "written_out_rate.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+namespace fathom {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+ExportTarget TargetWithBody() {
+  ExportTarget target = {"rov", "a test"};
+  target.vehicle.emplace();
+  RigidBody& body = target.vehicle->body;
+  body.mass = 30.0;
+  body.inertia_tensor.emplace();
+  *body.inertia_tensor << 1.1, 0.05, -0.07, 0.05, 1.7, 0.02, -0.07, 0.02, 2.3;
+  body.centre_of_mass = Eigen::Vector3d(0.03, -0.02, 0.04);
+  return target;
+}
+
+double NumberOf(const pugi::xml_node& parent, const std::string& name) {
+  EXPECT_TRUE(parent.child(name.c_str())) << name;
+  return parent.child(name.c_str()).text().as_double(NAN);
+}
+
+// Symmetric, of elements named by two letters.
+Eigen::MatrixXd SymmetricOf(const pugi::xml_node& parent,
+                            const std::string& prefix,
+                            const std::string& letters) {
+  const auto n = static_cast<Eigen::Index>(letters.size());
+  Eigen::MatrixXd matrix(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = i; j < n; ++j) {
+      const std::string name =
+          prefix + letters[static_cast<std::size_t>(i)] + letters[static_cast<std::size_t>(j)];
+      matrix(i, j) = matrix(j, i) = NumberOf(parent, name);
+    }
+  }
+  return matrix;
+}
+
+// What a physics engine takes for the inertia about the link's origin, from the elements as SDF
+// defines them: sdformat.org, <inertial>.
+Matrix6 InertiaIn(const pugi::xml_node& inertial) {
+  const double mass = NumberOf(inertial, "mass");
+  std::istringstream pose(inertial.child("pose").text().as_string());
+  Eigen::Vector3d centre;
+  pose >> centre[0] >> centre[1] >> centre[2];
+  const Eigen::Matrix3d cross = CrossMatrix(centre);
+  Matrix6 inertia;
+  inertia << mass * Eigen::Matrix3d::Identity(), -mass * cross, mass * cross,
+      SymmetricOf(inertial.child("inertia"), "i", "xyz") - mass * cross * cross;
+  return inertia + SymmetricOf(inertial.child("fluid_added_mass"), "", "xyzpqr");
+}
+
+// The wrench of the plugin at a velocity, by the law of its documentation: the force along each
+// axis is the sum of xU u + xUabsU |u| u and their like.
+Vector6 WrenchOf(const pugi::xml_node& plugin, const Vector6& nu) {
+  const std::string forces = "xyzkmn", speeds = "UVWPQR";
+  Vector6 wrench = Vector6::Zero();
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const std::string name = {forces[static_cast<std::size_t>(i)],
+                                speeds[static_cast<std::size_t>(j)]};
+      const std::string quadratic = name + "abs" + name[1];
+      wrench[i] += plugin.child(name.c_str()).text().as_double(0.0) * nu[j];
+      wrench[i] += plugin.child(quadratic.c_str()).text().as_double(0.0) * std::abs(nu[j]) * nu[j];
+    }
+  }
+  return wrench;
+}
+
+pugi::xml_node ModelIn(const ExportedFile& file, pugi::xml_document* document) {
+  EXPECT_THAT(file.problems, IsEmpty());
+  const auto parsed = document->load_string(file.text.c_str());
+  EXPECT_TRUE(parsed) << parsed.description() << "\n" << file.text;
+  EXPECT_STREQ(document->child("sdf").attribute("version").as_string(), "1.10");
+  return document->child("sdf").child("model");
+}
+
+// y and z point the other way: of velocities and forces both, and of turns about them.
+Vector6 InZUp(const Vector6& v) { return {v[0], -v[1], -v[2], v[3], -v[4], -v[5]}; }
+
+// Kinetic energy and the momentum's components do not depend on whose axes they are told in.
+TEST(GazeboModel, HasTheInertiaOfTheModelInItsOwnAxes) {
+  const FittedCoupledModel fitted = GenericRov();
+  pugi::xml_document document;
+  const auto model =
+      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody()), &document);
+  const Matrix6 inertia = InertiaIn(model.child("link").child("inertial"));
+  for (const DrawnState& state : DrawnStates(fitted.model, 10, true)) {
+    const Vector6 momentum = fitted.model.inertia * state.nu;
+    EXPECT_LT((inertia * InZUp(state.nu) - InZUp(momentum)).norm(), 1e-12 * momentum.norm());
+  }
+}
+
+TEST(GazeboModel, DampsAsTheModel) {
+  const FittedCoupledModel fitted = GenericRov();
+  pugi::xml_document document;
+  const auto model =
+      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody()), &document);
+  const auto plugin = model.child("plugin");
+  EXPECT_STREQ(plugin.attribute("name").as_string(), "gz::sim::systems::Hydrodynamics");
+  EXPECT_STREQ(plugin.child("link_name").text().as_string(),
+               model.child("link").attribute("name").as_string());
+  for (const DrawnState& state : DrawnStates(fitted.model, 10, true)) {
+    const Vector6 nu = state.nu;
+    const Vector6 truth = -(fitted.model.linear_damping * nu +
+                            fitted.model.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu));
+    EXPECT_LT((WrenchOf(plugin, InZUp(nu)) - InZUp(truth)).norm(), 1e-12 * truth.norm());
+  }
+}
+
+TEST(GazeboModel, HasNegativeDampingsAndNoAddedMassInThePlugin) {
+  pugi::xml_document document;
+  const auto model =
+      ModelIn(GazeboModel(ExportModelOf(GenericRov(), "rov.json"), TargetWithBody()), &document);
+  EXPECT_EQ(NumberOf(model.child("plugin"), "xU"), -5.0);
+  EXPECT_EQ(NumberOf(model.child("plugin"), "xUabsU"), -30.0);
+  EXPECT_EQ(NumberOf(model.child("plugin"), "nR"), -0.8);
+  for (const auto& element : model.child("plugin").children()) {
+    EXPECT_EQ(std::string(element.name()).find("Dot"), std::string::npos) << element.name();
+  }
+}
+
+// Of DOFs that nobody modelled the body alone is known; of models of one DOF each the diagonal.
+TEST(GazeboModel, HasNoAddedMassWhereTheModelTellsNone) {
+  FittedModel surge = GenericOneDof(Dof::kSurge);
+  surge.model.inertia = 41.0;
+  FittedModel pitch = GenericOneDof(Dof::kPitch);
+  pugi::xml_document document;
+  const ExportedFile file =
+      GazeboModel(ExportModelOf({surge, pitch}, {"surge.json", "pitch.json"}), TargetWithBody());
+  const auto added =
+      ModelIn(file, &document).child("link").child("inertial").child("fluid_added_mass");
+  Matrix6 truth = Matrix6::Zero();
+  truth(0, 0) = 41.0 - 30.0;
+  truth(4, 4) = pitch.model.inertia - 1.7;
+  EXPECT_LT((SymmetricOf(added, "", "xyzpqr") - truth).norm(), 1e-12);
+  EXPECT_THAT(file.remarks,
+              Contains("Not modelled: sway, heave, roll and yaw. Their added mass and damping are "
+                       "not known and stand as 0."));
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("no Coriolis forces, but Gazebo adds")));
+}
+
+// Each stands in the file as it does on stderr.
+TEST(GazeboModel, NamesWhatItCannotHold) {
+  const ExportedFile file = GazeboModel(ExportModelOf(GenericRov(), "rov.json"), TargetWithBody());
+  for (const std::string& remark : file.remarks) EXPECT_THAT(file.text, HasSubstr(remark));
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("offset.surge of 0.03 N is left out")));
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("thrust_gain.port of 0.8 is left out")));
+  // (30 + 2/9.8)/1000.
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("a volume of 0.0302041 m^3")));
+  // W z_g - B z_b = 6 with W = 294 N, B = 296 N, z_g = 0.04 m: z_b = 5.76/296 m below.
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("at z = -0.01946 m, up")));
+}
+
+// 30 kg in 1000 kg/m^3.
+TEST(GazeboModel, SaysThatANetBuoyancyIsNotKnown) {
+  const ExportedFile file =
+      GazeboModel(ExportModelOf(GenericBoat(), "boat.json"), TargetWithBody());
+  EXPECT_THAT(file.remarks,
+              Contains(HasSubstr("The net buoyancy is not known: to let the vehicle hover give it "
+                                 "a volume of 0.03 m^3")));
+}
+
+TEST(GazeboModel, NamesAnInertiaByADofThatIsNotModelled) {
+  FittedCoupledModel fitted = GenericBoat();
+  SetValue(InertiaEntry(Dof::kSway, Dof::kRoll), 1.25, &fitted.model);
+  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "boat.json"), TargetWithBody());
+  EXPECT_THAT(file.remarks,
+              Contains("inertia.sway.roll of 1.25 kg m is left out: roll is not modelled."));
+}
+
+TEST(GazeboModel, RefusesAVehicleWhoseBodyIsNotKnown) {
+  ExportTarget target = TargetWithBody();
+  target.vehicle->body.centre_of_mass.reset();
+  try {
+    GazeboModel(ExportModelOf(GenericRov(), "rov.json"), target);
+    FAIL() << "it should have been refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("`rigid_body: {centre_of_mass: [0, 0, 0.02]}`"));
+  }
+}
+
+TEST(GazeboModel, FailsItsCheckWhereTheAddedMassWouldBeNegative) {
+  FittedCoupledModel fitted = GenericRov();
+  SetValue(InertiaEntry(Dof::kSurge, Dof::kSurge), 25.0, &fitted.model);
+  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody());
+  EXPECT_EQ(file.text, "");
+  EXPECT_THAT(file.problems,
+              ElementsAre(HasSubstr("The inertia of surge is 25, below the 30 of the body")));
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/process/run_child.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "expect_refusal.h"
+#include "run_tool.h"
+#include "saved_files.h"
+#include "small_log.h"
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Path = std::filesystem::path;
+
+// The small model with one text in place of another.
+std::string ChangedModel(const std::string& from, const std::string& to) {
+  std::string model = SmallModelJson();
+  model.replace(model.find(from), from.size(), to);
+  return model;
+}
+
+std::string WholeVehicle() {
+  return SmallVehicleYaml() +
+         "rigid_body: {inertia_tensor: [[0.4, 0, 0], [0, 0.6, 0], [0, 0, 0.8]], centre_of_mass: "
+         "[0, 0, 0.02]}\n";
+}
+
+// In an empty folder: a model, vehicles, and what is to be written.
+struct ExportInputs {
+  Path folder = EmptyTestFolder();
+  std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+  std::string vehicle = WriteTestFile(folder / "vehicle.yaml", WholeVehicle()).string();
+  std::string bare = WriteTestFile(folder / "bare.yaml", SmallVehicleYaml()).string();
+
+  std::string Out(const std::string& name) const { return (folder / name).string(); }
+};
+
+TEST(ExportTool, WritesEachFormatAndSaysWhatItChecked) {
+  const ExportInputs inputs;
+  const struct {
+    std::string format, file, begins;
+  } formats[] = {{"c", "small.h", "/* small: a motion model of surge."},
+                 {"gazebo", "small.sdf", "<?xml version=\"1.0\"?>\n<!-- small: a motion model"},
+                 {"mss", "small.m", "function xdot = small(x, ui)\n"}};
+  for (const auto& [format, file, begins] : formats) {
+    const std::string out = inputs.Out(file);
+    const ToolRun run = RunToolBinary("fathom_export",
+                                      {"--model=" + inputs.model,
+                                       "--vehicle=" + inputs.vehicle,
+                                       "--format=" + format,
+                                       "--out=" + out});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, StartsWith(out + " written: a "));
+    EXPECT_THAT(run.out, HasSubstr("Checked: the inertia, a free decay.\n"));
+    EXPECT_THAT(TextOf(out), StartsWith(begins));
+    EXPECT_THAT(TextOf(out), HasSubstr("Made by fathom_export "));
+  }
+}
+
+// A main() that runs the exported small.h over a command held between stamps, and prints the speed
+// at each: from the first speed of the prediction.
+std::string MainOverCommand(const CsvColumns& command, double first_speed) {
+  std::string rows;
+  for (const auto& row : command.rows) rows += fmt::format("{{{}, {}}},\n", row[0], row[1]);
+  return fmt::format(
+      "#include \"small.h\"\n#include <stdio.h>\n"
+      "static const double command[{0}][2] = {{\n{1}}};\n"
+      "int main(void) {{\n"
+      "  small_state state = {{{{{2}}}, {{0, 0, 0, 1}}, {{0}}}};\n"
+      "  double tau[6] = {{0}};\n"
+      "  int i;\n"
+      "  for (i = 0; i < {0}; ++i) {{\n"
+      "    printf(\"%.17g\\n\", state.nu[0]);\n"
+      "    tau[0] = command[i][1];\n"
+      "    if (i + 1 < {0}) small_step(&state, tau, command[i + 1][0] - command[i][0]);\n"
+      "  }}\n"
+      "  return 0;\n"
+      "}}\n",
+      command.rows.size(),
+      rows,
+      first_speed);
+}
+
+// Round trip: the model as a C program predicts a log as fathom_simulate does.
+TEST(ExportTool, PredictsALogInCAsFathomSimulateDoes) {
+  const ExportInputs inputs;
+  const Path log = WriteSmallLog(inputs.folder / "log");
+  const Path csv = inputs.folder / "prediction.csv";
+  const ToolRun simulated =
+      RunToolBinary("fathom_simulate",
+                    {"--model=" + inputs.model, "--log=" + log.string(), "--out=" + csv.string()});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  const ToolRun exported = RunToolBinary(
+      "fathom_export", {"--model=" + inputs.model, "--format=c", "--out=" + inputs.Out("small.h")});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  const std::vector<double> speeds = ReadColumns(csv).Values("u");
+  const CsvColumns command = ReadColumns(log / "command.csv");
+  ASSERT_EQ(command.rows.size(), speeds.size());
+  const Path source =
+      WriteTestFile(inputs.folder / "main.c", MainOverCommand(command, speeds.front()));
+  const std::string program = inputs.Out("program");
+  const ChildResult compiled =
+      RunChild({"cc", {"-std=c99", "-o", program, source.string(), "-lm"}});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  std::istringstream out(RunChild({program, {}}).out);
+  double largest = 0.0;
+  for (const double speed : speeds) {
+    double in_c = 0.0;
+    ASSERT_TRUE(out >> in_c);
+    largest = std::max(largest, std::abs(in_c - speed));
+  }
+  // Both take the same steps of the same scheme, from stamp to stamp.
+  EXPECT_LT(largest, 1e-12);
+}
+
+// A lag that no format holds.
+TEST(ExportTool, SaysOnStderrAndInTheFileWhatItLeavesOut) {
+  const ExportInputs inputs;
+  std::string text =
+      ChangedModel("\"effects\": []", "\"effects\": [{\"effect\": \"thruster_lag\"}]");
+  const std::string buoyancy = "\"unit\": \"N\"}}";
+  text.replace(text.find(buoyancy),
+               buoyancy.size(),
+               "\"unit\": \"N\"}, \"thruster_lag.time_constant\": {\"value\": 0.5, \"std\": 0.1, "
+               "\"unit\": \"s\"}}");
+  const std::string covariance =
+      "[[0.16, 0, 0, 0], [0, 0.09, 0, 0], [0, 0, 0.04, 0], [0, 0, 0, 0.01]]";
+  text.replace(text.find(covariance),
+               covariance.size(),
+               "[[0.16, 0, 0, 0, 0], [0, 0.09, 0, 0, 0], [0, 0, 0.04, 0, 0], [0, 0, 0, 0.01, 0], "
+               "[0, 0, 0, 0, 0.01]]");
+  const std::string model = WriteTestFile(inputs.folder / "lag.json", text).string();
+  const std::string out = inputs.Out("lag.h");
+  const ToolRun run =
+      RunToolBinary("fathom_export", {"--model=" + model, "--format=c", "--out=" + out});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string remark = "The effect thruster_lag of surge is left out (time_constant 0.5 s)";
+  EXPECT_THAT(run.err, HasSubstr("fathom_export: note: " + remark));
+  EXPECT_THAT(TextOf(out), HasSubstr(" * Note: " + remark));
+}
+
+TEST(ExportTool, SaysWhatGazeboLacksAndHowToWriteIt) {
+  const ExportInputs inputs;
+  EXPECT_THAT(ExpectRefusal("fathom_export",
+                            {"--model=" + inputs.model,
+                             "--vehicle=" + inputs.bare,
+                             "--format=gazebo",
+                             "--out=" + inputs.Out("small.sdf")},
+                            inputs.folder),
+              HasSubstr("expected `rigid_body: {inertia_tensor: [[0.4, 0, 0], [0, 0.6, 0], [0, 0, "
+                        "0.8]], centre_of_mass: [0, 0, 0.02]}`"));
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_export",
+          {"--model=" + inputs.model, "--format=gazebo", "--out=" + inputs.Out("small.sdf")},
+          inputs.folder),
+      StartsWith("fathom_export: --vehicle: is missing."));
+}
+
+TEST(ExportTool, RefusesANameThatMatlabCannotCall) {
+  const ExportInputs inputs;
+  EXPECT_THAT(
+      ExpectRefusal("fathom_export",
+                    {"--model=" + inputs.model, "--format=mss", "--out=" + inputs.Out("my-boat.m")},
+                    inputs.folder),
+      HasSubstr("expected a name such as boat.m"));
+}
+
+TEST(ExportTool, RefusesAFormatThatThereIsNot) {
+  const ExportInputs inputs;
+  EXPECT_EQ(ExpectRefusal(
+                "fathom_export",
+                {"--model=" + inputs.model, "--format=urdf", "--out=" + inputs.Out("small.urdf")},
+                inputs.folder),
+            "fathom_export: --format: is 'urdf', expected c, gazebo or mss.\n");
+}
+
+TEST(ExportTool, RefusesToWriteOverItsModel) {
+  const ExportInputs inputs;
+  EXPECT_THAT(ExpectRefusal("fathom_export",
+                            {"--model=" + inputs.model, "--format=c", "--out=" + inputs.model},
+                            inputs.folder),
+              HasSubstr("--out=" + inputs.model));
+}
+
+// Without damping nothing ends the motion. Nothing is written.
+TEST(ExportTool, WritesNothingOfAModelThatFailsACheck) {
+  const ExportInputs inputs;
+  std::string text = ChangedModel("{\"value\": 30,", "{\"value\": 0,");
+  text.replace(text.find("{\"value\": 5,"), 12, "{\"value\": 0,");
+  const std::string model = WriteTestFile(inputs.folder / "ice.json", text).string();
+  const auto before = ListOf(inputs.folder);
+  const ToolRun run = RunToolBinary(
+      "fathom_export", {"--model=" + model, "--format=c", "--out=" + inputs.Out("ice.h")});
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err,
+            "fathom_export: not written: A DOF has no damping: nothing ends its motion.\n");
+  EXPECT_EQ(ListOf(inputs.folder), before);
+}
+
+}  // namespace
+}  // namespace fathom

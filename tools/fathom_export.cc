@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A model as a file of another program: a C header, a model of Gazebo, a function of MATLAB.
+
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/base/utc_time.h"
+#include "fathom/exporting/export_format.h"
+#include "fathom/exporting/export_model.h"
+#include "fathom/exporting/export_target.h"
+#include "fathom/tool/flag_values.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_text.h"
+#include "fathom/tool/tool.h"
+#include "fathom/tool/version.h"
+#include "fathom/vehicle/files/vehicle_file.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(model, "", "Model or verdict file (JSON); several of one DOF each.");
+DEFINE_string(vehicle, "", "Vehicle file (YAML): the body without its water, and thrusters.");
+DEFINE_string(format, "", "c, gazebo or mss.");
+DEFINE_string(out, "", "Write the exported model to this file; its name becomes the model's.");
+
+namespace fathom {
+namespace {
+
+const ToolInfo kInfo = {
+    "fathom_export",
+    "Writes a model for another program: a C header, Gazebo, MATLAB and Octave.",
+    "--model=FILE [--model=FILE ...] [--vehicle=FILE] --format=c|gazebo|mss --out=FILE",
+    "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
+    "  fathom_export --model=surge.json --format=c --out=flatfish.h",
+    "A model of several degrees of freedom is exported as it is, models and verdicts of one each "
+    "are joined. What a format does not hold is named in the file and on stderr. Before it is "
+    "written, the model is checked: its inertia, its Coriolis forces, a free decay. gazebo needs "
+    "--vehicle with mass and rigid_body. docs/export.md.",
+    {"model"},
+    "",
+    "0: the file is written; 1: input or flags cannot be used; 2: a check of the model failed"};
+
+std::string Today() {
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  return FormatUtc(seconds).substr(0, 10);
+}
+
+// MATLAB finds a function by the name of its file.
+void RequireFunctionFile(const std::filesystem::path& file) {
+  if (file.extension() == ".m" && file.stem() == IdentifierOf(file)) return;
+  throw InputError(
+      fmt::format("--out: is {}, expected a name such as boat.m for mss: MATLAB calls the function "
+                  "by it, so that it holds letters, digits and _ alone.",
+                  file.string()));
+}
+
+int Run() {
+  RequireFlag("model", FLAGS_model, "a model or verdict file");
+  RequireFlag("format", FLAGS_format, "c, gazebo or mss");
+  RequireFlag("out", FLAGS_out, "the file to write");
+  RequireOnePath("out", FLAGS_out);
+  const ExportFormat format = ParseFlag("format", FLAGS_format, ParseExportFormat);
+  if (format == ExportFormat::kMss) RequireFunctionFile(FLAGS_out);
+  const std::vector<std::string> files = PathsInValues(FLAGS_model);
+  std::vector<std::string> inputs = files;
+  if (!FLAGS_vehicle.empty()) inputs.push_back(FLAGS_vehicle);
+  RequireOutputs({{"out", FLAGS_out}}, inputs);
+
+  const ExportModel model = ReadExportModel({files.begin(), files.end()});
+  ExportTarget target = {IdentifierOf(FLAGS_out),
+                         fmt::format("fathom_export {}, {}", VersionWithCommit(), Today())};
+  if (!FLAGS_vehicle.empty()) target.vehicle = ReadVehicleFile(FLAGS_vehicle);
+  const ExportedFile exported = Export(model, target, format);
+  for (const std::string& problem : exported.problems) {
+    PrintText(stderr, fmt::format("fathom_export: not written: {}\n", problem));
+  }
+  if (!exported.problems.empty()) return kExitNoFit;
+  for (const std::string& remark : exported.remarks) {
+    PrintText(stderr, fmt::format("fathom_export: note: {}\n", remark));
+  }
+  WriteFile(FLAGS_out, exported.text);
+  PrintText(stdout,
+            fmt::format("{} written: {}. Checked: the inertia, {}a free decay.\n",
+                        FLAGS_out,
+                        DescriptionOf(format),
+                        model.model.coriolis ? "the Coriolis forces, " : ""));
+  return kExitUsable;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }
