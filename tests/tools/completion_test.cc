@@ -58,9 +58,9 @@ TEST(Completion, OffersSubCommands) {
 
 TEST(Completion, OffersTheFlagsOfTheProgram) {
   EXPECT_THAT(Candidates({kFathom, "compare", "--do"}), ElementsAre("--dofs="));
-  EXPECT_THAT(Candidates({kFathom, "diagnose", "--do"}), ElementsAre("--dof="));
+  EXPECT_THAT(Candidates({kFathom, "diagnose", "--do"}), ElementsAre("--dof=", "--dofs="));
   EXPECT_THAT(Candidates({kFathom + "_diagnose", "--log", "=", "data", "--do"}),
-              ElementsAre("--dof="));
+              ElementsAre("--dof=", "--dofs="));
   EXPECT_THAT(Candidates({kFathom, "identify", "--do"}), UnorderedElementsAre("--dof=", "--dofs="));
   // That of a bool takes no value.
   EXPECT_THAT(Candidates({kFathom, "import", "--li"}), ElementsAre("--list"));
