@@ -18,8 +18,6 @@ namespace {
 
 using Kind = FreeEntry::Kind;
 
-bool IsThrustGain(const FreeEntry& entry) { return entry.kind == Kind::kThrustGain; }
-
 // The DOFs beside the modelled ones that move.
 std::vector<Dof> Partners(std::span<const CoupledData> logs) {
   std::vector<Dof> partners;
@@ -36,7 +34,7 @@ MotionStructure PartOf(const MotionStructure& structure, const std::vector<Dof>&
   MotionStructure part = {block, {}, structure.coriolis};
   for (const FreeEntry& entry : structure.entries) {
     const Dof row = entry.kind == Kind::kNetBuoyancy ? Dof::kHeave : entry.row;
-    if (IsThrustGain(entry) || std::find(block.begin(), block.end(), row) != block.end()) {
+    if (IsOfActuator(entry) || std::find(block.begin(), block.end(), row) != block.end()) {
       part.entries.push_back(entry);
     }
   }
@@ -163,7 +161,7 @@ CoupledSummary FitBlocks(const CoupledLogs& logs,
                          const CoupledFitOptions& options) {
   const auto blocks = BlocksOf(structure, Partners(logs.data), options.held);
   const bool has_gain =
-      std::any_of(structure.entries.begin(), structure.entries.end(), IsThrustGain);
+      std::any_of(structure.entries.begin(), structure.entries.end(), IsOfActuator);
   if (blocks.size() == 1 || has_gain) {
     const MotionStructure& all = structure;
     return IsUncoupled(logs, all) ? FitUncoupled(logs, all, options)

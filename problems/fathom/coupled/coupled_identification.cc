@@ -37,8 +37,8 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
                           const std::optional<Vehicle>& vehicle) {
   CoupledLogs out;
   for (const Log& log : logs) {
-    const std::vector<Thruster> thrusters = vehicle ? vehicle->thrusters : std::vector<Thruster>();
-    out.data.push_back(CoupledDataOf(log, dofs, thrusters));
+    const Vehicle of_log = vehicle.value_or(Vehicle());
+    out.data.push_back(CoupledDataOf(log, dofs, of_log.thrusters, of_log.fins));
     if (out.data.back().force_unit != out.data.front().force_unit) {
       throw InputError(fmt::format("{}: is commanded in {}, expected {} as in {}.",
                                    log.path.string(),
@@ -49,6 +49,14 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
   }
   out.logs = std::move(logs);
   return out;
+}
+
+std::vector<StructureFin> FinsOf(const CoupledLogs& logs) {
+  std::vector<StructureFin> fins;
+  for (const CommandedFin& fin : logs.data.front().inputs.command.fins) {
+    fins.push_back({fin.name, fin.force.has_value(), !fin.behind.empty()});
+  }
+  return fins;
 }
 
 }  // namespace
@@ -68,14 +76,27 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   }
   CoupledFitOptions fit = options.fit;
   if (vehicle) fit.body = vehicle->body;
+  // What is not free of the inertia is the body's own, where that is known.
+  if (const auto rigid = RigidInertia(fit.body)) {
+    for (const Dof row : options.dofs) {
+      for (const Dof column : options.dofs) {
+        fit.held.inertia(Index(row), Index(column)) = (*rigid)(Index(row), Index(column));
+      }
+    }
+  }
+  for (const CommandedFin& fin : all.data.front().inputs.command.fins) {
+    if (fin.force) fit.held.fin_force[fin.name] = *fin.force;
+  }
   if (options.structure) {
-    identified.fit = FitBlocks(all, StructureOf(*options.structure, options.dofs), fit);
+    identified.fit =
+        FitBlocks(all, StructureOf(*options.structure, options.dofs, FinsOf(all)), fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {
     EntrySearchOptions search;
     search.fit = fit;
     const auto& thrusters = all.data.front().inputs.command.thrusters;
     for (const CommandedThruster& thruster : thrusters) search.thrusters.push_back(thruster.name);
+    search.fins = FinsOf(all);
     identified.ladder = ClimbLadder(all, options.dofs, search);
     identified.fit = identified.ladder->rungs[identified.ladder->accepted].fit;
     identified.fitted.structure = "auto";

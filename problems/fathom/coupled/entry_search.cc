@@ -32,9 +32,9 @@ bool Holds(const MotionStructure& structure, const FreeEntry& entry) {
          structure.entries.end();
 }
 
-// Everything off the diagonal, and the thrusters.
+// Everything off the diagonal, the thrusters and the fins.
 std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
-                                        const std::vector<std::string>& thrusters) {
+                                        const EntrySearchOptions& options) {
   std::vector<FreeEntry> all;
   for (const Dof row : structure.dofs) {
     for (const Dof column : structure.dofs) {
@@ -43,7 +43,8 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
       all.push_back(LinearDampingEntry(row, column));
     }
   }
-  for (const std::string& thruster : thrusters) all.push_back(ThrustGainEntry(thruster));
+  for (const std::string& thruster : options.thrusters) all.push_back(ThrustGainEntry(thruster));
+  for (const StructureFin& fin : options.fins) all.push_back(FinNeutralEntry(fin.name));
   std::erase_if(all, [&](const FreeEntry& entry) { return Holds(structure, entry); });
   return all;
 }
@@ -117,7 +118,7 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
   while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
   }
   while (search.fit.IsUsable() && search.named.size() < kMostNamed) {
-    std::vector<FreeEntry> candidates = CandidatesBeyond(search.structure, options.thrusters);
+    std::vector<FreeEntry> candidates = CandidatesBeyond(search.structure, options);
     std::erase_if(candidates, [&](const FreeEntry& entry) {
       return std::ranges::find(banned, entry) != banned.end();
     });

@@ -20,6 +20,7 @@ struct EntrySearchOptions {
   double false_alarm = 0.01;
 
   std::vector<std::string> thrusters;  // whose gain may be off
+  std::vector<StructureFin> fins;      // whose neutral angle may be
 };
 
 // A number beyond a structure that the data show.
@@ -46,8 +47,8 @@ struct EntrySearch {
 
 // Adds the entry that the data ask for most until they ask for none; an entry that a later one
 // makes needless goes. Candidates: all off the diagonal of the inertia and of the linear damping,
-// and the gain of each thruster; docs/coupled.md. `begun`: a usable fit, and what another search
-// has named in it.
+// the gain of each thruster, and the neutral angle of each fin; docs/coupled.md. `begun`: a usable
+// fit, and what another search has named in it.
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
                           EntrySearch begun,
                           const EntrySearchOptions& options);

@@ -123,11 +123,14 @@ Ladder ClimbLadder(const CoupledLogs& logs,
                    const std::vector<Dof>& dofs,
                    const EntrySearchOptions& options) {
   Climb climb(logs, dofs, options.fit);
-  for (const auto standard : {StandardStructure::kDiagonal, StandardStructure::kCoriolis}) {
-    climb.Try(std::string(Name(standard)), StructureOf(standard, dofs));
+  std::vector<StandardStructure> first = {StandardStructure::kDiagonal,
+                                          StandardStructure::kCoriolis};
+  if (!options.fins.empty()) first.push_back(StandardStructure::kLift);
+  for (const auto standard : first) {
+    climb.Try(std::string(Name(standard)), StructureOf(standard, dofs, options.fins));
   }
   std::vector<NamedEntry> named;
-  const MotionStructure coriolis = StructureOf(StandardStructure::kCoriolis, dofs);
+  const MotionStructure coriolis = StructureOf(StandardStructure::kCoriolis, dofs, options.fins);
   if (const auto weak = WeakestThruster(logs, coriolis, options)) {
     CoupledSummary fit = FitBlocks(logs, weak->structure, options.fit);  // from its own start
     if (fit.IsUsable() && StrengthOf(fit, weak->named.entry) > kStillThere &&
@@ -152,7 +155,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   }
   for (const auto standard : {StandardStructure::kSymmetric, StandardStructure::kFull}) {
     const MotionStructure& stands = climb.standing().structure;
-    const MotionStructure structure = Joined(stands, StructureOf(standard, dofs));
+    const MotionStructure structure = Joined(stands, StructureOf(standard, dofs, options.fins));
     if (structure.entries.size() > stands.entries.size()) {
       climb.Try(std::string(Name(standard)), structure);
     }

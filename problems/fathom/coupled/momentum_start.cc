@@ -58,11 +58,49 @@ Vector6 RateOf(const FreeEntry& entry,
     case Kind::kOffset:
       force[i] = 1.0;
       break;
+    case Kind::kLift:
+      force[i] = nu[0] * nu[j];
+      break;
     case Kind::kThrustGain:
+    case Kind::kFinForce:
+    case Kind::kFinRace:
+    case Kind::kFinNeutral:
       break;
   }
   return force;
 }
+
+// What the fins that are held give, and one at a force of 1, at a time.
+class FinForces {
+ public:
+  explicit FinForces(const CoupledCommand& command) : command_(command) {}
+
+  Vector6 Of(double t, const Vector6& nu, const CoupledModel& model, const FreeEntry* only) const {
+    Vector6 force = Vector6::Zero();
+    if (command_.fins.empty()) return force;
+    const auto next = std::upper_bound(command_.time.begin(), command_.time.end(), t);
+    if (next == command_.time.begin()) return force;
+    const auto row = static_cast<std::size_t>(next - command_.time.begin()) - 1;
+    for (const CommandedFin& fin : command_.fins) {
+      if (only != nullptr && only->thruster != fin.name) continue;
+      const auto held = model.fin_force.find(fin.name);
+      const double size = only != nullptr                 ? 1.0
+                          : held == model.fin_force.end() ? 0.0
+                                                          : held->second;
+      if (size == 0.0) continue;
+      const auto neutral = model.fin_neutral.find(fin.name);
+      const double angle =
+          fin.angle[row] - (neutral == model.fin_neutral.end() ? 0.0 : neutral->second);
+      const auto race = model.fin_race.find(fin.name);
+      const double k = race == model.fin_race.end() ? 0.0 : race->second;
+      force += size * FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row)).Force();
+    }
+    return force;
+  }
+
+ private:
+  const CoupledCommand& command_;
+};
 
 // Impulses of a command, by stamp.
 class Impulses {
@@ -118,6 +156,7 @@ void AddPieces(const CoupledData& log,
                Balance* balance) {
   const auto num = static_cast<Eigen::Index>(structure.entries.size());
   Impulses impulses(log.inputs.command);
+  const FinForces fins(log.inputs.command);
   std::size_t begin = 0;
   while (begin + 1 < segment.time.size()) {
     std::size_t end = begin + 1;
@@ -137,16 +176,19 @@ void AddPieces(const CoupledData& log,
       const Eigen::Quaterniond attitude(MeasuredState(segment, i).attitude);
       const Eigen::Vector3d down = attitude.conjugate() * Eigen::Vector3d::UnitZ();
       Vector6 known = held.linear_damping * nu +
-                      held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset;
+                      held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset +
+                      nu[0] * (held.lift * nu) - fins.Of(segment.time[i], nu, held, nullptr);
       if (structure.coriolis) known += CoriolisForce(held.inertia, nu);
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
       known[4] -= held.righting_pitch * down[0];
       right -= dt * known;
       for (Eigen::Index k = 0; k < num; ++k) {
-        left.col(k) +=
-            dt *
-            RateOf(structure.entries[static_cast<std::size_t>(k)], nu, down, structure.coriolis);
+        const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
+        left.col(k) += dt * RateOf(entry, nu, down, structure.coriolis);
+        if (entry.kind == Kind::kFinForce) {
+          left.col(k) -= dt * fins.Of(segment.time[i], nu, held, &entry);
+        }
       }
     }
     for (Eigen::Index k = 0; k < num; ++k) {
@@ -217,12 +259,19 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
   return solution;
 }
 
-// The model with the numbers that are not free; the others are 0.
-CoupledModel KnownOf(const MotionStructure& structure, const CoupledModel& held) {
+// The model with the numbers that are not free; of the others the inertia is that of the body
+// alone, the rest is 0.
+CoupledModel KnownOf(const MotionStructure& structure,
+                     const CoupledModel& held,
+                     const RigidBody& body) {
+  const Matrix6 of_body = KnownInertia(body);
   CoupledModel known = held;
   known.dofs = structure.dofs;
   known.coriolis = structure.coriolis;
-  for (const FreeEntry& entry : structure.entries) SetValue(entry, 0.0, &known);
+  for (const FreeEntry& entry : structure.entries) {
+    const bool is_inertia = entry.kind == Kind::kInertia;
+    SetValue(entry, is_inertia ? of_body(Index(entry.row), Index(entry.column)) : 0.0, &known);
+  }
   return known;
 }
 
@@ -276,13 +325,14 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
                            const MotionStructure& structure,
                            const CoupledModel& held,
                            const RigidBody& body) {
-  CoupledModel known = KnownOf(structure, held);
+  CoupledModel known = KnownOf(structure, held, body);
   const Balance balance = BalanceOf(logs, structure, known);
   Vector6 scatter;
   const Eigen::VectorXd solution =
       Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
   for (std::size_t k = 0; k < structure.entries.size(); ++k) {
-    SetValue(structure.entries[k], solution[static_cast<Eigen::Index>(k)], &known);
+    const FreeEntry& entry = structure.entries[k];
+    SetValue(entry, ValueIn(known, entry) + solution[static_cast<Eigen::Index>(k)], &known);
   }
   Sizes sizes = SizesOf(logs, held);
   std::array<bool, 6> is_driven;
@@ -302,7 +352,7 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
 double MomentumMisfit(std::span<const CoupledData> logs,
                       const MotionStructure& structure,
                       const CoupledModel& held) {
-  const Balance balance = BalanceOf(logs, structure, KnownOf(structure, held));
+  const Balance balance = BalanceOf(logs, structure, KnownOf(structure, held, {}));
   Vector6 scatter;
   Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
   double misfit = 0.0;

@@ -145,6 +145,12 @@ bool IsModelled(const ExportModel& model, Dof dof) {
 }
 
 ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& file) {
+  if (!fitted.model.fin_force.empty() || !fitted.model.lift.isZero(0.0)) {
+    throw InputError(fmt::format(
+        "{}: has fins or forces that grow with the speed ahead, which no format of an export holds "
+        "yet; expected a model without fin_force and lift.",
+        file));
+  }
   ExportModel exported;
   exported.model = fitted.model;
   exported.force_unit = SharedUnit(fitted.force_unit);

@@ -154,6 +154,13 @@ bool IsFreeDecay(const Log& log, Dof dof) {
 }
 
 bool AreFreeDecays(std::span<const Log> logs, Dof dof) {
+  for (const Log& log : logs) {
+    if (!log.fins || log.command) continue;
+    throw InputError(fmt::format(
+        "{}: is steered by fins alone, which a model of one DOF does not hold, expected "
+        "fathom_identify or fathom_diagnose with --dofs: docs/fins.md.",
+        log.path.string()));
+  }
   const auto driven =
       std::ranges::find_if_not(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });
   if (driven == logs.end()) return true;

@@ -51,7 +51,8 @@ std::string FingerprintOf(const Log& log) {
     hash.Add(*stream && !is_made ? "stream" : "none");
     if (*stream && !is_made) Add(**stream, &hash);
   }
-  // Logs without a camera keep the fingerprints they had.
+  // Logs without fins or a camera keep the fingerprints they had.
+  if (log.fins) Add(*log.fins, &hash);
   if (log.detections) {
     hash.Add("detections");
     Add(*log.detections, &hash);

@@ -12,7 +12,8 @@ namespace fathom {
 // The streams of a log folder, each with the columns and rules of its own. `name` stands for
 // the file in messages. They throw InputError, naming file, line and column.
 
-// Some of tau_surge ... tau_yaw, or all of thruster_1 ... thruster_n, but not both.
+// Some of tau_surge ... tau_yaw, or all of thruster_1 ... thruster_n, but not both; beside either
+// or alone, fin_<name>.
 CsvTable ParseCommand(const std::string& name, const std::string& text);
 
 // Some of u v w p q r.

@@ -13,6 +13,7 @@
 #include "fathom/log/single_csv.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +29,23 @@ void Keep(CsvTable table, std::optional<Stream>* stream, Log* log) {
     log->remarks.push_back({kind, remark});
   }
   *stream = std::move(table.stream);
+}
+
+// Moves the angles of the fins out of the log's command, which goes if it held nothing else.
+void PartFins(Log* log) {
+  Stream& command = *log->command;
+  Stream fins = {command.time, {}, {}}, rest = {command.time, {}, {}};
+  for (std::size_t k = 0; k < command.columns.size(); ++k) {
+    Stream& to = command.columns[k].starts_with("fin_") ? fins : rest;
+    to.columns.push_back(command.columns[k]);
+    to.values.push_back(std::move(command.values[k]));
+  }
+  if (!fins.columns.empty()) log->fins = std::move(fins);
+  if (rest.columns.empty()) {
+    log->command.reset();
+  } else {
+    command = std::move(rest);
+  }
 }
 
 // The table's name and stamps; detections hold a row for each tag of a frame.
@@ -67,7 +85,10 @@ Log ParseLog(const LogText& text) {
   if (text.detections) {
     keep_motion(ParseDetections(text.detections->name, text.detections->text), &log.detections);
   }
-  if (command) Keep(std::move(*command), &log.command, &log);
+  if (command) {
+    Keep(std::move(*command), &log.command, &log);
+    PartFins(&log);
+  }
   HoldOut(text.held_out, &log);
   return log;
 }

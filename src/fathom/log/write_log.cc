@@ -32,6 +32,18 @@ void WriteOrRequireNone(const std::filesystem::path& path, const std::optional<S
   }
 }
 
+// Thrusts or forces, and the fins' angles beside them.
+std::optional<Stream> CommandFile(const Log& log) {
+  std::optional<Stream> command = log.thrusters ? log.thrusters : log.command;
+  if (!log.fins) return command;
+  if (!command) return log.fins;
+  for (std::size_t k = 0; k < log.fins->columns.size(); ++k) {
+    command->columns.push_back(log.fins->columns[k]);
+    command->values.push_back(log.fins->values[k]);
+  }
+  return command;
+}
+
 }  // namespace
 
 std::string FormatLogYaml(const Log& log) {
@@ -97,7 +109,7 @@ void WriteStream(const std::filesystem::path& path, const Stream& stream) {
 }
 
 void WriteLog(const std::filesystem::path& folder, const Log& log) {
-  WriteOrRequireNone(folder / "command.csv", log.thrusters ? log.thrusters : log.command);
+  WriteOrRequireNone(folder / "command.csv", CommandFile(log));
   WriteOrRequireNone(folder / "velocity.csv", log.velocity);
   WriteOrRequireNone(folder / "pose.csv", log.pose);
   WriteOrRequireNone(folder / "detections.csv", log.detections);

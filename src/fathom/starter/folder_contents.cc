@@ -84,7 +84,9 @@ void TakeCommand(const Stream& command, FolderContents* contents) {
   for (const Dof dof : kAllDofs) {
     if (HasColumn(command, ForceColumn(dof))) contents->dofs.push_back(dof);
   }
-  if (contents->dofs.empty()) contents->num_thrusters = command.columns.size();
+  if (!contents->dofs.empty()) return;
+  contents->num_thrusters = static_cast<std::size_t>(std::ranges::count_if(
+      command.columns, [](const std::string& column) { return column.starts_with("thruster_"); }));
 }
 
 void TakeMotion(const std::string& name, const Stream& motion, FolderContents* contents) {

@@ -110,6 +110,16 @@ TEST(ReadLog, RemarksOnHeldOutTimeWithoutMotion) {
               ElementsAre("log.yaml: held_out [100, 200.5] holds no sample of the motion."));
 }
 
+TEST(ReadLog, TakesTheFinsOutOfTheCommand) {
+  const Log log =
+      ReadLog(Folder(With({{"command.csv", "t,tau_surge,fin_rudder\n0,1,0.2\n1,3,0.4\n"}})));
+  EXPECT_THAT(log.command->columns, ElementsAre("tau_surge"));
+  EXPECT_THAT(*log.fins->Find("fin_rudder"), ElementsAre(0.2, 0.4));
+  const Log steered = ReadLog(Folder(With({{"command.csv", "t,fin_rudder\n0,0.2\n1,0.4\n"}})));
+  EXPECT_FALSE(steered.command);
+  EXPECT_TRUE(steered.fins);
+}
+
 TEST(ReadLog, ReadsThrusterCommands) {
   const Log log =
       ReadLog(Folder(With({{"command.csv", "t,thruster_2,thruster_1\n0,1,2\n1,3,4\n"}})));
@@ -342,7 +352,8 @@ TEST(ReadLog, RefusesCommandsThatAreUnclear) {
   EXPECT_EQ(
       Error({{"command.csv", "t,force\n0,1\n1,1\n"}}),
       "command.csv:1: no column to read, found t, force; expected t and at least one of "
-      "tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, thruster_1, thruster_2, ....");
+      "tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, thruster_1, thruster_2, ..., "
+      "fin_<name>.");
 }
 
 TEST(ReadLog, RefusesPosesThatAreNone) {

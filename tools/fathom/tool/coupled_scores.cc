@@ -58,8 +58,8 @@ CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, doub
   CoupledScore score;
   score.log = log.name;
   const std::optional<Vehicle> vehicle = VehicleOf(log);
-  score.data =
-      CoupledDataOf(log, fitted.model.dofs, vehicle ? vehicle->thrusters : std::vector<Thruster>());
+  const Vehicle of_log = vehicle.value_or(Vehicle());
+  score.data = CoupledDataOf(log, fitted.model.dofs, of_log.thrusters, of_log.fins);
   if (score.data.force_unit != fitted.force_unit) {
     throw InputError(fmt::format("{}: is commanded in {}, expected {}, the unit of the model.",
                                  log.path.string(),

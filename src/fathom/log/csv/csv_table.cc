@@ -36,6 +36,11 @@ bool IsNumbered(std::string_view column, std::string_view prefix) {
          number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+// "fin_rudder" for the prefix "fin_".
+bool IsNamed(std::string_view column, std::string_view prefix) {
+  return !prefix.empty() && column.starts_with(prefix) && column.size() > prefix.size();
+}
+
 // "du, dv, dw", cut after 40 names.
 std::string ListOf(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 40;
@@ -51,6 +56,7 @@ std::string Expected(const CsvSpec& spec) {
   required.insert(required.end(), spec.required.begin(), spec.required.end());
   std::vector<std::string> any = spec.at_least_one_of;
   if (!spec.numbered.empty()) any.push_back(spec.numbered + "1, " + spec.numbered + "2, ...");
+  if (!spec.named.empty()) any.push_back(spec.named + "<name>");
   std::string expected = fmt::format("{}", fmt::join(required, ", "));
   if (!any.empty()) expected += fmt::format(" and at least one of {}", fmt::join(any, ", "));
   return expected;
@@ -92,7 +98,8 @@ class Header {
   }
 
   bool IsOneOfTheSubset(const std::string& cell) const {
-    return Contains(spec_.at_least_one_of, cell) || IsNumbered(cell, spec_.numbered);
+    return Contains(spec_.at_least_one_of, cell) || IsNumbered(cell, spec_.numbered) ||
+           IsNamed(cell, spec_.named);
   }
 
   void RefuseWhatHoldsNoNames() const {

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,12 +57,37 @@ CoupledCommand CoupledCommandOf(const Log& log, std::span<const Thruster> thrust
   return command;
 }
 
+// Adds the log's fins, whose angles stand at the command's stamps.
+void AddFins(const Log& log, std::span<const Fin> fins, CoupledCommand* command) {
+  if (!log.fins) return;
+  if (command->time.empty()) command->time = log.fins->time;
+  for (std::size_t k = 0; k < log.fins->columns.size(); ++k) {
+    const std::string name = log.fins->columns[k].substr(std::string_view("fin_").size());
+    const auto fin =
+        std::find_if(fins.begin(), fins.end(), [&](const Fin& f) { return f.name == name; });
+    if (fin == fins.end()) {
+      throw InputError(fmt::format(
+          "{}: command.csv holds {}, expected the vehicle file to name a fin '{}': `fins: [{{name: "
+          "{}, position: [x, y, z], axis: [0, 0, 1]}}]`.",
+          log.path.string(),
+          log.fins->columns[k],
+          name,
+          name));
+    }
+    command->fins.push_back(
+        {name, ArmsOf(*fin), log.fins->values[k], fin->behind, FinForceOf(*fin)});
+  }
+}
+
 // Whether anything acts along a DOF.
 bool IsCommanded(const CoupledCommand& command, Dof dof) {
   const auto row = Index(dof);
   const bool by_force = std::any_of(
       command.force.begin(), command.force.end(), [&](const auto& f) { return f[row] != 0.0; });
-  return by_force ||
+  const bool by_fin = std::any_of(command.fins.begin(), command.fins.end(), [&](const auto& fin) {
+    return fin.arms.across[row] != 0.0;
+  });
+  return by_force || by_fin ||
          std::any_of(command.thrusters.begin(), command.thrusters.end(), [&](const auto& thruster) {
            return thruster.push[row] != 0.0 &&
                   std::any_of(thruster.thrust.begin(), thruster.thrust.end(), [](double thrust) {
@@ -200,12 +227,14 @@ double LineThroughSamples(const CoupledSegment& segment,
 
 CoupledData CoupledDataOf(const Log& log,
                           const std::vector<Dof>& dofs,
-                          std::span<const Thruster> thrusters) {
+                          std::span<const Thruster> thrusters,
+                          std::span<const Fin> fins) {
   CoupledData data;
   data.log = log.name;
   data.dofs = dofs;
   data.force_unit = log.command_unit.empty() ? "N" : log.command_unit;
   data.inputs.command = CoupledCommandOf(log, thrusters);
+  AddFins(log, fins, &data.inputs.command);
   const VelocityRows rows = AllVelocities(log, &data.has_velocity);
   RequireMotion(log, rows, dofs);
   if (std::none_of(dofs.begin(), dofs.end(), [&](Dof dof) {

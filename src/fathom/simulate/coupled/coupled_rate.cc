@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,8 +45,27 @@ Vector6 TimesEntry(const FreeEntry& entry, const Vector6& x) {
 
 }  // namespace
 
-CoupledRate::CoupledRate(const CoupledModel& model, std::span<const FreeEntry> entries)
-    : model_(model), entries_(entries) {
+CoupledRate::CoupledRate(const CoupledModel& model,
+                         std::span<const FreeEntry> entries,
+                         std::span<const CommandedFin> fins)
+    : model_(model),
+      entries_(entries),
+      commanded_fins_(fins),
+      fin_of_entry_(entries.size()),
+      has_lift_(!model.lift.isZero(0.0)) {
+  const auto value_or_0 = [](const std::map<std::string, double>& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() ? 0.0 : found->second;
+  };
+  for (std::size_t k = 0; k < fins.size(); ++k) {
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      if (entries[e].thruster == fins[k].name) fin_of_entry_[e] = k;
+    }
+    fins_.push_back({k,
+                     value_or_0(model.fin_force, fins[k].name),
+                     value_or_0(model.fin_race, fins[k].name),
+                     value_or_0(model.fin_neutral, fins[k].name)});
+  }
   is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
   if (!is_usable_) return;
   const auto size = static_cast<Eigen::Index>(model.dofs.size());
@@ -67,11 +88,22 @@ CoupledRate::CoupledRate(const CoupledModel& model, std::span<const FreeEntry> e
   }
 }
 
-CoupledFlow CoupledRate::At(const CoupledFlow& state, const Vector6& tau) const {
+FinLoad CoupledRate::LoadOf(const ModelFin& fin,
+                            const Vector6& nu,
+                            const CoupledDrive& drive) const {
+  return FinLoadAt(commanded_fins_[fin.at].arms,
+                   nu,
+                   drive.angles[fin.at] - fin.neutral,
+                   fin.race * drive.races[fin.at]);
+}
+
+CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive) const {
   const Vector6& nu = state.nu;
-  Vector6 force = tau - model_.offset - Restoring(model_, DownIn(state.attitude));
+  Vector6 force = drive.tau - model_.offset - Restoring(model_, DownIn(state.attitude));
   force.noalias() -= model_.linear_damping * nu;
   force.noalias() -= model_.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu);
+  if (has_lift_) force.noalias() -= nu[0] * (model_.lift * nu);
+  for (const ModelFin& fin : fins_) force += fin.force * LoadOf(fin, nu, drive).Force();
   if (model_.coriolis) force -= CoriolisForce(model_.inertia, nu);
   CoupledFlow rate;
   rate.nu.noalias() = inverse_ * force;
@@ -81,15 +113,24 @@ CoupledFlow CoupledRate::At(const CoupledFlow& state, const Vector6& tau) const 
   return rate;
 }
 
-Matrix6 CoupledRate::ForceJacobian(const Vector6& nu) const {
+Matrix6 CoupledRate::ForceJacobian(const Vector6& nu, const CoupledDrive& drive) const {
   Matrix6 jacobian = -model_.linear_damping;
   jacobian -= model_.quadratic_damping * (2.0 * nu.cwiseAbs()).asDiagonal();
+  if (has_lift_) {
+    jacobian -= nu[0] * model_.lift;
+    jacobian.col(0) -= model_.lift * nu;
+  }
+  for (const ModelFin& fin : fins_) {
+    const FinLoad at = LoadOf(fin, nu, drive);
+    jacobian.noalias() += fin.force * at.push * at.load_by_nu.transpose();
+  }
   if (model_.coriolis) jacobian -= CoriolisJacobian(model_.inertia, nu);
   return jacobian;
 }
 
 void CoupledRate::TangentAt(const CoupledFlow& state,
                             const CoupledFlow& rate,
+                            const CoupledDrive& drive,
                             const std::vector<Vector6>& pushed,
                             const CoupledTangent& tangent,
                             CoupledTangent* tangent_rate) {
@@ -100,7 +141,7 @@ void CoupledRate::TangentAt(const CoupledFlow& state,
   by_turn.topRows<3>() = -model_.net_buoyancy * down_by_turn;
   by_turn.row(3) = -model_.righting_roll * down_by_turn.row(1);
   by_turn.row(4) = model_.righting_pitch * down_by_turn.row(0);
-  force_.noalias() = ForceJacobian(nu) * tangent.nu;
+  force_.noalias() = ForceJacobian(nu, drive) * tangent.nu;
   force_.noalias() += by_turn * tangent.turn;
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const FreeEntry& entry = entries_[k];
@@ -129,6 +170,23 @@ void CoupledRate::TangentAt(const CoupledFlow& state,
       case FreeEntry::Kind::kThrustGain:
         force += pushed[k];
         break;
+      case FreeEntry::Kind::kLift:
+        force[row] -= nu[0] * nu[column];
+        break;
+      case FreeEntry::Kind::kFinForce:
+        force += LoadOf(fins_[fin_of_entry_[k]], nu, drive).Force();
+        break;
+      case FreeEntry::Kind::kFinRace: {
+        const ModelFin& fin = fins_[fin_of_entry_[k]];
+        const FinLoad at = LoadOf(fin, nu, drive);
+        force += fin.force * drive.races[fin.at] * at.load_by_race * at.push;
+        break;
+      }
+      case FreeEntry::Kind::kFinNeutral: {
+        const ModelFin& fin = fins_[fin_of_entry_[k]];
+        force -= fin.force * LoadOf(fin, nu, drive).ForceByAngle();
+        break;
+      }
     }
   }
   const Eigen::Quaterniond q(state.attitude);
@@ -140,8 +198,8 @@ void CoupledRate::TangentAt(const CoupledFlow& state,
   tangent_rate->position.noalias() -= (world_from_body * CrossMatrix(nu.head<3>())) * tangent.turn;
 }
 
-double CoupledRate::Quickest(const CoupledFlow& state) const {
-  const Matrix6 scaled = scale_.asDiagonal() * ForceJacobian(state.nu) * scale_.asDiagonal();
+double CoupledRate::Quickest(const CoupledFlow& state, const CoupledDrive& drive) const {
+  const Matrix6 scaled = scale_.asDiagonal() * ForceJacobian(state.nu, drive) * scale_.asDiagonal();
   return std::max({scaled.norm(), restoring_rate_, state.nu.tail<3>().norm()});
 }
 

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include "fathom/simulate/coupled/coupled_inputs.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/six_vector.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -35,33 +37,55 @@ struct CoupledTangent {
   }
 };
 
+// What acts on a vehicle between two changes of its command.
+struct CoupledDrive {
+  Vector6 tau = Vector6::Zero();  // forces of thrusters and wrench [N], [N m]
+  std::vector<double> angles;     // of the fins [rad]
+  std::vector<double> races;      // RaceThrust() of the fins [N]
+};
+
 // docs/coupled.md (1) as a rate of the state, and its derivative.
 class CoupledRate {
  public:
-  // Both must outlive this.
-  CoupledRate(const CoupledModel& model, std::span<const FreeEntry> entries);
+  // All must outlive this.
+  CoupledRate(const CoupledModel& model,
+              std::span<const FreeEntry> entries,
+              std::span<const CommandedFin> fins);
 
   bool IsUsable() const { return is_usable_; }
 
-  // Rate at a state under forces `tau` [N], [N m]. The rates of DOFs that are not modelled are 0.
-  CoupledFlow At(const CoupledFlow& state, const Vector6& tau) const;
+  // Rate at a state. The rates of DOFs that are not modelled are 0.
+  CoupledFlow At(const CoupledFlow& state, const CoupledDrive& drive) const;
 
   // The rate of a tangent. `rate`: At() the same. `pushed`: for each entry that is a thrust gain
   // what the thruster gives at a gain of 1.
   void TangentAt(const CoupledFlow& state,
                  const CoupledFlow& rate,
+                 const CoupledDrive& drive,
                  const std::vector<Vector6>& pushed,
                  const CoupledTangent& tangent,
                  CoupledTangent* tangent_rate);
 
   // The quickest rate of a small difference [1/s], at a state: a bound that no unit changes.
-  double Quickest(const CoupledFlow& state) const;
+  double Quickest(const CoupledFlow& state, const CoupledDrive& drive) const;
 
  private:
-  Matrix6 ForceJacobian(const Vector6& nu) const;  // of the right-hand side by nu
+  // A fin of the model.
+  struct ModelFin {
+    std::size_t at = 0;  // in the commands
+    double force = 0.0, race = 0.0, neutral = 0.0;
+  };
+
+  // Of the right-hand side by nu.
+  Matrix6 ForceJacobian(const Vector6& nu, const CoupledDrive& drive) const;
+  FinLoad LoadOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;
 
   const CoupledModel& model_;
   std::span<const FreeEntry> entries_;
+  std::span<const CommandedFin> commanded_fins_;
+  std::vector<ModelFin> fins_;
+  std::vector<std::size_t> fin_of_entry_;  // in fins_, of entries that belong to one
+  bool has_lift_ = false;
   Matrix6 inverse_ = Matrix6::Zero();  // of the modelled part of M
   Vector6 scale_ = Vector6::Zero();    // 1 / sqrt(M_ii), 0 where not modelled
   double restoring_rate_ = 0.0;        // [1/s]

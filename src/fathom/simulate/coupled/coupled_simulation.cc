@@ -74,7 +74,7 @@ class CoupledRun {
         entries_(entries),
         inputs_(inputs),
         with_tangent_(with_tangent),
-        rate_(model, entries),
+        rate_(model, entries, inputs.command.fins),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
         tangent_(columns_),
         stage_tangent_(columns_),
@@ -92,6 +92,11 @@ class CoupledRun {
     for (const CommandedThruster& thruster : command.thrusters) {
       CHECK_EQ(thruster.thrust.size(), command.time.size());
     }
+    for (const CommandedFin& fin : command.fins) {
+      CHECK_EQ(fin.angle.size(), command.time.size());
+    }
+    drive_.angles.assign(command.fins.size(), 0.0);
+    drive_.races.assign(command.fins.size(), 0.0);
   }
 
   bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
@@ -105,7 +110,7 @@ class CoupledRun {
       HoldCommandAt(t);
       double end = std::min(last, NextChange(t));
       SetMeasured(t, &state_);
-      const double rate = rate_.Quickest(state_);
+      const double rate = rate_.Quickest(state_, drive_);
       if (!std::isfinite(rate)) return false;
       const double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
       if (longest < kSmallestCoupledStep) return false;
@@ -157,15 +162,21 @@ class CoupledRun {
       ++row;
     if (row == command_ && row >= 0) return;
     command_ = row;
-    tau_.setZero();
+    drive_.tau.setZero();
+    std::fill(drive_.angles.begin(), drive_.angles.end(), 0.0);
+    std::fill(drive_.races.begin(), drive_.races.end(), 0.0);
     std::fill(pushed_.begin(), pushed_.end(), Vector6::Zero());
     if (row < 0) return;
     const auto at = static_cast<std::size_t>(row);
-    if (!command.force.empty()) tau_ = command.force[at];
+    if (!command.force.empty()) drive_.tau = command.force[at];
+    for (std::size_t k = 0; k < command.fins.size(); ++k) {
+      drive_.angles[k] = command.fins[k].angle[at];
+      drive_.races[k] = RaceThrust(command, command.fins[k], at);
+    }
     for (const CommandedThruster& thruster : command.thrusters) {
       const Vector6 push = thruster.thrust[at] * thruster.push;
       const auto gain = model_.thrust_gain.find(thruster.name);
-      tau_ += (gain == model_.thrust_gain.end() ? 1.0 : gain->second) * push;
+      drive_.tau += (gain == model_.thrust_gain.end() ? 1.0 : gain->second) * push;
       for (std::size_t k = 0; k < entries_.size(); ++k) {
         const bool is_its = entries_[k].kind == FreeEntry::Kind::kThrustGain &&
                             entries_[k].thruster == thruster.name;
@@ -190,11 +201,15 @@ class CoupledRun {
     for (int k = 0; k < 4; ++k) {
       if (k > 0) Advance(begin_, rates_[k - 1], kShares[k] * h, &stage);
       SetMeasured(t + kShares[k] * h, &stage);
-      rates_[k] = rate_.At(stage, tau_);
+      rates_[k] = rate_.At(stage, drive_);
       if (!with_tangent_) continue;
       if (k > 0) Advance(begin_tangent_, tangent_rates_[k - 1], kShares[k] * h, &stage_tangent_);
-      rate_.TangentAt(
-          stage, rates_[k], pushed_, k > 0 ? stage_tangent_ : begin_tangent_, &tangent_rates_[k]);
+      rate_.TangentAt(stage,
+                      rates_[k],
+                      drive_,
+                      pushed_,
+                      k > 0 ? stage_tangent_ : begin_tangent_,
+                      &tangent_rates_[k]);
     }
     Sum(rates_, h, &state_);
     state_.attitude += h / 6.0 * (rates_[0].attitude + rates_[3].attitude) +
@@ -224,8 +239,9 @@ class CoupledRun {
       return next < time.size() && time[next] < to;
     };
     if (is_within(stamps.velocity, next_velocity_) || is_within(stamps.pose, next_pose_)) {
-      end_rate_ = rate_.At(state_, tau_);
-      if (with_tangent_) rate_.TangentAt(state_, end_rate_, pushed_, tangent_, &end_tangent_rate_);
+      end_rate_ = rate_.At(state_, drive_);
+      if (with_tangent_)
+        rate_.TangentAt(state_, end_rate_, drive_, pushed_, tangent_, &end_tangent_rate_);
     }
     while (is_within(stamps.velocity, next_velocity_)) {
       Interpolate(from, to, stamps.velocity[next_velocity_]);
@@ -300,7 +316,7 @@ class CoupledRun {
   CoupledTangent begin_tangent_, shown_;
 
   std::ptrdiff_t command_ = -1;  // the row that holds
-  Vector6 tau_ = Vector6::Zero();
+  CoupledDrive drive_;
   std::vector<Vector6> pushed_;  // by entry: what its thruster gives at a gain of 1
   std::size_t next_velocity_ = 0, next_pose_ = 0;
 };

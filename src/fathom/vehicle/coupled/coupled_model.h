@@ -14,16 +14,17 @@ namespace fathom {
 
 // Several degrees of freedom of a vehicle in still water.
 //
-//   M dnu/dt + C(nu) nu + D(nu) nu + g(eta) + o = B(kappa) T    docs/coupled.md (1)
+//   M dnu/dt + C(nu) nu + D(nu) nu + g(eta) + o = B(kappa) T + F(nu, angles)   docs/coupled.md (1)
 //
 //   nu   velocities, body frame                               [m/s], [rad/s]
 //   M    `inertia`: rigid body plus added mass, symmetric     [kg], [kg m], [kg m^2]
 //   C    Coriolis and centripetal forces of M, if `coriolis`  coriolis.h
 //   D    D_L + D_Q |nu|: the force along i is
-//        sum_j (D_L,ij + D_Q,ij |nu_j|) nu_j
+//        sum_j (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j
 //   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
 //   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
 //   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces
+//   F    forces of the fins, each by its `fin_force`            fin_force.h
 //
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
 // tells what a measured partner does. Entries that are not known are 0.
@@ -35,6 +36,7 @@ struct CoupledModel {
   Matrix6 inertia = Matrix6::Zero();
   Matrix6 linear_damping = Matrix6::Zero();     // D_L [kg/s], [kg m/s], [kg m^2/s]
   Matrix6 quadratic_damping = Matrix6::Zero();  // D_Q [kg/m], [kg], [kg m], [kg m^2]
+  Matrix6 lift = Matrix6::Zero();               // L [kg/m], [kg], [kg m]: grows with u
   Vector6 offset = Vector6::Zero();             // o
 
   double net_buoyancy = 0.0;    // buoyancy less weight [N]; above 0 the vehicle floats up
@@ -42,6 +44,9 @@ struct CoupledModel {
   double righting_pitch = 0.0;  // moment at sin(theta) = 1 [N m]
 
   std::map<std::string, double> thrust_gain = {};  // kappa by thruster; absent: 1
+  std::map<std::string, double> fin_force = {};    // f by fin [N s^2/m^2 a radian]; absent: 0
+  std::map<std::string, double> fin_race = {};     // k by fin [m^2/(s^2 N)]; absent: 0
+  std::map<std::string, double> fin_neutral = {};  // angle at which it is straight [rad]; absent: 0
 
   bool coriolis = false;
 };

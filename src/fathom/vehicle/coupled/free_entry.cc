@@ -23,7 +23,7 @@ struct NamedKind {
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 7> kNamedKinds = {{
+constexpr std::array<NamedKind, 11> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -31,6 +31,10 @@ constexpr std::array<NamedKind, 7> kNamedKinds = {{
     {EntryKind::kNetBuoyancy, "net_buoyancy"},
     {EntryKind::kOffset, "offset"},
     {EntryKind::kThrustGain, "thrust_gain"},
+    {EntryKind::kLift, "lift"},
+    {EntryKind::kFinForce, "fin_force"},
+    {EntryKind::kFinRace, "fin_race"},
+    {EntryKind::kFinNeutral, "fin_neutral"},
 }};
 
 std::string_view NameOfKind(EntryKind kind) {
@@ -39,7 +43,7 @@ std::string_view NameOfKind(EntryKind kind) {
 
 bool HasPair(EntryKind kind) {
   return kind == EntryKind::kInertia || kind == EntryKind::kLinearDamping ||
-         kind == EntryKind::kQuadraticDamping;
+         kind == EntryKind::kQuadraticDamping || kind == EntryKind::kLift;
 }
 
 bool CanRight(Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; }
@@ -72,6 +76,14 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->offset[Index(entry.row)];
     case EntryKind::kThrustGain:
       return &model->thrust_gain.try_emplace(entry.thruster, 1.0).first->second;
+    case EntryKind::kLift:
+      return &model->lift(Index(entry.row), Index(entry.column));
+    case EntryKind::kFinForce:
+      return &model->fin_force.try_emplace(entry.thruster, 0.0).first->second;
+    case EntryKind::kFinRace:
+      return &model->fin_race.try_emplace(entry.thruster, 0.0).first->second;
+    case EntryKind::kFinNeutral:
+      return &model->fin_neutral.try_emplace(entry.thruster, 0.0).first->second;
   }
   return nullptr;
 }
@@ -93,11 +105,26 @@ FreeEntry NetBuoyancyEntry() { return {EntryKind::kNetBuoyancy}; }
 FreeEntry ThrustGainEntry(const std::string& thruster) {
   return {EntryKind::kThrustGain, Dof::kSurge, Dof::kSurge, thruster};
 }
+FreeEntry LiftEntry(Dof row, Dof column) { return {EntryKind::kLift, row, column}; }
+FreeEntry FinForceEntry(const std::string& fin) {
+  return {EntryKind::kFinForce, Dof::kSurge, Dof::kSurge, fin};
+}
+FreeEntry FinRaceEntry(const std::string& fin) {
+  return {EntryKind::kFinRace, Dof::kSurge, Dof::kSurge, fin};
+}
+FreeEntry FinNeutralEntry(const std::string& fin) {
+  return {EntryKind::kFinNeutral, Dof::kSurge, Dof::kSurge, fin};
+}
+
+bool IsOfActuator(const FreeEntry& entry) {
+  return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
+         entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral;
+}
 
 std::string NameOf(const FreeEntry& entry) {
   const std::string_view kind = NameOfKind(entry.kind);
   if (entry.kind == EntryKind::kNetBuoyancy) return std::string(kind);
-  if (entry.kind == EntryKind::kThrustGain) return fmt::format("{}.{}", kind, entry.thruster);
+  if (IsOfActuator(entry)) return fmt::format("{}.{}", kind, entry.thruster);
   if (entry.row == entry.column) return fmt::format("{}.{}", kind, Name(entry.row));
   return fmt::format("{}.{}.{}", kind, Name(entry.row), Name(entry.column));
 }
@@ -108,9 +135,11 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   const auto found = std::find_if(
       kNamedKinds.begin(), kNamedKinds.end(), [&](const NamedKind& k) { return k.name == head; });
   if (found == kNamedKinds.end()) {
-    RefuseEntry(name,
-                "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
-                "offset or thrust_gain, a dot, and what it belongs to");
+    RefuseEntry(
+        name,
+        "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
+        "offset, thrust_gain, lift, fin_force, fin_race or fin_neutral, a dot, and what it belongs "
+        "to");
   }
   const EntryKind kind = found->kind;
   const bool has_tail = dot != std::string_view::npos;
@@ -119,9 +148,11 @@ FreeEntry ParseFreeEntry(std::string_view name) {
     if (has_tail) RefuseEntry(name, "net_buoyancy alone");
     return NetBuoyancyEntry();
   }
-  if (kind == EntryKind::kThrustGain) {
-    if (tail.empty()) RefuseEntry(name, "thrust_gain. and the name of a thruster");
-    return ThrustGainEntry(std::string(tail));
+  if (IsOfActuator({kind})) {
+    if (tail.empty()) {
+      RefuseEntry(name, fmt::format("{}. and the name of a thruster or a fin", head));
+    }
+    return {kind, Dof::kSurge, Dof::kSurge, std::string(tail)};
   }
   const std::size_t second_dot = tail.find('.');
   const bool is_pair = second_dot != std::string_view::npos;
@@ -159,6 +190,14 @@ std::string SiUnitOf(const FreeEntry& entry) {
       return "N";
     case EntryKind::kThrustGain:
       return "1";
+    case EntryKind::kLift:
+      return UnitOfMetres(row + column - 1, 0);
+    case EntryKind::kFinForce:
+      return "kg/m";
+    case EntryKind::kFinRace:
+      return "m^2/(s^2 N)";
+    case EntryKind::kFinNeutral:
+      return "rad";
   }
   return "";
 }
@@ -167,7 +206,9 @@ std::string SiUnitOf(const FreeEntry& entry) {
 
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
   const std::string unit = SiUnitOf(entry);
-  if (force_unit == "N" || entry.kind == EntryKind::kThrustGain) return unit;
+  const bool has_force = entry.kind != EntryKind::kThrustGain &&
+                         entry.kind != EntryKind::kFinNeutral && entry.kind != EntryKind::kFinRace;
+  if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
 

@@ -22,6 +22,10 @@ namespace fathom {
 //   net_buoyancy                  b
 //   offset.yaw                    o_6
 //   thrust_gain.port              of the thruster `port`
+//   lift.sway.yaw                 L_26: along sway, by u r
+//   fin_force.rudder              f of the fin `rudder`
+//   fin_race.rudder               k: what the race adds to the square of its speed
+//   fin_neutral.rudder            the angle at which it is straight
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -31,12 +35,16 @@ struct FreeEntry {
     kNetBuoyancy,
     kOffset,
     kThrustGain,
+    kLift,
+    kFinForce,
+    kFinRace,
+    kFinNeutral,
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
   Dof column =
       Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
-  std::string thruster = {};  // of a thrust gain
+  std::string thruster = {};  // of a thrust gain; of a fin's number its fin
 
   bool operator==(const FreeEntry&) const = default;
 };
@@ -48,14 +56,22 @@ FreeEntry OffsetEntry(Dof row);
 FreeEntry RightingMomentEntry(Dof row);
 FreeEntry NetBuoyancyEntry();
 FreeEntry ThrustGainEntry(const std::string& thruster);
+FreeEntry LiftEntry(Dof row, Dof column);
+FreeEntry FinForceEntry(const std::string& fin);
+FreeEntry FinRaceEntry(const std::string& fin);
+FreeEntry FinNeutralEntry(const std::string& fin);
+
+// Whether it belongs to a thruster or a fin instead of a row and a column.
+bool IsOfActuator(const FreeEntry& entry);
 
 std::string NameOf(const FreeEntry& entry);
 
 // Throws InputError, with what was found and expected, for what names no entry: "'inertia.up' is no
-// entry of a coupled model: ...". A thruster may have any name.
+// entry of a coupled model: ...". A thruster or a fin may have any name.
 FreeEntry ParseFreeEntry(std::string_view name);
 
-// "kg m^2/s"; "1" of a thrust gain. Of commands in another unit than N and N m, "kg A/N".
+// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's neutral angle. Of commands in another unit
+// than N and N m, "kg A/N".
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry);

@@ -9,12 +9,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace fathom {
 namespace {
 
-constexpr std::array<std::string_view, 4> kStructureNames = {
-    "diagonal", "coriolis", "symmetric", "full"};
+constexpr std::array<std::string_view, 5> kStructureNames = {
+    "diagonal", "coriolis", "lift", "symmetric", "full"};
 
 // Surge, heave and pitch do not change sides in a mirror from port to starboard; the others do.
 bool IsEven(Dof dof) { return dof == Dof::kSurge || dof == Dof::kHeave || dof == Dof::kPitch; }
@@ -101,7 +102,9 @@ std::optional<StandardStructure> StandardStructureFromName(std::string_view name
   return static_cast<StandardStructure>(found - kStructureNames.begin());
 }
 
-MotionStructure StructureOf(StandardStructure standard, const std::vector<Dof>& dofs) {
+MotionStructure StructureOf(StandardStructure standard,
+                            const std::vector<Dof>& dofs,
+                            const std::vector<StructureFin>& fins) {
   MotionStructure structure = {dofs, {}, standard >= StandardStructure::kCoriolis};
   std::vector<FreeEntry>& entries = structure.entries;
   for (const Dof dof : dofs) {
@@ -119,6 +122,27 @@ MotionStructure StructureOf(StandardStructure standard, const std::vector<Dof>& 
       }
     }
   };
+  for (const StructureFin& fin : fins) {
+    if (!fin.is_force_known) entries.push_back(FinForceEntry(fin.name));
+    if (fin.is_in_race && standard >= StandardStructure::kLift) {
+      entries.push_back(FinRaceEntry(fin.name));
+    }
+  }
+  if (!fins.empty() && standard >= StandardStructure::kLift) {
+    for (const Dof row : dofs) {
+      if (row != Dof::kSurge && row != Dof::kRoll) entries.push_back(LiftEntry(row, row));
+    }
+    for (const auto& [a, b] : {std::pair{Dof::kSway, Dof::kYaw}, {Dof::kHeave, Dof::kPitch}}) {
+      const auto has = [&](Dof dof) {
+        return std::find(dofs.begin(), dofs.end(), dof) != dofs.end();
+      };
+      if (!has(a) || !has(b)) continue;
+      entries.push_back(LiftEntry(a, b));
+      entries.push_back(LiftEntry(b, a));
+      entries.push_back(QuadraticDampingEntry(a, b));
+      entries.push_back(QuadraticDampingEntry(b, a));
+    }
+  }
   if (standard >= StandardStructure::kSymmetric) add_pairs(InertiaEntry, false);
   if (standard >= StandardStructure::kFull) add_pairs(LinearDampingEntry, true);
   return structure;
@@ -135,6 +159,8 @@ std::vector<std::vector<Dof>> BlocksOf(const MotionStructure& structure,
   JoinBy(pattern.inertia, modelled, &joined);
   JoinBy(pattern.linear_damping, modelled, &joined);
   JoinBy(pattern.quadratic_damping, modelled, &joined);
+  JoinBy(pattern.lift, modelled, &joined);
+  if (!pattern.fin_force.empty()) JoinBy(Matrix6::Ones(), modelled, &joined);  // by the fins' flow
   if (structure.coriolis) {
     Vector6 nu = Vector6::Zero();
     for (int i = 0; i < 6; ++i) {

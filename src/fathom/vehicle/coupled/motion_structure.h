@@ -8,6 +8,7 @@
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,21 +28,33 @@ enum class StandardStructure {
   kDiagonal,   // inertia and both dampings of each DOF, righting moments of roll and pitch, net
                // buoyancy in heave, an offset in all others
   kCoriolis,   // C(nu)
+  kLift,       // of a vehicle with fins, whose hull is slender: forces that grow with u v, u r, u w
+               // and u q, and quadratic damping off the diagonal
   kSymmetric,  // inertia off the diagonal
   kFull,       // linear damping off the diagonal, i.j and j.i each with a number of its own
 };
 
-// "diagonal", "coriolis", "symmetric", "full".
+// "diagonal", "coriolis", "lift", "symmetric", "full".
 std::string_view Name(StandardStructure structure);
 std::optional<StandardStructure> StandardStructureFromName(std::string_view name);
 
-MotionStructure StructureOf(StandardStructure standard, const std::vector<Dof>& dofs);
+// A fin, as a structure sees it.
+struct StructureFin {
+  std::string name;
+  bool is_force_known = false;  // else it is free
+  bool is_in_race = false;      // what that adds is then free from kLift on
+};
+
+// With `fins` from kLift on as said there.
+MotionStructure StructureOf(StandardStructure standard,
+                            const std::vector<Dof>& dofs,
+                            const std::vector<StructureFin>& fins = {});
 
 // The DOFs in blocks that move independently of each other, each in the order of Dof, the blocks in
-// that of their first. Joined are the two DOFs of an entry, those that C(nu) multiplies, and
-// through g(eta) those that the attitude acts on with those that turn the vehicle. `measured`: of
-// DOFs that are not modelled, those that move nonetheless. Numbers of `held` other than 0 count as
-// entries do.
+// that of their first. Joined are the two DOFs of an entry, those that C(nu) multiplies, all where
+// there are fins, and through g(eta) those that the attitude acts on with those that turn the
+// vehicle. `measured`: of DOFs that are not modelled, those that move nonetheless. Numbers of
+// `held` other than 0 count as entries do.
 std::vector<std::vector<Dof>> BlocksOf(const MotionStructure& structure,
                                        const std::vector<Dof>& measured = {},
                                        const CoupledModel& held = {});

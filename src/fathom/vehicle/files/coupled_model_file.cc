@@ -50,7 +50,7 @@ Json FormatByDof(const std::array<FitFigures, 6>& figures, const std::vector<Dof
   return json;
 }
 
-// Every entry that a model of all six DOFs could have, but for thrust gains.
+// Every entry that a model of all six DOFs could have, but for those of thrusters and fins.
 std::vector<FreeEntry> AllEntries() {
   std::vector<FreeEntry> all;
   for (const Dof row : kAllDofs) {
@@ -58,6 +58,7 @@ std::vector<FreeEntry> AllEntries() {
       if (row <= column) all.push_back(InertiaEntry(row, column));
       all.push_back(LinearDampingEntry(row, column));
       all.push_back(QuadraticDampingEntry(row, column));
+      all.push_back(LiftEntry(row, column));
     }
     all.push_back(OffsetEntry(row));
   }
@@ -78,6 +79,9 @@ Json FormatHeld(const FittedCoupledModel& fitted) {
   };
   for (const FreeEntry& entry : AllEntries()) add(entry, 0.0);
   for (const auto& [thruster, gain] : fitted.model.thrust_gain) add(ThrustGainEntry(thruster), 1.0);
+  for (const auto& [fin, force] : fitted.model.fin_force) add(FinForceEntry(fin), 0.0);
+  for (const auto& [fin, race] : fitted.model.fin_race) add(FinRaceEntry(fin), 0.0);
+  for (const auto& [fin, neutral] : fitted.model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
   return held;
 }
 
@@ -102,8 +106,7 @@ FreeEntry ReadEntry(const JsonValue& json, const std::string& key, const std::ve
   } catch (const InputError& error) {
     json.Fail(fmt::format("holds a wrong key: {}", error.what()));
   }
-  const bool has_row =
-      entry.kind != FreeEntry::Kind::kThrustGain && entry.kind != FreeEntry::Kind::kNetBuoyancy;
+  const bool has_row = !IsOfActuator(entry) && entry.kind != FreeEntry::Kind::kNetBuoyancy;
   if (has_row && std::find(dofs.begin(), dofs.end(), entry.row) == dofs.end()) {
     json.Fail(fmt::format("holds {}, whose DOF is none of 'dofs'", Quoted(key)));
   }

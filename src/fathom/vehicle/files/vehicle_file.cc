@@ -150,6 +150,38 @@ UncoupledModel<double> ReadModel(const YamlMap& map) {
   return model;
 }
 
+Fin ReadFin(const YamlMap& map) {
+  Fin fin;
+  fin.name = map.Name("name");
+  fin.position = Vector(map, "position");
+  fin.axis = Vector(map, "axis");
+  const double length = fin.axis.stableNorm();
+  if (!(std::abs(length - 1.0) <= 1e-3)) {
+    map.Fail("axis",
+             fmt::format("has length {:.6g}, expected a unit vector (within 0.001).", length));
+  }
+  if (!(fin.axis.tail<2>().norm() > 0.1)) {
+    map.Fail("axis", "is along x, expected the span of the fin, which stands across the flow.");
+  }
+  if (map.Has("area")) fin.area = NumberAbove0(map, "area");
+  if (map.Has("lift_slope")) fin.lift_slope = NumberAbove0(map, "lift_slope");
+  if (map.Has("largest_angle")) fin.largest_angle = NumberAbove0(map, "largest_angle");
+  fin.behind = map.String("behind", "");
+  return fin;
+}
+
+std::vector<Fin> ReadFins(const YamlMap& file) {
+  std::vector<Fin> fins;
+  for (const YamlMap& map : file.OptionalMaps("fins")) {
+    Fin fin = ReadFin(map);
+    const bool is_twice =
+        std::any_of(fins.begin(), fins.end(), [&](const Fin& f) { return f.name == fin.name; });
+    if (is_twice) map.Fail("name", "is that of another fin, expected each name once.");
+    fins.push_back(std::move(fin));
+  }
+  return fins;
+}
+
 }  // namespace
 
 Vehicle ReadVehicleFile(const std::filesystem::path& path) {
@@ -176,6 +208,7 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   for (const YamlMap& map : file.OptionalMaps("thrusters")) {
     vehicle.thrusters.push_back(ReadThruster(map, vehicle.thrust_tables));
   }
+  vehicle.fins = ReadFins(file);
   if (const auto models = file.OptionalMap("models")) {
     for (const Dof dof : kAllDofs) {
       if (const auto map = models->OptionalMap(Name(dof))) {

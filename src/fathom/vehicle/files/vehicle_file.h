@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
+#include "fathom/vehicle/fin.h"
 #include "fathom/vehicle/thrust_table.h"
 #include "fathom/vehicle/thruster.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -29,6 +30,7 @@ struct Vehicle {
   RigidBody body;                          // its mass is the one above
   std::vector<Thruster> thrusters;         // may be empty: commands are then forces
   std::vector<ThrustTable> thrust_tables;  // that thrusters name
+  std::vector<Fin> fins;                   // fins and rudders, each name once
 
   // Its motion where that is known, by Index(Dof); what fathom_synthesize makes logs from.
   std::array<std::optional<UncoupledModel<double>>, 6> models;

@@ -5,6 +5,7 @@
 
 #include "fathom/vehicle/coupled/motion_structure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -189,6 +190,99 @@ TEST(RunCoupled, TakesDofsThatAreNotModelledAsMeasured) {
   EXPECT_EQ(outputs.velocity[0][1], 0.2);
 }
 
+// A rudder at the stern behind the port thruster, and a stern plane outside of its race.
+Fin Rudder() {
+  Fin fin;
+  fin.name = "rudder";
+  fin.position << -0.6, 0.05, 0.02;
+  fin.behind = "port";
+  return fin;
+}
+
+Fin SternPlane() {
+  Fin fin;
+  fin.name = "plane";
+  fin.position << -0.5, 0.2, 0.0;
+  fin.axis = Eigen::Vector3d::UnitY();
+  return fin;
+}
+
+CoupledModel FinnedRov() {
+  CoupledModel model = Rov();
+  model.lift(1, 1) = 20.0;
+  model.lift(1, 5) = -3.0;
+  model.lift(5, 1) = 6.0;
+  model.fin_force = {{"rudder", 30.0}, {"plane", 25.0}};
+  model.fin_race = {{"rudder", 0.04}};
+  model.fin_neutral = {{"rudder", 0.03}};
+  return model;
+}
+
+CoupledInputs FinnedSteps(int num_steps) {
+  CoupledInputs inputs = Steps(num_steps);
+  CoupledCommand& command = inputs.command;
+  command.fins = {{"rudder", ArmsOf(Rudder()), {}, "port"}, {"plane", ArmsOf(SternPlane()), {}}};
+  for (int k = 0; k < num_steps; ++k) {
+    command.fins[0].angle.push_back(0.4 * std::sin(1.1 * k * k));
+    command.fins[1].angle.push_back(0.3 * std::cos(1.7 * k));
+  }
+  return inputs;
+}
+
+// docs/fins.md (1) by angles and a rotated normal, and the lift, of a row of FinnedSteps().
+Vector6 PlainFins(const CoupledInputs& inputs, std::size_t row, const Vector6& nu) {
+  const auto of = [&](const Fin& fin, double f, double angle, double race) {
+    const Eigen::Vector3d v = nu.head<3>() + Eigen::Vector3d(nu.tail<3>()).cross(fin.position);
+    const Eigen::Vector3d across = fin.axis.cross(Eigen::Vector3d::UnitX());
+    const double w = v.dot(across), s = race > 0.0 ? std::sqrt(v.x() * v.x() + race) : v.x();
+    const double load = f * (s * s + w * w) * std::sin(angle - std::atan2(w, s));
+    const Eigen::Vector3d force = load * (Eigen::AngleAxisd(angle, fin.axis) * across);
+    Vector6 all;
+    all << force, fin.position.cross(force);
+    return all;
+  };
+  const CoupledCommand& command = inputs.command;
+  const double thrust = std::max(command.thrusters[0].thrust[row], 0.0);
+  Vector6 force = of(Rudder(), 30.0, command.fins[0].angle[row] - 0.03, 0.04 * thrust) +
+                  of(SternPlane(), 25.0, command.fins[1].angle[row], 0.0);
+  force[1] -= nu[0] * (20.0 * nu[1] - 3.0 * nu[5]);
+  force[5] -= 6.0 * nu[0] * nu[1];
+  return force;
+}
+
+TEST(RunCoupled, GoesWithFinsAsASecondSimulatorDoes) {
+  const CoupledModel model = FinnedRov();
+  const CoupledInputs inputs = FinnedSteps(15);
+  CoupledStamps stamps;
+  for (int k = 0; k < 15; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, Moving(), stamps, &outputs));
+  PlainSimulator plain(Rov());
+  plain.nu = Moving().nu;
+  plain.world_from_body = Eigen::Quaterniond(Moving().attitude).toRotationMatrix();
+  for (std::size_t k = 0; k < 15; ++k) {
+    plain.more = [&](const Vector6& nu) { return PlainFins(inputs, k, nu); };
+    plain.Advance(ForceOf(model, inputs, k), 2.0, 2e-4);
+    EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 5e-5) << k;
+  }
+}
+
+// A ship whose rudder's angle is positive turns to port.
+TEST(RunCoupled, TurnsToPortByAPositiveRudder) {
+  CoupledModel model = FinnedRov();
+  model.fin_neutral = {};
+  CoupledInputs inputs;
+  inputs.command.time = {0.0};
+  inputs.command.fins = {{"rudder", ArmsOf(Rudder()), {0.2}}};
+  CoupledState start;
+  start.nu[0] = 1.0;
+  CoupledStamps stamps;
+  stamps.velocity = {1.0};
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, start, stamps, &outputs));
+  EXPECT_LT(outputs.velocity[0][5], -0.1);
+}
+
 TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
   CoupledModel model = Rov();
   model.inertia(1, 5) = model.inertia(5, 1) = 20.0;
@@ -198,11 +292,15 @@ TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
 
 // Each column of the sensitivities against the difference of two runs.
 TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
-  const CoupledModel model = Rov();
-  const CoupledInputs inputs = Steps(5);
+  const CoupledModel model = FinnedRov();
+  const CoupledInputs inputs = FinnedSteps(5);
   MotionStructure structure = StructureOf(StandardStructure::kFull, kSix);
   structure.entries.push_back(QuadraticDampingEntry(Dof::kYaw, Dof::kSway));
   structure.entries.push_back(ThrustGainEntry("port"));
+  structure.entries.push_back(LiftEntry(Dof::kSway, Dof::kYaw));
+  structure.entries.push_back(FinForceEntry("plane"));
+  structure.entries.push_back(FinRaceEntry("rudder"));
+  structure.entries.push_back(FinNeutralEntry("rudder"));
   CoupledStamps stamps;
   for (int k = 1; k <= 20; ++k) stamps.velocity.push_back(0.47 * k);
   stamps.pose = stamps.velocity;

@@ -6,6 +6,7 @@
 #include "fathom/vehicle/coupled/coupled_model.h"
 
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -19,6 +20,7 @@ class PlainSimulator {
   Vector6 nu = Vector6::Zero();
   Eigen::Matrix3d world_from_body = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::function<Vector6(const Vector6&)> more;  // a further force by nu; may be empty
 
   explicit PlainSimulator(CoupledModel model) : model_(std::move(model)) {}
 
@@ -53,6 +55,7 @@ class PlainSimulator {
     const Eigen::Vector3d a = m.block<3, 3>(0, 0) * v1 + m.block<3, 3>(0, 3) * v2;
     const Eigen::Vector3d b = m.block<3, 3>(3, 0) * v1 + m.block<3, 3>(3, 3) * v2;
     Vector6 force = tau - model_.offset;
+    if (more) force += more(v);
     if (model_.coriolis) {
       force.head<3>() -= -S(a) * v2;
       force.tail<3>() -= -S(a) * v1 - S(b) * v2;

@@ -25,7 +25,11 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "righting_moment.pitch",
                                  "net_buoyancy",
                                  "offset.yaw",
-                                 "thrust_gain.port"}) {
+                                 "thrust_gain.port",
+                                 "lift.yaw.sway",
+                                 "fin_force.rudder",
+                                 "fin_race.rudder",
+                                 "fin_neutral.rudder"}) {
     EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
   }
 }
@@ -54,6 +58,10 @@ TEST(FreeEntry, OfAThrusterThatIsNotNamedIsOne) {
 // Forces in N, moments in N m.
 TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.surge")), "kg");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("lift.sway.yaw")), "kg");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("lift.yaw")), "kg m");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder")), "kg/m");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_neutral.rudder"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.sway.yaw")), "kg m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.yaw")), "kg m^2");
   EXPECT_EQ(UnitOf(ParseFreeEntry("net_buoyancy")), "N");

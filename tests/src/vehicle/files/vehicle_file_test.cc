@@ -13,6 +13,8 @@
 namespace fathom {
 namespace {
 
+using ::testing::HasSubstr;
+
 constexpr char kHead[] = "name: rov\nmass: 22.5\nsize: [0.7, 0.5, 0.3]\n";
 
 constexpr char kThrusters[] =
@@ -91,6 +93,31 @@ TEST(VehicleFile, ReadsTheBody) {
   EXPECT_EQ(vehicle.body.centre_of_buoyancy, Eigen::Vector3d(0, 0, -0.02));
 }
 
+TEST(VehicleFile, ReadsFins) {
+  const Vehicle vehicle = ParseVehicleFile(
+      "v.yaml",
+      std::string(kHead) +
+          "fins:\n"
+          "  - {name: rudder, position: [-3.5, 0, 0.3], axis: [0, 0, 1], area: 0.05,\n"
+          "     lift_slope: 2.5, behind: propeller}\n"
+          "  - {name: port_plane, position: [-3, -1, 0], axis: [0, -1, 0]}\n");
+  ASSERT_EQ(vehicle.fins.size(), 2u);
+  EXPECT_EQ(vehicle.fins[0].behind, "propeller");
+  EXPECT_DOUBLE_EQ(*FinForceOf(vehicle.fins[0]), 0.5 * 1000.0 * 0.05 * 2.5);
+  EXPECT_EQ(AcrossFin(vehicle.fins[0]), Eigen::Vector3d(0, 1, 0));
+  EXPECT_FALSE(FinForceOf(vehicle.fins[1]));
+  EXPECT_EQ(AcrossFin(vehicle.fins[1]), Eigen::Vector3d(0, 0, 1));
+}
+
+TEST(VehicleFile, RefusesAFinThatCannotBe) {
+  const auto error = [](const std::string& fin) {
+    return Error(std::string(kHead) + "fins:\n  - {" + fin + "}\n");
+  };
+  EXPECT_THAT(error("name: a, position: [0, 0, 0], axis: [1, 0, 0]"), HasSubstr("is along x"));
+  EXPECT_THAT(error("name: a, position: [0, 0, 0], axis: [0, 2, 0]"), HasSubstr("has length 2"));
+  EXPECT_THAT(error("name: a, position: [0, 0, 0], axis: [0, 1, 0], area: -1"), HasSubstr("area"));
+}
+
 TEST(VehicleFile, RefusesATensorOfNoBody) {
   const auto message = [](const std::string& tensor) {
     return Error(
@@ -115,7 +142,7 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
-            "inertia, rigid_body, thrust_tables, thrusters, "
+            "inertia, rigid_body, thrust_tables, thrusters, fins, "
             "models. Correct or remove it.");
 }
 
