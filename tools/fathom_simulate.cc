@@ -3,6 +3,7 @@
 
 // What a model predicts for a log: a free run over its command, scored against its measurement.
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
@@ -19,6 +20,7 @@
 #include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
+#include "fathom/tool/manoeuvre_report.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
@@ -54,6 +56,13 @@ DEFINE_double(horizon,
               std::numeric_limits<double>::infinity(),
               "Of a model of several DOFs: begin anew from the measured state after so long [s].");
 
+DEFINE_string(manoeuvre,
+              "",
+              "Of a model of several DOFs that steers with a rudder: turning_circle:35 or "
+              "zigzag:10/10, in degrees.");
+DEFINE_int32(draws, 200, "Of --manoeuvre: models drawn for its intervals.");
+DEFINE_uint64(seed, 1, "Of --manoeuvre: seed of these draws.");
+
 namespace fathom {
 namespace {
 
@@ -63,7 +72,8 @@ const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
-    "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]",
+    "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]\n"
+    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK]",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts where the model fits the first two seconds best, and anew after a gap of "
@@ -72,7 +82,8 @@ const ToolInfo kInfo = {
     "other DOFs is taken from the log. Causes of a run are left out on any other log. "
     "Several logs, as --log=A --log=B or --log=A,B, are scored one by one. A model of several "
     "degrees of freedom (fathom_identify --dofs) is simulated as one; --horizon begins its runs "
-    "anew: docs/coupled.md.",
+    "anew: docs/coupled.md. --manoeuvre plays a turning circle or a zigzag, from the log's first "
+    "speed under its mean force: docs/fins.md.",
     {"log"}};
 
 // t and the predicted velocity at the stamps of all segments.
@@ -245,6 +256,27 @@ void RequireOneLogForOut(std::size_t num_logs) {
   throw InputError("--out: holds the prediction of one log, expected a single --log with it.");
 }
 
+int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
+  if (FLAGS_draws < 0) {
+    throw InputError(fmt::format("--draws: is {}, expected 0 or more.", FLAGS_draws));
+  }
+  const Manoeuvre manoeuvre = ParseManoeuvre(FLAGS_manoeuvre);
+  const ManoeuvreReport report = ReportManoeuvre(fitted, log, manoeuvre, FLAGS_draws, FLAGS_seed);
+  fmt::print("{} from {:.3g} m/s, the rudder at most at {:.3g} rad/s, as in {}:\n",
+             FLAGS_manoeuvre,
+             report.ahead,
+             report.rudder_rate,
+             log.name);
+  PrintText(stdout, FormatTable(ManoeuvreTable(report)));
+  if (report.num_astray > 0) {
+    fmt::print("note: {} of {} drawn models cannot be or diverge; the intervals are of the rest.\n",
+               report.num_astray,
+               report.num_draws);
+  }
+  if (!FLAGS_out.empty()) WriteFile(FLAGS_out, ManoeuvreCsv(report));
+  return kExitUsable;
+}
+
 int RunCoupledModel(const FittedCoupledModel& fitted) {
   if (DofFromFlag()) {
     throw InputError(
@@ -262,6 +294,12 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
   }
   const std::vector<Log> logs = ReadLogsFromFlags({});
   RequireOneLogForOut(logs.size());
+  if (!FLAGS_manoeuvre.empty()) {
+    if (logs.size() > 1) {
+      throw InputError("--manoeuvre: begins as one log goes, expected a single --log with it.");
+    }
+    return RunManoeuvreOf(fitted, logs.front());
+  }
   std::vector<CoupledScore> scores;
   bool all_run = true;
   for (const Log& log : logs) {
@@ -298,6 +336,11 @@ int Run() {
   RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}}, inputs);
   if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
     return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
+  }
+  if (!FLAGS_manoeuvre.empty()) {
+    throw InputError(
+        fmt::format("--manoeuvre: goes with a model of several DOFs, expected none: {} is of one.",
+                    FLAGS_model));
   }
   if (std::isfinite(FLAGS_horizon)) {
     throw InputError(

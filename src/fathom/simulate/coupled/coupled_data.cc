@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,8 +58,35 @@ CoupledCommand CoupledCommandOf(const Log& log, std::span<const Thruster> thrust
   return command;
 }
 
+// Refuses angles that are none in radians, and tells of those beyond the fin's largest.
+void CheckAngles(const Log& log,
+                 const Fin& fin,
+                 const std::vector<double>& angles,
+                 std::vector<std::string>* remarks) {
+  double largest = 0.0;
+  for (const double angle : angles) largest = std::max(largest, std::abs(angle));
+  if (largest > std::numbers::pi / 2.0) {
+    throw InputError(fmt::format(
+        "{}: command.csv: fin_{} goes to {:.3g}, expected an angle in radians below a right angle. "
+        "Is it in degrees?",
+        log.path.string(),
+        fin.name,
+        largest));
+  }
+  if (fin.largest_angle && largest > *fin.largest_angle) {
+    remarks->push_back(fmt::format(
+        "fin_{} goes to {:.3g} rad, beyond the {:.3g} rad that the vehicle file calls its largest.",
+        fin.name,
+        largest,
+        *fin.largest_angle));
+  }
+}
+
 // Adds the log's fins, whose angles stand at the command's stamps.
-void AddFins(const Log& log, std::span<const Fin> fins, CoupledCommand* command) {
+void AddFins(const Log& log,
+             std::span<const Fin> fins,
+             CoupledCommand* command,
+             std::vector<std::string>* remarks) {
   if (!log.fins) return;
   if (command->time.empty()) command->time = log.fins->time;
   for (std::size_t k = 0; k < log.fins->columns.size(); ++k) {
@@ -74,6 +102,7 @@ void AddFins(const Log& log, std::span<const Fin> fins, CoupledCommand* command)
           name,
           name));
     }
+    CheckAngles(log, *fin, log.fins->values[k], remarks);
     command->fins.push_back(
         {name, ArmsOf(*fin), log.fins->values[k], fin->behind, FinForceOf(*fin)});
   }
@@ -234,7 +263,7 @@ CoupledData CoupledDataOf(const Log& log,
   data.dofs = dofs;
   data.force_unit = log.command_unit.empty() ? "N" : log.command_unit;
   data.inputs.command = CoupledCommandOf(log, thrusters);
-  AddFins(log, fins, &data.inputs.command);
+  AddFins(log, fins, &data.inputs.command, &data.remarks);
   const VelocityRows rows = AllVelocities(log, &data.has_velocity);
   RequireMotion(log, rows, dofs);
   if (std::none_of(dofs.begin(), dofs.end(), [&](Dof dof) {

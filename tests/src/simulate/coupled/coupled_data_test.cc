@@ -86,6 +86,22 @@ TEST(CoupledDataOf, KeepsTheThrusters) {
   EXPECT_TRUE(data.inputs.command.force.empty());
 }
 
+TEST(CoupledDataOf, KeepsTheFinsAndRefusesDegrees) {
+  Log log = SmallLog();
+  Fin rudder;
+  rudder.name = "rudder";
+  rudder.largest_angle = 0.3;
+  log.fins = Stream{log.command->time, {"fin_rudder"}, {}};
+  log.fins->values.push_back(std::vector<double>(log.command->time.size(), 0.35));
+  const CoupledData data = CoupledDataOf(log, {Dof::kSurge}, {}, {{rudder}});
+  ASSERT_EQ(data.inputs.command.fins.size(), 1u);
+  EXPECT_EQ(data.inputs.command.fins[0].angle[0], 0.35);
+  EXPECT_THAT(data.remarks, testing::Contains(testing::HasSubstr("beyond the 0.3 rad")));
+  EXPECT_THROW(CoupledDataOf(log, {Dof::kSurge}), InputError);  // the vehicle has no such fin
+  log.fins->values[0][0] = 20.0;
+  EXPECT_THROW(CoupledDataOf(log, {Dof::kSurge}, {}, {{rudder}}), InputError);
+}
+
 TEST(WindowsOf, CutsInPartsOfOneLength) {
   const CoupledData data = CoupledDataOf(SmallLog(), {Dof::kSurge});
   const std::vector<SampleWindow> windows = WindowsOf(data.segments[0], 5.0);

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/log/log.h"
+#include "fathom/report/table.h"
+#include "fathom/simulate/coupled/manoeuvre.h"
+#include "fathom/vehicle/coupled/fitted_coupled_model.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// A figure of a manoeuvre, with the interval that the model's intervals give.
+struct ManoeuvrePrediction {
+  ManoeuvreFigure figure;
+  double low = 0.0, high = 0.0;  // 95 %; NaN where too few draws came so far
+};
+
+struct ManoeuvreReport {
+  ManoeuvreTrack track;
+  std::vector<ManoeuvrePrediction> figures;
+  int num_draws = 0, num_astray = 0;  // models drawn, and those of them that cannot be or diverge
+  double ahead = 0.0;                 // speed at the begin [m/s]
+  double rudder_rate = 0.0;           // [rad/s]
+};
+
+// What a model does in a manoeuvre that begins at the log's first speed ahead, under its mean force
+// and with the rudder as quick as it ever is in the log. The interval is of models drawn from the
+// covariance.
+//
+// Throws InputError if the log holds no fin that turns the vehicle, or the model moves no yaw, and
+// if the run itself diverges.
+ManoeuvreReport ReportManoeuvre(const FittedCoupledModel& fitted,
+                                const Log& log,
+                                const Manoeuvre& manoeuvre,
+                                int num_draws,
+                                std::uint64_t seed);
+
+Table ManoeuvreTable(const ManoeuvreReport& report);
+
+// t, position, heading, rudder's angle and velocities, CSV.
+std::string ManoeuvreCsv(const ManoeuvreReport& report);
+
+}  // namespace fathom
