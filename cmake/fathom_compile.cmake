@@ -63,11 +63,21 @@ function(fathom_batch_sources target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()
 
+# Code that may stand in the Python module, which is a shared library. Not CMake's own property: that
+# compiles programs in another way, which precompiled headers do not serve. A call within a source may
+# still be inlined, so that this costs no time.
+function(fathom_allow_shared_library target)
+  if(FATHOM_PYTHON)
+    target_compile_options(${target} PRIVATE -fPIC -fno-semantic-interposition)
+  endif()
+endfunction()
+
 # fathom_compile(<target> [HEADERS <target>]): HEADERS holds the precompiled headers.
 function(fathom_compile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS" "")
   if(NOT arg_HEADERS)
     set(arg_HEADERS fathom_common_headers)
+    fathom_allow_shared_library(${target})
   endif()
   fathom_set_warnings(${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -92,6 +102,9 @@ function(fathom_precompile name)
   endif()
   add_library(${name} OBJECT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/precompiled.cc)
   fathom_set_warnings(${name})
+  if(name STREQUAL fathom_common_headers)
+    fathom_allow_shared_library(${name})
+  endif()
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_precompile_headers(${name} PRIVATE ${arg_UNPARSED_ARGUMENTS})
   target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)

@@ -7,42 +7,29 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/findings/finding_json.h"
-#include "fathom/findings/inertia_check.h"
 #include "fathom/findings/log_check.h"
-#include "fathom/findings/prediction_check.h"
-#include "fathom/signal/sources/choose_source.h"
-#include "fathom/signal/sources/log_column.h"
-#include "fathom/signal/split_at_gaps.h"
-#include "fathom/simulate/log_prediction.h"
-#include "fathom/simulate/model_for_log.h"
-#include "fathom/simulate/prediction_remarks.h"
 #include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
+#include "fathom/tool/log_scores.h"
 #include "fathom/tool/manoeuvre_report.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
-#include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gflags/gflags.h>
-#include <nlohmann/json.hpp>
 
 DEFINE_string(model, "", "Model or verdict file (JSON).");
 DEFINE_string(out, "", "Write t and the predicted velocity to this CSV file, of a single log.");
@@ -66,8 +53,6 @@ DEFINE_uint64(seed, 1, "Of --manoeuvre: seed of these draws.");
 namespace fathom {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 const ToolInfo kInfo = {
     "fathom_simulate",
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
@@ -86,109 +71,6 @@ const ToolInfo kInfo = {
     "speed under its mean force: docs/fins.md.",
     {"log"}};
 
-// t and the predicted velocity at the stamps of all segments.
-std::string FormatPrediction(const LogPrediction& prediction, Dof dof) {
-  std::string csv = fmt::format("t,{}\n", VelocityColumn(dof));
-  for (size_t k = 0; k < prediction.segments.size(); ++k) {
-    const std::vector<double>& time = prediction.segments[k].time;
-    for (size_t i = 0; i < time.size(); ++i) {
-      csv += fmt::format("{},{}\n", time[i], prediction.velocity[k][i]);
-    }
-  }
-  return csv;
-}
-
-// `part`: ", held out" of a log, ", another log", or nothing.
-void PrintFigures(const char* part, const FitFigures& figures, Dof dof) {
-  if (figures.num_samples == 0) return;
-  fmt::print("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
-             Name(dof),
-             part,
-             figures.mae,
-             VelocityUnit(dof),
-             std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae) : "-",
-             figures.num_samples,
-             figures.duration);
-}
-
-// Another log than the model's is not split: the model has seen nothing of it. A model that does
-// not name its logs leaves open which one this is.
-void PrintFigures(const LogPrediction& prediction,
-                  const Log& log,
-                  const FittedModel& model,
-                  bool is_trained_on_it) {
-  const Dof dof = model.dof;
-  if (!std::isfinite(prediction.figures.mae)) {
-    fmt::print(
-        "{}: predicted from rest. The log has no column '{}' and no pose to score the "
-        "prediction{}\n",
-        Name(dof),
-        VelocityColumn(dof),
-        log.detections ? ". fathom_track makes poses from its detections.csv." : "");
-    return;
-  }
-  const bool is_another = !is_trained_on_it && !model.log_fingerprints.empty();
-  if (is_another || log.held_out.empty()) {
-    PrintFigures(is_another ? ", another log" : "", prediction.figures, dof);
-    return;
-  }
-  PrintFigures(is_trained_on_it ? ", training data" : ", not held out", prediction.train, dof);
-  PrintFigures(", held out", prediction.held_out, dof);
-}
-
-// What became of one log.
-struct LogScore {
-  std::string log;  // its name
-  std::vector<Finding> findings;
-  std::optional<LogPrediction> prediction;  // nothing if the simulation diverges
-  std::vector<std::string> remarks;
-  bool is_trained_on_it = false;  // the model
-};
-
-// What every tool checks, where the log measures the motion; the model against the vehicle, and the
-// prediction against the log.
-std::vector<Finding> FindingsOn(const Log& log,
-                                const FittedModel& model,
-                                const std::optional<LogPrediction>& prediction) {
-  std::vector<Finding> findings;
-  if (!SourcesOf(log, model.dof).empty()) findings = CheckLogs({&log, 1}, model.dof);
-  if (auto finding = CheckInertia(model, BodyOf({&log, 1}))) {
-    findings.push_back(*std::move(finding));
-  }
-  if (auto finding = CheckPrediction(prediction, model.dof)) {
-    findings.push_back(*std::move(finding));
-  }
-  return WarningsFirst(std::move(findings));
-}
-
-LogScore ScoreOf(const FittedModel& fitted, const Log& log) {
-  const auto [model, left_out, is_trained_on_it] =
-      RestrictToLog(fitted, log, FLAGS_keep_run_effects);
-  LogScore score = {log.name, {}, PredictLog(model, log), {}, is_trained_on_it};
-  score.findings = FindingsOn(log, model, score.prediction);
-  if (!score.prediction) return score;
-  score.remarks = RemarksOn(model, *score.prediction);
-  const std::vector<double>& last = score.prediction->segments.back().time;
-  std::string early_end = RemarkOnEarlyEnd(CommandOf(log, model.dof), last, kLongestGap);
-  if (!early_end.empty()) score.remarks.push_back(std::move(early_end));
-  if (!left_out.empty()) {
-    score.remarks.push_back(
-        fmt::format("left out: {}. Effects of the run that the model was identified from need not "
-                    "hold in another one. --keep_run_effects keeps them.",
-                    fmt::join(left_out, ", ")));
-  }
-  return score;
-}
-
-// What the model file says of the model, which holds for every log.
-std::vector<std::string> RemarksOfFile(const FittedModel& model) {
-  std::vector<std::string> remarks;
-  for (const std::string& caveat : model.caveats) {
-    remarks.push_back("Said when the model was fitted: " + caveat);
-  }
-  return remarks;
-}
-
 void PrintRemarks(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) PrintText(stdout, "note: " + remark + "\n");
 }
@@ -205,39 +87,8 @@ void Print(const LogScore& score, const Log& log, const FittedModel& model) {
                model.model.linear_damping);
     return;
   }
-  PrintFigures(*score.prediction, log, model, score.is_trained_on_it);
+  fmt::print("{}", LogScoreText(score, log, model));
   PrintRemarks(score.remarks);
-}
-
-// Schema "fathom-score-1"; docs/file_formats.md. A number that is not known is null.
-Json FormatScore(const LogScore& score, const FittedModel& model) {
-  std::vector<std::string> remarks = score.remarks;
-  std::ranges::move(RemarksOfFile(model), std::back_inserter(remarks));
-  const LogPrediction prediction = score.prediction.value_or(LogPrediction());
-  const FitFigures& figures = prediction.figures;
-  return {{"schema", "fathom-score-1"},
-          {"log", score.log},
-          {"dof", Name(model.dof)},
-          {"mae", figures.mae},
-          {"nmae", figures.nmae},
-          {"n", figures.num_samples},
-          {"duration", figures.duration},
-          {"train", JsonOfFigures<Json>(prediction.train)},
-          {"held_out", JsonOfFigures<Json>(prediction.held_out)},
-          {"findings", JsonOf<Json>(score.findings)},
-          {"remarks", remarks}};
-}
-
-// Of one log its score; of several "fathom-scores-1".
-std::string FormatScores(const std::vector<LogScore>& scores, const FittedModel& model) {
-  Json json;
-  if (scores.size() == 1) {
-    json = FormatScore(scores.front(), model);
-  } else {
-    json = {{"schema", "fathom-scores-1"}, {"scores", Json::array()}};
-    for (const LogScore& score : scores) json["scores"].push_back(FormatScore(score, model));
-  }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 // Throws InputError if --dof is given and the model is of another one.
@@ -354,7 +205,7 @@ int Run() {
   RequireOneLogForOut(logs.size());
   std::vector<LogScore> scores;
   for (const Log& log : logs) {
-    LogScore& score = scores.emplace_back(ScoreOf(fitted, log));
+    LogScore& score = scores.emplace_back(ScoreLog(fitted, log, FLAGS_keep_run_effects));
     PrintWarnings(score.findings);
     if (logs.size() > 1) fmt::print("{}\n", log.path.string());
     Print(score, log, fitted);
@@ -363,9 +214,9 @@ int Run() {
   const auto num_failed = std::count_if(
       scores.begin(), scores.end(), [](const LogScore& score) { return !score.prediction; });
   const bool is_usable = num_failed < std::ssize(scores);
-  if (is_usable && !FLAGS_json.empty()) WriteFile(FLAGS_json, FormatScores(scores, fitted));
+  if (is_usable && !FLAGS_json.empty()) WriteFile(FLAGS_json, LogScoresJson(scores, fitted));
   if (is_usable && !FLAGS_out.empty()) {
-    WriteFile(FLAGS_out, FormatPrediction(*scores.front().prediction, fitted.dof));
+    WriteFile(FLAGS_out, PredictionCsv(*scores.front().prediction, fitted.dof));
   }
   return num_failed == 0 ? 0 : 2;
 }

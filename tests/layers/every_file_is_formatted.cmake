@@ -1,7 +1,7 @@
 # Fails if clang-format would change a file. Run with cmake -P.
 
 cmake_minimum_required(VERSION 3.22)
-foreach(folder IN ITEMS src problems tools tests bench fuzz)
+foreach(folder IN ITEMS src problems tools python tests bench fuzz)
   file(GLOB_RECURSE found ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cc)
   list(APPEND files ${found})
 endforeach()

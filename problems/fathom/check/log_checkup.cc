@@ -194,8 +194,14 @@ std::string PlaceOfKeys(const Log& log) {
 LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
                    const std::vector<TimeInterval>& held_out) {
-  Log log = OpenLog(
-      path, {.dof = dof, .held_out = held_out, .may_lack_motion = true, .may_lack_command = true});
+  return CheckUp(
+      OpenLog(
+          path,
+          {.dof = dof, .held_out = held_out, .may_lack_motion = true, .may_lack_command = true}),
+      dof);
+}
+
+LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   const Survey survey = SurveyOf(log);
   LogCheckup checkup;

@@ -65,6 +65,9 @@ LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
                    const std::vector<TimeInterval>& held_out = {});
 
+// The same of a log that was opened already; it may lack the command or the motion.
+LogCheckup CheckUp(Log log, std::optional<Dof> dof);
+
 // All findings, those of the log and of its DOFs.
 std::vector<Finding> AllFindings(const LogCheckup& checkup);
 

@@ -50,8 +50,21 @@ std::string WithSpaces(std::string_view name) {
 
 bool HasSiForce(const FittedModel& fitted) { return fitted.force_unit == ForceUnit(fitted.dof); }
 
-// The parameters, and their ratios where only these are of the vehicle.
-Table ParameterTable(const Identification& identification) {
+// The condition number is of columns of length 1: Belsley, Kuh and Welsch call 30 and more harmful
+// (docs/signal.md).
+std::string WhatTheColumnsSay(const Identification& identification) {
+  std::string text = "±: one standard deviation";
+  if (!std::isfinite(identification.condition_number)) return text + "\n";
+  text += "; unique effect: the part that no other parameter can imitate\n";
+  return text + fmt::format(
+                    "condition number {:.1f} (1: the parameters act unlike each other; above 30: "
+                    "some act almost alike)\n",
+                    identification.condition_number);
+}
+
+}  // namespace
+
+Table IdentificationTable(const Identification& identification) {
   const FittedModel& fitted = identification.fitted;
   const ParameterVector values = ToVector(fitted.model);
   Table table;
@@ -78,20 +91,6 @@ Table ParameterTable(const Identification& identification) {
                              kNotKnown));
   return table;
 }
-
-// The condition number is of columns of length 1: Belsley, Kuh and Welsch call 30 and more harmful
-// (docs/signal.md).
-std::string WhatTheColumnsSay(const Identification& identification) {
-  std::string text = "±: one standard deviation";
-  if (!std::isfinite(identification.condition_number)) return text + "\n";
-  text += "; unique effect: the part that no other parameter can imitate\n";
-  return text + fmt::format(
-                    "condition number {:.1f} (1: the parameters act unlike each other; above 30: "
-                    "some act almost alike)\n",
-                    identification.condition_number);
-}
-
-}  // namespace
 
 std::string ModelName(const Identification& identification) {
   constexpr std::array<const char*, 4> kFamilies = {
@@ -124,7 +123,7 @@ std::string FormatIdentification(const Identification& identification,
                                  identification.message);
   if (!identification.is_usable) return text;
 
-  text += FormatTable(ParameterTable(identification));
+  text += FormatTable(IdentificationTable(identification));
   if (!HasSiForce(fitted)) {
     text += fmt::format(
         "The command is in {}, not in {}. Only the ratios are properties of the vehicle; the "

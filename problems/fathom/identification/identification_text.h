@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/identification/identification.h"
+#include "fathom/report/table.h"
 
 #include <string>
 
@@ -14,6 +15,10 @@ namespace fathom {
 // `velocity_file` is what the velocities were read from.
 std::string FormatIdentification(const Identification& identification,
                                  const std::string& velocity_file = "velocity.csv");
+
+// The parameters of a usable result with their 95 % intervals, and their ratios where only these
+// are of the vehicle.
+Table IdentificationTable(const Identification& identification);
 
 // "Least squares, velocity.csv", "Output error, camera": the rows of the paper's Table II.
 std::string ModelName(const Identification& identification);

@@ -49,13 +49,20 @@ void UseVehicleFile(Log* log) {
   log->command = ForcesOfThrusts(*log->thrusters, vehicle);
 }
 
+Log Completed(Log log, bool may_lack_motion) {
+  UseVehicleFile(&log);
+  if (!may_lack_motion && !log.velocity) TrackDetections(&log);
+  return log;
+}
+
 }  // namespace
 
 Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options) {
-  Log log = ReadLog(path, options);
-  UseVehicleFile(&log);
-  if (!options.may_lack_motion && !log.velocity) TrackDetections(&log);
-  return log;
+  return Completed(ReadLog(path, options), options.may_lack_motion);
+}
+
+Log OpenLogText(const LogText& text, bool may_lack_motion) {
+  return Completed(ParseLog(text), may_lack_motion);
 }
 
 void TrackDetectionsIfUsable(Log* log) {

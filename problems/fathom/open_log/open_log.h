@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/log/log.h"
+#include "fathom/log/log_text.h"
 #include "fathom/log/read_log.h"
 
 #include <filesystem>
@@ -18,6 +19,10 @@ namespace fathom {
 // Throws InputError as these do, if thruster speeds come without a vehicle file, and if that cannot
 // be read.
 Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options = {});
+
+// The same of a log in memory: ParseLog() in place of ReadLog(). A vehicle file is looked for from
+// text.path on.
+Log OpenLogText(const LogText& text, bool may_lack_motion = false);
 
 // TrackDetections() where the log can do without: a calibration that is missing or cannot be used
 // only costs the source `camera`, and is told in the log's remarks.

@@ -3,6 +3,9 @@
 
 #include "fathom/check/log_checkup.h"
 
+#include "fathom/check/checkup_text.h"
+#include "fathom/open_log/open_log.h"
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -48,6 +51,13 @@ TEST(CheckUp, IsNeverGreenerThanTheFit) {
   EXPECT_THAT(turned.dofs[0].findings, Contains(IsOf("force_sign", Severity::kWarning)));
   // No fault of the data by itself: sound logs may tell too little.
   EXPECT_THAT(turned.dofs[0].findings, Contains(IsOf("no_model", Severity::kNote)));
+}
+
+TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
+  const std::filesystem::path table = WriteTable("opened_before.csv", 1.0);
+  const Log log = OpenLog(table, {.dof = Dof::kSurge});
+  EXPECT_EQ(FormatCheckupJson(CheckUp(log, Dof::kSurge)),
+            FormatCheckupJson(CheckUp(table, Dof::kSurge)));
 }
 
 TEST(CheckUp, FindsNoFaultInASoundTable) {

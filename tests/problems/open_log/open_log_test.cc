@@ -4,6 +4,7 @@
 #include "fathom/open_log/open_log.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/log/log_fingerprint.h"
 
 #include <filesystem>
 #include <fstream>
@@ -47,6 +48,35 @@ TEST(OpenLog, TakesThrustsInNewtonAsTheyAre) {
   const Log log = OpenLog(LogWith("vehicle: rov.yaml\nthruster_unit: N\n"));
   EXPECT_THAT(*log.thrusters->Find("thruster_1"), ElementsAre(3, -2));
   EXPECT_THAT(*log.command->Find("tau_surge"), ElementsAre(4, 0));
+}
+
+// `vehicle`: beside no log, so that its path is whole.
+LogText ThrustersInMemory(const std::filesystem::path& vehicle) {
+  LogText text;
+  text.path = "memory";
+  text.log_yaml = {"log.yaml", "name: run\ndof: surge\nvehicle: " + vehicle.string() + "\n"};
+  text.command = LogText::File{"command", "t,thruster_1,thruster_2\n0,3,1\n1,-2,2\n"};
+  text.velocity = LogText::File{"velocity", "t,u\n0,0\n1,0.1\n"};
+  return text;
+}
+
+TEST(OpenLogText, MakesTheSameOfALogInMemory) {
+  const std::filesystem::path folder = LogWith("vehicle: rov.yaml\n");
+  const Log log = OpenLogText(ThrustersInMemory(std::filesystem::absolute(folder / "rov.yaml")));
+  EXPECT_THAT(*log.thrusters->Find("thruster_1"), ElementsAre(18, -4));
+  EXPECT_THAT(*log.command->Find("tau_yaw"), ElementsAre(8, -6));
+  EXPECT_EQ(FingerprintOf(log), FingerprintOf(OpenLog(folder)));
+}
+
+TEST(OpenLogText, RefusesWhatTheReaderOfFoldersRefuses) {
+  LogText text = ThrustersInMemory("rov.yaml");
+  text.velocity->text = "t,u\n0,0\n1,nan\n";
+  try {
+    OpenLogText(text);
+    FAIL() << "no error";
+  } catch (const InputError& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("velocity:3: column 'u' is 'nan'"));
+  }
 }
 
 TEST(OpenLog, RefusesThrustersOfAnUnknownVehicleOrUnit) {

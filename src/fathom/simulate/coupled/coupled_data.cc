@@ -355,7 +355,8 @@ CoupledState MeasuredState(const CoupledSegment& segment, std::size_t sample) {
 
 std::vector<SampleWindow> WindowsOf(const CoupledSegment& segment, double length) {
   const double duration = segment.time.back() - segment.time.front();
-  const double ratio = duration / length;
+  // No more than there are pairs of samples.
+  const double ratio = std::min(duration / length, 0.5 * static_cast<double>(segment.time.size()));
   const auto num = ratio < 1.5 ? std::size_t{1} : static_cast<std::size_t>(std::lround(ratio));
   std::vector<SampleWindow> windows;
   std::size_t begin = 0;
@@ -367,9 +368,12 @@ std::vector<SampleWindow> WindowsOf(const CoupledSegment& segment, double length
                          : static_cast<std::size_t>(
                                std::lower_bound(segment.time.begin(), segment.time.end(), until) -
                                segment.time.begin());
-    if (end > begin + 1) windows.push_back({begin, end});
-    begin = std::max(begin, end);
+    if (end < begin + 2) continue;  // they go to the next one
+    windows.push_back({begin, end});
+    begin = end;
   }
+  if (windows.empty()) windows.push_back({0, 0});
+  windows.back().end = segment.time.size();
   return windows;
 }
 

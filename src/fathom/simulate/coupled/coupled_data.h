@@ -65,7 +65,8 @@ CoupledData CoupledDataOf(const Log& log,
 CoupledState MeasuredState(const CoupledSegment& segment, std::size_t sample);
 
 // Samples `begin` to `end` - 1 of a segment, about `length` [s] each, equally long; the whole
-// segment where that is shorter than one and a half.
+// segment where that is shorter than one and a half. Together they hold every sample, each two at
+// least.
 struct SampleWindow {
   std::size_t begin = 0;
   std::size_t end = 0;

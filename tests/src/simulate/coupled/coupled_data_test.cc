@@ -112,5 +112,19 @@ TEST(WindowsOf, CutsInPartsOfOneLength) {
   EXPECT_EQ(WindowsOf(data.segments[0], 15.0).size(), 1u);
 }
 
+TEST(WindowsOf, HoldsEverySampleHoweverShortTheWindows) {
+  CoupledSegment segment = CoupledDataOf(SmallLog(), {Dof::kSurge}).segments[0];
+  segment.time[1] = segment.time[0] + 1e-9;  // a step that holds no second sample
+  for (const double length : {1e-300, 1e-3, 0.1, 0.15, 0.25}) {
+    std::size_t next = 0;
+    for (const SampleWindow& window : WindowsOf(segment, length)) {
+      EXPECT_EQ(window.begin, next);
+      EXPECT_GE(window.end, window.begin + 2);
+      next = window.end;
+    }
+    EXPECT_EQ(next, segment.time.size());
+  }
+}
+
 }  // namespace
 }  // namespace fathom

@@ -1,0 +1,481 @@
+# SPDX-FileCopyrightText: 2026 The Fathom authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The Python module against the programs, and what it refuses.
+
+Run by ctest with PYTHONPATH on the build's package, FATHOM_TOOLS_DIR and FATHOM_DATA_DIR.
+"""
+
+import ast
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+
+import fathom
+
+TOOLS = pathlib.Path(os.environ["FATHOM_TOOLS_DIR"])
+FLATFISH = os.path.join(os.environ["FATHOM_DATA_DIR"], "flatfish")
+VEHICLES = pathlib.Path(os.environ["FATHOM_DATA_DIR"]) / "vehicles"
+
+
+def run_tool(name, *arguments):
+    return subprocess.run(
+        [str(TOOLS / f"fathom_{name}"), *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def coasting():
+    """Speed that falls by exp(-0.1 t), under no force, with small noise."""
+    t = np.arange(0.0, 40.0, 0.1)
+    noise = 1e-3 * np.random.default_rng(1).standard_normal(t.size)
+    return t, np.exp(-0.1 * t) + noise
+
+
+class Scratch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def json_of_tool(self, name, flag, *arguments):
+        """What a tool writes, as a dict."""
+        file = self.folder / "tool.json"
+        run = run_tool(name, *arguments, f"--{flag}={file}")
+        self.assertTrue(file.exists(), run.stdout + run.stderr)
+        return json.loads(file.read_text())
+
+
+class EqualsTheTools(Scratch):
+    def test_identify_gives_the_model_file_to_the_last_digit(self):
+        for family in ["least_squares", "adaptive", "output_error"]:
+            with self.subTest(family=family):
+                theirs = self.json_of_tool(
+                    "identify", "model", f"--log={FLATFISH}", "--dof=surge", f"--family={family}"
+                )
+                ours = fathom.identify(FLATFISH, dof="surge", family=family)
+                self.assertEqual(ours.to_dict(), theirs)
+
+    def test_identify_takes_the_options_of_the_tool(self):
+        theirs = self.json_of_tool(
+            "identify",
+            "model",
+            f"--log={FLATFISH}",
+            "--dof=heave",
+            "--held_out=100:120,240:300",
+            "--huber=0",
+            "--shooting_window=50",
+        )
+        log = fathom.open_log(FLATFISH, held_out=[(100, 120), (240, 300)])
+        ours = fathom.identify(log, dof="heave", huber=0.0, shooting_window=50.0)
+        self.assertEqual(ours.to_dict(), theirs)
+
+    def test_identify_takes_gains(self):
+        gains = [-0.1, 1.1e-5, 20.0, 0.7, 0.015]
+        theirs = self.json_of_tool(
+            "identify",
+            "model",
+            f"--log={FLATFISH}",
+            "--dof=surge",
+            "--family=adaptive",
+            "--integrator=euler",
+            "--gains=" + ",".join(map(str, gains)),
+        )
+        ours = fathom.identify(
+            FLATFISH, dof="surge", family="adaptive", integrator="euler", gains=gains
+        )
+        self.assertEqual(ours.to_dict(), theirs)
+
+    def test_compare_gives_the_comparison_file(self):
+        theirs = self.json_of_tool("compare", "json", f"--log={FLATFISH}", "--dofs=surge")
+        self.assertEqual(fathom.compare(FLATFISH, dofs=["surge"]).to_dict(), theirs)
+
+    def test_check_gives_the_check_file(self):
+        theirs = self.json_of_tool("check", "json", f"--log={FLATFISH}")
+        self.assertEqual(fathom.check(FLATFISH).to_dict(), theirs)
+
+    def test_simulate_gives_the_score_and_the_prediction(self):
+        model = fathom.identify(FLATFISH, dof="surge").model
+        file, out = self.folder / "model.json", self.folder / "out.csv"
+        model.save(file)
+        theirs = self.json_of_tool(
+            "simulate", "json", f"--model={file}", f"--log={FLATFISH}", f"--out={out}"
+        )
+        ours = fathom.simulate(model, FLATFISH)
+        self.assertEqual(ours.to_dict(), theirs)
+        rows = np.loadtxt(out, delimiter=",", skiprows=1)
+        np.testing.assert_array_equal(ours.time, rows[:, 0])
+        np.testing.assert_array_equal(ours.velocity, rows[:, 1])
+
+    def test_diagnose_gives_the_verdict_file(self):
+        log = self.folder / "lag"
+        run = run_tool(
+            "synthesize",
+            f"--vehicle={VEHICLES / 'flatfish.yaml'}",
+            f"--experiment={VEHICLES.parent / 'experiments' / 'surge_multisine.yaml'}",
+            "--seed=1",
+            "--effects=thrust_dead_zone:width=8",
+            f"--out={log}",
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        theirs = self.json_of_tool("diagnose", "verdict", f"--log={log}", "--dof=surge")
+        ours = fathom.diagnose(log, dof="surge")
+        self.assertEqual(ours.to_dict(), theirs)
+        self.assertEqual([cause.effect for cause in ours.causes], ["thrust_dead_zone"])
+        width = ours.causes[0].parameters["thrust_dead_zone.width"]
+        low, high = width.interval
+        self.assertTrue(low < 8.0 < high)
+        self.assertEqual(width.unit, "N")
+        # The model with its cause runs, as the verdict file does.
+        file = self.folder / "tool.json"
+        by_file = fathom.simulate(file, log)
+        by_model = fathom.simulate(ours.model, log)
+        np.testing.assert_array_equal(by_file.velocity, by_model.velocity)
+        self.assertIn("<iframe", ours._repr_html_())
+
+    def test_free_decay_gives_the_decay_file(self):
+        t, v = coasting()
+        file = self.folder / "decay.csv"
+        np.savetxt(file, np.column_stack([t, v]), delimiter=",", header="t,v", comments="")
+        theirs = self.json_of_tool("identify", "json", f"--log={file}", "--dof=surge")
+        ours = fathom.free_decay(str(file), dof="surge")
+        self.assertEqual(ours.to_dict(), theirs)
+        low, high = ours.parameters["linear_damping / inertia"].interval
+        self.assertTrue(low <= 0.1 <= high)
+
+    def test_coupled_models_are_those_of_the_tools(self):
+        dofs = ["surge", "yaw"]
+        theirs = self.json_of_tool(
+            "identify",
+            "model",
+            f"--log={FLATFISH}",
+            "--dofs=surge,yaw",
+            "--structure=diagonal",
+        )
+        ours = fathom.identify(FLATFISH, dofs=dofs, structure="diagonal")
+        self.assertEqual(ours.to_dict(), theirs)
+        model = ours.model
+        self.assertEqual(model.dofs, dofs)
+        self.assertEqual(model.inertia.shape, (6, 6))
+        self.assertEqual(model.inertia[0, 0], model.parameters["inertia.surge"].value)
+        file = self.folder / "coupled.json"
+        model.save(file)
+        theirs = self.json_of_tool(
+            "simulate", "json", f"--model={file}", f"--log={FLATFISH}", "--horizon=5"
+        )
+        prediction = fathom.simulate(model, FLATFISH, horizon=5.0)
+        self.assertEqual(prediction.to_dict(), theirs)
+        self.assertEqual(prediction.velocity["yaw"].shape, prediction.time.shape)
+        self.assertIsInstance(fathom.read_model(file), fathom.CoupledModel)
+
+
+class Arrays(Scratch):
+    def arrays(self):
+        log = fathom.open_log(FLATFISH)
+        return log, {"command": log.command, "velocity": log.velocity}
+
+    def test_a_log_from_arrays_is_the_log_of_the_files(self):
+        log, streams = self.arrays()
+        again = fathom.Log.from_arrays(**streams, dof=log.dofs, held_out=log.held_out)
+        self.assertEqual(again.fingerprint, log.fingerprint)
+        ours = fathom.identify(again, dof="surge").to_dict()
+        theirs = fathom.identify(log, dof="surge").to_dict()
+        for key in ["parameters", "covariance", "fit", "held_out"]:
+            self.assertEqual(ours[key], theirs[key])
+
+    def test_shapes_and_types(self):
+        log, streams = self.arrays()
+        rows = streams["velocity"]["t"].size
+        self.assertEqual(streams["velocity"]["u"].shape, (rows,))
+        self.assertEqual(streams["velocity"]["u"].dtype, np.float64)
+        model = fathom.identify(log, dof="surge").model
+        self.assertEqual(model.covariance.shape, (4, 4))
+        self.assertEqual(list(model.parameters)[0], "inertia")
+        number = model.parameters["inertia"]
+        self.assertEqual(number.unit, "kg")
+        self.assertAlmostEqual(number.std**2, model.covariance[0, 0], delta=1e-9 * number.std**2)
+        low, high = number.interval
+        self.assertAlmostEqual(high - low, 2 * 1.96 * number.std, delta=1e-9 * number.value)
+        prediction = fathom.simulate(model, log)
+        for array in [prediction.time, prediction.velocity, prediction.measured]:
+            self.assertEqual(array.shape, (rows,))
+        self.assertEqual(prediction.is_held_out.dtype, np.bool_)
+        held = prediction.is_held_out
+        mae = np.mean(np.abs(prediction.velocity - prediction.measured)[held])
+        self.assertAlmostEqual(prediction.held_out.mae, mae, delta=1e-12)
+
+    def test_lists_integers_and_strides_serve_as_arrays(self):
+        t = np.arange(0, 400)
+        u = np.stack([np.sin(0.1 * t), np.zeros(t.size)], axis=1)[:, 0]
+        force = [float(100 * np.cos(0.1 * s)) for s in t]
+        log = fathom.Log.from_arrays({"t": t, "tau_surge": force}, {"t": t, "u": u}, dof="surge")
+        np.testing.assert_array_equal(log.velocity["u"], u)
+        self.assertEqual(log.velocity["t"].dtype, np.float64)
+
+    def test_what_python_does_with_an_array_changes_no_log(self):
+        log = fathom.open_log(FLATFISH)
+        log.velocity["u"][:] = 0.0
+        self.assertGreater(np.abs(log.velocity["u"]).max(), 0.0)
+
+    def test_a_vehicle_file_turns_thruster_speeds_into_forces(self):
+        t = np.arange(0.0, 60.0, 0.1)
+        speeds = {f"thruster_{i}": 5.0 * np.sin(0.3 * t) for i in range(1, 5)}
+        log = fathom.Log.from_arrays(
+            {"t": t, **speeds},
+            {"t": t, "u": np.sin(0.3 * t)},
+            dof="surge",
+            vehicle=VEHICLES / "survey_rov.yaml",
+        )
+        self.assertIn("tau_surge", log.command)
+        self.assertGreater(log.mass, 0.0)
+
+
+class Refusals(Scratch):
+    def refuses(self, pattern, call, *arguments, **options):
+        with self.assertRaisesRegex(ValueError, pattern):
+            call(*arguments, **options)
+
+    def test_a_bad_path_is_a_value_error_with_the_words_of_the_tool(self):
+        run = run_tool("identify", "--log=no/such/log", "--dof=surge")
+        with self.assertRaises(ValueError) as caught:
+            fathom.open_log("no/such/log")
+        self.assertIn(str(caught.exception), " ".join(run.stderr.split()))
+        for call in [fathom.check, fathom.identify, fathom.diagnose, fathom.compare]:
+            self.refuses("there is no such log", call, "no/such/log")
+        self.refuses("no/model.json", fathom.read_model, "no/model.json")
+        self.refuses("null character", fathom.open_log, "a\0b")
+
+    def test_a_broken_cell_is_named(self):
+        file = self.folder / "run.csv"
+        file.write_text("t,tau,v\n0,1,2\n1,nan,2\n")
+        self.refuses(r"run.csv:3: column 'tau'", fathom.open_log, file, dof="surge")
+        self.refuses("does not say whose", fathom.open_log, file)
+
+    def test_names_that_are_none(self):
+        self.refuses("dof: is 'up'", fathom.identify, FLATFISH, dof="up")
+        self.refuses("family: is 'best'", fathom.identify, FLATFISH, dof="surge", family="best")
+        self.refuses("source: is", fathom.identify, FLATFISH, dof="surge", source="sonar")
+        self.refuses("offset: is", fathom.identify, FLATFISH, dof="surge", offset="none")
+        self.refuses("weighting: is", fathom.identify, FLATFISH, dof="surge", weighting="w")
+        self.refuses("structure: is", fathom.identify, FLATFISH, dofs=["surge"], structure="x")
+        self.refuses("dofs: names surge twice", fathom.identify, FLATFISH, dofs=["surge"] * 2)
+        self.refuses("dofs: is empty", fathom.identify, FLATFISH, dofs=[])
+        self.refuses("families: is", fathom.compare, FLATFISH, families=["best"])
+
+    def test_numbers_that_cannot_be(self):
+        nan = float("nan")
+        for bad in [-1.0, nan]:
+            self.refuses("huber: is", fathom.identify, FLATFISH, dof="surge", huber=bad)
+            self.refuses(
+                "shooting_window: is", fathom.identify, FLATFISH, dof="surge", shooting_window=bad
+            )
+            self.refuses("window", fathom.identify, FLATFISH, dofs=["surge"], window=bad)
+            self.refuses("effort: is", fathom.diagnose, FLATFISH, dof="surge", effort=bad)
+            self.refuses(
+                "false_alarm_rate: is", fathom.diagnose, FLATFISH, dof="surge", false_alarm_rate=bad
+            )
+        for bad in [[1.0], [0.1, 1, 1, 1, 1], [-0.1, 1, 1, 1, nan], [-0.1, 0, 1, 1, 1]]:
+            self.refuses(
+                "gains", fathom.identify, FLATFISH, dof="surge", family="adaptive", gains=bad
+            )
+        self.refuses("held_out: holds", fathom.open_log, FLATFISH, held_out=[(5, 5)])
+        self.refuses("held_out: holds", fathom.open_log, FLATFISH, held_out=[(nan, 5)])
+        self.refuses("decay_from: is", fathom.free_decay, FLATFISH, dof="surge", decay_from=nan)
+
+    def test_options_of_the_other_kind(self):
+        self.refuses("dof: goes with a model", fathom.identify, FLATFISH, dof="yaw", dofs=["yaw"])
+        self.refuses("window: goes with dofs", fathom.identify, FLATFISH, dof="yaw", window=5.0)
+        self.refuses("seed: goes with a model", fathom.diagnose, FLATFISH, dofs=["yaw"], seed=2)
+        model = fathom.identify(FLATFISH, dof="surge", family="least_squares").model
+        self.refuses("horizon: goes with", fathom.simulate, model, FLATFISH, horizon=5.0)
+
+    def test_arrays_that_are_no_streams(self):
+        t, v = coasting()
+        sound = {"t": t, "u": v}
+        make = fathom.Log.from_arrays
+        self.refuses(r"command.'tau_surge'.*200 values", make, {"t": t, "tau_surge": v[:200]}, sound, dof="surge")
+        self.refuses("2 dimensions", make, None, {"t": t, "u": v.reshape(2, -1)}, dof="surge")
+        self.refuses("no array of numbers", make, None, {"t": t, "u": ["a"] * t.size}, dof="surge")
+        self.refuses("expected a finite number", make, None, {"t": t, "u": v * np.nan}, dof="surge")
+        self.refuses("stamps that rise", make, None, {"t": t[::-1], "u": v}, dof="surge")
+        self.refuses("has no \"t\"", make, None, {"u": v}, dof="surge")
+        self.refuses("letters", make, None, {"t": t, "u,v": v}, dof="surge")
+        self.refuses("expected a dict", make, None, [t, v], dof="surge")
+        self.refuses("expected the vehicle's motion", make, {"t": t, "tau_surge": v}, dof="surge")
+        self.refuses("dof", make, None, sound, dof="up")
+        self.refuses("mass", make, None, sound, dof="surge", mass=-1.0)
+        for size in [0, 1]:
+            self.refuses("row", make, None, {"t": t[:size], "u": v[:size]}, dof="surge")
+
+    def test_logs_that_lack_what_is_asked_for(self):
+        t, v = coasting()
+        decay = fathom.Log.from_arrays(None, {"t": t, "u": v}, dof="surge")
+        self.refuses("free_decay", fathom.identify, decay)
+        self.refuses("free_decay", fathom.diagnose, decay)
+        self.refuses("", fathom.compare, decay)
+        model = fathom.identify(FLATFISH, dof="yaw", family="least_squares").model
+        self.refuses("", fathom.simulate, model, decay)
+        self.refuses("", fathom.identify, FLATFISH, dof="roll")
+        self.refuses("same data", fathom.identify, [FLATFISH, FLATFISH], dof="surge")
+        self.refuses("empty list", fathom.identify, [])
+        self.refuses("names several", fathom.check, [FLATFISH, decay])
+        self.refuses("joint|detections|camera", fathom.identify, FLATFISH, dof="surge", family="joint")
+        self.refuses("", fathom.identify, FLATFISH, dof="surge", source="camera")
+        few = fathom.Log.from_arrays(
+            {"t": t[:5], "tau_surge": v[:5]}, {"t": t[:5], "u": v[:5]}, dof="surge"
+        )
+        for call in [fathom.identify, fathom.diagnose, fathom.compare, fathom.free_decay]:
+            try:
+                result = call(few)
+            except ValueError:
+                continue
+            self.assertFalse(result.is_usable, call)
+        fathom.check(few)
+
+    def test_values_beyond_reason_and_tiny_windows_end_no_interpreter(self):
+        model = fathom.identify(FLATFISH, dof="surge", family="least_squares").model
+        t = 0.1 * np.arange(24)
+        far = np.where(np.arange(24) % 7 == 0, 1e308, -1e308)  # no speed can be told
+        pose = {"t": t, "x": 0 * t, "y": far, "z": far, "qx": 0 * t, "qy": 0 * t, "qz": 0 * t}
+        sparse = fathom.Log.from_arrays(
+            {"t": t, "tau_surge": t}, None, {**pose, "qw": 0 * t + 1}, dof="surge"
+        )
+        self.refuses("no stretch of its motion", fathom.simulate, model, sparse)
+        both = fathom.identify(FLATFISH, dofs=["surge"], structure="diagonal").model
+        for horizon in [1e-300, 1e-3, 0.15]:
+            run = fathom.simulate(both, FLATFISH, horizon=horizon)
+            self.assertEqual(run.velocity["surge"].shape, run.time.shape)
+
+    def test_another_type_is_a_type_error(self):
+        for call in [
+            lambda: fathom.open_log(3),
+            lambda: fathom.identify(None, dof="surge"),
+            lambda: fathom.identify(FLATFISH, dof=3),
+            lambda: fathom.simulate(3, FLATFISH),
+            lambda: fathom.check(FLATFISH, 3),
+            lambda: fathom.Log(),
+        ]:
+            self.assertRaises(TypeError, call)
+
+    def test_a_fit_that_does_not_work_says_so(self):
+        t = np.arange(0.0, 60.0, 0.1)
+        flat = {"t": t, "u": np.full(t.size, 0.3)}
+        log = fathom.Log.from_arrays({"t": t, "tau_surge": np.full(t.size, 5.0)}, flat, dof="surge")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", fathom.FindingWarning)
+            result = fathom.identify(log)
+        self.assertFalse(result.is_usable)
+        self.assertTrue(result.message)
+        self.refuses("no usable model", result.to_dict)
+        self.refuses("no usable model", lambda: result.model)
+        repr(result), result._repr_html_()
+
+    def test_a_red_finding_is_a_warning(self):
+        log, streams = fathom.open_log(FLATFISH), {}
+        streams["command"] = {"t": log.command["t"], "tau_surge": -log.command["tau_surge"]}
+        streams["velocity"] = {"t": log.velocity["t"], "u": log.velocity["u"]}
+        turned = fathom.Log.from_arrays(**streams, dof="surge")
+        with self.assertWarns(fathom.FindingWarning):
+            fathom.identify(turned)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", fathom.FindingWarning)
+            self.assertRaises(fathom.FindingWarning, fathom.identify, turned)
+
+
+class Process(unittest.TestCase):
+    def test_a_thousand_calls_keep_no_memory(self):
+        t, v = coasting()
+
+        def call():
+            log = fathom.Log.from_arrays(None, {"t": t, "u": v}, dof="surge")
+            log.velocity, repr(log)
+            try:
+                fathom.open_log("no/such/log")
+            except ValueError:
+                pass
+
+        def resident():
+            text = pathlib.Path("/proc/self/status").read_text()
+            return int(re.search(r"VmRSS:\s+(\d+) kB", text).group(1))
+
+        for _ in range(100):
+            call()
+        before = resident()
+        for _ in range(1000):
+            call()
+        # A log of these arrays takes 8 kB: kept, they were 8 MB.
+        self.assertLess(resident() - before, 3000)
+
+    def test_other_threads_run_meanwhile(self):
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.001)
+
+        ticker = threading.Thread(target=tick)
+        ticker.start()
+        begin = time.monotonic()
+        fathom.compare(FLATFISH)
+        end = time.monotonic()
+        done.set()
+        ticker.join()
+        inside = [begin, *(at for at in ticks if begin < at < end), end]
+        # Were the lock held, the longest silence would be nearly all of the call.
+        self.assertLess(max(np.diff(inside)), 0.5 * (end - begin))
+
+    def test_fits_in_several_threads_give_the_same(self):
+        alone = fathom.identify(FLATFISH, dof="surge").to_dict()
+        with concurrent.futures.ThreadPoolExecutor(3) as pool:
+            fits = [pool.submit(fathom.identify, FLATFISH, dof="surge") for _ in range(3)]
+            for fit in fits:
+                self.assertEqual(fit.result().to_dict(), alone)
+
+    def test_results_show_themselves(self):
+        log = fathom.open_log(FLATFISH)
+        for result in [
+            log,
+            fathom.check(log),
+            fathom.identify(log, dof="surge"),
+            fathom.identify(log, dof="surge").model,
+            fathom.compare(log, dofs=["surge"], families=["least_squares"]),
+            fathom.identify(log, dofs=["surge", "yaw"], structure="diagonal"),
+        ]:
+            self.assertGreater(len(repr(result).splitlines()), 2)
+            if hasattr(result, "_repr_html_"):
+                self.assertTrue(result._repr_html_().lstrip().startswith("<"))
+
+    def test_the_stubs_name_what_the_module_has(self):
+        stubs = ast.parse(pathlib.Path(fathom.__file__).with_suffix(".pyi").read_text())
+        names = set()
+        for node in stubs.body:
+            if isinstance(node, ast.ClassDef):
+                members = {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
+                runtime = {name for name in vars(getattr(fathom, node.name)) if name[:2] != "__"}
+                self.assertEqual({name for name in members if name[:2] != "__"}, runtime, node.name)
+            if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+                names.add(node.name)
+        self.assertEqual(names | {"__version__"}, set(fathom.__all__))
+
+    def test_every_public_name_has_a_docstring(self):
+        for name in fathom.__all__:
+            if name != "__version__":
+                self.assertTrue(getattr(fathom, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
