@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/command_block.h"
+#include "fathom/planning/plan_limits.h"
+#include "fathom/planning/planned_motion.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// How much a command is worth, and what the model does under it that is planned for.
+struct MeasuredCommand {
+  double value = -std::numeric_limits<double>::infinity();  // minus infinity: nothing
+  PlannedMotion motion;
+};
+using CommandMeasure =
+    std::function<MeasuredCommand(const HeldCommand& command, std::span<const double> stamps)>;
+
+struct CommandTask {
+  Dof dof = Dof::kSurge;
+  PlanLimits limits;
+  double duration = 0.0;              // [s]
+  double period = 0.1;                // of the stamps at which motion is looked at [s]
+  double holding_force = 0.0;         // that keeps the vehicle where it is [N] or [N m]
+  std::vector<ExtendedModel> models;  // that must keep the limits, all of them
+  CommandMeasure measure;
+  int num_moves = 2000;
+  std::uint64_t seed = 1;
+};
+
+struct FoundCommand {
+  std::vector<CommandBlock> blocks;  // empty: no command keeps the limits
+  double value = -std::numeric_limits<double>::infinity();
+  int num_tried = 0;
+};
+
+// The sequence of blocks of greatest measure that keeps the limits: built block by block, each the
+// best of several drawn per second; then improved by exchanging a block, its level, its length or
+// its place, as long as the measure grows. docs/plan.md, "The search". Depends on nothing but the
+// task: the same one gives the same command to the bit.
+FoundCommand SearchCommand(const CommandTask& task);
+
+}  // namespace fathom
