@@ -123,10 +123,10 @@ std::vector<double> ForcesOf(const std::vector<CommandBlock>& blocks) {
 
 HeldCommand CommandOfCells(const std::vector<double>& forces, double hold) {
   HeldCommand command;
-  for (std::size_t cell = 0; cell < forces.size(); ++cell) {
+  for (std::size_t cell = 0; cell <= forces.size(); ++cell) {
     // To the microsecond, as logs have their stamps.
     command.time.push_back(std::round(1e6 * hold * static_cast<double>(cell)) / 1e6);
-    command.value.push_back(forces[cell]);
+    command.value.push_back(cell < forces.size() ? forces[cell] : 0.0);
   }
   return command;
 }

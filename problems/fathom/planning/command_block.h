@@ -51,7 +51,7 @@ std::vector<double> ForcesOf(const CommandBlock& block);
 // Of blocks one after the other.
 std::vector<double> ForcesOf(const std::vector<CommandBlock>& blocks);
 
-// The same as a command from t = 0 on; a cell lasts `hold` seconds.
+// The same as a command from t = 0 on; a cell lasts `hold` seconds. No force behind the last one.
 HeldCommand CommandOfCells(const std::vector<double>& forces, double hold);
 
 }  // namespace fathom

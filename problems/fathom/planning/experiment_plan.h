@@ -52,11 +52,12 @@ struct ExperimentPlan {
   int num_models = 0;           // that this was counted in
   std::vector<PlannedParameter> parameters;
   std::vector<PlannedSeparation> separations;
+  std::string led_by;  // the rival that parameters and limits are planned for; empty without rivals
   std::vector<std::string> breaking_rivals;  // under which the vehicle passes a limit: their labels
 
   OrdinarySine sine;  // the greatest that the limits leave
 
-  std::vector<double> time;  // [s]
+  std::vector<double> time;  // of the command and the coast behind it, kCoastAfterwards [s]
   PlannedBand speed;         // [m/s] or [rad/s]
   PlannedBand displacement;  // from the start [m] or [rad]
   ValueRange speed_range;    // that 95 % of the models stay in

@@ -88,6 +88,7 @@ OpenCauses ReadOpenCauses(const std::string& name,
   const JsonValue file = JsonValue::Parse(name, text);
   const auto verdict = file.MemberIfThere("verdict");
   if (!verdict || verdict->Text() != "ambiguous") return open;
+  open.scatter = file.NumberIfThere("noise_nmae") * fitted.train.mae / fitted.train.nmae;
   const std::vector<JsonValue> candidates = file.Member("candidates").List();
   std::string leader;
   for (const JsonValue& cause : file.Member("causes").List()) {

@@ -6,6 +6,7 @@
 #include "fathom/planning/rival_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,10 @@ struct OpenCauses {
   // The verdict's own model, and one for each alternative that an experiment along this DOF can
   // tell from it; none where there is no alternative.
   std::vector<RivalModel> rivals;
+  // Mean size of what scatters from sample to sample in the velocity, [m/s] or [rad/s]; NaN where
+  // the file does not tell. The free run of a cause that is wrong misses by more.
+  double scatter = std::numeric_limits<double>::quiet_NaN();
+
   std::vector<std::string> left_out;  // the other alternatives, with the reason: a sentence each
 };
 

@@ -40,10 +40,11 @@ OrdinarySine LargestOrdinarySine(const PlanRequest& request,
 
 HeldCommand SineOfLog(const PlanRequest& request, double duration) {
   constexpr double kPeriod = 0.1;  // of the command [s]
-  const auto& range = request.model.range;
-  const double amplitude =
-      range ? 0.5 * (range->force.high - range->force.low) : request.limits.force;
-  return SineCommand(0.0, amplitude, kPeriod, duration);
+  const double force = request.limits.force;
+  const ValueRange range =
+      request.model.range ? request.model.range->force : ValueRange{-force, force};
+  return SineCommand(
+      0.5 * (range.low + range.high), 0.5 * (range.high - range.low), kPeriod, duration);
 }
 
 }  // namespace fathom

@@ -78,6 +78,7 @@ std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
       {"speed_range", RangeJson(plan.speed_range)},
       {"distance_range", RangeJson(plan.distance_range)},
       {"parameters", ParametersJson(plan)},
+      {"led_by", plan.led_by},
       {"separations", SeparationsJson(plan)},
       {"sine",
        {{"amplitude", plan.sine.amplitude},
@@ -92,7 +93,7 @@ std::string FormatPlannedCommand(Dof dof, const ExperimentPlan& plan) {
   for (std::size_t i = 0; i < plan.command.time.size(); ++i) {
     text += fmt::format("{},{}\n", plan.command.time[i], plan.command.value[i]);
   }
-  return text + fmt::format("{},0\n", std::round(1e6 * plan.duration) / 1e6);
+  return text;
 }
 
 std::string FormatPlannedExperiment(const PlanRequest& request, const ExperimentPlan& plan) {

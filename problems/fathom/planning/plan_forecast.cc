@@ -116,7 +116,7 @@ void ForecastSeparations(const PlanRequest& request,
   }
   for (const RivalModel& rival : rivals) {
     const int num_breaking =
-        NumBreaking({&rival.model, 1}, dof, plan->command, stamps, request.limits, 1);
+        NumBreaking({&rival.model, 1}, dof, plan->command, plan->time, request.limits, 1);
     if (num_breaking > 0) plan->breaking_rivals.push_back(rival.label);
   }
 }

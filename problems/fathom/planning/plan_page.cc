@@ -17,11 +17,9 @@ TimePanel CommandPanel(Dof dof, const ExperimentPlan& plan) {
   panel.quantity = fmt::format("{} command", Name(dof));
   panel.unit = ForceUnit(dof);
   panel.time = plan.command.time;
-  panel.time.push_back(plan.duration);
   Series& series = panel.responses.emplace_back();
   series.name = "planned";
   series.values = plan.command.value;
-  series.values.push_back(0.0);
   panel.is_stepped = true;
   panel.has_residuals = false;
   return panel;

@@ -20,7 +20,7 @@ struct PlanRequest {
   PlanLimits limits;
   double duration = 0.0;  // [s]
   std::uint64_t seed = 1;
-  double effort = 1.0;  // share of the changes that the search tries otherwise, above 0
+  double effort = 1.0;  // share of the trials of a full search, above 0 to 1
 
   // All explanations that the log leaves open, where it leaves several: at least two, or none.
   std::vector<RivalModel> rivals = {};

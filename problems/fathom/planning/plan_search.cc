@@ -3,16 +3,18 @@
 
 #include "fathom/planning/plan_search.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/planning/kept_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace fathom {
 namespace {
 
-constexpr int kDrawnPerBlock = 40;
 constexpr double kLongestBlock = 30.0;        // [s]
 constexpr double kLongestShareOfPlan = 0.25;  // of one block
 
@@ -26,17 +28,20 @@ int NumCells(const Blocks& blocks) {
 
 class CommandSearch {
  public:
-  explicit CommandSearch(const CommandTask& task)
-      : task_(task), random_(task.seed, "planning.search") {
+  // `start`: each draws random numbers of its own.
+  CommandSearch(const CommandTask& task, int start)
+      : task_(task), random_(task.seed, fmt::format("planning.search.{}", start)) {
     const double hold = task.limits.shortest_hold;
     num_cells_ = std::max(1, static_cast<int>(std::round(task.duration / hold)));
     const double longest = std::min(kLongestBlock, kLongestShareOfPlan * task.duration);
     longest_block_ = std::clamp(static_cast<int>(longest / hold), 1, num_cells_);
     range_ = {task.limits.force, std::max(1, longest_block_ / 2)};
     stamps_ = PlannedStamps(num_cells_ * hold, task.period);
+    stamps_and_after_ = PlannedStamps(num_cells_ * hold + kCoastAfterwards, task.period);
   }
 
-  FoundCommand Run() {
+  // A first command, block by block; without blocks if none keeps the limits.
+  FoundCommand Build() {
     FoundCommand found;
     Blocks blocks;
     double value = 0.0;
@@ -45,9 +50,12 @@ class CommandSearch {
     }
     found.blocks = std::move(blocks);
     found.value = MeasureOf(found.blocks).value;
-    for (int move = 0; move < task_.num_moves; ++move) Improve(&found);
-    found.num_tried = num_tried_;
     return found;
+  }
+
+  // Tries so many changes of a command, each kept if it is worth more.
+  void Improve(int num_moves, FoundCommand* found) {
+    for (int move = 0; move < num_moves; ++move) TryChange(found);
   }
 
  private:
@@ -61,15 +69,15 @@ class CommandSearch {
     return CommandOfCells(ForcesOf(blocks), task_.limits.shortest_hold);
   }
 
-  MeasuredCommand MeasureOf(const Blocks& blocks) {
-    ++num_tried_;
+  MeasuredCommand MeasureOf(const Blocks& blocks) const {
     const double end = NumCells(blocks) * task_.limits.shortest_hold;
     const auto last = std::upper_bound(stamps_.begin(), stamps_.end(), end + 1e-9);
     return task_.measure(CommandOf(blocks), {stamps_.begin(), last});
   }
 
   bool AllKeepLimits(const Blocks& blocks) const {
-    return NumBreaking(task_.models, task_.dof, CommandOf(blocks), stamps_, task_.limits, 0) == 0;
+    return NumBreaking(
+               task_.models, task_.dof, CommandOf(blocks), stamps_and_after_, task_.limits, 0) == 0;
   }
 
   // Behind the blocks, the vehicle is left where it is to the end.
@@ -86,7 +94,7 @@ class CommandSearch {
   bool Extend(Blocks* blocks, double* value) {
     const int rest = num_cells_ - NumCells(*blocks);
     std::vector<std::pair<double, CommandBlock>> drawn;
-    for (int i = 0; i < kDrawnPerBlock; ++i) {
+    for (int i = 0; i < task_.drawn_per_block; ++i) {
       const CommandBlock block =
           DrawBlock(range_, DrawLength(std::min(rest, longest_block_)), random_);
       Blocks extended = *blocks;
@@ -118,7 +126,7 @@ class CommandSearch {
   }
 
   // Takes one change of the command if it is worth more.
-  void Improve(FoundCommand* found) {
+  void TryChange(FoundCommand* found) {
     Blocks changed = Changed(found->blocks);
     const MeasuredCommand measured = MeasureOf(changed);
     if (!(measured.value > found->value)) return;
@@ -183,11 +191,23 @@ class CommandSearch {
   int longest_block_ = 1;
   BlockRange range_;
   std::vector<double> stamps_;
-  int num_tried_ = 0;
+  std::vector<double> stamps_and_after_;
 };
 
 }  // namespace
 
-FoundCommand SearchCommand(const CommandTask& task) { return CommandSearch(task).Run(); }
+FoundCommand SearchCommand(const CommandTask& task) {
+  std::vector<FoundCommand> starts(static_cast<std::size_t>(task.num_starts));
+  ParallelFor(task.num_starts, [&](int start) {
+    CommandSearch search(task, start);
+    FoundCommand& found = starts[static_cast<std::size_t>(start)];
+    found = search.Build();
+    if (!found.blocks.empty()) search.Improve(task.num_moves / task.num_starts, &found);
+  });
+  FoundCommand best = *std::max_element(
+      starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  if (!best.blocks.empty()) CommandSearch(task, task.num_starts).Improve(task.num_moves, &best);
+  return best;
+}
 
 }  // namespace fathom

@@ -23,6 +23,9 @@ struct MeasuredCommand {
 using CommandMeasure =
     std::function<MeasuredCommand(const HeldCommand& command, std::span<const double> stamps)>;
 
+// Behind the command the vehicle coasts until somebody takes over; the limits hold so long [s].
+inline constexpr double kCoastAfterwards = 10.0;
+
 struct CommandTask {
   Dof dof = Dof::kSurge;
   PlanLimits limits;
@@ -31,20 +34,22 @@ struct CommandTask {
   double holding_force = 0.0;         // that keeps the vehicle where it is [N] or [N m]
   std::vector<ExtendedModel> models;  // that must keep the limits, all of them
   CommandMeasure measure;
-  int num_moves = 2000;
+  int num_starts = 4;        // at least 1
+  int drawn_per_block = 40;  // of which the best is taken
+  int num_moves = 2000;      // changes tried of the best start, and of all starts together
   std::uint64_t seed = 1;
 };
 
 struct FoundCommand {
   std::vector<CommandBlock> blocks;  // empty: no command keeps the limits
   double value = -std::numeric_limits<double>::infinity();
-  int num_tried = 0;
 };
 
 // The sequence of blocks of greatest measure that keeps the limits: built block by block, each the
-// best of several drawn per second; then improved by exchanging a block, its level, its length or
-// its place, as long as the measure grows. docs/plan.md, "The search". Depends on nothing but the
-// task: the same one gives the same command to the bit.
+// best of several drawn; then improved by exchanging a block, its level, its length or its place,
+// as long as the measure grows; from several starts, of which the best is improved further.
+// docs/plan.md, "The search". Depends on nothing but the task: the same one gives the same command
+// to the bit.
 FoundCommand SearchCommand(const CommandTask& task);
 
 }  // namespace fathom

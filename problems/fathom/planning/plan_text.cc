@@ -4,6 +4,7 @@
 #include "fathom/planning/plan_text.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/planning/plan_search.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -53,7 +54,7 @@ std::string SeparationSentence(const ExperimentPlan& plan) {
   std::vector<std::string> open;
   double least = std::numeric_limits<double>::infinity(), of_sine = least;
   for (const PlannedSeparation& pair : plan.separations) {
-    if (pair.sigmas < kDecided) {
+    if (std::round(10.0 * pair.sigmas) < 10.0 * kDecided) {
       open.push_back(
           fmt::format("{} from {} ({} sigma)", pair.assumed, pair.truth, Sigmas(pair.sigmas)));
       continue;
@@ -111,12 +112,14 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
   const Dof dof = request.model.dof;
   const double speed = request.limits.speed;
   std::vector<std::string> comments = {
-      fmt::format("95 % of the models that the log allows stay within {} and {}; {:.1f} % of {} "
-                  "break a limit.",
-                  RangeText(plan.speed_range, {-speed, speed}, VelocityUnit(dof)),
-                  RangeText(plan.distance_range, request.limits.distance, DisplacementUnit(dof)),
-                  100.0 * plan.share_breaking,
-                  plan.num_models),
+      fmt::format(
+          "95 % of the models that the log allows stay within {} and {}, {:g} s of coasting "
+          "behind the command counted along; {:.1f} % of {} break a limit.",
+          RangeText(plan.speed_range, {-speed, speed}, VelocityUnit(dof)),
+          RangeText(plan.distance_range, request.limits.distance, DisplacementUnit(dof)),
+          kCoastAfterwards,
+          100.0 * plan.share_breaking,
+          plan.num_models),
       fmt::format(
           "The intervals hold for white noise of {:.2g} {} on {:.3g} velocities a second{}; "
           "coloured noise widens them.",
@@ -129,6 +132,9 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
                   plan.sine.amplitude,
                   ForceUnit(dof),
                   kSineFrequency)};
+  if (!plan.led_by.empty()) {
+    comments.push_back(fmt::format("Intervals and limits are those of the cause {}.", plan.led_by));
+  }
   if (!plan.breaking_rivals.empty()) {
     comments.push_back(
         fmt::format("If the cause is {}, the vehicle passes a limit: be ready to stop.",

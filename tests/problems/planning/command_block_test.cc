@@ -55,8 +55,8 @@ TEST(CommandBlock, OneAfterTheOtherMakeACommand) {
       {.kind = BlockKind::kStep, .num_cells = 2, .level = 3.0},
       {.kind = BlockKind::kCoast, .num_cells = 1}};
   const HeldCommand command = CommandOfCells(ForcesOf(blocks), 0.5);
-  EXPECT_EQ(command.time, (std::vector<double>{0.0, 0.5, 1.0}));
-  EXPECT_EQ(command.value, (std::vector<double>{3.0, 3.0, 0.0}));
+  EXPECT_EQ(command.time, (std::vector<double>{0.0, 0.5, 1.0, 1.5}));
+  EXPECT_EQ(command.value, (std::vector<double>{3.0, 3.0, 0.0, 0.0}));
 }
 
 }  // namespace

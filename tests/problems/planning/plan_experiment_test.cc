@@ -46,7 +46,9 @@ TEST_P(DrawnVehicle, IsKnownBestByItsPlannedExperiment) {
   ASSERT_TRUE(plan.IsUsable()) << plan.message;
 
   const TrueRun run = RunTruth(vehicle.truth, plan.command, kPlanned);
-  EXPECT_TRUE(KeepsTankLimits(run, vehicle.limits));
+  // Also while it coasts behind the command.
+  EXPECT_TRUE(
+      KeepsTankLimits(RunTruth(vehicle.truth, plan.command, kPlanned + 10.0), vehicle.limits));
   EXPECT_LE(plan.share_breaking, 0.05);
 
   const FittedModel fitted = FitTankLog(MeasuredRun(run, plan.command, seed + 100));

@@ -69,11 +69,14 @@ void TryVehicle(std::uint64_t seed, double correlation) {
   for (int i = 0; i < 4; ++i) {
     fmt::print(" {:4.2f}", std::sqrt(fitted.covariance(i, i)) / plan.parameters[i].after);
   }
-  fmt::print(" | {} breaking {:.3f} | blocks {} | {:.1f} s\n",
-             KeepsTankLimits(run, vehicle.limits) ? "kept" : "BROKEN",
-             plan.share_breaking,
-             plan.blocks.size(),
-             seconds);
+  fmt::print(
+      " | {} breaking {:.3f} | blocks {} | {:.1f} s\n",
+      KeepsTankLimits(RunTruth(vehicle.truth, plan.command, kDuration + 10.0), vehicle.limits)
+          ? "kept"
+          : "BROKEN",
+      plan.share_breaking,
+      plan.blocks.size(),
+      seconds);
   std::fflush(stdout);
 }
 
