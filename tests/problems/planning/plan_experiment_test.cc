@@ -83,6 +83,19 @@ TEST(PlanExperiment, IsTheSameToTheBitForTheSameSeed) {
   EXPECT_NE(PlanExperiment(request).command.value, first.command.value);
 }
 
+// Four times as many velocities of twice the noise tell as much.
+TEST(PlanExperiment, CountsHowOftenTheVelocityIsMeasured) {
+  TankVehicle vehicle = DrawTankVehicle(5);
+  const FittedModel so_far = AfterSine(vehicle, 5);
+  vehicle.limits.velocity = {10.0, 0.01};
+  const ExperimentPlan seldom = PlanInTank(vehicle, so_far, kMinute, 0.05);
+  vehicle.limits.velocity = {40.0, 0.02};
+  const ExperimentPlan often = PlanInTank(vehicle, so_far, kMinute, 0.05);
+  for (int i = 0; i < kNumParameters; ++i) {
+    EXPECT_NEAR(often.parameters[i].after / seldom.parameters[i].after, 1.0, 1e-6);
+  }
+}
+
 TEST(PlanExperiment, SaysThatNoCommandKeepsTheLimits) {
   // One millimetre either way: the unknown offset alone carries every vehicle out.
   TankVehicle vehicle = DrawTankVehicle(5);
