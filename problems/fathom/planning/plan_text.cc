@@ -126,7 +126,7 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
           plan.measurement.noise,
           VelocityUnit(dof),
           plan.measurement.rate,
-          std::isnan(request.limits.velocity.noise) ? ", as large as the fit's residual"
+          std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
                                                     : ", as the limits file says"),
       fmt::format("The ordinary sine: {:.3g} {} at {:g} rad/s, as much as the limits leave.",
                   plan.sine.amplitude,
