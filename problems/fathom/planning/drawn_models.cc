@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/drawn_models.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kMostTrials = 200;  // of one draw
+
+// With these parameters in place of its own; nothing if they are not physical.
+std::optional<ExtendedModel> WithParameters(ExtendedModel model, const Eigen::VectorXd& values) {
+  const ParameterVector baseline = values.head(kNumParameters);
+  for (int i = 0; i < kNumParameters; ++i) {
+    if (baseline[i] < kParameterInfo[i].lower_bound) return std::nullopt;
+  }
+  if (!(baseline[kInertia] > 0.0)) return std::nullopt;
+  model.baseline = ModelFromVector(baseline);
+  Eigen::Index index = kNumParameters;
+  for (ActiveEffect& active : model.effects) {
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      const double value = values[index++];
+      if (value < parameter.lower || value > parameter.upper) return std::nullopt;
+      active.values[k] = value;
+    }
+  }
+  return model;
+}
+
+Eigen::VectorXd ValuesOf(const ExtendedModel& model) {
+  const ParameterVector baseline = ToVector(model.baseline);
+  std::vector<double> values(baseline.data(), baseline.data() + kNumParameters);
+  for (const ActiveEffect& active : model.effects) {
+    values.insert(values.end(), active.values.begin(), active.values.end());
+  }
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// F with F F' the covariance, which may be singular. Of the correlations, whose sizes are alike.
+Eigen::MatrixXd FactorOf(const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd stds = covariance.diagonal().cwiseSqrt();
+  const Eigen::VectorXd safe = stds.cwiseMax(1e-300);
+  const Eigen::MatrixXd correlation =
+      safe.cwiseInverse().asDiagonal() * covariance * safe.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation);
+  const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  return stds.asDiagonal() * solver.eigenvectors() * roots.asDiagonal();
+}
+
+}  // namespace
+
+std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
+                                      int count,
+                                      const std::string& name,
+                                      RandomStream& random) {
+  if (!fitted.covariance.allFinite() || fitted.covariance.diagonal().minCoeff() < 0.0) {
+    throw InputError(
+        fmt::format("{}: the covariance of the parameters is not known, expected one: limits are "
+                    "kept by the models that the log allows. fathom_identify writes it.",
+                    name));
+  }
+  const Eigen::MatrixXd factor = FactorOf(fitted.covariance);
+  const Eigen::VectorXd centre = ValuesOf(fitted.Extended());
+  std::vector<ExtendedModel> models;
+  while (static_cast<int>(models.size()) < count) {
+    std::optional<ExtendedModel> drawn;
+    for (int trial = 0; trial < kMostTrials && !drawn; ++trial) {
+      Eigen::VectorXd normal(centre.size());
+      for (double& value : normal) value = random.Normal();
+      drawn = WithParameters(fitted.Extended(), centre + factor * normal);
+    }
+    if (!drawn) {
+      throw InputError(fmt::format(
+          "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
+          "expected a model that its log determines: fly some steps first.",
+          name));
+    }
+    models.push_back(*std::move(drawn));
+  }
+  return models;
+}
+
+}  // namespace fathom

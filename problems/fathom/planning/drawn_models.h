@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/base/random_stream.h"
+#include "fathom/vehicle/extended_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <vector>
+
+namespace fathom {
+
+// Models that the log allows: parameters normal with the fit's covariance, drawn anew where they
+// leave what is physical. Throws InputError, beginning with `name`, if the covariance is not known
+// or nearly no draw is physical.
+std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
+                                      int count,
+                                      const std::string& name,
+                                      RandomStream& random);
+
+}  // namespace fathom

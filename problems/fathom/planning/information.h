@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/planned_motion.h"
+
+#include <Eigen/Core>
+
+namespace fathom {
+
+// The Fisher information that a run gives about the parameters, docs/plan.md (1): what the start
+// could imitate counts for nothing. `noise`: standard deviation of one velocity of the run.
+Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, double noise);
+
+// ln det of a positive definite matrix; minus infinity of any other.
+double LogDetOf(const Eigen::MatrixXd& matrix);
+
+// The inverse of a positive definite matrix, scaled for it to unit diagonal. Infinite on the
+// diagonal of any other: nothing is known.
+Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& matrix);
+
+}  // namespace fathom

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_experiment.h"
+
+#include "fathom/planning/drawn_models.h"
+#include "fathom/planning/leading_rival.h"
+#include "fathom/planning/plan_forecast.h"
+#include "fathom/planning/plan_measures.h"
+#include "fathom/planning/plan_search.h"
+#include "fathom/planning/rival_separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr int kNumModelsInSearch = 64;
+constexpr int kNumModelsBesideRivals = 24;
+constexpr int kNumModelsInCheck = 400;
+constexpr double kShareAllowed = 0.05;  // of the models that may break a limit
+constexpr int kNumTrials = 6;           // with limits narrower from one to the next
+constexpr double kNarrower = 0.95;
+constexpr double kLargestPeriod = 0.1;  // of the stamps in the search [s]
+constexpr int kMostStamps = 3000;
+
+// Rivals take longer to tell apart than parameters.
+constexpr int kNumStarts = 4;
+constexpr int kNumStartsWithRivals = 2;
+constexpr int kDrawnPerBlock = 40;
+constexpr int kDrawnPerBlockWithRivals = 12;
+
+// How many stamps are computed in all, so that planning takes seconds.
+constexpr double kWork = 7e6;            // without rivals
+constexpr double kWorkWithRivals = 6e6;  // over the runs that a measure takes
+constexpr double kMostMoves = 8000.0;    // a short command needs no more
+
+// The search for the best command, but for the models that must keep the limits.
+CommandTask TaskOf(const PlanRequest& request, double duration, double period, double noise) {
+  CommandTask task;
+  task.dof = request.model.dof;
+  task.limits = request.limits;
+  task.duration = duration;
+  task.period = period;
+  task.seed = request.seed;
+  task.holding_force =
+      std::clamp(request.model.model.buoyancy, -request.limits.force, request.limits.force);
+  const auto num_rivals = static_cast<double>(request.rivals.size());
+  const double work =
+      request.rivals.empty() ? kWork : kWorkWithRivals / (num_rivals * (num_rivals + 2.0));
+  const double num_moves = std::min(kMostMoves, work / (duration / period));
+  task.num_moves = static_cast<int>(request.effort * num_moves);
+  const int most_starts = request.rivals.empty() ? kNumStarts : kNumStartsWithRivals;
+  task.num_starts = std::max(1, static_cast<int>(request.effort * most_starts));
+  task.drawn_per_block = request.rivals.empty() ? kDrawnPerBlock : kDrawnPerBlockWithRivals;
+  task.measure = request.rivals.empty() ? InformationMeasure(request, noise)
+                                        : SeparationMeasure(request, request.rivals, noise);
+  return task;
+}
+
+// The stamps of a run, without and with the coast behind it, and the noise of a velocity at them.
+struct RunStamps {
+  double period = 0.0;
+  std::vector<double> during, and_after;
+  double noise = 0.0;
+};
+
+// A velocity of the search stands for those measured in its period.
+RunStamps StampsOf(const VelocityMeasurement& measurement, double duration) {
+  RunStamps stamps;
+  const double measured_period = 1.0 / measurement.rate;
+  stamps.period = std::max({measured_period, kLargestPeriod, duration / kMostStamps});
+  stamps.during = PlannedStamps(duration, stamps.period);
+  stamps.and_after = PlannedStamps(duration + kCoastAfterwards, stamps.period);
+  stamps.noise = measurement.noise * std::sqrt(measured_period / stamps.period);
+  return stamps;
+}
+
+// Fills the plan of a request with its leader. False if no command keeps the limits.
+bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPlan* plan) {
+  RandomStream random(request.seed, "planning.models");
+  CommandTask task = TaskOf(request, plan->duration, stamps.period, stamps.noise);
+  task.models = DrawModels(request.model,
+                           request.rivals.empty() ? kNumModelsInSearch : kNumModelsBesideRivals,
+                           request.name,
+                           random);
+  const std::vector<ExtendedModel> others =
+      DrawModels(request.model, kNumModelsInCheck, request.name, random);
+  for (int trial = 0; trial < kNumTrials; ++trial) {
+    FoundCommand found = SearchCommand(task);
+    if (found.blocks.empty()) return false;
+    plan->blocks = std::move(found.blocks);
+    plan->command = CommandOfCells(ForcesOf(plan->blocks), request.limits.shortest_hold);
+    if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
+    if (plan->share_breaking <= kShareAllowed) {
+      plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
+      ForecastParameters(request, stamps.during, stamps.noise, plan);
+      ForecastSeparations(request, request.rivals, stamps.during, stamps.noise, plan);
+      return true;
+    }
+    task.limits.speed *= kNarrower;
+    task.limits.distance.low *= kNarrower;
+    task.limits.distance.high *= kNarrower;
+  }
+  return false;
+}
+
+}  // namespace
+
+ExperimentPlan PlanExperiment(const PlanRequest& asked) {
+  RequirePlannable(asked);
+  ExperimentPlan plan;
+  plan.measurement = MeasurementOf(asked);
+  const double hold = asked.limits.shortest_hold;
+  plan.duration = hold * std::max(1.0, std::round(asked.duration / hold));
+  const RunStamps stamps = StampsOf(plan.measurement, plan.duration);
+
+  const RunSetting log = {
+      asked.model.dof, SineOfLog(asked, plan.duration), stamps.during, stamps.noise};
+  PlanRequest agreeing = asked;
+  agreeing.rivals = AgreeingRivals(asked.rivals, log);
+
+  // Under some causes no vehicle can be held in open loop: a stiffness below 0 drives it away.
+  const std::size_t num_leaders = std::max<std::size_t>(1, agreeing.rivals.size());
+  for (std::size_t leader = 0; leader < num_leaders; ++leader) {
+    const auto request = LedByRival(agreeing, leader, log);
+    if (!request || !FillPlan(*request, stamps, &plan)) continue;
+    if (!request->rivals.empty()) plan.led_by = request->rivals.front().label;
+    plan.message.clear();
+    return plan;
+  }
+  plan.message =
+      "No command was found that keeps the limits for 95 % of the models that the log allows. Give "
+      "it more room, less time, or a model of narrower intervals.";
+  return plan;
+}
+
+}  // namespace fathom

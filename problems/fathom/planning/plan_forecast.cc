@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_forecast.h"
+
+#include "fathom/base/quantile.h"
+#include "fathom/planning/information.h"
+#include "fathom/planning/kept_limits.h"
+#include "fathom/planning/rival_separation.h"
+#include "fathom/vehicle/files/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fathom {
+namespace {
+
+// What is known by a run of the model.
+Eigen::MatrixXd InformationUnder(const PlanRequest& request,
+                                 const HeldCommand& command,
+                                 std::span<const double> stamps,
+                                 double noise) {
+  MotionDerivatives derivatives;
+  const auto motion =
+      MotionUnder(request.model.Extended(), request.model.dof, command, stamps, &derivatives);
+  if (!motion) {
+    return Eigen::MatrixXd::Zero(request.model.covariance.rows(), request.model.covariance.cols());
+  }
+  return InformationOf(derivatives, noise);
+}
+
+std::vector<PlannedParameter> NamedParameters(const FittedModel& model) {
+  std::vector<PlannedParameter> parameters;
+  const ParameterVector values = ToVector(model.model);
+  for (int i = 0; i < kNumParameters; ++i) {
+    parameters.push_back({.name = kParameterInfo[i].name,
+                          .unit = ParameterUnit(i, model.dof, model.force_unit),
+                          .value = values[i]});
+  }
+  for (const ActiveEffect& active : model.effects) {
+    for (std::size_t k = 0; k < active.values.size(); ++k) {
+      const EffectParameter& parameter = active.effect->info().parameters[k];
+      parameters.push_back({.name = KeyOf(active, parameter),
+                            .unit = UnitOf(parameter.quantity, model.dof, model.force_unit),
+                            .value = active.values[k]});
+    }
+  }
+  return parameters;
+}
+
+// Between the quantiles of 2.5 and 97.5 % at each stamp.
+PlannedBand BandOf(const std::vector<double>& nominal,
+                   const std::vector<std::vector<double>>& runs) {
+  PlannedBand band = {nominal, {}, {}};
+  for (std::size_t i = 0; i < nominal.size(); ++i) {
+    std::vector<double> values;
+    for (const std::vector<double>& run : runs) values.push_back(run[i]);
+    band.low.push_back(Quantile(values, 0.025));
+    band.high.push_back(Quantile(values, 0.975));
+  }
+  return band;
+}
+
+// That 95 % of runs stay in: each end is passed by 2.5 % of them.
+ValueRange RangeOf(const std::vector<std::vector<double>>& runs) {
+  std::vector<double> lows, highs;
+  for (const std::vector<double>& run : runs) {
+    lows.push_back(std::min(0.0, *std::min_element(run.begin(), run.end())));
+    highs.push_back(std::max(0.0, *std::max_element(run.begin(), run.end())));
+  }
+  return {Quantile(lows, 0.025), Quantile(highs, 0.975)};
+}
+
+}  // namespace
+
+void ForecastParameters(const PlanRequest& request,
+                        std::span<const double> stamps,
+                        double noise,
+                        ExperimentPlan* plan) {
+  const Eigen::MatrixXd information = InformationUnder(request, plan->command, stamps, noise);
+  const Eigen::MatrixXd after = InverseOf(information);
+  const Eigen::MatrixXd both = InverseOf(InverseOf(request.model.covariance) + information);
+  const Eigen::MatrixXd by_sine =
+      InverseOf(InformationUnder(request, plan->sine.command, stamps, noise));
+  plan->parameters = NamedParameters(request.model);
+  Eigen::Index i = 0;
+  for (PlannedParameter& parameter : plan->parameters) {
+    parameter.before = std::sqrt(request.model.covariance(i, i));
+    parameter.after = std::sqrt(after(i, i));
+    parameter.with_log_so_far = std::sqrt(both(i, i));
+    parameter.sine = std::sqrt(by_sine(i, i));
+    ++i;
+  }
+}
+
+void ForecastSeparations(const PlanRequest& request,
+                         const std::vector<RivalModel>& rivals,
+                         std::span<const double> stamps,
+                         double noise,
+                         ExperimentPlan* plan) {
+  const Dof dof = request.model.dof;
+  const auto separation =
+      [&](const RivalModel& truth, const RivalModel& assumed, const HeldCommand& command) {
+        const auto motion = MotionUnder(truth.model, dof, command, stamps);
+        if (!motion) return 0.0;
+        return RefitTo(*motion, assumed.model, {dof, command, stamps, noise}).sigmas;
+      };
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    for (std::size_t k = 0; k < rivals.size(); ++k) {
+      if (k == i) continue;
+      plan->separations.push_back({rivals[i].label,
+                                   rivals[k].label,
+                                   separation(rivals[i], rivals[k], plan->command),
+                                   separation(rivals[i], rivals[k], plan->sine.command)});
+    }
+  }
+  for (const RivalModel& rival : rivals) {
+    const int num_breaking =
+        NumBreaking({&rival.model, 1}, dof, plan->command, plan->time, request.limits, 1);
+    if (num_breaking > 0) plan->breaking_rivals.push_back(rival.label);
+  }
+}
+
+bool ForecastMotion(const PlanRequest& request,
+                    std::span<const ExtendedModel> models,
+                    std::span<const double> stamps,
+                    ExperimentPlan* plan) {
+  const Dof dof = request.model.dof;
+  const auto nominal = MotionUnder(request.model.Extended(), dof, plan->command, stamps);
+  if (!nominal) return false;
+  std::vector<std::vector<double>> speeds, displacements;
+  int num_breaking = 0;
+  for (const ExtendedModel& model : models) {
+    auto motion = MotionUnder(model, dof, plan->command, stamps);
+    if (!motion || !KeepsLimits(*motion, request.limits)) ++num_breaking;
+    if (!motion) continue;
+    speeds.push_back(std::move(motion->velocity));
+    displacements.push_back(std::move(motion->displacement));
+  }
+  plan->num_models = static_cast<int>(models.size());
+  plan->share_breaking = static_cast<double>(num_breaking) / plan->num_models;
+  if (speeds.empty()) return false;
+  plan->time = {stamps.begin(), stamps.end()};
+  plan->speed = BandOf(nominal->velocity, speeds);
+  plan->displacement = BandOf(nominal->displacement, displacements);
+  plan->speed_range = RangeOf(speeds);
+  plan->distance_range = RangeOf(displacements);
+  return true;
+}
+
+}  // namespace fathom

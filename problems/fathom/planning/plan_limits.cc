@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_limits.h"
+
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/yaml_file.h"
+#include "fathom/base/files/yaml_numbers.h"
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestMinutes = 60.0;
+constexpr double kLongestHold = 60.0;  // [s]
+constexpr double kShortestHold = 0.02;
+
+// A limit that may be missing.
+double LimitOf(const YamlMap& map, std::string_view key) {
+  return map.Has(key) ? Positive(map, key) : PlanLimits::kNoLimit;
+}
+
+}  // namespace
+
+PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
+  const YamlMap file = ParseYaml(name, text);
+  PlanLimits limits;
+  limits.force = Positive(file, "force");
+  limits.speed = LimitOf(file, "speed");
+  if (const auto distance = file.OptionalMap("distance")) {
+    limits.distance = {-LimitOf(*distance, "back"), LimitOf(*distance, "ahead")};
+  }
+  limits.shortest_hold =
+      NumberWithin(file, "shortest_hold", kShortestHold, kLongestHold, limits.shortest_hold);
+  if (file.Has("minutes")) {
+    limits.duration = 60.0 * NumberWithin(file, "minutes", 0.1, kLongestMinutes);
+  }
+  if (const auto velocity = file.OptionalMap("velocity")) {
+    if (velocity->Has("rate")) limits.velocity.rate = NumberWithin(*velocity, "rate", 0.1, 10000.0);
+    if (velocity->Has("noise")) limits.velocity.noise = Positive(*velocity, "noise");
+  }
+  file.Finish();
+  return limits;
+}
+
+PlanLimits ReadPlanLimits(const std::filesystem::path& path) {
+  return ParsePlanLimits(path.string(), ReadFile(path));
+}
+
+}  // namespace fathom

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/vehicle/fitted_model.h"
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace fathom {
+
+// How the velocity will be measured. NaN: as in the model's log.
+struct VelocityMeasurement {
+  double rate = std::numeric_limits<double>::quiet_NaN();   // [Hz]
+  double noise = std::numeric_limits<double>::quiet_NaN();  // standard deviation of a sample, white
+                                                            // [m/s] or [rad/s]
+};
+
+// What an experiment along one DOF may do; docs/file_formats.md, "Limits".
+struct PlanLimits {
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+  double force = 0.0;                           // greatest, each way [N] or [N m]
+  double speed = kNoLimit;                      // greatest, each way [m/s] or [rad/s]
+  ValueRange distance = {-kNoLimit, kNoLimit};  // from the start [m] or [rad]
+  double shortest_hold = 1.0;                   // of one force: the period of the command [s]
+  std::optional<double> duration = {};          // [s]
+  VelocityMeasurement velocity = {};
+};
+
+// Reads a limits file (YAML). Throws InputError, naming file, line and key, for whatever breaks
+// the format.
+PlanLimits ReadPlanLimits(const std::filesystem::path& path);
+
+// The same from memory; `name` stands for the file in messages.
+PlanLimits ParsePlanLimits(const std::string& name, const std::string& text);
+
+}  // namespace fathom

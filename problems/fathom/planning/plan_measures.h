@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/plan_request.h"
+#include "fathom/planning/plan_search.h"
+
+#include <vector>
+
+namespace fathom {
+
+// What a command tells of the parameters, docs/plan.md (2). `noise`: of one velocity of the run.
+CommandMeasure InformationMeasure(const PlanRequest& request, double noise);
+
+// How well a command tells rivals apart, docs/plan.md (4).
+CommandMeasure SeparationMeasure(const PlanRequest& request,
+                                 std::vector<RivalModel> rivals,
+                                 double noise);
+
+}  // namespace fathom

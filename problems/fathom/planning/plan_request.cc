@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_request.h"
+
+#include "fathom/base/input_error.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace fathom {
+
+void RequirePlannable(const PlanRequest& request) {
+  if (request.model.force_unit != ForceUnit(request.model.dof)) {
+    throw InputError(fmt::format("{}: commands are in {}, expected {}: forces are planned.",
+                                 request.name,
+                                 request.model.force_unit,
+                                 ForceUnit(request.model.dof)));
+  }
+  const auto require = [&](const ExtendedModel& model) {
+    for (const ActiveEffect& active : model.effects) {
+      const EffectInfo& info = active.effect->info();
+      if (!info.has_partner() && !info.needs_pose) continue;
+      throw InputError(
+          fmt::format("{}: {} needs another DOF or poses, expected effects of {} and its velocity "
+                      "alone: others are not planned yet.",
+                      request.name,
+                      LabelOf(info, active.setting),
+                      Name(request.model.dof)));
+    }
+  };
+  require(request.model.Extended());
+  for (const RivalModel& rival : request.rivals) require(rival.model);
+}
+
+VelocityMeasurement MeasurementOf(const PlanRequest& request) {
+  const FitFigures& fit = request.model.train;
+  VelocityMeasurement measurement = request.limits.velocity;
+  if (std::isnan(measurement.rate)) measurement.rate = fit.num_samples / fit.duration;
+  // The mean size of a normal number is sqrt(2 / pi) of its standard deviation.
+  if (std::isnan(measurement.noise))
+    measurement.noise = std::sqrt(std::numbers::pi / 2.0) * fit.mae;
+  const auto require = [&](double value, const char* what, const char* key) {
+    if (std::isfinite(value) && value > 0.0) return;
+    throw InputError(
+        fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
+                    request.name,
+                    what,
+                    key));
+  };
+  require(measurement.rate, "how often its log measured the velocity", "rate: 10");
+  require(measurement.noise, "how much its fit missed", "noise: 0.01");
+  return measurement;
+}
+
+}  // namespace fathom

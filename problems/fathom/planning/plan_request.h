@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/plan_limits.h"
+#include "fathom/planning/rival_model.h"
+#include "fathom/vehicle/fitted_model.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What an experiment is planned from.
+struct PlanRequest {
+  FittedModel model;  // what is known so far
+  std::string name;   // of its file, for messages
+  PlanLimits limits;
+  double duration = 0.0;  // [s]
+  std::uint64_t seed = 1;
+  double effort = 1.0;  // share of the trials of a full search, above 0 to 1
+
+  // All explanations that the log leaves open, where it leaves several: at least two, or none.
+  std::vector<RivalModel> rivals = {};
+};
+
+// Throws InputError for commands in another unit than N or N m, and for effects that need another
+// DOF or poses.
+void RequirePlannable(const PlanRequest& request);
+
+// How the velocity will be measured: as the limits say, else as the model's fit shows it. Throws
+// InputError where neither does.
+VelocityMeasurement MeasurementOf(const PlanRequest& request);
+
+}  // namespace fathom

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_text.h"
+
+#include "fathom/base/interval95.h"
+#include "fathom/planning/plan_search.h"
+#include "fathom/report/format_value.h"
+#include "fathom/vehicle/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+// "± 0.021": half a 95 % interval; "open" where nothing is known.
+std::string HalfWidth(double std) {
+  if (!std::isfinite(std)) return "open";
+  return "± " + RoundedAt(kStdsOf95 * std, DecimalsFor(kStdsOf95 * std) + 1);
+}
+
+// "± 13 %" of the value.
+std::string HalfShare(double std, double value) {
+  if (!std::isfinite(std)) return "open";
+  const double percent = 100.0 * kStdsOf95 * std / std::abs(value);
+  return fmt::format("± {} %", RoundedAt(percent, std::max(0, DecimalsFor(percent))));
+}
+
+constexpr double kDecided = 5.0;  // standard deviations between two causes
+
+// The parameter that will be known least, in shares of itself; offsets of the force, which have no
+// size of their own, do not count. Null if there is none.
+const PlannedParameter* WeakestOf(const ExperimentPlan& plan) {
+  const PlannedParameter* weakest = nullptr;
+  const auto share = [](const PlannedParameter& parameter) {
+    return parameter.after / std::abs(parameter.value);
+  };
+  for (const PlannedParameter& parameter : plan.parameters) {
+    if (parameter.name == kParameterInfo[kBuoyancy].name || parameter.value == 0.0) continue;
+    if (weakest == nullptr || share(parameter) > share(*weakest)) weakest = &parameter;
+  }
+  return weakest;
+}
+
+std::string Sigmas(double value) { return fmt::format("{:.1f}", value); }
+
+// Which causes will be told apart, and which not.
+std::string SeparationSentence(const ExperimentPlan& plan) {
+  std::vector<std::string> open;
+  double least = std::numeric_limits<double>::infinity(), of_sine = least;
+  for (const PlannedSeparation& pair : plan.separations) {
+    if (std::round(10.0 * pair.sigmas) < 10.0 * kDecided) {
+      open.push_back(
+          fmt::format("{} from {} ({} sigma)", pair.assumed, pair.truth, Sigmas(pair.sigmas)));
+      continue;
+    }
+    least = std::min(least, pair.sigmas);
+    of_sine = std::min(of_sine, pair.sine);
+  }
+  std::string text;
+  if (!open.empty()) {
+    text += fmt::format(
+        " It cannot tell {}: no run of this kind within these limits was found that does.",
+        fmt::join(open, ", nor "));
+  }
+  if (open.size() == plan.separations.size()) return text;
+  return text + fmt::format(
+                    " {} causes are told apart at {} sigma or more; an ordinary sine gives "
+                    "{} or more.",
+                    open.empty() ? "All" : "All other",
+                    Sigmas(least),
+                    Sigmas(of_sine));
+}
+
+// "-2.9 to 4.6 m"; the limit beside it where there is one.
+std::string RangeText(const ValueRange& range, const ValueRange& limit, std::string_view unit) {
+  std::string text = fmt::format("{:.2f} to {:.2f} {}", range.low, range.high, unit);
+  const auto end = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:g}", value) : "any";
+  };
+  if (std::isfinite(limit.low) || std::isfinite(limit.high)) {
+    text += fmt::format(" (limits {} to {})", end(limit.low), end(limit.high));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan) {
+  if (!plan.IsUsable()) return plan.message;
+  std::string text =
+      fmt::format("Command {} for {:g} s as planned.", Name(request.model.dof), plan.duration);
+  if (!plan.separations.empty()) return text + SeparationSentence(plan);
+  if (const PlannedParameter* weakest = WeakestOf(plan)) {
+    text += fmt::format(
+        " The least known parameter, {}, is then known to {} instead of {}; an "
+        "ordinary sine of that length gives {}.",
+        weakest->name,
+        HalfShare(weakest->after, weakest->value),
+        HalfShare(weakest->before, weakest->value),
+        HalfShare(weakest->sine, weakest->value));
+  }
+  return text;
+}
+
+std::vector<std::string> PlanComments(const PlanRequest& request, const ExperimentPlan& plan) {
+  const Dof dof = request.model.dof;
+  const double speed = request.limits.speed;
+  std::vector<std::string> comments = {
+      fmt::format(
+          "95 % of the models that the log allows stay within {} and {}, {:g} s of coasting "
+          "behind the command counted along; {:.1f} % of {} break a limit.",
+          RangeText(plan.speed_range, {-speed, speed}, VelocityUnit(dof)),
+          RangeText(plan.distance_range, request.limits.distance, DisplacementUnit(dof)),
+          kCoastAfterwards,
+          100.0 * plan.share_breaking,
+          plan.num_models),
+      fmt::format(
+          "The intervals hold for white noise of {:.2g} {} on {:.3g} velocities a second{}; "
+          "coloured noise widens them.",
+          plan.measurement.noise,
+          VelocityUnit(dof),
+          plan.measurement.rate,
+          std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
+                                                    : ", as the limits file says"),
+      fmt::format("The ordinary sine: {:.3g} {} at {:g} rad/s, as much as the limits leave.",
+                  plan.sine.amplitude,
+                  ForceUnit(dof),
+                  kSineFrequency)};
+  if (!plan.led_by.empty()) {
+    comments.push_back(fmt::format("Intervals and limits are those of the cause {}.", plan.led_by));
+  }
+  if (!plan.breaking_rivals.empty()) {
+    comments.push_back(
+        fmt::format("If the cause is {}, the vehicle passes a limit: be ready to stop.",
+                    fmt::join(plan.breaking_rivals, " or ")));
+  }
+  return comments;
+}
+
+Table PlannedParameterTable(const ExperimentPlan& plan) {
+  Table table = {.caption = "95 % intervals",
+                 .columns = {{"parameter"},
+                             {"value so far", true},
+                             {"before", true},
+                             {"after the plan", true},
+                             {"with the log so far", true, 1},
+                             {"after a sine", true}},
+                 .rows = {}};
+  for (const PlannedParameter& parameter : plan.parameters) {
+    table.rows.push_back({{fmt::format("{} [{}]", parameter.name, UnitText(parameter.unit)),
+                           FormatValue(parameter.value),
+                           HalfWidth(parameter.before),
+                           HalfWidth(parameter.after),
+                           HalfWidth(parameter.with_log_so_far),
+                           HalfWidth(parameter.sine)}});
+  }
+  return table;
+}
+
+Table PlannedSeparationTable(const ExperimentPlan& plan) {
+  Table table = {
+      .caption = "How far a wrong cause will miss, in standard deviations",
+      .columns = {{"if it is"}, {"and one assumes"}, {"the plan", true}, {"a sine", true}},
+      .rows = {}};
+  for (const PlannedSeparation& separation : plan.separations) {
+    table.rows.push_back({{separation.truth,
+                           separation.assumed,
+                           Sigmas(separation.sigmas),
+                           Sigmas(separation.sine)}});
+  }
+  return table;
+}
+
+}  // namespace fathom

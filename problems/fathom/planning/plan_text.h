@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/experiment_plan.h"
+#include "fathom/planning/plan_request.h"
+#include "fathom/report/table.h"
+
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What to do and what comes of it, in one sentence or two.
+std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan);
+
+// What the vehicle will do within the limits, and what was assumed: a sentence each.
+std::vector<std::string> PlanComments(const PlanRequest& request, const ExperimentPlan& plan);
+
+// 95 % intervals of each parameter, before and after.
+Table PlannedParameterTable(const ExperimentPlan& plan);
+
+// How well rivals are told apart; without rows where there are none.
+Table PlannedSeparationTable(const ExperimentPlan& plan);
+
+}  // namespace fathom

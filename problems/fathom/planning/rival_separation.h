@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/planned_motion.h"
+#include "fathom/planning/rival_model.h"
+
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// A command and the stamps of its run.
+struct RunSetting {
+  Dof dof = Dof::kSurge;
+  HeldCommand command;
+  std::span<const double> stamps;
+  double noise = 1.0;  // of one velocity [m/s] or [rad/s]
+};
+
+// A model as near to another one's motion as Gauss-Newton on its derivatives brings it.
+struct RefittedModel {
+  ExtendedModel model;
+  double sigmas = 0.0;  // the root of the noncentrality that is left, docs/plan.md (3)
+};
+RefittedModel RefitTo(const PlannedMotion& motion,
+                      const ExtendedModel& assumed,
+                      const RunSetting& setting);
+
+// The models of rivals as they would explain the log that the first one was fitted to: each
+// refitted to the first one's motion under `setting`, which stands for that log.
+std::vector<RivalModel> AgreeingRivals(std::vector<RivalModel> rivals, const RunSetting& setting);
+
+// The separation of each ordered pair of rivals, truth before assumed, by one Gauss-Newton step:
+// for a search. Empty if a run diverges.
+std::vector<double> QuickSeparations(std::span<const RivalModel> rivals, const RunSetting& setting);
+
+}  // namespace fathom

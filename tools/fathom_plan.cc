@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The next experiment, from a model or a verdict and the limits of the place.
+//
+//   fathom_plan --model=surge.json --limits=tank.yaml --duration=120 --out=plan
+
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/planning/experiment_plan.h"
+#include "fathom/planning/open_causes.h"
+#include "fathom/planning/plan_experiment.h"
+#include "fathom/planning/plan_files.h"
+#include "fathom/planning/plan_limits.h"
+#include "fathom/planning/plan_page.h"
+#include "fathom/planning/plan_text.h"
+#include "fathom/report/page.h"
+#include "fathom/report/table.h"
+#include "fathom/tool/flag_values.h"
+#include "fathom/tool/origin_of_page.h"
+#include "fathom/tool/output_flags.h"
+#include "fathom/tool/print_text.h"
+#include "fathom/tool/tool.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
+#include "fathom/vehicle/files/model_file.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gflags/gflags.h>
+
+DEFINE_string(model, "", "Model file of one DOF (JSON), as fathom_identify writes it.");
+DEFINE_string(verdict,
+              "",
+              "Verdict file (JSON), as fathom_diagnose writes it, instead of --model. If it is "
+              "ambiguous, the plan tells its causes apart.");
+DEFINE_string(limits, "", "Limits file (YAML): force, speed, distance, shortest hold.");
+DEFINE_double(duration,
+              std::numeric_limits<double>::quiet_NaN(),
+              "Length of the experiment [s]; without it, the limits file's minutes.");
+DEFINE_uint64(seed, 1, "Seed of the search: the same seed gives the same plan.");
+DEFINE_string(out, "", "Folder for command.csv, experiment.yaml and plan.json.");
+DEFINE_string(report, "", "Write a page to this file (HTML).");
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestDuration = 3600.0;  // [s]
+constexpr double kShortestDuration = 5.0;
+
+const ToolInfo kInfo = {
+    .name = "fathom_plan",
+    .summary = "Plans the next experiment: the command that tells most of what is still open.",
+    .usage =
+        "--model=FILE|--verdict=FILE --limits=FILE [--duration=SECONDS --seed=1 --out=FOLDER "
+        "--report=PAGE.html]",
+    .example =
+        "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
+        "  fathom_plan --model=surge.json --limits=data/limits/tank.yaml --duration=120 --out=plan",
+    .details =
+        "Prints the interval of each parameter now, after the planned experiment, and after a sine "
+        "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
+        "plan.json. docs/plan.md.",
+    .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
+
+double DurationOf(const PlanLimits& limits) {
+  if (std::isnan(FLAGS_duration)) {
+    if (limits.duration) return *limits.duration;
+    throw InputError(
+        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.", FLAGS_limits));
+  }
+  if (FLAGS_duration >= kShortestDuration && FLAGS_duration <= kLongestDuration) {
+    return FLAGS_duration;
+  }
+  throw InputError(fmt::format("--duration: is {} s, expected {} to {} s.",
+                               FLAGS_duration,
+                               kShortestDuration,
+                               kLongestDuration));
+}
+
+std::string InputFile() {
+  if (FLAGS_model.empty() == FLAGS_verdict.empty()) {
+    throw InputError(fmt::format("--model: is {}, expected either --model or --verdict.",
+                                 FLAGS_model.empty() ? "missing" : "given beside --verdict"));
+  }
+  RequireOnePath("model", FLAGS_model);
+  RequireOnePath("verdict", FLAGS_verdict);
+  return FLAGS_model.empty() ? FLAGS_verdict : FLAGS_model;
+}
+
+std::string InFolder(const char* file) {
+  return (std::filesystem::path(FLAGS_out) / file).string();
+}
+
+PlanRequest RequestFromFlags(const std::string& file) {
+  const std::string text = ReadFile(file);
+  if (IsCoupledModel(text)) {
+    throw InputError(fmt::format(
+        "{}: is a model of several DOFs, expected one of one DOF: others are not planned yet.",
+        file));
+  }
+  PlanRequest request;
+  request.name = file;
+  request.model = ParseModel(file, text);
+  request.limits = ReadPlanLimits(FLAGS_limits);
+  request.duration = DurationOf(request.limits);
+  request.seed = FLAGS_seed;
+  if (FLAGS_verdict.empty()) return request;
+  const OpenCauses open = ReadOpenCauses(file, text, request.model);
+  for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
+  request.rivals = open.rivals;
+  if (open.scatter > 0.0) request.model.train.mae = open.scatter;
+  return request;
+}
+
+void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
+  WriteFile(InFolder("command.csv"), FormatPlannedCommand(request.model.dof, plan));
+  WriteFile(InFolder("experiment.yaml"), FormatPlannedExperiment(request, plan));
+  WriteFile(InFolder("plan.json"), FormatPlan(request, plan));
+}
+
+void Print(const PlanRequest& request, const ExperimentPlan& plan) {
+  PrintText(stdout, PlanSentence(request, plan) + "\n\n");
+  fmt::print("{}", FormatTable(PlannedParameterTable(plan)));
+  if (!plan.separations.empty()) fmt::print("\n{}", FormatTable(PlannedSeparationTable(plan)));
+  for (const std::string& line : PlanComments(request, plan)) {
+    PrintText(stdout, "note: " + line + "\n");
+  }
+}
+
+int Run() {
+  const std::string file = InputFile();
+  RequireFlag("limits", FLAGS_limits, "a limits file");
+  RequireOnePath("limits", FLAGS_limits);
+  std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
+  if (!FLAGS_out.empty()) {
+    for (const char* name : {"command.csv", "experiment.yaml", "plan.json"}) {
+      outputs.push_back({"out", InFolder(name)});
+    }
+  }
+  RequireOutputs(outputs, {file, FLAGS_limits});
+  const PlanRequest request = RequestFromFlags(file);
+  const ExperimentPlan plan = PlanExperiment(request);
+  if (!plan.IsUsable()) {
+    PrintText(stderr, fmt::format("fathom_plan: {}\n", plan.message));
+    return kExitNoFit;
+  }
+  Print(request, plan);
+  if (!FLAGS_out.empty()) WritePlan(request, plan);
+  if (!FLAGS_report.empty()) {
+    Page page = PlanPage(request, plan);
+    page.origin = OriginOfPage({});
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
+  return kExitUsable;
+}
+
+}  // namespace
+}  // namespace fathom
+
+int main(int argc, char** argv) { return fathom::RunTool(argc, argv, fathom::kInfo, fathom::Run); }
