@@ -22,7 +22,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (again.model.dofs != model.model.dofs) std::abort();
     if (again.model.inertia != model.model.inertia) std::abort();
     if (again.model.linear_damping != model.model.linear_damping) std::abort();
+    if (again.model.lift != model.model.lift) std::abort();
     if (again.model.thrust_gain != model.model.thrust_gain) std::abort();
+    if (again.model.fin_force != model.model.fin_force) std::abort();
+    if (again.model.fin_race != model.model.fin_race) std::abort();
   } catch (const fathom::InputError&) {
   }
   return 0;

@@ -29,7 +29,7 @@ const TwoColumnCsv kCommand = {
     "command.csv",
     "tau_surge",
     "t and at least one of tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, "
-    "thruster_1, thruster_2, ..."};
+    "thruster_1, thruster_2, ..., fin_<name>"};
 
 // A good log, model and vehicle in a folder of the running test.
 struct Inputs {
@@ -99,9 +99,9 @@ TEST_P(LogTools, RefusesAnUnknownFlag) {
             GetParam() + ": --colour: there is no such flag. See " + GetParam() + " --help.\n");
 }
 
-// The tools for one DOF have --dof, those for several --dofs, and fathom_identify has both.
+// The tools for one DOF have --dof, those for several --dofs, and two have both.
 TEST_P(LogTools, SuggestsDofForDofsAndTheReverse) {
-  if (GetParam() == "fathom_identify") return;
+  if (GetParam() == "fathom_identify" || GetParam() == "fathom_diagnose") return;
   const Inputs inputs;
   const bool takes_several = GetParam() == "fathom_compare";
   const std::string wrong = takes_several ? "--dof" : "--dofs";
