@@ -12,7 +12,8 @@ TIMEFORMAT='CPU seconds: %U user, %S system; %R elapsed'
 scripts/install_dependencies.sh
 cmake --preset "$preset"
 echo 'Build' && time cmake --build --preset "$preset" --parallel "$(nproc)"
-echo 'Tests' && time ctest --preset "$preset" --parallel "$(nproc)"
+# One more than there are cores: many tests wait for programs and disks.
+echo 'Tests' && time ctest --preset "$preset" --parallel "$(($(nproc) + 1))"
 
 echo 'The slowest tests [s]'
 awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); sub(/  # GetParam.*/, ""); name = $0 }
