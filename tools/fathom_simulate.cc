@@ -8,11 +8,11 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/findings/log_check.h"
+#include "fathom/manoeuvres/manoeuvre_prediction.h"
 #include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/log_scores.h"
-#include "fathom/tool/manoeuvre_report.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
@@ -112,7 +112,8 @@ int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
     throw InputError(fmt::format("--draws: is {}, expected 0 or more.", FLAGS_draws));
   }
   const Manoeuvre manoeuvre = ParseManoeuvre(FLAGS_manoeuvre);
-  const ManoeuvreReport report = ReportManoeuvre(fitted, log, manoeuvre, FLAGS_draws, FLAGS_seed);
+  const ManoeuvrePrediction report =
+      PredictManoeuvre(fitted, log, manoeuvre, FLAGS_draws, FLAGS_seed);
   fmt::print("{} from {:.3g} m/s, the rudder at most at {:.3g} rad/s, as in {}:\n",
              FLAGS_manoeuvre,
              report.ahead,

@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/cause_words.h"
 
+#include "fathom/base/names_of_dofs.h"
 #include "fathom/report/format_value.h"
 
 #include <algorithm>
@@ -31,20 +32,21 @@ std::string ThrusterWords(const NamedEntry& cause) {
   else if (cause.value > 1.0)
     meaning = "it pushes harder than stated";
   return fmt::format("Thruster {} gives {} of the thrust that the vehicle file states: {}.",
-                     cause.entry.thruster,
+                     cause.entry.actuator,
                      share,
                      meaning);
 }
 
-bool IsTurn(Dof dof) { return dof >= Dof::kRoll; }
-
-// "pushes the vehicle in sway", "turns it in yaw".
+// "a force in sway", "a moment in yaw".
 std::string Acts(Dof row) {
-  return fmt::format(IsTurn(row) ? fmt::runtime("a moment in {}") : fmt::runtime("a force in {}"),
-                     Name(row));
+  return fmt::format("{} in {}", IsAngular(row) ? "a moment" : "a force", Name(row));
 }
 
-std::string CouplingWords(const FreeEntry& entry) {
+// What stands before the number.
+std::string Meaning(const FreeEntry& entry) {
+  if (entry.kind == Kind::kFinNeutral) {
+    return fmt::format("Fin {} is straight at another angle than 0", entry.actuator);
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -61,12 +63,6 @@ std::string NamesOfCauses(const std::vector<NamedEntry>& causes) {
     names.push_back(
         fmt::format("{} ({})", NameOf(cause.entry), FormatValue(cause.value, cause.std)));
   }
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string NamesOfDofs(const std::vector<Dof>& dofs) {
-  std::vector<std::string_view> names;
-  for (const Dof dof : dofs) names.push_back(Name(dof));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -91,7 +87,7 @@ std::string CauseSentence(const NamedEntry& cause, const std::string& force_unit
   std::string text = cause.entry.kind == Kind::kThrustGain
                          ? ThrusterWords(cause)
                          : fmt::format("{}: {}.",
-                                       CouplingWords(cause.entry),
+                                       Meaning(cause.entry),
                                        WithInterval(cause.value,
                                                     cause.std,
                                                     UnitText(UnitOf(cause.entry, force_unit)),
@@ -108,9 +104,8 @@ std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
   const std::string missed = MissedWords(diagnosis, identified);
   switch (diagnosis.verdict) {
     case Verdict::kConsistent:
-      return fmt::format(
-          "Nothing beyond the {} model is in the data.",
-          identified.fitted.model.coriolis ? "diagonal model with C(nu)" : "diagonal");
+      return fmt::format("Nothing beyond the structure `{}` is in the data.",
+                         identified.ladder->rungs[identified.ladder->accepted].name);
     case Verdict::kExplained:
     case Verdict::kAmbiguous:
       if (diagnosis.causes.size() == 1) {
@@ -139,7 +134,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       steps.push_back(fmt::format(
           "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
           "the vehicle file.",
-          cause.entry.thruster));
+          cause.entry.actuator));
     }
     if (!cause.not_told_apart.empty()) {
       steps.push_back(fmt::format(
@@ -151,7 +146,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
     steps.push_back(
         fmt::format("Run fathom_diagnose --dof on each of {}: effects of the actuators, the water "
                     "and the sensors are in the models of one DOF.",
-                    NamesOfDofs(diagnosis.missed)));
+                    NamesOf(diagnosis.missed)));
   }
   if (std::ranges::any_of(diagnosis.findings,
                           [](const Finding& f) { return f.severity == Severity::kWarning; })) {

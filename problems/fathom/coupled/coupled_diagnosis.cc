@@ -15,7 +15,6 @@ namespace fathom {
 namespace {
 
 constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis of one DOF
-constexpr double kClear = 3.0;         // standard deviations of a number of a whole structure
 
 // The free runs that the model is judged by, along one DOF.
 std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified) {
@@ -36,11 +35,6 @@ std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified)
   return runs;
 }
 
-double StdOfEntry(const FittedCoupledModel& fitted, std::size_t k) {
-  const auto at = static_cast<Eigen::Index>(k);
-  return std::sqrt(fitted.covariance(at, at));
-}
-
 bool IsOffDiagonal(const FreeEntry& entry) {
   using Kind = FreeEntry::Kind;
   return entry.row != entry.column &&
@@ -49,15 +43,14 @@ bool IsOffDiagonal(const FreeEntry& entry) {
 
 // What the search named, as the accepted model has it, and of a structure that was accepted as a
 // whole the numbers that stand clear of 0.
-std::vector<NamedEntry> CausesIn(const FittedCoupledModel& fitted, const Ladder& ladder) {
+std::vector<NamedEntry> CausesIn(const CoupledSummary& fit, const Ladder& ladder) {
   std::vector<NamedEntry> causes;
-  for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
-    const FreeEntry& entry = fitted.entries[k];
-    const double value = ValueIn(fitted.model, entry), std = StdOfEntry(fitted, k);
+  for (const FreeEntry& entry : fit.entries) {
+    const double value = ValueIn(fit.model, entry), std = StdOf(fit, entry);
     const auto named = std::ranges::find(ladder.named, entry, &NamedEntry::entry);
     if (named != ladder.named.end()) {
       causes.push_back({entry, value, std, named->not_told_apart});
-    } else if (IsOffDiagonal(entry) && std::abs(value) > kClear * std) {
+    } else if (IsOffDiagonal(entry) && StrengthOf(fit, entry) > kStillThere) {
       causes.push_back({entry, value, std, {}});
     }
   }
@@ -83,7 +76,7 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
                                  std::vector<Finding> findings) {
   CoupledDiagnosis diagnosis;
   diagnosis.findings = std::move(findings);
-  diagnosis.causes = CausesIn(identified.fitted, *identified.ladder);
+  diagnosis.causes = CausesIn(identified.fit, *identified.ladder);
   diagnosis.scatter_nmae.fill(std::numeric_limits<double>::quiet_NaN());
   for (const Dof dof : identified.fitted.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));

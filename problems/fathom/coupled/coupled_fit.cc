@@ -32,7 +32,6 @@ constexpr double kSingular = 1e-11;      // of the scaled normal equations
 constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
 constexpr double kBlocksOfEntry = 4.0;   // at least, for each number that is free
 constexpr double kFewestOfBlock = 10.0;  // samples
-constexpr int kMostDamped = 8;           // times that the damping of a first guess is doubled
 constexpr double kOnBound = 0.3;         // within so many standard deviations of its bound
 
 // As long as leaves enough of them: what is left of the noise's colour stays within a block.
@@ -203,17 +202,6 @@ double LargestMove(const CoupledModel& from,
   return std::sqrt(std::max(move.dot(normal * move), 0.0));
 }
 
-// A first guess whose runs diverge, with twice its damping along each DOF.
-CoupledModel MoreDamped(CoupledModel model, const std::vector<FreeEntry>& entries) {
-  for (const FreeEntry& entry : entries) {
-    const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
-                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
-    if (!is_damping || entry.row != entry.column) continue;
-    SetValue(entry, 2.0 * ValueIn(model, entry), &model);
-  }
-  return model;
-}
-
 }  // namespace
 
 std::vector<std::string> CoupledFitOptions::Problems() const {
@@ -262,12 +250,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
 
   std::vector<WindowResiduals> residuals;
-  bool runs = AllResiduals(problem, point, &residuals);
-  for (int k = 0; k < kMostDamped && !runs; ++k) {
-    point.model = MoreDamped(std::move(point.model), problem.entries);
-    runs = AllResiduals(problem, point, &residuals);
-  }
-  if (!runs) {
+  if (!AllResiduals(problem, point, &residuals)) {
     summary.message = "the first guess diverges";
     summary.model = point.model;
     return summary;

@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/coupled_page.h"
 
+#include "fathom/base/names_of_dofs.h"
 #include "fathom/coupled/cause_words.h"
 #include "fathom/coupled/coupled_text.h"
 #include "fathom/report/format_value.h"
@@ -18,12 +19,6 @@
 
 namespace fathom {
 namespace {
-
-std::string DofNames(const std::vector<Dof>& dofs) {
-  std::vector<std::string_view> names;
-  for (const Dof dof : dofs) names.push_back(Name(dof));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
 
 Series AlongDof(const char* name,
                 const CoupledPrediction& prediction,
@@ -124,7 +119,7 @@ Page CoupledPage(const CoupledDiagnosis& diagnosis, const CoupledIdentification&
   const FittedCoupledModel& fitted = identified.fitted;
   const Ladder& ladder = *identified.ladder;
   Page page;
-  page.title = fmt::format("Coupled motion: {}", DofNames(fitted.model.dofs));
+  page.title = fmt::format("Coupled motion: {}", NamesOf(fitted.model.dofs));
   std::vector<std::string> logs;
   for (const CoupledData& data : identified.data) logs.push_back(data.log);
   page.subtitle = fmt::format("{}", fmt::join(logs, ", "));

@@ -103,20 +103,6 @@ std::optional<SuspectThruster> WeakestThruster(const CoupledLogs& logs,
   return suspect;
 }
 
-// The search beside C(nu), where that does not stand. A weak thruster may hide C(nu), and the other
-// way round: either alone then predicts worse than neither.
-EntrySearch WithCoriolis(const CoupledLogs& logs,
-                         const EntrySearch& found,
-                         const EntrySearchOptions& options) {
-  EntrySearch joint = found;
-  joint.structure.coriolis = true;
-  CoupledFitOptions fit = options.fit;
-  fit.start = found.fit.model;
-  joint.fit = FitCoupled(logs.data, joint.structure, fit);
-  if (!joint.fit.IsUsable()) return joint;
-  return SearchEntries(logs.data, std::move(joint), options);
-}
-
 }  // namespace
 
 Ladder ClimbLadder(const CoupledLogs& logs,
@@ -145,12 +131,6 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     if (search.structure.entries != stands.entries &&
         climb.Try("entries", search.structure, search.fit)) {
       named = search.named;
-    }
-    if (!search.named.empty() && !stands.coriolis) {
-      EntrySearch joint = WithCoriolis(logs, search, options);
-      if (climb.Try("coriolis, entries", joint.structure, std::move(joint.fit))) {
-        named = std::move(joint.named);
-      }
     }
   }
   for (const auto standard : {StandardStructure::kSymmetric, StandardStructure::kFull}) {

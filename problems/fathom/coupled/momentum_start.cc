@@ -82,7 +82,7 @@ class FinForces {
     if (next == command_.time.begin()) return force;
     const auto row = static_cast<std::size_t>(next - command_.time.begin()) - 1;
     for (const CommandedFin& fin : command_.fins) {
-      if (only != nullptr && only->thruster != fin.name) continue;
+      if (only != nullptr && only->actuator != fin.name) continue;
       const auto held = model.fin_force.find(fin.name);
       const double size = only != nullptr                 ? 1.0
                           : held == model.fin_force.end() ? 0.0
@@ -127,7 +127,7 @@ class Impulses {
     Vector6 force = Vector6::Zero();
     if (only == nullptr && !command_.force.empty()) force = command_.force[row];
     for (const CommandedThruster& thruster : command_.thrusters) {
-      if (only != nullptr && only->thruster != thruster.name) continue;
+      if (only != nullptr && only->actuator != thruster.name) continue;
       const auto found = model.thrust_gain.find(thruster.name);
       const double gain = only != nullptr || found == model.thrust_gain.end() ? 1.0 : found->second;
       force += gain * thruster.thrust[row] * thruster.push;

@@ -51,7 +51,7 @@ std::string Parameters(const ExportModel& model, const std::string& name) {
                         MacroOf(model, number.entry, name),
                         number.value < 0.0 ? "(" + literal + ")" : literal,
                         number.entry.kind == FreeEntry::Kind::kThrustGain
-                            ? "thruster " + CommentText(number.entry.thruster) + ", "
+                            ? "thruster " + CommentText(number.entry.actuator) + ", "
                             : "",
                         CommentOn(number));
   }

@@ -4,6 +4,7 @@
 #include "fathom/exporting/comment_text.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/base/names_of_dofs.h"
 #include "fathom/base/quoted.h"
 
 #include <algorithm>
@@ -60,15 +61,6 @@ std::string CommentOn(const ExportNumber& number) {
   }
   if (!number.log.empty()) text += ", log " + number.log;
   return CommentText(text);
-}
-
-std::string NamesOf(const std::vector<Dof>& dofs) {
-  std::string names;
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    if (i > 0) names += i + 1 == dofs.size() ? " and " : ", ";
-    names += Name(dofs[i]);
-  }
-  return names;
 }
 
 std::vector<std::string> HeadLines(const ExportModel& model,

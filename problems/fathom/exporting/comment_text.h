@@ -23,9 +23,6 @@ std::string LiteralOf(double value);
 // diagonal ends at 0.
 std::string CommentOn(const ExportNumber& number);
 
-// "surge, sway and yaw".
-std::string NamesOf(const std::vector<Dof>& dofs);
-
 // What heads every file, a line each: the model, who made it, from what, and `remarks`.
 std::vector<std::string> HeadLines(const ExportModel& model,
                                    const ExportTarget& target,

@@ -3,6 +3,7 @@
 
 #include "fathom/exporting/gazebo_remarks.h"
 
+#include "fathom/base/names_of_dofs.h"
 #include "fathom/exporting/comment_text.h"
 
 #include <fmt/format.h>

@@ -4,13 +4,13 @@
 #include "fathom/planning/drawn_models.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/solve/covariance_factor.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -47,17 +47,6 @@ Eigen::VectorXd ValuesOf(const ExtendedModel& model) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-// F with F F' the covariance, which may be singular. Of the correlations, whose sizes are alike.
-Eigen::MatrixXd FactorOf(const Eigen::MatrixXd& covariance) {
-  const Eigen::VectorXd stds = covariance.diagonal().cwiseSqrt();
-  const Eigen::VectorXd safe = stds.cwiseMax(1e-300);
-  const Eigen::MatrixXd correlation =
-      safe.cwiseInverse().asDiagonal() * covariance * safe.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation);
-  const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  return stds.asDiagonal() * solver.eigenvectors() * roots.asDiagonal();
-}
-
 }  // namespace
 
 std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
@@ -70,7 +59,7 @@ std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
                     "kept by the models that the log allows. fathom_identify writes it.",
                     name));
   }
-  const Eigen::MatrixXd factor = FactorOf(fitted.covariance);
+  const Eigen::MatrixXd factor = CovarianceFactor(fitted.covariance);
   const Eigen::VectorXd centre = ValuesOf(fitted.Extended());
   std::vector<ExtendedModel> models;
   while (static_cast<int>(models.size()) < count) {

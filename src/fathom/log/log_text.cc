@@ -17,6 +17,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -40,7 +41,13 @@ void PartFins(Log* log) {
     to.columns.push_back(command.columns[k]);
     to.values.push_back(std::move(command.values[k]));
   }
-  if (!fins.columns.empty()) log->fins = std::move(fins);
+  if (!fins.columns.empty()) {
+    log->remarks.push_back(
+        {RemarkKind::kGeneral,
+         fmt::format("command.csv: {} acts in models of several DOFs (--dofs) only.",
+                     fmt::join(fins.columns, ", "))});
+    log->fins = std::move(fins);
+  }
   if (rest.columns.empty()) {
     log->command.reset();
   } else {

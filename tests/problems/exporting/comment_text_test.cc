@@ -3,6 +3,8 @@
 
 #include "fathom/exporting/comment_text.h"
 
+#include "fathom/base/names_of_dofs.h"
+
 #include <limits>
 #include <string>
 

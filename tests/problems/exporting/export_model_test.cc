@@ -26,7 +26,8 @@ using ::testing::IsEmpty;
 using Path = std::filesystem::path;
 
 Path Saved(const std::string& name, const std::string& text) {
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / "export_model";
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const Path folder = Path(FATHOM_SCRATCH_DIR) / "export_model" / test->name();
   std::filesystem::create_directories(folder);
   std::ofstream(folder / name) << text;
   return folder / name;

@@ -18,23 +18,27 @@
 namespace fathom {
 namespace {
 
-const std::filesystem::path kFolder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "files_test";
+// Of the running test: others run beside it.
+std::filesystem::path Folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::path(FATHOM_SCRATCH_DIR) / "files_test" / test->name();
+}
 
 TEST(Files, GiveBackEveryByteThatWasWritten) {
-  std::filesystem::remove_all(kFolder);
+  std::filesystem::remove_all(Folder());
   std::string content("a\r\n\0\xff", 5);
   content += std::string(100000, 'x');
-  WriteFile(kFolder / "deep" / "er" / "file", content);
-  EXPECT_EQ(ReadFile(kFolder / "deep" / "er" / "file"), content);
+  WriteFile(Folder() / "deep" / "er" / "file", content);
+  EXPECT_EQ(ReadFile(Folder() / "deep" / "er" / "file"), content);
 }
 
 TEST(Files, AnEmptyFileIsReadAsEmpty) {
-  WriteFile(kFolder / "empty", "");
-  EXPECT_EQ(ReadFile(kFolder / "empty"), "");
+  WriteFile(Folder() / "empty", "");
+  EXPECT_EQ(ReadFile(Folder() / "empty"), "");
 }
 
 TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
-  const auto folder = kFolder / "parent" / "child";
+  const auto folder = Folder() / "parent" / "child";
   std::filesystem::create_directories(folder / "content");
   try {
     WriteFile(folder, "x");
@@ -43,7 +47,7 @@ TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
     EXPECT_EQ(std::string(error.what()).find(folder.string() + ": cannot write this file: "), 0u)
         << error.what();
   }
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder / "parent")) {
+  for (const auto& entry : std::filesystem::directory_iterator(Folder() / "parent")) {
     EXPECT_EQ(entry.path(), folder);
   }
 }
@@ -69,8 +73,9 @@ std::string WhyUnreadable(const std::filesystem::path& path) {
 
 // A device may never end, a pipe never begin.
 TEST(Files, AreReadFromFilesAlone) {
-  std::filesystem::create_directories(kFolder);
-  const auto link = kFolder / "link", pipe = kFolder / "unread_pipe", around = kFolder / "around";
+  std::filesystem::create_directories(Folder());
+  const auto link = Folder() / "link", pipe = Folder() / "unread_pipe",
+             around = Folder() / "around";
   for (const auto& path : {link, pipe, around}) std::filesystem::remove(path);
   EXPECT_EQ(WhyUnreadable("/dev/zero"), "/dev/zero: is a device, expected a file.");
   std::filesystem::create_symlink("/dev/zero", link);
@@ -88,8 +93,8 @@ TEST(Files, AreReadFromFilesAlone) {
 }
 
 TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
-  std::filesystem::create_directories(kFolder);
-  const auto pipe = kFolder / "pipe";
+  std::filesystem::create_directories(Folder());
+  const auto pipe = Folder() / "pipe";
   std::filesystem::remove(pipe);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   RequireWritableFile(pipe);

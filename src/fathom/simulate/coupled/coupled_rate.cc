@@ -59,7 +59,7 @@ CoupledRate::CoupledRate(const CoupledModel& model,
   };
   for (std::size_t k = 0; k < fins.size(); ++k) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      if (entries[e].thruster == fins[k].name) fin_of_entry_[e] = k;
+      if (entries[e].actuator == fins[k].name) fin_of_entry_[e] = k;
     }
     fins_.push_back({k,
                      value_or_0(model.fin_force, fins[k].name),

@@ -179,7 +179,7 @@ class CoupledRun {
       drive_.tau += (gain == model_.thrust_gain.end() ? 1.0 : gain->second) * push;
       for (std::size_t k = 0; k < entries_.size(); ++k) {
         const bool is_its = entries_[k].kind == FreeEntry::Kind::kThrustGain &&
-                            entries_[k].thruster == thruster.name;
+                            entries_[k].actuator == thruster.name;
         if (is_its) pushed_[k] += push;
       }
     }

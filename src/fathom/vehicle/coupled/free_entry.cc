@@ -75,15 +75,15 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
     case EntryKind::kOffset:
       return &model->offset[Index(entry.row)];
     case EntryKind::kThrustGain:
-      return &model->thrust_gain.try_emplace(entry.thruster, 1.0).first->second;
+      return &model->thrust_gain.try_emplace(entry.actuator, 1.0).first->second;
     case EntryKind::kLift:
       return &model->lift(Index(entry.row), Index(entry.column));
     case EntryKind::kFinForce:
-      return &model->fin_force.try_emplace(entry.thruster, 0.0).first->second;
+      return &model->fin_force.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinRace:
-      return &model->fin_race.try_emplace(entry.thruster, 0.0).first->second;
+      return &model->fin_race.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinNeutral:
-      return &model->fin_neutral.try_emplace(entry.thruster, 0.0).first->second;
+      return &model->fin_neutral.try_emplace(entry.actuator, 0.0).first->second;
   }
   return nullptr;
 }
@@ -124,7 +124,7 @@ bool IsOfActuator(const FreeEntry& entry) {
 std::string NameOf(const FreeEntry& entry) {
   const std::string_view kind = NameOfKind(entry.kind);
   if (entry.kind == EntryKind::kNetBuoyancy) return std::string(kind);
-  if (IsOfActuator(entry)) return fmt::format("{}.{}", kind, entry.thruster);
+  if (IsOfActuator(entry)) return fmt::format("{}.{}", kind, entry.actuator);
   if (entry.row == entry.column) return fmt::format("{}.{}", kind, Name(entry.row));
   return fmt::format("{}.{}.{}", kind, Name(entry.row), Name(entry.column));
 }

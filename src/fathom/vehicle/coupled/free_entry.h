@@ -44,7 +44,7 @@ struct FreeEntry {
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
   Dof column =
       Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
-  std::string thruster = {};  // of a thrust gain; of a fin's number its fin
+  std::string actuator = {};  // the thruster of a thrust gain, the fin of a fin's number
 
   bool operator==(const FreeEntry&) const = default;
 };

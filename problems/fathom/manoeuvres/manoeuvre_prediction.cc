@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/tool/manoeuvre_report.h"
+#include "fathom/manoeuvres/manoeuvre_prediction.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/quantile.h"
 #include "fathom/base/random_stream.h"
 #include "fathom/report/format_value.h"
 #include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/solve/covariance_factor.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -15,7 +17,6 @@
 #include <cstddef>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -56,12 +57,6 @@ ManoeuvreOptions DrivenAs(const CoupledData& data, const CoupledModel& model) {
   return options;
 }
 
-// A square root of the covariance; directions of no positive variance stay still.
-Eigen::MatrixXd SquareRoot(const Eigen::MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
-
 CoupledModel Drawn(const FittedCoupledModel& fitted,
                    const Eigen::MatrixXd& root,
                    RandomStream* random) {
@@ -76,20 +71,13 @@ CoupledModel Drawn(const FittedCoupledModel& fitted,
   return model;
 }
 
-double Quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 }  // namespace
 
-ManoeuvreReport ReportManoeuvre(const FittedCoupledModel& fitted,
-                                const Log& log,
-                                const Manoeuvre& manoeuvre,
-                                int num_draws,
-                                std::uint64_t seed) {
+ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
+                                     const Log& log,
+                                     const Manoeuvre& manoeuvre,
+                                     int num_draws,
+                                     std::uint64_t seed) {
   const Vehicle vehicle = VehicleOf(log).value_or(Vehicle());
   const CoupledData data = CoupledDataOf(log, fitted.model.dofs, vehicle.thrusters, vehicle.fins);
   const std::vector<CommandedFin>& fins = data.inputs.command.fins;
@@ -108,13 +96,13 @@ ManoeuvreReport ReportManoeuvre(const FittedCoupledModel& fitted,
                     "diverges in it.",
                     log.path.string()));
   }
-  ManoeuvreReport report = {*track, {}, num_draws, 0, options.ahead, options.rudder_rate};
+  ManoeuvrePrediction report = {*track, {}, num_draws, 0, options.ahead, options.rudder_rate};
   std::vector<std::vector<double>> drawn;
   for (const ManoeuvreFigure& figure : FiguresOf(manoeuvre, *track)) {
     report.figures.push_back({figure});
     drawn.emplace_back();
   }
-  const Eigen::MatrixXd root = SquareRoot(fitted.covariance);
+  const Eigen::MatrixXd root = CovarianceFactor(fitted.covariance);
   RandomStream random(seed, "manoeuvre");
   for (int i = 0; i < num_draws; ++i) {
     const CoupledModel model = Drawn(fitted, root, &random);
@@ -129,21 +117,20 @@ ManoeuvreReport ReportManoeuvre(const FittedCoupledModel& fitted,
     }
   }
   for (std::size_t f = 0; f < drawn.size(); ++f) {
-    ManoeuvrePrediction& prediction = report.figures[f];
+    PredictedFigure& prediction = report.figures[f];
     prediction.low = prediction.high = std::numeric_limits<double>::quiet_NaN();
     if (static_cast<double>(drawn[f].size()) < kEnoughDraws * num_draws || drawn[f].empty())
       continue;
-    std::sort(drawn[f].begin(), drawn[f].end());
     prediction.low = Quantile(drawn[f], 0.025);
     prediction.high = Quantile(drawn[f], 0.975);
   }
   return report;
 }
 
-Table ManoeuvreTable(const ManoeuvreReport& report) {
+Table ManoeuvreTable(const ManoeuvrePrediction& report) {
   Table table;
   table.columns = {{"figure"}, {"value", true}, {"unit"}, {"95 % interval", true}};
-  for (const ManoeuvrePrediction& prediction : report.figures) {
+  for (const PredictedFigure& prediction : report.figures) {
     const double half = 0.5 * (prediction.high - prediction.low);
     const bool is_known = std::isfinite(half) && half > 0.0;
     const int decimals = is_known ? DecimalsFor(half) : 3;
@@ -159,7 +146,7 @@ Table ManoeuvreTable(const ManoeuvreReport& report) {
   return table;
 }
 
-std::string ManoeuvreCsv(const ManoeuvreReport& report) {
+std::string ManoeuvreCsv(const ManoeuvrePrediction& report) {
   std::string csv = "t,x,y,heading,rudder,u,v,r\n";
   const ManoeuvreTrack& track = report.track;
   for (std::size_t k = 0; k < track.time.size(); ++k) {

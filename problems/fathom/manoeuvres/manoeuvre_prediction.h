@@ -15,14 +15,14 @@
 namespace fathom {
 
 // A figure of a manoeuvre, with the interval that the model's intervals give.
-struct ManoeuvrePrediction {
+struct PredictedFigure {
   ManoeuvreFigure figure;
   double low = 0.0, high = 0.0;  // 95 %; NaN where too few draws came so far
 };
 
-struct ManoeuvreReport {
+struct ManoeuvrePrediction {
   ManoeuvreTrack track;
-  std::vector<ManoeuvrePrediction> figures;
+  std::vector<PredictedFigure> figures;
   int num_draws = 0, num_astray = 0;  // models drawn, and those of them that cannot be or diverge
   double ahead = 0.0;                 // speed at the begin [m/s]
   double rudder_rate = 0.0;           // [rad/s]
@@ -34,15 +34,15 @@ struct ManoeuvreReport {
 //
 // Throws InputError if the log holds no fin that turns the vehicle, or the model moves no yaw, and
 // if the run itself diverges.
-ManoeuvreReport ReportManoeuvre(const FittedCoupledModel& fitted,
-                                const Log& log,
-                                const Manoeuvre& manoeuvre,
-                                int num_draws,
-                                std::uint64_t seed);
+ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
+                                     const Log& log,
+                                     const Manoeuvre& manoeuvre,
+                                     int num_draws,
+                                     std::uint64_t seed);
 
-Table ManoeuvreTable(const ManoeuvreReport& report);
+Table ManoeuvreTable(const ManoeuvrePrediction& report);
 
 // t, position, heading, rudder's angle and velocities, CSV.
-std::string ManoeuvreCsv(const ManoeuvreReport& report);
+std::string ManoeuvreCsv(const ManoeuvrePrediction& report);
 
 }  // namespace fathom
