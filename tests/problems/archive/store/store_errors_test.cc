@@ -39,8 +39,10 @@ class StoreErrors : public testing::Test {
     return "no InputError";
   }
 
-  std::filesystem::path file_ =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) / "store_errors" / "dives.sqlite";
+  // A folder of each test's own: they run side by side.
+  std::filesystem::path file_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / "store_errors" /
+                                testing::UnitTest::GetInstance()->current_test_info()->name() /
+                                "dives.sqlite";
 };
 
 TEST_F(StoreErrors, NameTheirFile) {
