@@ -15,6 +15,7 @@ namespace fathom {
 namespace {
 
 constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis of one DOF
+constexpr double kLeastMissed = 0.01;  // of the motion: of less nobody asks the cause
 
 // The free runs that the model is judged by, along one DOF.
 std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified) {
@@ -82,7 +83,8 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
     const auto at = static_cast<std::size_t>(Index(dof));
     const std::vector<FreeRun> runs = RunsAlong(dof, identified);
     diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
-    if (FiguresOfRuns(runs).nmae > kMissesMotion * diagnosis.scatter_nmae[at]) {
+    const double nmae = FiguresOfRuns(runs).nmae;
+    if (nmae > std::max(kMissesMotion * diagnosis.scatter_nmae[at], kLeastMissed)) {
       diagnosis.missed.push_back(dof);
     }
   }

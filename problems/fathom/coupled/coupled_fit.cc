@@ -24,7 +24,8 @@ namespace fathom {
 namespace {
 
 constexpr int kMostPasses = 5;
-constexpr int kMostOrder = 12;           // of a channel's noise
+constexpr int kMostOrder = 12;      // of a channel's noise
+constexpr double kQuietest = 1e-4;  // the least noise of a channel, of what it shows in a second
 constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
 constexpr double kFinePrecision = 0.02;
 constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
@@ -52,7 +53,7 @@ double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_en
 double SpreadOf(std::vector<double> values) {
   if (values.empty()) return 1.0;
   for (double& value : values) value = std::abs(value);
-  return std::max(1.4826 * Median(std::move(values)), 1e-12);
+  return 1.4826 * Median(std::move(values));
 }
 
 std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& residuals,
@@ -68,19 +69,46 @@ std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& re
   return pieces;
 }
 
-// What the residuals look like: white of their spread, or coloured. Wild ones are cut to five
-// standard deviations before their colour is learned.
+// The white noise that a sensor has at the least, channel by channel. Of data of a simulation
+// without noise only rounding and integration are left, and would pass for structure.
+std::vector<double> QuietestSensors(const WindowProblem& problem) {
+  Vector6 squares = Vector6::Zero(), num = Vector6::Zero();
+  for (const CoupledWindow& window : problem.windows) {
+    for (std::size_t i = window.samples.begin; i < window.samples.end; ++i) {
+      const Vector6& velocity = window.segment->velocity[i];
+      for (Eigen::Index row = 0; row < 6; ++row) {
+        if (!std::isfinite(velocity[row])) continue;
+        squares[row] += velocity[row] * velocity[row];
+        num[row] += 1.0;
+      }
+    }
+  }
+  const Vector6 square = squares.cwiseQuotient(num.cwiseMax(1.0));
+  std::vector<double> quietest;
+  for (const FittedChannel& channel : problem.channels) {
+    const bool is_position = channel.kind == FittedChannel::Kind::kPosition;
+    const double speed = std::sqrt(is_position ? square.head<3>().sum() : square[channel.row]);
+    quietest.push_back(std::max(kQuietest * speed, 1e-12));
+  }
+  return quietest;
+}
+
+// What the residuals look like: white of their spread, or coloured, and white where they are
+// quieter than any sensor. Wild ones are cut to five standard deviations before their colour is
+// learned.
 std::vector<ChannelNoise> NoiseOf(const std::vector<WindowResiduals>& residuals,
                                   const std::vector<FittedChannel>& channels,
+                                  const std::vector<double>& quietest,
                                   bool is_white) {
   std::vector<ChannelNoise> noise;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     std::vector<std::vector<double>> pieces = PiecesOf(residuals, c);
     std::vector<double> all;
     for (const auto& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
-    const double std = SpreadOf(all);
+    const double spread = SpreadOf(all);
+    const double std = std::max(spread, quietest[c]);
     Autoregression colour = {{}, std * std};
-    if (!is_white) {
+    if (!is_white && spread > quietest[c]) {
       for (auto& piece : pieces) {
         for (double& value : piece) value = std::clamp(value, -5.0 * std, 5.0 * std);
       }
@@ -258,13 +286,15 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   // White noise first, unless its colour is known; then the colour of what is left, until the
   // numbers stay. A colour with which the search goes astray, as that of a model that misses most
   // of the motion, is given up for what came before it.
+  const std::vector<double> quietest = QuietestSensors(problem);
   const bool is_given = IsOf(options.noise, problem.channels);
   const int num_white = is_given ? 0 : 2;
   WindowSearch best;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const bool is_white = pass < num_white;
     std::vector<ChannelNoise> noise =
-        pass == 0 && is_given ? options.noise : NoiseOf(residuals, problem.channels, is_white);
+        pass == 0 && is_given ? options.noise
+                              : NoiseOf(residuals, problem.channels, quietest, is_white);
     WindowSearch search = SearchWindows(problem,
                                         WeightsOf(noise, options.huber_k),
                                         point,

@@ -14,6 +14,7 @@ namespace fathom {
 namespace {
 
 constexpr double kLeastErrors = 1.65;  // standard errors that a rung must win by
+constexpr double kLeastShare = 1e-3;   // by which it must bring free runs nearer: less is rounding
 constexpr double kMuchNearer = 20.0;   // -2 log likelihood of (6)
 
 // What stands, with all entries of a standard structure.
@@ -43,8 +44,9 @@ class Climb {
     rung.unseen_nmae = NmaeOf(errors, dofs_);
     if (!errors.is_known) return false;
     if (stands_.is_known) rung.gain = GainOf(stands_, errors, dofs_);
-    rung.is_accepted =
-        rung.fit.IsUsable() && (!stands_.is_known || rung.gain.in_errors > kLeastErrors);
+    const bool wins =
+        !stands_.is_known || (rung.gain.in_errors > kLeastErrors && rung.gain.share > kLeastShare);
+    rung.is_accepted = rung.fit.IsUsable() && wins;
     if (!rung.is_accepted) return false;
     ladder_.accepted = ladder_.rungs.size() - 1;
     stands_ = std::move(errors);
