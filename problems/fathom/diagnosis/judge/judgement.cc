@@ -44,17 +44,21 @@ Sifted SiftedBest(const Prepared& prepared,
   const auto sift = [&](Choice choice, Burden burden) {
     return LeaveOutTheRefuted(prepared.data, prepared.held_out, search, burden, std::move(choice));
   };
-  Sifted sifted = sift(ConfirmedOnAllData(prepared.data, search), Burden::kNotToLose);
+  const auto after = [](const Sifted& before, Sifted next) {
+    next.refusals.insert(next.refusals.begin(), before.refusals.begin(), before.refusals.end());
+    return next;
+  };
+  Sifted sifted =
+      LeaveOutTheTooFine(prepared.data, search, ConfirmedOnAllData(prepared.data, search));
+  sifted = after(sifted, sift(sifted.choice, Burden::kNotToLose));
   if (prepared.held_out.empty()) {
     if (!logs || sifted.choice.chosen == 0) return sifted;
-    return LeaveOutTheUnconfirmed(prepared.data, *logs, search, std::move(sifted.choice));
+    return after(sifted, LeaveOutTheUnconfirmed(prepared.data, *logs, search, sifted.choice));
   }
   const double gain = search.found.book[sifted.choice.chosen].gain;
   if (!Remains(prepared, RemainingOf(prepared, sifted.choice), gain)) return sifted;
   // The causes may stand in for what nothing explains; unseen data tell.
-  Sifted strict = sift(std::move(sifted.choice), Burden::kToGain);
-  strict.refusals.insert(strict.refusals.begin(), sifted.refusals.begin(), sifted.refusals.end());
-  return strict;
+  return after(sifted, sift(sifted.choice, Burden::kToGain));
 }
 
 // Separation from rivals. What nothing explains gains so much per column: then it takes as many

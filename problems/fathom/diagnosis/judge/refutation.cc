@@ -3,10 +3,12 @@
 
 #include "fathom/diagnosis/judge/refutation.h"
 
+#include "fathom/base/median.h"
 #include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -47,7 +49,70 @@ int BestWithout(const std::set<int>& left_out, size_t most_causes, const Hypothe
   return best;
 }
 
+// The median step between samples of the motion [s].
+double StepOf(const TrainingData& data) {
+  std::vector<double> steps;
+  for (const MeasuredSegment& segment : data.segments()) {
+    for (const auto& stamps : {segment.stamps.velocity, segment.stamps.displacement}) {
+      for (std::size_t i = 1; i < stamps.size(); ++i) steps.push_back(stamps[i] - stamps[i - 1]);
+    }
+  }
+  return steps.empty() ? 0.0 : Median(std::move(steps));
+}
+
+bool IsDuration(const Quantity& quantity) {
+  return quantity.force == 0.0 && quantity.speed == 0.0 && quantity.time == 1.0;
+}
+
+// Whether all that a cause does is to shift or to slow, and by less than this [s].
+bool IsFinerThan(double time, const Effect* effect, const ExtendedModel& model) {
+  for (const ActiveEffect& active : model.effects) {
+    if (active.effect != effect) continue;
+    const std::vector<EffectParameter>& parameters = effect->info().parameters;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const bool is_shift = IsDuration(parameters[k].quantity) && parameters[k].null == 0.0;
+      if (!is_shift || std::abs(active.values[k]) >= time) return false;
+    }
+    return true;
+  }
+  return false;
+}
+
+// Leaves causes out of a choice one at a time, as long as more than `fewest` are left.
+template <typename IsRefused>
+Sifted LeaveOut(const TrainingData& data,
+                const WeighedSearch& search,
+                std::size_t fewest,
+                Refusal::Reason reason,
+                const IsRefused& is_refused,
+                Choice choice) {
+  const HypothesisBook& book = search.found.book;
+  Sifted sifted = {std::move(choice), {}};
+  std::set<int> left_out;
+  while (book[sifted.choice.chosen].suspects.size() > fewest) {
+    const std::vector<int>& causes = book[sifted.choice.chosen].suspects;
+    const auto refused = std::ranges::find_if(
+        causes, [&](int suspect) { return is_refused(sifted.choice, suspect); });
+    if (refused == causes.end()) break;
+    left_out.insert(*refused);
+    const int next = BestWithout(left_out, causes.size() - 1, book);
+    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
+    sifted.refusals.push_back(
+        {.reason = reason, .refused = {*refused}, .kept = book[sifted.choice.chosen].suspects});
+  }
+  return sifted;
+}
+
 }  // namespace
+
+Sifted LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice) {
+  const double half_step = 0.5 * StepOf(data);
+  const auto is_too_fine = [&](const Choice& at, int suspect) {
+    return IsFinerThan(half_step, search.suspects[suspect].effect, at.fit().model);
+  };
+  return LeaveOut(
+      data, search, 0, Refusal::Reason::kFinerThanTheStamps, is_too_fine, std::move(choice));
+}
 
 Sifted LeaveOutTheRefuted(const TrainingData& data,
                           const std::vector<MeasuredSegment>& held_out,
@@ -55,30 +120,21 @@ Sifted LeaveOutTheRefuted(const TrainingData& data,
                           Burden burden,
                           Choice choice) {
   const HypothesisBook& book = search.found.book;
-  Sifted sifted = {std::move(choice), {}};
-  const auto is_refused = [&](int suspect) {
-    const int without = book.IndexWithout(sifted.choice.chosen, suspect);
+  const auto is_refused = [&](const Choice& at, int suspect) {
+    const int without = book.IndexWithout(at.chosen, suspect);
     if (without < 0) return false;
-    const ExtendedModel& before = FitOf(book, sifted.choice, without).model;
-    const Scored scored = Score(held_out, before, sifted.choice.fit().model);
+    const ExtendedModel& before = FitOf(book, at, without).model;
+    const Scored scored = Score(held_out, before, at.fit().model);
     return IsRefused(scored, ActOnPosesAlone({suspect}, search.suspects), burden);
   };
-  std::set<int> left_out;
-  const size_t fewest = burden == Burden::kToGain ? 0 : 1;
-  while (book[sifted.choice.chosen].suspects.size() > fewest) {
-    const std::vector<int>& causes = book[sifted.choice.chosen].suspects;
-    const auto refused = std::find_if(causes.begin(), causes.end(), is_refused);
-    if (refused == causes.end()) break;
-    left_out.insert(*refused);
-    const int next = BestWithout(left_out, causes.size() - 1, book);
-    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
-    sifted.refusals.push_back({.reason = burden == Burden::kToGain
-                                             ? Refusal::Reason::kGainsNothing
-                                             : Refusal::Reason::kLosesBesideOthers,
-                               .refused = {*refused},
-                               .kept = book[sifted.choice.chosen].suspects});
-  }
-  return sifted;
+  const bool may_leave_none = burden == Burden::kToGain;
+  return LeaveOut(
+      data,
+      search,
+      may_leave_none ? 0 : 1,
+      may_leave_none ? Refusal::Reason::kGainsNothing : Refusal::Reason::kLosesBesideOthers,
+      is_refused,
+      std::move(choice));
 }
 
 bool IsConfirmedByLogs(const Gain& gain) {

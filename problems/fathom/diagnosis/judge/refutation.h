@@ -16,6 +16,7 @@ namespace fathom {
 // Suspects that fit the training data and are not named, and why.
 struct Refusal {
   enum class Reason {
+    kFinerThanTheStamps,    // a delay or a lag under half of the step between samples
     kLosesBesideOthers,     // with it the error grows on data that no fit has seen
     kGainsNothing,          // it gains nothing for certain on them, and there is more to explain
     kLosesOnUnseenData,     // all that was chosen: `loss`
@@ -41,6 +42,11 @@ struct Sifted {
   Choice choice;
   std::vector<Refusal> refusals;
 };
+
+// Leaves out of a choice every delay or lag under half of the step between two samples of the
+// motion, one at a time: how a log is sampled, or a simulation stepped, does as much. The best
+// hypothesis of fewer causes without it takes the place.
+Sifted LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice);
 
 // Leaves out of a choice every cause that does not bear its burden on the held-out segments, one at
 // a time (what acts on the poses alone and does not gain 5 % in them for certain must not lose in

@@ -22,6 +22,8 @@ namespace {
 // A clause.
 std::string WhyRefused(const Refusal& refusal) {
   switch (refusal.reason) {
+    case Refusal::Reason::kFinerThanTheStamps:
+      return "it is under half of the step between two samples: how a log is sampled does as much";
     case Refusal::Reason::kLosesBesideOthers:
       return "with it the error on held-out data grows";
     case Refusal::Reason::kGainsNothing:

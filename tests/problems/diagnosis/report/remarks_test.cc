@@ -39,6 +39,7 @@ TEST(RemarksOnJudgement, AreNoneWhereThereIsNothingToSay) {
 TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
   Judgement judgement = Plain();
   judgement.refusals = {
+      {.reason = Refusal::Reason::kFinerThanTheStamps, .refused = {0}},
       {.reason = Refusal::Reason::kLosesBesideOthers, .refused = {1}, .kept = {0}},
       {.reason = Refusal::Reason::kGainsNothing, .refused = {0}},
       {.reason = Refusal::Reason::kLosesOnUnseenData,
@@ -51,6 +52,8 @@ TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
   EXPECT_THAT(
       RemarksOn(judgement),
       ElementsAre(
+          StartsWith("Not named: thruster_lag. It improves the fit, but it is under half of the "
+                     "step between two samples"),
           "Not named beside thruster_lag: sensor_bias. It improves the fit, but with it the error "
           "on held-out data grows.",
           StartsWith("Not named: thruster_lag. It improves the fit, but it has no significant gain "
