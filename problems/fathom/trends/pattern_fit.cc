@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -22,7 +23,7 @@ constexpr double kSizeThatCounts = 2.0;  // standard deviations
 struct Linear {
   double misfit = 0.0;
   Eigen::VectorXd sizes;
-  Eigen::VectorXd size_std;
+  Eigen::MatrixXd information;  // of them
 };
 
 // (8) for a given f. The value before the event is uncertain too.
@@ -32,42 +33,64 @@ Linear FitSizes(const Eigen::MatrixXd& directions,
                 double factor) {
   const Eigen::Index m = event.before.size();
   const Eigen::VectorXd gain = 1.0 / (1.0 - factor * share.array()) - 1.0;
-  Eigen::MatrixXd combine(m, 2 * m);
-  combine.leftCols(m) = (-gain).asDiagonal();
-  combine.rightCols(m).setIdentity();
   const Eigen::VectorXd rest = event.difference - gain.cwiseProduct(event.before);
-  const Eigen::MatrixXd covariance = combine * event.covariance * combine.transpose();
+  // Of that rest: difference less gain times before.
+  const Eigen::MatrixXd shared = gain.asDiagonal() * event.covariance.topRightCorner(m, m);
+  Eigen::MatrixXd covariance =
+      gain.asDiagonal() * event.covariance.topLeftCorner(m, m) * gain.asDiagonal();
+  covariance += event.covariance.bottomRightCorner(m, m) - shared - shared.transpose();
   const Eigen::LLT<Eigen::MatrixXd> whiten(covariance);
   const Eigen::VectorXd y = whiten.matrixL().solve(rest);
   Linear fit;
   fit.misfit = y.squaredNorm();
   if (directions.cols() == 0) return fit;
   const Eigen::MatrixXd x = whiten.matrixL().solve(directions);
-  const Eigen::LDLT<Eigen::MatrixXd> normal(x.transpose() * x);
-  fit.sizes = normal.solve(x.transpose() * y);
-  fit.size_std = normal.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()))
-                     .diagonal()
-                     .cwiseMax(0.0)
-                     .cwiseSqrt();
+  fit.information = x.transpose() * x;
+  fit.sizes = fit.information.ldlt().solve(x.transpose() * y);
   fit.misfit = (y - x * fit.sizes).squaredNorm();
   return fit;
 }
 
+Eigen::VectorXd StdOf(const Eigen::MatrixXd& information) {
+  const Eigen::Index size = information.cols();
+  const Eigen::MatrixXd covariance =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+  return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+
+// Each misfit is computed once: most of the time of naming a cause goes into them.
 template <typename Function>
 double Minimum(const Function& misfit) {
   const double step = (kMostFactor - kLeastFactor) / kNumFactors;
   double best = kLeastFactor;
-  for (int i = 0; i <= kNumFactors; ++i) {
+  double least = misfit(best);
+  for (int i = 1; i <= kNumFactors; ++i) {
     const double factor = kLeastFactor + step * i;
-    if (misfit(factor) < misfit(best)) best = factor;
+    const double value = misfit(factor);
+    if (value < least) {
+      best = factor;
+      least = value;
+    }
   }
   double low = std::max(best - step, kLeastFactor);
   double high = std::min(best + step, kMostFactor);
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double a = high - golden * (high - low);
+  double b = low + golden * (high - low);
+  double misfit_a = misfit(a);
+  double misfit_b = misfit(b);
   for (int i = 0; i < kNumSections; ++i) {
-    const double a = high - golden * (high - low);
-    const double b = low + golden * (high - low);
-    (misfit(a) < misfit(b) ? high : low) = misfit(a) < misfit(b) ? b : a;
+    if (misfit_a < misfit_b) {
+      high = std::exchange(b, a);
+      misfit_b = misfit_a;
+      a = high - golden * (high - low);
+      misfit_a = misfit(a);
+    } else {
+      low = std::exchange(a, b);
+      misfit_a = misfit_b;
+      b = low + golden * (high - low);
+      misfit_b = misfit(b);
+    }
   }
   return 0.5 * (low + high);
 }
@@ -110,7 +133,7 @@ PatternFit FitPattern(const Pattern& pattern, const EventFit& event, double pric
   const Linear linear = FitSizes(directions, share, event, fit.factor);
   fit.misfit = linear.misfit;
   fit.sizes = linear.sizes;
-  fit.size_std = linear.size_std;
+  fit.size_std = StdOf(linear.information);
   fit.p_value = ChiSquareTail(fit.misfit, static_cast<int>(event.before.size()) - num_free);
   fit.score = fit.misfit + price * num_free;
   fit.has_right_sign = HasRightSign(pattern, fit);
