@@ -23,6 +23,9 @@ constexpr double kSingleTone = 0.8;
 // An inertia that an unknown delay leaves so well known is not mistaken for one.
 constexpr double kStillKnown = 0.01;
 
+// An interval so many times the inertia says nothing but that there is none.
+constexpr double kBeyondMeaning = 1e3;
+
 double HalfWidth(const ParameterCovariance& covariance, int index) {
   return kStdsOf95 * std::sqrt(covariance(index, index));
 }
@@ -147,14 +150,14 @@ void DescribeEvidence(std::span<const Segment> segments,
   summary->determined = half_width < inertia;
   if (!summary->determined) {
     summary->message =
-        std::isfinite(half_width)
+        half_width < kBeyondMeaning * inertia
             ? fmt::format(
-                  "this log does not determine the inertia: its 95 % interval is {}. {}",
+                  "these data do not determine the inertia: its 95 % interval is {}. {}",
                   FormatInterval(
                       inertia, half_width / kStdsOf95, kParameterInfo[kInertia].lower_bound),
                   ExperimentFor(kInertia))
             : fmt::format(
-                  "this log does not determine the model: some combination of the parameters has "
+                  "these data do not determine the model: some combination of the parameters has "
                   "no effect on the motion. {}",
                   ExperimentFor(kInertia));
     return;
