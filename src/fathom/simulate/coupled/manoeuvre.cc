@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/simulate/coupled/steering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +44,6 @@ double HeadingOf(const CoupledState& state) {
 double Unwrapped(double heading, double before) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   return heading - kTurn * std::round((heading - before) / kTurn);
-}
-
-// The fin that turns the vehicle most by its place.
-std::optional<std::size_t> RudderOf(const std::vector<CommandedFin>& fins) {
-  std::optional<std::size_t> rudder;
-  for (std::size_t k = 0; k < fins.size(); ++k) {
-    const double arm = std::abs(fins[k].arms.across[Index(Dof::kYaw)]);
-    if (arm > 0.0 && (!rudder || arm > std::abs(fins[*rudder].arms.across[Index(Dof::kYaw)]))) {
-      rudder = k;
-    }
-  }
-  return rudder;
 }
 
 // The order of the rudder, to starboard, and when the run is over.

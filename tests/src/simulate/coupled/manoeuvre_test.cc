@@ -4,6 +4,7 @@
 #include "fathom/simulate/coupled/manoeuvre.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/simulate/coupled/steering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,74 @@ TEST(RunManoeuvre, TurnsOnACircle) {
   EXPECT_NEAR(2.0 * Figure(figures, "steady_radius"), far, 0.02 * far);
   EXPECT_GT(Figure(figures, "tactical_diameter"), 0.0);
   EXPECT_GT(Figure(figures, "advance"), 0.0);
+}
+
+// Of sway and yaw, with all that a hull and its rudder have about a straight track.
+CoupledModel SwayAndYaw() {
+  CoupledModel model = YawOnly();
+  model.dofs = {Dof::kSurge, Dof::kSway, Dof::kYaw};
+  model.inertia.diagonal() << 100.0, 150.0, 1.0, 1.0, 1.0, kInertia;
+  model.inertia(1, 5) = model.inertia(5, 1) = 12.0;
+  model.coriolis = true;
+  model.linear_damping(0, 0) = 10.0;
+  model.lift(1, 1) = 180.0;
+  model.lift(1, 5) = -20.0;
+  model.lift(5, 1) = -15.0;
+  model.lift(5, 5) = 130.0;
+  return model;
+}
+
+// By hand: Coriolis forces of M at u are (M_11 u r) in sway and (M_22 - M_11) u v + M_26 u r in
+// yaw; the fin's are f u^2 angle - f u (v + x r), and x times that.
+TEST(SteeringOf, HoldsTheDerivativesByHand) {
+  const double u = 1.5;
+  const auto equations = SteeringOf(SwayAndYaw(), OneRudder(), u, 0.0);
+  ASSERT_TRUE(equations);
+  const double fin = kForce * u;
+  const double Y_v = -180.0 * u - fin, Y_r = 20.0 * u - fin * kAft - 100.0 * u;
+  const double N_v = 15.0 * u - fin * kAft - (150.0 - 100.0) * u;
+  const double N_r = -130.0 * u - kDamping - fin * kAft * kAft - 12.0 * u;
+  Eigen::Matrix2d force;
+  force << Y_v, Y_r, N_v, N_r;
+  EXPECT_TRUE(equations->force.isApprox(force, 1e-6)) << equations->force;
+  // To starboard, by the fin behind: the force is to port.
+  EXPECT_NEAR(equations->rudder[0], kForce * u * u * kAft, 1e-4);
+  EXPECT_NEAR(equations->rudder[1], kForce * u * u * kAft * kAft, 1e-4);
+  EXPECT_EQ(equations->inertia(0, 1), 12.0);
+}
+
+TEST(NomotoOf, IsTheEquationOfYawAlone) {
+  const auto equations = SteeringOf(YawOnly(), OneRudder(), 1.0, 0.0);
+  ASSERT_TRUE(equations);
+  const double damping = kDamping + kForce * kAft * kAft;
+  const Nomoto nomoto = NomotoOf(*equations);
+  EXPECT_NEAR(nomoto.K, kForce * -kAft / damping, 1e-6);
+  EXPECT_NEAR(nomoto.T, kInertia / damping, 1e-4);
+  EXPECT_NEAR(nomoto.growth_rate, -damping / kInertia, 1e-6);
+}
+
+// A free run tells both: r settles at K angle, and the heading lags K angle t by K angle T.
+TEST(NomotoOf, IsWhatASmallTurnSettlesAt) {
+  CoupledModel model = SwayAndYaw();
+  const Manoeuvre circle = ParseManoeuvre("turning_circle:0.1");
+  ManoeuvreOptions options;
+  options.force[0] = 10.0;  // holds 1 m/s
+  options.longest = 60.0;
+  const auto track = RunManoeuvre(model, OneRudder(), circle, options);
+  ASSERT_TRUE(track);
+  const Nomoto nomoto = NomotoOf(*SteeringOf(model, OneRudder(), 1.0, 0.0));
+  EXPECT_GT(nomoto.T, 0.5);
+  const double turn = nomoto.K * circle.angle;
+  EXPECT_NEAR(track->state.back().nu[5], turn, 2e-3 * turn);
+  EXPECT_NEAR(track->heading.back(), turn * (track->time.back() - nomoto.T), 5e-3 * turn * 60.0);
+}
+
+TEST(SteeringOf, NeedsARudderAndAYaw) {
+  EXPECT_FALSE(SteeringOf(YawOnly(), {}, 1.0, 0.0));
+  CoupledModel surge = YawOnly();
+  surge.dofs = {Dof::kSurge};
+  surge.inertia(0, 0) = 1.0;
+  EXPECT_FALSE(SteeringOf(surge, OneRudder(), 1.0, 0.0));
 }
 
 TEST(RunManoeuvre, NeedsARudder) {
