@@ -47,8 +47,12 @@ DEFINE_string(manoeuvre,
               "",
               "Of a model of several DOFs that steers with a rudder: turning_circle:35 or "
               "zigzag:10/10, in degrees.");
-DEFINE_int32(draws, 200, "Of --manoeuvre: models drawn for its intervals.");
-DEFINE_uint64(seed, 1, "Of --manoeuvre: seed of these draws.");
+DEFINE_string(table,
+              "",
+              "Of the same: the derivatives about a straight track and Nomoto's K and T, in si or "
+              "prime (dimensionless).");
+DEFINE_int32(draws, 200, "Of --manoeuvre and --table: models drawn for their intervals.");
+DEFINE_uint64(seed, 1, "Of --manoeuvre and --table: seed of these draws.");
 
 namespace fathom {
 namespace {
@@ -58,7 +62,7 @@ const ToolInfo kInfo = {
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
     "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]\n"
-    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK]",
+    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] | --table=si|prime",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts where the model fits the first two seconds best, and anew after a gap of "
@@ -68,7 +72,7 @@ const ToolInfo kInfo = {
     "Several logs, as --log=A --log=B or --log=A,B, are scored one by one. A model of several "
     "degrees of freedom (fathom_identify --dofs) is simulated as one; --horizon begins its runs "
     "anew: docs/coupled.md. --manoeuvre plays a turning circle or a zigzag, from the log's first "
-    "speed under its mean force: docs/fins.md.",
+    "speed under its mean force, and --table lists the derivatives there: docs/fins.md.",
     {"log"}};
 
 void PrintRemarks(const std::vector<std::string>& remarks) {
@@ -107,9 +111,28 @@ void RequireOneLogForOut(std::size_t num_logs) {
   throw InputError("--out: holds the prediction of one log, expected a single --log with it.");
 }
 
+void PrintPrediction(const ManoeuvrePrediction& report) {
+  PrintText(stdout, FormatTable(ManoeuvreTable(report)));
+  if (report.num_astray > 0) {
+    fmt::print("note: {} of {} drawn models cannot be or diverge; the intervals are of the rest.\n",
+               report.num_astray,
+               report.num_draws);
+  }
+}
+
 int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
   if (FLAGS_draws < 0) {
     throw InputError(fmt::format("--draws: is {}, expected 0 or more.", FLAGS_draws));
+  }
+  if (!FLAGS_table.empty()) {
+    const SteeringUnits units = ParseSteeringUnits(FLAGS_table);
+    const ManoeuvrePrediction report = PredictSteering(fitted, log, units, FLAGS_draws, FLAGS_seed);
+    fmt::print(
+        "Small motions about a straight track at {:.3g} m/s, as in {}; angles to starboard:\n",
+        report.ahead,
+        log.name);
+    PrintPrediction(report);
+    return kExitUsable;
   }
   const Manoeuvre manoeuvre = ParseManoeuvre(FLAGS_manoeuvre);
   const ManoeuvrePrediction report =
@@ -119,12 +142,7 @@ int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
              report.ahead,
              report.rudder_rate,
              log.name);
-  PrintText(stdout, FormatTable(ManoeuvreTable(report)));
-  if (report.num_astray > 0) {
-    fmt::print("note: {} of {} drawn models cannot be or diverge; the intervals are of the rest.\n",
-               report.num_astray,
-               report.num_draws);
-  }
+  PrintPrediction(report);
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, ManoeuvreCsv(report));
   return kExitUsable;
 }
@@ -146,9 +164,10 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
   }
   const std::vector<Log> logs = ReadLogsFromFlags({});
   RequireOneLogForOut(logs.size());
-  if (!FLAGS_manoeuvre.empty()) {
+  if (!FLAGS_manoeuvre.empty() || !FLAGS_table.empty()) {
     if (logs.size() > 1) {
-      throw InputError("--manoeuvre: begins as one log goes, expected a single --log with it.");
+      throw InputError(
+          "--manoeuvre, --table: begin as one log goes, expected a single --log with them.");
     }
     return RunManoeuvreOf(fitted, logs.front());
   }
@@ -189,9 +208,10 @@ int Run() {
   if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
     return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
   }
-  if (!FLAGS_manoeuvre.empty()) {
+  if (!FLAGS_manoeuvre.empty() || !FLAGS_table.empty()) {
     throw InputError(
-        fmt::format("--manoeuvre: goes with a model of several DOFs, expected none: {} is of one.",
+        fmt::format("{}: goes with a model of several DOFs, expected none: {} is of one.",
+                    FLAGS_table.empty() ? "--manoeuvre" : "--table",
                     FLAGS_model));
   }
   if (std::isfinite(FLAGS_horizon)) {

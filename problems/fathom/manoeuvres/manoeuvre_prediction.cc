@@ -8,6 +8,7 @@
 #include "fathom/base/random_stream.h"
 #include "fathom/report/format_value.h"
 #include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/simulate/coupled/steering.h"
 #include "fathom/solve/covariance_factor.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -15,14 +16,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
 
-constexpr double kEnoughDraws = 0.8;  // of all, for an interval
+constexpr double kEnoughDraws = 0.8;    // of all, for an interval
+constexpr double kFreshWater = 1000.0;  // [kg/m^3], as docs/fins.md (1)
 
 // How the log drives the vehicle in the mean: forces, and what of them makes a race.
 ManoeuvreOptions DrivenAs(const CoupledData& data, const CoupledModel& model) {
@@ -71,49 +76,51 @@ CoupledModel Drawn(const FittedCoupledModel& fitted,
   return model;
 }
 
-}  // namespace
+// How a log's vehicle is steered and driven.
+struct Helm {
+  std::vector<CommandedFin> fins;
+  ManoeuvreOptions driven;
+};
 
-ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
-                                     const Log& log,
-                                     const Manoeuvre& manoeuvre,
-                                     int num_draws,
-                                     std::uint64_t seed) {
+Helm HelmOf(const CoupledModel& model, const Log& log) {
   const Vehicle vehicle = VehicleOf(log).value_or(Vehicle());
-  const CoupledData data = CoupledDataOf(log, fitted.model.dofs, vehicle.thrusters, vehicle.fins);
-  const std::vector<CommandedFin>& fins = data.inputs.command.fins;
-  const ManoeuvreOptions options = DrivenAs(data, fitted.model);
-  if (!(options.ahead > 0.0)) {
+  const CoupledData data = CoupledDataOf(log, model.dofs, vehicle.thrusters, vehicle.fins);
+  Helm helm = {data.inputs.command.fins, DrivenAs(data, model)};
+  if (!(helm.driven.ahead > 0.0)) {
     throw InputError(
         fmt::format("{}: begins at {:.3g} m/s ahead, expected a speed above 0 for a "
                     "manoeuvre.",
                     log.path.string(),
-                    options.ahead));
+                    helm.driven.ahead));
   }
-  const auto track = RunManoeuvre(fitted.model, fins, manoeuvre, options);
-  if (!track) {
-    throw InputError(
-        fmt::format("{}: no manoeuvre: the log holds no fin that turns the vehicle, or the model "
-                    "diverges in it.",
-                    log.path.string()));
-  }
-  ManoeuvrePrediction report = {*track, {}, num_draws, 0, options.ahead, options.rudder_rate};
+  return helm;
+}
+
+using Figures = std::optional<std::vector<ManoeuvreFigure>>;
+
+// The figures of a model, which it has, with the intervals of models drawn from its covariance.
+ManoeuvrePrediction WithIntervals(const FittedCoupledModel& fitted,
+                                  const std::function<Figures(const CoupledModel&)>& figures_of,
+                                  int num_draws,
+                                  std::uint64_t seed) {
+  ManoeuvrePrediction report;
+  report.num_draws = num_draws;
   std::vector<std::vector<double>> drawn;
-  for (const ManoeuvreFigure& figure : FiguresOf(manoeuvre, *track)) {
+  const Figures of_model = figures_of(fitted.model);
+  for (const ManoeuvreFigure& figure : *of_model) {
     report.figures.push_back({figure});
     drawn.emplace_back();
   }
   const Eigen::MatrixXd root = CovarianceFactor(fitted.covariance);
   RandomStream random(seed, "manoeuvre");
   for (int i = 0; i < num_draws; ++i) {
-    const CoupledModel model = Drawn(fitted, root, &random);
-    const auto run = RunManoeuvre(model, fins, manoeuvre, options);
-    if (!run) {
+    const Figures figures = figures_of(Drawn(fitted, root, &random));
+    if (!figures) {
       ++report.num_astray;
       continue;
     }
-    const std::vector<ManoeuvreFigure> figures = FiguresOf(manoeuvre, *run);
-    for (std::size_t f = 0; f < figures.size(); ++f) {
-      if (std::isfinite(figures[f].value)) drawn[f].push_back(figures[f].value);
+    for (std::size_t f = 0; f < figures->size(); ++f) {
+      if (std::isfinite((*figures)[f].value)) drawn[f].push_back((*figures)[f].value);
     }
   }
   for (std::size_t f = 0; f < drawn.size(); ++f) {
@@ -124,6 +131,116 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
     prediction.low = Quantile(drawn[f], 0.025);
     prediction.high = Quantile(drawn[f], 0.975);
   }
+  return report;
+}
+
+// `length`: of the vehicle [m]; then all are divided by rho/2 and powers of length and speed.
+std::vector<ManoeuvreFigure> DerivativesOf(const SteeringEquations& equations,
+                                           double ahead,
+                                           std::optional<double> length) {
+  std::vector<ManoeuvreFigure> figures;
+  const auto add = [&](std::string name,
+                       double value,
+                       std::string unit,
+                       int power_of_length,
+                       int power_of_speed,
+                       double density = 0.5 * kFreshWater) {
+    if (length) {
+      value /= density * std::pow(*length, power_of_length) * std::pow(ahead, power_of_speed);
+      name = name.find(' ') == std::string::npos ? name + "'" : "(" + name + ")'";
+      unit = "-";
+    }
+    figures.push_back({std::move(name), value, std::move(unit)});
+  };
+  const Eigen::MatrixXd &M = equations.inertia, &F = equations.force;
+  const Eigen::Index yaw = M.rows() - 1;
+  if (equations.HasSway()) {
+    add("Y_v", F(0, 0), "kg/s", 2, 1);
+    add("Y_r - m u", F(0, yaw), "kg m/s", 3, 1);
+    add("Y_delta", equations.rudder[0], "N/rad", 2, 2);
+    add("N_v", F(yaw, 0), "kg m/s", 3, 1);
+  }
+  add("N_r - m x_G u", F(yaw, yaw), "kg m^2/s", 4, 1);
+  add("N_delta", equations.rudder[yaw], "N m/rad", 3, 2);
+  if (equations.HasSway()) {
+    add("m - Y_vdot", M(0, 0), "kg", 3, 0);
+    add("m x_G - Y_rdot", M(0, yaw), "kg m", 4, 0);
+  }
+  add("I_z - N_rdot", M(yaw, yaw), "kg m^2", 5, 0);
+  const Nomoto nomoto = NomotoOf(equations);
+  add("K", nomoto.K, "1/s", -1, 1, 1.0);
+  add("T", nomoto.T, "s", 1, -1, 1.0);
+  add("growth_rate", nomoto.growth_rate, "1/s", -1, 1, 1.0);
+  return figures;
+}
+
+}  // namespace
+
+ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
+                                     const Log& log,
+                                     const Manoeuvre& manoeuvre,
+                                     int num_draws,
+                                     std::uint64_t seed) {
+  const Helm helm = HelmOf(fitted.model, log);
+  const auto track = RunManoeuvre(fitted.model, helm.fins, manoeuvre, helm.driven);
+  if (!track) {
+    throw InputError(
+        fmt::format("{}: no manoeuvre: the log holds no fin that turns the vehicle, or the model "
+                    "diverges in it.",
+                    log.path.string()));
+  }
+  ManoeuvrePrediction report = WithIntervals(
+      fitted,
+      [&](const CoupledModel& model) -> Figures {
+        const auto run = RunManoeuvre(model, helm.fins, manoeuvre, helm.driven);
+        if (!run) return {};
+        return FiguresOf(manoeuvre, *run);
+      },
+      num_draws,
+      seed);
+  report.track = *track;
+  report.ahead = helm.driven.ahead;
+  report.rudder_rate = helm.driven.rudder_rate;
+  return report;
+}
+
+SteeringUnits ParseSteeringUnits(std::string_view text) {
+  if (text == "si") return SteeringUnits::kSi;
+  if (text == "prime") return SteeringUnits::kPrime;
+  throw InputError(fmt::format("--table: is '{}', expected si or prime.", text));
+}
+
+ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
+                                    const Log& log,
+                                    SteeringUnits units,
+                                    int num_draws,
+                                    std::uint64_t seed) {
+  const Helm helm = HelmOf(fitted.model, log);
+  std::optional<double> length;
+  if (units == SteeringUnits::kPrime) {
+    const auto vehicle = VehicleOf(log);
+    if (!vehicle || !vehicle->size) {
+      throw InputError(
+          fmt::format("{}: its vehicle has no `size`, expected one for --table=prime: forces are "
+                      "divided by its length.",
+                      log.path.string()));
+    }
+    length = vehicle->size->x();
+  }
+  const double ahead = helm.driven.ahead;
+  const auto figures = [&](const CoupledModel& model) -> Figures {
+    const auto equations = SteeringOf(model, helm.fins, ahead, helm.driven.thrust);
+    if (!equations) return {};
+    return DerivativesOf(*equations, ahead, length);
+  };
+  if (!figures(fitted.model)) {
+    throw InputError(
+        fmt::format("{}: no derivatives: the log holds no fin that turns the vehicle, or the model "
+                    "moves no yaw.",
+                    log.path.string()));
+  }
+  ManoeuvrePrediction report = WithIntervals(fitted, figures, num_draws, seed);
+  report.ahead = ahead;
   return report;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -39,6 +40,26 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
                                      const Manoeuvre& manoeuvre,
                                      int num_draws,
                                      std::uint64_t seed);
+
+// How the tables of naval architects count.
+enum class SteeringUnits {
+  kSi,
+  kPrime,  // by rho/2 of fresh water, the vehicle's length and the speed
+};
+
+// "si", "prime". Throws InputError, with what is expected, for anything else.
+SteeringUnits ParseSteeringUnits(std::string_view text);
+
+// The derivatives of SteeringOf() at the log's first speed ahead, under its mean force, and
+// NomotoOf() them, with intervals as above. `track` is empty.
+//
+// Throws InputError if the log holds no fin that turns the vehicle, or the model moves no yaw; and
+// of kPrime if the vehicle file tells no size.
+ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
+                                    const Log& log,
+                                    SteeringUnits units,
+                                    int num_draws,
+                                    std::uint64_t seed);
 
 Table ManoeuvreTable(const ManoeuvrePrediction& report);
 
