@@ -59,7 +59,15 @@ int ParameterOf(const FreeEntry& entry) {
   }
 }
 
-// Whether a block is one DOF with all four numbers of docs/models.md (1), and a command of its own.
+// Whether a fin pushes along a DOF, that of the block.
+bool IsSteered(const CoupledData& log, Dof dof) {
+  return std::ranges::any_of(log.inputs.command.fins, [&](const CommandedFin& fin) {
+    return fin.arms.across[Index(dof)] != 0.0;
+  });
+}
+
+// Whether a block is one DOF with all four numbers of docs/models.md (1), a command of its own and
+// no fin.
 bool IsUncoupled(const CoupledLogs& logs, const MotionStructure& part) {
   if (logs.logs.empty() || part.dofs.size() != 1 || part.entries.size() != kNumParameters) {
     return false;
@@ -68,7 +76,9 @@ bool IsUncoupled(const CoupledLogs& logs, const MotionStructure& part) {
   const auto has_command = [&](const Log& log) {
     return log.command && log.command->Find(ForceColumn(part.dofs.front())) != nullptr;
   };
+  const auto is_steered = [&](const CoupledData& log) { return IsSteered(log, part.dofs.front()); };
   return std::all_of(part.entries.begin(), part.entries.end(), is_parameter) &&
+         std::none_of(logs.data.begin(), logs.data.end(), is_steered) &&
          std::all_of(logs.logs.begin(), logs.logs.end(), has_command);
 }
 

@@ -51,12 +51,39 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
   return out;
 }
 
-std::vector<StructureFin> FinsOf(const CoupledLogs& logs) {
+// `held`: the numbers that are not free.
+std::vector<StructureFin> FinsOf(const CoupledLogs& logs, const CoupledModel& held) {
   std::vector<StructureFin> fins;
   for (const CommandedFin& fin : logs.data.front().inputs.command.fins) {
-    fins.push_back({fin.name, fin.force.has_value(), !fin.behind.empty()});
+    fins.push_back({fin.name, held.fin_force.contains(fin.name), !fin.behind.empty()});
   }
   return fins;
+}
+
+// Whether something of a known force drives a DOF.
+bool IsDrivenInNewtons(const CoupledData& log, Dof dof) {
+  const CoupledCommand& command = log.inputs.command;
+  const auto row = Index(dof);
+  return std::ranges::any_of(command.force, [&](const Vector6& f) { return f[row] != 0.0; }) ||
+         std::ranges::any_of(command.thrusters,
+                             [&](const auto& thruster) { return thruster.push[row] != 0.0; }) ||
+         std::ranges::any_of(command.fins, [&](const CommandedFin& fin) {
+           return fin.force && fin.arms.across[row] != 0.0;
+         });
+}
+
+// The fin whose force is the unit of all others: of one DOF that fins of unknown forces alone
+// drive. Nothing where newtons are known.
+std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Dof>& dofs) {
+  if (dofs.size() != 1) return std::nullopt;
+  const auto is_driven = [&](const CoupledData& log) {
+    return IsDrivenInNewtons(log, dofs.front());
+  };
+  if (std::ranges::any_of(logs.data, is_driven)) return std::nullopt;
+  for (const CommandedFin& fin : logs.data.front().inputs.command.fins) {
+    if (fin.arms.across[Index(dofs.front())] != 0.0) return fin.name;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -87,16 +114,21 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   for (const CommandedFin& fin : all.data.front().inputs.command.fins) {
     if (fin.force) fit.held.fin_force[fin.name] = *fin.force;
   }
+  const auto unit_fin = UnitFin(all, options.dofs);
+  if (unit_fin) {
+    fit.held.fin_force[*unit_fin] = 1.0;
+    fit.body = {};  // in kg, which these forces are not
+  }
   if (options.structure) {
     identified.fit =
-        FitBlocks(all, StructureOf(*options.structure, options.dofs, FinsOf(all)), fit);
+        FitBlocks(all, StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held)), fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {
     EntrySearchOptions search;
     search.fit = fit;
     const auto& thrusters = all.data.front().inputs.command.thrusters;
     for (const CommandedThruster& thruster : thrusters) search.thrusters.push_back(thruster.name);
-    search.fins = FinsOf(all);
+    search.fins = FinsOf(all, fit.held);
     identified.ladder = ClimbLadder(all, options.dofs, search);
     identified.fit = identified.ladder->rungs[identified.ladder->accepted].fit;
     identified.fitted.structure = "auto";
@@ -110,8 +142,16 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   fitted.model.dofs = options.dofs;
   fitted.entries = result.entries;
   fitted.covariance = result.covariance;
-  fitted.force_unit = all.data.front().force_unit;
+  fitted.force_unit = unit_fin.value_or(all.data.front().force_unit);
   fitted.horizon = fit.window;
+  if (unit_fin) {
+    fitted.caveats.push_back(fmt::format(
+        "Nothing of a known force drives {}: forces are in units of fin_force.{}, which "
+        "is taken as 1. Ratios hold, as Nomoto's K and T (fathom_simulate --table). "
+        "`area` and `lift_slope` in the vehicle file, or a wrench in N, give kilograms.",
+        Name(options.dofs.front()),
+        *unit_fin));
+  }
   if (!result.on_bound.empty()) {
     fitted.caveats.push_back(
         fmt::format("Ended on what a body can be, no damping below 0 and no inertia below the "
