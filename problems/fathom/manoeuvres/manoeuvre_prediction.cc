@@ -201,6 +201,11 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   report.track = *track;
   report.ahead = helm.driven.ahead;
   report.rudder_rate = helm.driven.rudder_rate;
+  if (const auto vehicle = VehicleOf(log); vehicle && vehicle->size) {
+    for (PredictedFigure& figure : report.figures) {
+      figure.limit = ImoLimit(manoeuvre, figure.figure.name, vehicle->size->x(), report.ahead);
+    }
+  }
   return report;
 }
 
@@ -247,6 +252,9 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
 Table ManoeuvreTable(const ManoeuvrePrediction& report) {
   Table table;
   table.columns = {{"figure"}, {"value", true}, {"unit"}, {"95 % interval", true}};
+  const bool has_limit = std::ranges::any_of(
+      report.figures, [](const PredictedFigure& figure) { return figure.limit.has_value(); });
+  if (has_limit) table.columns.push_back({"IMO: at most", true});
   for (const PredictedFigure& prediction : report.figures) {
     const double half = 0.5 * (prediction.high - prediction.low);
     const bool is_known = std::isfinite(half) && half > 0.0;
@@ -259,6 +267,10 @@ Table ManoeuvreTable(const ManoeuvrePrediction& report) {
           text(prediction.figure.value),
           prediction.figure.unit,
           is_known ? fmt::format("{} ... {}", text(prediction.low), text(prediction.high)) : "-"}});
+    if (has_limit) {
+      table.rows.back().cells.push_back(prediction.limit ? fmt::format("{:.1f}", *prediction.limit)
+                                                         : "-");
+    }
   }
   return table;
 }

@@ -9,6 +9,7 @@
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ namespace fathom {
 // A figure of a manoeuvre, with the interval that the model's intervals give.
 struct PredictedFigure {
   ManoeuvreFigure figure;
-  double low = 0.0, high = 0.0;  // 95 %; NaN where too few draws came so far
+  double low = 0.0, high = 0.0;      // 95 %; NaN where too few draws came so far
+  std::optional<double> limit = {};  // ImoLimit(), of a vehicle whose length is known
 };
 
 struct ManoeuvrePrediction {

@@ -189,4 +189,28 @@ std::vector<ManoeuvreFigure> FiguresOf(const Manoeuvre& manoeuvre, const Manoeuv
                                                     : FiguresOfCircle(track);
 }
 
+std::optional<double> ImoLimit(const Manoeuvre& manoeuvre,
+                               std::string_view figure,
+                               double length,
+                               double ahead) {
+  const auto is = [](double angle, double degrees) {
+    return std::abs(angle - degrees * std::numbers::pi / 180.0) < 1e-9;
+  };
+  if (manoeuvre.kind == Manoeuvre::Kind::kTurningCircle) {
+    if (!is(manoeuvre.angle, 35.0)) return std::nullopt;
+    if (figure == "advance") return 4.5 * length;
+    if (figure == "tactical_diameter") return 5.0 * length;
+    return std::nullopt;
+  }
+  const double lengths_time = std::clamp(length / ahead, 10.0, 30.0);  // [s]
+  if (is(manoeuvre.angle, 10.0) && is(manoeuvre.heading, 10.0)) {
+    if (figure == "first_overshoot") return 5.0 + 0.5 * lengths_time;
+    if (figure == "second_overshoot") return 17.5 + 0.75 * lengths_time;
+  }
+  if (is(manoeuvre.angle, 20.0) && is(manoeuvre.heading, 20.0) && figure == "first_overshoot") {
+    return 25.0;
+  }
+  return std::nullopt;
+}
+
 }  // namespace fathom

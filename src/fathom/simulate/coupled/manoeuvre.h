@@ -63,4 +63,12 @@ struct ManoeuvreFigure {
 // the first two overshoot angles [deg] and the period.
 std::vector<ManoeuvreFigure> FiguresOf(const Manoeuvre& manoeuvre, const ManoeuvreTrack& track);
 
+// What a figure may be at most for a ship of this length [m] at this speed [m/s], by IMO
+// MSC.137(76): of a turning circle at 35 degrees, and of the zigzags 10/10 and 20/20. Nothing of
+// other figures and manoeuvres.
+std::optional<double> ImoLimit(const Manoeuvre& manoeuvre,
+                               std::string_view figure,
+                               double length,
+                               double ahead);
+
 }  // namespace fathom

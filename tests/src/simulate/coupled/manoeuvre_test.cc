@@ -170,6 +170,21 @@ TEST(SteeringOf, NeedsARudderAndAYaw) {
   EXPECT_FALSE(SteeringOf(surge, OneRudder(), 1.0, 0.0));
 }
 
+// MSC.137(76), 5.3: of a ship of 100 m at 8 m/s, at 4 m/s and at 2 m/s; L/V is 12.5, 25 and 50 s.
+TEST(ImoLimit, IsThatOfTheStandard) {
+  const Manoeuvre circle = ParseManoeuvre("turning_circle:35"),
+                  small = ParseManoeuvre("zigzag:10/10"), large = ParseManoeuvre("zigzag:20/20");
+  EXPECT_DOUBLE_EQ(*ImoLimit(circle, "advance", 100.0, 8.0), 450.0);
+  EXPECT_DOUBLE_EQ(*ImoLimit(circle, "tactical_diameter", 100.0, 8.0), 500.0);
+  EXPECT_DOUBLE_EQ(*ImoLimit(small, "first_overshoot", 100.0, 8.0), 11.25);
+  EXPECT_DOUBLE_EQ(*ImoLimit(small, "first_overshoot", 100.0, 2.0), 20.0);
+  EXPECT_DOUBLE_EQ(*ImoLimit(small, "second_overshoot", 100.0, 4.0), 36.25);
+  EXPECT_DOUBLE_EQ(*ImoLimit(small, "second_overshoot", 100.0, 50.0), 25.0);
+  EXPECT_DOUBLE_EQ(*ImoLimit(large, "first_overshoot", 100.0, 8.0), 25.0);
+  EXPECT_FALSE(ImoLimit(large, "second_overshoot", 100.0, 8.0));
+  EXPECT_FALSE(ImoLimit(ParseManoeuvre("turning_circle:20"), "advance", 100.0, 8.0));
+}
+
 TEST(RunManoeuvre, NeedsARudder) {
   EXPECT_FALSE(RunManoeuvre(YawOnly(), {}, ParseManoeuvre("turning_circle:20"), {}));
 }
