@@ -52,7 +52,8 @@ DEFINE_string(
     from,
     "",
     "The recording: a CSV of any shape, a .BIN of ArduPilot, a .ulg of PX4, a .tlog, a bag "
-    "of ROS, a .mat of MATLAB, a .npy or .npz of numpy, a log of Rock, or a folder of such files.");
+    "of ROS, a .mat of MATLAB, a .npy or .npz of numpy, a log of Rock, an .alog of MOOS, or a "
+    "folder of such files.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
