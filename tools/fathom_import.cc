@@ -52,7 +52,8 @@ DEFINE_string(
     from,
     "",
     "The recording: a CSV of any shape, a .BIN of ArduPilot, a .ulg of PX4, a .tlog, a bag "
-    "of ROS, a .mat of MATLAB, a .npy or .npz of numpy, a log of Rock, or a folder of such files.");
+    "of ROS, a .mat of MATLAB, a .npy or .npz of numpy, a log of Rock, an .alog of MOOS, or a "
+    "folder of such files.");
 DEFINE_string(map, "", "Map file (YAML) that says which channel is which stream.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML), instead of the one that the map names.");
 DEFINE_string(out, "", "Write the log into this folder.");
@@ -333,7 +334,7 @@ void PrintStream(const char* file, const std::optional<Stream>& stream) {
 
 // What the log looks like before any fit: which DOFs it can identify, and what is wrong with it.
 void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
-  if (log.command && !log.velocity && !log.pose && !log.video.empty()) {
+  if ((log.command || log.fins) && !log.velocity && !log.pose && !log.video.empty()) {
     fmt::print(
         "note: the motion is in the video. This tracks it: fathom_track --log={0} "
         "--out={0}_tracked\n",
@@ -344,7 +345,7 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
     fmt::print("note: the map names no motion, so that the log identifies nothing.\n");
     return;
   }
-  if (!log.command) {
+  if (!log.command && !log.fins) {
     fmt::print(
         "note: the map names no command, so that the log is taken for a free decay: it tells "
         "damping by inertia.\nnext: fathom_check --log={}\n",
@@ -437,7 +438,7 @@ int Run() {
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));
-  PrintStream("command.csv", log.command);
+  PrintStream("command.csv", log.command ? log.command : log.fins);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
   for (const std::string& remark : imported.remarks) PrintText(stdout, "note: " + remark + "\n");

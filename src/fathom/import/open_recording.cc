@@ -10,6 +10,7 @@
 #include "fathom/import/matlab/mat73_file.h"
 #include "fathom/import/matlab/matlab_recording.h"
 #include "fathom/import/message/message_recording.h"
+#include "fathom/import/moos/alog_recording.h"
 #include "fathom/import/numpy/npy_header.h"
 #include "fathom/import/numpy/numpy_recording.h"
 #include "fathom/import/recording/byte_file.h"
@@ -75,6 +76,9 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   if (LooksLikeMat4(first)) return OpenMatlab(path, OpenMat4(path));
   if (LooksLikeNpy(first)) return OpenNpy(path);
   if (LooksLikeNpz(first)) return OpenNpz(path);
+  if (LooksLikeAlog(first) || (path.extension() == ".alog" && LooksLikeText(first))) {
+    return OpenAlog(path);
+  }
   if (LooksLikeZstd(first) && !is_unpacked) {
     return OpenUnpacked(path, [&](const std::filesystem::path& unpacked) {
       return OpenFile(unpacked, table, /*takes_text=*/false, /*is_unpacked=*/true);
@@ -84,7 +88,7 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
   throw InputError(
       fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
                   "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS, a .mat of MATLAB, a "
-                  ".npy or .npz of numpy or a log of Rock.",
+                  ".npy or .npz of numpy, a log of Rock or an .alog of MOOS.",
                   path.string(),
                   first.empty() ? "empty" : "of no known format"));
 }
@@ -133,7 +137,7 @@ bool HasKnownBegin(std::string_view first) {
   return LooksLikeDataflash(first) || LooksLikeMcap(first) || LooksLikeRos1Bag(first) ||
          LooksLikePocolog(first) || LooksLikeUlog(first) || LooksLikeTlog(first) ||
          LooksLikeMat73(first) || LooksLikeMat5(first) || LooksLikeMat4(first) ||
-         LooksLikeNpy(first) || LooksLikeNpz(first);
+         LooksLikeNpy(first) || LooksLikeNpz(first) || LooksLikeAlog(first);
 }
 
 // Of a file that is compressed as a whole, as `ros2 bag record --compression-mode file` leaves it,

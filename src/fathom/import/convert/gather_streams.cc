@@ -264,7 +264,9 @@ GatheredStream Assemble(const std::filesystem::path& file,
           {name, static_cast<double>(left_out.num_back) / static_cast<double>(num_rows)});
     }
     for (std::size_t i = 0; i < part.columns.size(); ++i) {
-      if (part.columns[i].unit.dimension == Dimension::kAngle) Unwrap(&part.samples.values[i]);
+      const bool is_attitude = part.columns[i].unit.dimension == Dimension::kAngle &&
+                               !part.columns[i].column.starts_with("fin_");
+      if (is_attitude) Unwrap(&part.samples.values[i]);
       columns.push_back(part.columns[i]);
     }
     part.samples.quaternion = QuaternionOf(part.columns);
@@ -368,7 +370,7 @@ GatheredStreams GatherStreams(const std::filesystem::path& file,
                          request.map,
                          column,
                          column_map,
-                         is_plain,
+                         is_plain && !column.starts_with("fin_"),
                          &gathered.remarks),
                 request.map,
                 &request.parts);

@@ -126,6 +126,22 @@ Stream ThrusterCommand(const std::filesystem::path& file,
   return thrusts;
 }
 
+// The angles of the fins, taken out of the command.
+std::optional<Stream> FinsOutOf(GatheredStream* command) {
+  Stream fins = {command->samples.time, {}, {}};
+  for (std::size_t k = command->columns.size(); k-- > 0;) {
+    if (!command->columns[k].starts_with("fin_")) continue;
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    fins.columns.insert(fins.columns.begin(), command->columns[k]);
+    fins.values.insert(fins.values.begin(), std::move(command->samples.values[k]));
+    command->columns.erase(command->columns.begin() + at);
+    command->dimensions.erase(command->dimensions.begin() + at);
+    command->samples.values.erase(command->samples.values.begin() + at);
+  }
+  if (fins.columns.empty()) return std::nullopt;
+  return fins;
+}
+
 // Forces as the map gives them, or those of the thrusts, which the log then keeps.
 void AddCommand(const std::filesystem::path& file,
                 const GatheredStreams& gathered,
@@ -191,7 +207,7 @@ std::optional<double> StartOf(const Contents& contents, const ImportMap& map, co
     if (!of_map || !stream || of_map->time || of_map->rate) return;
     first = std::min(first.value_or(stream->time.front()), stream->time.front());
   };
-  take(map.command, log.command);
+  take(map.command, log.command ? log.command : log.fins);
   take(map.velocity, log.velocity);
   take(map.pose, log.pose);
   if (!first) return std::nullopt;
@@ -218,7 +234,10 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.origin.emplace();
   log.origin->out_of_order = std::move(gathered.out_of_order);
   log.origin->row_counter = std::move(gathered.row_counter);
-  if (gathered.command) AddCommand(file, gathered, map, vehicle, &imported);
+  if (gathered.command) log.fins = FinsOutOf(&*gathered.command);
+  if (gathered.command && !gathered.command->columns.empty()) {
+    AddCommand(file, gathered, map, vehicle, &imported);
+  }
   if (gathered.pose) {
     log.pose =
         PosesOf(file, *gathered.pose, map.pose->frame.value_or(Frame::kNed), &imported.remarks);
@@ -241,8 +260,10 @@ ImportedLog ImportLog(const std::filesystem::path& file,
     throw InputError(fmt::format(
         "{}: {}, so that nothing says which DOF moves, expected the map to name {} 'dof'.",
         file.string(),
-        log.command ? "no command changes" : "the map names no command",
-        log.command ? "it with" : "a 'command', or the DOF with"));
+        log.command ? "no command changes"
+        : log.fins  ? "the map's command is of fins alone"
+                    : "the map names no command",
+        log.command || log.fins ? "it with" : "a 'command', or the DOF with"));
   }
   log.start = StartOf(recording.contents(), map, log);
   if (map.camera) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -125,6 +126,20 @@ std::vector<std::string> ThrusterColumns(const YamlMap& map) {
   return names;
 }
 
+// fin_rudder, fin_stern, ...: their names stand in the head of command.csv.
+std::vector<std::string> FinColumns(const YamlMap& map) {
+  std::vector<std::string> names;
+  for (const std::string& key : map.Keys()) {
+    if (!key.starts_with("fin_")) continue;
+    const bool is_name = key.size() > 4 && std::all_of(key.begin(), key.end(), [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+                         });
+    if (!is_name) map.Fail(key, "expected fin_<name> in letters, digits and '_'.");
+    names.push_back(key);
+  }
+  return names;
+}
+
 void ReadCommand(const YamlMap& map, ImportMap* result) {
   StreamMap stream = StreamOf(map);
   stream.frame = FrameOf(map, /*is_world_only=*/false, /*is_body_only=*/true);
@@ -138,8 +153,11 @@ void ReadCommand(const YamlMap& map, ImportMap* result) {
   for (const std::string& name : thrusters) {
     stream.columns.emplace_back(name, ColumnOf(map, name, /*is_thruster=*/true));
   }
+  AddColumns(map, FinColumns(map), &stream);
   if (stream.columns.empty()) {
-    map.Fail("names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on.");
+    map.Fail(
+        "names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on, or "
+        "fin_<name>.");
   }
   if (map.Has("voltage")) {
     if (!map.HoldsMap("voltage")) {

@@ -5,6 +5,7 @@
 
 #include "fathom/import/suggest/ardupilot_map.h"
 #include "fathom/import/suggest/map_by_names.h"
+#include "fathom/import/suggest/moos_map.h"
 #include "fathom/import/suggest/px4_map.h"
 #include "fathom/import/suggest/rock_map.h"
 #include "fathom/import/suggest/ros_map.h"
@@ -27,6 +28,7 @@ SuggestedMap SuggestMap(const Recording& recording,
   if (format == "ros1_bag" || format == "mcap" || format == "rosbag2") {
     return RosMap(recording, vehicle);
   }
+  if (format == "alog") return MoosMap(recording.contents());
   if (format == "pocolog") return RockMap(recording.contents());
   if (const auto map = UvmsSimlabMap().For(recording.contents())) return *map;
   return MapByNames(recording.contents());

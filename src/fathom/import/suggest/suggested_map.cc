@@ -24,6 +24,7 @@ std::string WhatIsLookedFor(std::string_view format) {
   if (format == "dataflash") return "outputs (RCOU) or motion (XKF1, NKF1)";
   if (format == "ulog") return "outputs (actuator_motors, actuator_outputs) or motion of PX4";
   if (format == "tlog") return "SERVO_OUTPUT_RAW, or LOCAL_POSITION_NED and ATTITUDE";
+  if (format == "alog") return "DESIRED_THRUST, DESIRED_RUDDER, NAV_SPEED, NAV_HEADING, NAV_DEPTH";
   if (format == "pocolog") return "types of Rock's base/samples: joints, wrenches, body states";
   return "fields that are called as a command (tau_surge, force, thrust), a velocity (u, vx, "
          "speed, "

@@ -21,10 +21,11 @@ class TextLines {
   // for a line of over 1 MiB and a NUL byte: that is no text.
   bool Next();
 
-  std::string_view text() const { return text_; }   // until the next call, without its end
-  std::int64_t number() const { return number_; }   // from 1
-  std::uint64_t offset() const { return offset_; }  // where it begins
-  bool has_end() const { return has_end_; }         // false: the file ends without one
+  std::string_view text() const { return text_; }      // until the next call, without its end
+  std::int64_t number() const { return number_; }      // from 1
+  std::uint64_t offset() const { return offset_; }     // where it begins
+  std::uint64_t next_offset() const { return next_; }  // where the next one begins
+  bool has_end() const { return has_end_; }            // false: the file ends without one
 
  private:
   ByteFile* file_;
