@@ -120,7 +120,9 @@ constexpr Entry kAdvice[] = {
       "Check the units of both, and the size of the markers."}},
     {"pose_twist_sign",
      {"One of the two gives a model of the wrong sign.",
-      "Turn the axis around: FLU or FRD, ENU or NED."}},
+      "Turn the axis around: FLU or FRD, ENU or NED. Where velocity.csv is the wrong one: "
+      "`correct: "
+      "{COLUMN: -1}` in log.yaml, or --correct=COLUMN:-1."}},
     {"pulse_widths",
      {"The buoyancy takes the 1500 us of a stopped thruster in, and the other parameters have no "
       "unit.",
@@ -163,6 +165,16 @@ Advice AdviceOn(std::string_view code) {
                                          std::end(kAdvice),
                                          [&](const Entry& entry) { return entry.code == code; });
   return found == std::end(kAdvice) ? Advice{} : found->advice;
+}
+
+std::string RemedyOf(const Finding& finding) {
+  constexpr std::string_view kPlace = "COLUMN";
+  std::string remedy(AdviceOn(finding.code).remedy);
+  if (!finding.where) return remedy;
+  for (auto at = remedy.find(kPlace); at != std::string::npos; at = remedy.find(kPlace)) {
+    remedy.replace(at, kPlace.size(), finding.where->axis);
+  }
+  return remedy;
 }
 
 }  // namespace fathom
