@@ -24,17 +24,6 @@ constexpr double kLeastRate = 0.01;   // [rad/s] std
 constexpr std::size_t kFewestSamples = 50;
 constexpr double kTwinWindow = 1.0;  // [s] over which both are smoothed alike
 
-// The value of a curve at a time, on straight lines; NaN beyond its ends.
-double At(std::span<const double> time, std::span<const double> values, double t) {
-  const auto after = std::lower_bound(time.begin(), time.end(), t);
-  if (after == time.end()) return kNan;
-  const auto i = static_cast<std::size_t>(after - time.begin());
-  if (*after == t) return values[i];
-  if (i == 0) return kNan;
-  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
-  return values[i - 1] + share * (values[i] - values[i - 1]);
-}
-
 // The step that half of the time lies in steps of or below. Where stamps come in batches, that is
 // the time between batches, which the median of the steps is not.
 double UsualStep(std::span<const double> time) {
@@ -103,15 +92,31 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
                        std::move(along),
                        std::move(in_world),
                        velocity.time,
-                       std::move(smooth)});
+                       std::move(smooth),
+                       options.window});
   }
   return motions;
 }
 
-std::vector<double> AtPoses(const TwinMotion& motion) {
+std::vector<double> AtPoses(const TwinMotion& motion, double delay) {
   std::vector<double> twist;
-  for (const double t : motion.pose_time) twist.push_back(At(motion.twist_time, motion.twist, t));
+  for (const double t : motion.pose_time) {
+    twist.push_back(ValueAt(motion.twist_time, motion.twist, t + delay));
+  }
   return twist;
+}
+
+double ValueAt(std::span<const double> time,
+               std::span<const double> values,
+               double t,
+               double longest_step) {
+  const auto after = std::lower_bound(time.begin(), time.end(), t);
+  if (after == time.end()) return kNan;
+  const auto i = static_cast<std::size_t>(after - time.begin());
+  if (*after == t) return values[i];
+  if (i == 0 || time[i] - time[i - 1] > longest_step) return kNan;
+  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+  return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
 Misfit MisfitTo(const std::vector<double>& at_poses, const TwinMotion& motion) {
@@ -129,7 +134,7 @@ Likeness LikenessAt(double delay, const TwinMotion& motion) {
   double n = 0.0, sum_a = 0.0, sum_b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   for (std::size_t i = 0; i < motion.pose_time.size(); ++i) {
     const double a = motion.from_pose[i];
-    const double b = At(motion.twist_time, motion.twist, motion.pose_time[i] + delay);
+    const double b = ValueAt(motion.twist_time, motion.twist, motion.pose_time[i] + delay);
     if (!std::isfinite(a) || !std::isfinite(b)) continue;
     n += 1.0;
     sum_a += a;

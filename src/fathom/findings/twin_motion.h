@@ -7,6 +7,7 @@
 #include "fathom/log/log.h"
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct TwinMotion {
   std::vector<double> twist_time;  // [s]
   std::vector<double> twist;       // [m/s] or [rad/s]
 
+  double window = 0.0;  // of the smoothing [s]
+
   double SlowestStep() const;  // the larger of the two median steps [s]
 };
 
@@ -39,8 +42,15 @@ struct Likeness {
   double size = std::numeric_limits<double>::quiet_NaN();  // of their root mean squares
 };
 
-// The twist at the stamps of the poses; NaN beyond its ends.
-std::vector<double> AtPoses(const TwinMotion& motion);
+// The twist `delay` [s] after the stamps of the poses; NaN beyond its ends.
+std::vector<double> AtPoses(const TwinMotion& motion, double delay = 0.0);
+
+// The value of a curve at a time, on straight lines; NaN beyond its ends, and between two stamps
+// that are further apart than this.
+double ValueAt(std::span<const double> time,
+               std::span<const double> values,
+               double t,
+               double longest_step = std::numeric_limits<double>::infinity());
 
 // The sum of the twist's squares at the stamps of the poses, and of its difference from another
 // curve there, where both are known.
