@@ -3,11 +3,13 @@
 
 #include "fathom/findings/pose_twist_check.h"
 
+#include "fathom/findings/mount_check.h"
 #include "fathom/findings/twin_motion.h"
 #include "fathom/findings/twist_scale.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -156,18 +158,58 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion, const AxisLikeness& a
   return std::nullopt;
 }
 
+// The linear columns that a sensor's place may explain: all but those of a wrong sign or scale. One
+// whose delay is not known comes as late as another.
+std::vector<LateColumn> ColumnsOfSensor(const Log& log,
+                                        const std::vector<LateColumn>& matched,
+                                        const std::vector<Dof>& wrong) {
+  std::vector<LateColumn> columns;
+  for (const Dof dof : {Dof::kSurge, Dof::kSway, Dof::kHeave}) {
+    if (log.velocity->Find(VelocityColumn(dof)) == nullptr) continue;
+    if (std::ranges::find(wrong, dof) != wrong.end()) continue;
+    const auto own = std::ranges::find(matched, dof, &LateColumn::dof);
+    const double other = matched.empty() ? 0.0 : matched.front().delay;
+    columns.push_back({dof, own == matched.end() ? other : own->delay});
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<Finding> CheckPoseAgainstTwist(const Log& log) {
   std::vector<Finding> findings;
   const std::vector<TwinMotion> motions = TwinMotionsOf(log);
   const auto frame = CheckFrame(motions);
+  std::vector<LateColumn> matched;
+  std::vector<Dof> wrong;
   if (frame) findings.push_back(*frame);
   for (const TwinMotion& motion : motions) {
     if (frame && !IsAngular(motion.dof)) continue;
-    if (auto finding = CheckAxis(motion, LikenessOf(motion)))
-      findings.push_back(*std::move(finding));
+    const AxisLikeness axis = LikenessOf(motion);
+    if (axis.best.correlation >= kSurelyOne) matched.push_back({motion.dof, axis.best_delay});
+    auto finding = CheckAxis(motion, axis);
+    if (!finding) continue;
+    if (finding->code == "pose_twist_sign" || finding->code == "pose_twist_scale") {
+      wrong.push_back(motion.dof);
+    }
+    findings.push_back(*std::move(finding));
   }
+  if (frame || motions.empty()) return findings;
+  const std::vector<LateColumn> columns = ColumnsOfSensor(log, matched, wrong);
+  const std::optional<SensorMount> mount = SensorMountOf(log, columns);
+  if (!mount) return findings;
+  std::vector<Finding> of_mount = CheckSensorMount(*mount, log, columns);
+  // Columns that are another motion because of their sensor's place are not called so twice.
+  if (!of_mount.empty()) {
+    std::erase_if(findings, [&](const Finding& finding) {
+      return finding.code == "pose_twist_apart" &&
+             std::ranges::any_of(columns, [&](const LateColumn& column) {
+               return VelocityColumn(column.dof) == finding.where->axis &&
+                      mount->Explains(column.dof);
+             });
+    });
+  }
+  std::ranges::move(of_mount, std::back_inserter(findings));
   return findings;
 }
 

@@ -55,17 +55,28 @@ double TwinMotion::SlowestStep() const {
   return std::max(MedianStep(pose_time), MedianStep(twist_time));
 }
 
-std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
-  if (!log.pose || !log.velocity) return {};
-  const Stream& pose = *log.pose;
-  const Stream& velocity = *log.velocity;
-  if (pose.time.size() < kFewestSamples || velocity.time.size() < kFewestSamples) return {};
+SavitzkyGolayOptions TwinFilter(const Log& log) {
   SavitzkyGolayOptions options;
   options.order = 2;
   const auto window_of = [](std::span<const double> time) {
     return std::max(kTwinWindow, 6.0 * UsualStep(time));
   };
-  options.window = std::max(window_of(pose.time), window_of(velocity.time));
+  options.window = std::max(window_of(log.pose->time), window_of(log.velocity->time));
+  return options;
+}
+
+std::vector<double> SmoothTwist(std::span<const double> time,
+                                std::span<const double> twist,
+                                const SavitzkyGolayOptions& filter) {
+  return SavitzkyGolay(time, WayAlong(time, twist, 0), 1, filter);
+}
+
+std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
+  if (!log.pose || !log.velocity) return {};
+  const Stream& pose = *log.pose;
+  const Stream& velocity = *log.velocity;
+  if (pose.time.size() < kFewestSamples || velocity.time.size() < kFewestSamples) return {};
+  const SavitzkyGolayOptions options = TwinFilter(log);
   const Poses poses = PosesOf(pose);
   const BodyVelocity from_pose = VelocityOf(poses, options);
   std::vector<TwinMotion> motions;
@@ -81,9 +92,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
       if (in_world.empty()) continue;
       in_world[i] = (poses.world_from_body[i] * from_pose.velocity[i].head<3>())[Index(dof)];
     }
-    // Smoothed as the poses are, so that fast motion and noise count alike in both.
-    std::vector<double> smooth =
-        SavitzkyGolay(velocity.time, WayAlong(velocity.time, *twist, 0), 1, options);
+    std::vector<double> smooth = SmoothTwist(velocity.time, *twist, options);
     const double least = IsAngular(dof) ? kLeastRate : kLeastSpeed;
     if (Spread(along) < least || Spread(smooth) < least) continue;
     motions.push_back({dof,

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 
 #include <limits>
 #include <span>
@@ -29,6 +30,15 @@ struct TwinMotion {
 
   double SlowestStep() const;  // the larger of the two median steps [s]
 };
+
+// The filter that both are smoothed by. The log has both, of 50 samples or more.
+SavitzkyGolayOptions TwinFilter(const Log& log);
+
+// A column of velocity.csv, smoothed as the poses are, so that fast motion and noise count alike in
+// both.
+std::vector<double> SmoothTwist(std::span<const double> time,
+                                std::span<const double> twist,
+                                const SavitzkyGolayOptions& filter);
 
 // Of those DOFs along which both move: by over 0.02 m/s or 0.01 rad/s (standard deviation). Empty
 // for a log that lacks one of the two, or has under 50 samples of it.

@@ -16,7 +16,7 @@ namespace fathom {
 namespace {
 
 constexpr double kLags[] = {1.25, 2.0, 3.0};  // [windows]
-constexpr std::size_t kFewestRows = 50;
+constexpr std::size_t kFewestScaleRows = 50;
 
 double MeanOf(std::span<const double> values) {
   double sum = 0.0, n = 0.0;
@@ -68,7 +68,7 @@ TwistScale TwistScaleOf(const TwinMotion& motion, double delay) {
     }
   }
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  if (rows.size() < kFewestRows) return {kNan, kNan};
+  if (rows.size() < kFewestScaleRows) return {kNan, kNan};
   const auto count = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd x = Eigen::MatrixXd::Ones(count, 2), z = x;
   Eigen::VectorXd y(count);
