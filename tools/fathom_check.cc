@@ -14,6 +14,7 @@
 #include "fathom/check/log_checkup.h"
 #include "fathom/check/logs_checkup.h"
 #include "fathom/check/logs_text.h"
+#include "fathom/tool/correct_flag.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/log_flags.h"
@@ -63,7 +64,8 @@ int CheckLogs(const std::vector<std::string>& paths) {
   bool has_red = false;
   for (const std::string& path : paths) {
     progress.Show(static_cast<int>(checked.size()), static_cast<int>(paths.size()), "");
-    checked.push_back({path, "", CheckUp(path, DofFromFlag(), HeldOutFromFlag())});
+    checked.push_back(
+        {path, "", CheckUp(path, DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag())});
     has_red |= HasRed(checked.back().checkup);
     logs.push_back(checked.back().checkup.log);
   }
@@ -81,7 +83,8 @@ int CheckLog() {
   const std::vector<std::string> paths = LogPathsFromFlags();
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
   if (paths.size() > 1) return CheckLogs(paths);
-  const LogCheckup checkup = CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag());
+  const LogCheckup checkup =
+      CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag());
   PrintText(stdout, FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {
@@ -106,7 +109,7 @@ int CheckArchive() {
     CheckedLog one = {PathText(log.path), "", {}};
     try {
       if (log.is_recording) throw InputError("a recording: fathom_import comes first.");
-      one.checkup = CheckUp(log.place, DofFromFlag(), HeldOutFromFlag());
+      one.checkup = CheckUp(log.place, DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag());
       has_red |= HasRed(one.checkup);
     } catch (const InputError& error) {
       one.message = error.what();

@@ -62,6 +62,7 @@ DEFINE_double(decay_from,
               "anyway.");
 DEFINE_string(json, "", "Of a free decay: write what it tells to this JSON file.");
 
+DECLARE_string(correct);
 DECLARE_string(held_out);
 
 namespace fathom {
@@ -146,6 +147,7 @@ std::map<std::string, std::string> ProvenanceOf(const Identification& result) {
       {"huber", fmt::format("{}", FLAGS_huber)},
       {"shooting_window", fmt::format("{}", FLAGS_shooting_window)},
       {"version", FATHOM_VERSION}};
+  if (!FLAGS_correct.empty()) provenance["correct"] = FLAGS_correct;
   if (!result.weighting.empty()) {
     provenance["weighting"] = result.weighting;
     provenance["weighting_reason"] = result.weighting_reason;
@@ -188,6 +190,7 @@ std::map<std::string, std::string> DecayProvenance(const LogDecay& decay) {
       {"velocity", FLAGS_velocity},
       {"held_out", FLAGS_held_out},
       {"version", FATHOM_VERSION}};
+  if (!FLAGS_correct.empty()) provenance["correct"] = FLAGS_correct;
   if (HasDecayFrom()) provenance["decay_from"] = fmt::format("{}", FLAGS_decay_from);
   return provenance;
 }
@@ -247,6 +250,7 @@ int RunCoupledIdentification() {
                                   {"structure", FLAGS_structure},
                                   {"window", fmt::format("{}", FLAGS_window)},
                                   {"version", FATHOM_VERSION}};
+  if (!FLAGS_correct.empty()) identified.fitted.provenance["correct"] = FLAGS_correct;
   WriteFile(FLAGS_model, FormatCoupledModel(identified.fitted));
   return kExitUsable;
 }

@@ -365,10 +365,10 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
   PrintWarnings(findings);
 }
 
-// What the log that is replaced holds out; nothing where there is no such log.
-std::vector<TimeInterval> HeldOutBefore(const std::filesystem::path& folder) {
+// The log that is replaced; an empty one where there is none.
+Log LogBefore(const std::filesystem::path& folder) {
   try {
-    return ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true}).held_out;
+    return ReadLog(folder, {.may_lack_motion = true, .may_lack_command = true});
   } catch (const InputError&) {
     return {};
   }
@@ -420,8 +420,13 @@ int Run() {
   log.origin->map = "map.yaml";
   if (vehicle) log.vehicle = vehicle_file.filename().string();
 
+  const Log before = LogBefore(folder);
+  if (!before.corrections.empty()) {
+    imported.remarks.emplace_back(
+        "correct of the log.yaml before is not kept: a `scale` in the map does the same.");
+  }
   if (log.held_out.empty()) {
-    log.held_out = HeldOutBefore(folder);
+    log.held_out = before.held_out;
     if (!log.held_out.empty()) {
       imported.remarks.emplace_back("held_out is kept from the log.yaml before; the map has none.");
     }

@@ -26,7 +26,7 @@ std::string FindingText(const Finding& finding) {
   const char* const colour = finding.severity == Severity::kWarning ? "Red" : "Yellow";
   std::string text = fmt::format("{}: {}", colour, finding.sentence);
   if (!advice.effect.empty()) text += fmt::format(" To a model: {}", advice.effect);
-  if (!advice.remedy.empty()) text += fmt::format(" To do: {}", advice.remedy);
+  if (!advice.remedy.empty()) text += fmt::format(" To do: {}", RemedyOf(finding));
   return fmt::format("{} ({})", text, finding.code);
 }
 

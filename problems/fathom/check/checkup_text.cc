@@ -74,7 +74,7 @@ std::string FindingLines(const std::vector<Finding>& findings) {
     const Advice advice = AdviceOn(finding.code);
     if (advice.remedy.empty()) continue;
     text += fmt::format(
-        "{:<25} To a model: {}\n{:<25} To do: {}\n", "", advice.effect, "", advice.remedy);
+        "{:<25} To a model: {}\n{:<25} To do: {}\n", "", advice.effect, "", RemedyOf(finding));
   }
   return text;
 }

@@ -198,7 +198,8 @@ std::optional<PageSection> PictureOf(const Finding& finding,
                                      const Log& log,
                                      const DofCheckup* dof) {
   PageSection section;
-  if (finding.code.starts_with("pose_twist_")) {
+  if (finding.code.starts_with("pose_twist_") || finding.code == "lever_arm" ||
+      finding.code == "mounting_angle") {
     AddTwinPanel(finding.where->axis, log, &section);
   } else if (finding.where) {
     AddTimePanels(*finding.where, log, dof, &section);

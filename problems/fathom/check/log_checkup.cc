@@ -198,12 +198,15 @@ std::string PlaceOfKeys(const Log& log) {
 
 LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
-                   const std::vector<TimeInterval>& held_out) {
-  return CheckUp(
-      OpenLog(
-          path,
-          {.dof = dof, .held_out = held_out, .may_lack_motion = true, .may_lack_command = true}),
-      dof);
+                   const std::vector<TimeInterval>& held_out,
+                   const std::vector<Correction>& corrections) {
+  return CheckUp(OpenLog(path,
+                         {.dof = dof,
+                          .held_out = held_out,
+                          .corrections = corrections,
+                          .may_lack_motion = true,
+                          .may_lack_command = true}),
+                 dof);
 }
 
 LogCheckup CheckUp(Log log, std::optional<Dof> dof) {

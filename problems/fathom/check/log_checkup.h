@@ -60,10 +60,11 @@ std::string PlaceOfKeys(const Log& log);
 
 // Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit
 // by output error knows the parameters. `dof`: only that one, or what a single CSV is of.
-// `held_out`: as ReadLogOptions has it. Throws InputError as OpenLog() does.
+// `held_out` and `corrections`: as ReadLogOptions has them. Throws InputError as OpenLog() does.
 LogCheckup CheckUp(const std::filesystem::path& path,
                    std::optional<Dof> dof,
-                   const std::vector<TimeInterval>& held_out = {});
+                   const std::vector<TimeInterval>& held_out = {},
+                   const std::vector<Correction>& corrections = {});
 
 // The same of a log that was opened already; it may lack the command or the motion.
 LogCheckup CheckUp(Log log, std::optional<Dof> dof);

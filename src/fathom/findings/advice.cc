@@ -70,12 +70,20 @@ constexpr Entry kAdvice[] = {
     {"lost_values",
      {"The zeros are taken for motion: inertia grows, and effects are named that do not exist.",
       "Take the rows without a reading out of the file that is named."}},
+    {"lever_arm",
+     {"Each turn adds to these velocities: sway and yaw seem to be coupled, surge and pitch too.",
+      "Move velocity.csv to the point of pose.csv (minus the rates times this arm), or take the "
+      "poses alone."}},
     {"mass",
      {"None of its own, but units are checked by the mass: a wrong one hides a wrong unit, or "
       "names "
       "one that is right.",
       "Weigh the vehicle. Mend `mass` in log.yaml, or leave it out: then the vehicle file's "
       "counts."}},
+    {"mounting_angle",
+     {"A part of surge is taken for sway: couplings are named that do not exist.",
+      "Turn u and v by this angle, or take the poses alone. If the sensor sits straight, the axes "
+      "of pose.csv are turned."}},
     {"no_model",
      {"This log alone gives none.",
       "Drive what the sentence asks for. If it asks for nothing, look for a wrong sign, clock or "
@@ -120,7 +128,8 @@ constexpr Entry kAdvice[] = {
       "Check the units of both, and the size of the markers."}},
     {"pose_twist_sign",
      {"One of the two gives a model of the wrong sign.",
-      "Turn the axis around: FLU or FRD, ENU or NED."}},
+      "Turn the axis around: FLU or FRD, ENU or NED. Where velocity.csv is the wrong one: "
+      "`correct: {COLUMN: -1}` in log.yaml, or --correct=COLUMN:-1."}},
     {"pulse_widths",
      {"The buoyancy takes the 1500 us of a stopped thruster in, and the other parameters have no "
       "unit.",
@@ -163,6 +172,16 @@ Advice AdviceOn(std::string_view code) {
                                          std::end(kAdvice),
                                          [&](const Entry& entry) { return entry.code == code; });
   return found == std::end(kAdvice) ? Advice{} : found->advice;
+}
+
+std::string RemedyOf(const Finding& finding) {
+  constexpr std::string_view kPlace = "COLUMN";
+  std::string remedy(AdviceOn(finding.code).remedy);
+  if (!finding.where) return remedy;
+  for (auto at = remedy.find(kPlace); at != std::string::npos; at = remedy.find(kPlace)) {
+    remedy.replace(at, kPlace.size(), finding.where->axis);
+  }
+  return remedy;
 }
 
 }  // namespace fathom

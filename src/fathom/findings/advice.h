@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include "fathom/findings/finding.h"
+
+#include <string>
 #include <string_view>
 
 namespace fathom {
@@ -15,5 +18,8 @@ struct Advice {
 
 // Of a finding's code; empty for a code without advice.
 Advice AdviceOn(std::string_view code);
+
+// How to mend a finding: the remedy of its code, with its own column in place of COLUMN.
+std::string RemedyOf(const Finding& finding);
 
 }  // namespace fathom

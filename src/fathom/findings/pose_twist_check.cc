@@ -3,10 +3,13 @@
 
 #include "fathom/findings/pose_twist_check.h"
 
+#include "fathom/findings/mount_check.h"
 #include "fathom/findings/twin_motion.h"
+#include "fathom/findings/twist_scale.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -84,32 +87,44 @@ std::optional<Finding> CheckFrame(const std::vector<TwinMotion>& motions) {
   return finding;
 }
 
-std::optional<Finding> CheckAxis(const TwinMotion& motion) {
-  const auto likeness = [&](double delay) { return LikenessAt(delay, motion); };
-  Likeness near;  // the most alike without much of a delay, of either sign
-  Likeness best;  // the most alike of the same sign
-  double best_delay = 0.0;
+// What the two are at that one of the delays at which they are most alike.
+struct AxisLikeness {
+  Likeness near;            // without much of a delay, of either sign
+  double near_delay = 0.0;  // [s]
+  Likeness best;            // of the same sign
+  double best_delay = 0.0;  // [s]
+};
+
+AxisLikeness LikenessOf(const TwinMotion& motion) {
+  AxisLikeness axis;
   for (int i = 0; i <= static_cast<int>(kLargestDelay / kTwistDelayStep); ++i) {
     for (const double delay : {kTwistDelayStep * i, -kTwistDelayStep * i}) {
-      const Likeness here = likeness(delay);
+      const Likeness here = LikenessAt(delay, motion);
       if (std::abs(delay) <= kLargestOfSign &&
-          std::abs(here.correlation) > std::abs(near.correlation)) {
-        near = here;
+          std::abs(here.correlation) > std::abs(axis.near.correlation)) {
+        axis.near = here;
+        axis.near_delay = delay;
       }
-      if (here.correlation > best.correlation) {
-        best = here;
-        best_delay = delay;
+      if (here.correlation > axis.best.correlation) {
+        axis.best = here;
+        axis.best_delay = delay;
       }
     }
   }
+  return axis;
+}
+
+std::optional<Finding> CheckAxis(const TwinMotion& motion, const AxisLikeness& axis) {
+  const auto& [near, near_delay, best, best_delay] = axis;
   if (near.correlation <= -kSurelyOne) {
     return FindingOf(
         motion,
         Severity::kWarning,
         "pose_twist_sign",
-        fmt::format("have opposite signs (correlation {:.2f}). One of them has a wrong "
-                    "sign or axis.",
-                    near.correlation));
+        fmt::format("have opposite signs: a correlation of {:.2f}, a factor of {}. One of them has "
+                    "a wrong sign or axis.",
+                    near.correlation,
+                    FormatTwistScale(TwistScaleOf(motion, near_delay))));
   }
   const bool is_larger = std::min(best.gain, best.size) > kLargestScale;
   const bool is_smaller = std::max(best.gain, best.size) < 1.0 / kLargestScale;
@@ -117,12 +132,12 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion) {
     return FindingOf(motion,
                      Severity::kWarning,
                      "pose_twist_scale",
-                     fmt::format("differ by a factor of {:.3g}: one of them has a wrong unit or "
+                     fmt::format("differ by a factor of {}: one of them has a wrong unit or "
                                  "scale.",
-                                 best.gain));
+                                 FormatTwistScale(TwistScaleOf(motion, best_delay))));
   }
   const double step = motion.SlowestStep();
-  if (IsDelayed(likeness(0.0), best, best_delay) &&
+  if (IsDelayed(LikenessAt(0.0, motion), best, best_delay) &&
       std::abs(best_delay) > std::max(kLeastDelay, 2.0 * step - 1e-6)) {
     return FindingOf(motion,
                      Severity::kNote,
@@ -143,17 +158,58 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion) {
   return std::nullopt;
 }
 
+// The linear columns that a sensor's place may explain: all but those of a wrong sign or scale. One
+// whose delay is not known comes as late as another.
+std::vector<LateColumn> ColumnsOfSensor(const Log& log,
+                                        const std::vector<LateColumn>& matched,
+                                        const std::vector<Dof>& wrong) {
+  std::vector<LateColumn> columns;
+  for (const Dof dof : {Dof::kSurge, Dof::kSway, Dof::kHeave}) {
+    if (log.velocity->Find(VelocityColumn(dof)) == nullptr) continue;
+    if (std::ranges::find(wrong, dof) != wrong.end()) continue;
+    const auto own = std::ranges::find(matched, dof, &LateColumn::dof);
+    const double other = matched.empty() ? 0.0 : matched.front().delay;
+    columns.push_back({dof, own == matched.end() ? other : own->delay});
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<Finding> CheckPoseAgainstTwist(const Log& log) {
   std::vector<Finding> findings;
   const std::vector<TwinMotion> motions = TwinMotionsOf(log);
   const auto frame = CheckFrame(motions);
+  std::vector<LateColumn> matched;
+  std::vector<Dof> wrong;
   if (frame) findings.push_back(*frame);
   for (const TwinMotion& motion : motions) {
     if (frame && !IsAngular(motion.dof)) continue;
-    if (auto finding = CheckAxis(motion)) findings.push_back(*std::move(finding));
+    const AxisLikeness axis = LikenessOf(motion);
+    if (axis.best.correlation >= kSurelyOne) matched.push_back({motion.dof, axis.best_delay});
+    auto finding = CheckAxis(motion, axis);
+    if (!finding) continue;
+    if (finding->code == "pose_twist_sign" || finding->code == "pose_twist_scale") {
+      wrong.push_back(motion.dof);
+    }
+    findings.push_back(*std::move(finding));
   }
+  if (frame || motions.empty()) return findings;
+  const std::vector<LateColumn> columns = ColumnsOfSensor(log, matched, wrong);
+  const std::optional<SensorMount> mount = SensorMountOf(log, columns);
+  if (!mount) return findings;
+  std::vector<Finding> of_mount = CheckSensorMount(*mount, log, columns);
+  // Columns that are another motion because of their sensor's place are not called so twice.
+  if (!of_mount.empty()) {
+    std::erase_if(findings, [&](const Finding& finding) {
+      return finding.code == "pose_twist_apart" &&
+             std::ranges::any_of(columns, [&](const LateColumn& column) {
+               return VelocityColumn(column.dof) == finding.where->axis &&
+                      mount->Explains(column.dof);
+             });
+    });
+  }
+  std::ranges::move(of_mount, std::back_inserter(findings));
   return findings;
 }
 

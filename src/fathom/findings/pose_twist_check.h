@@ -21,6 +21,8 @@ namespace fathom {
 //   pose_twist_apart  both move, and not together
 //   pose_twist_delay  one is later by over 0.15 s and two samples, up to 3 s
 //
+// Then CheckSensorMount() of the linear columns.
+//
 // Nothing of an axis along which either hardly moves, and of a log without both.
 std::vector<Finding> CheckPoseAgainstTwist(const Log& log);
 

@@ -24,17 +24,6 @@ constexpr double kLeastRate = 0.01;   // [rad/s] std
 constexpr std::size_t kFewestSamples = 50;
 constexpr double kTwinWindow = 1.0;  // [s] over which both are smoothed alike
 
-// The value of a curve at a time, on straight lines; NaN beyond its ends.
-double At(std::span<const double> time, std::span<const double> values, double t) {
-  const auto after = std::lower_bound(time.begin(), time.end(), t);
-  if (after == time.end()) return kNan;
-  const auto i = static_cast<std::size_t>(after - time.begin());
-  if (*after == t) return values[i];
-  if (i == 0) return kNan;
-  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
-  return values[i - 1] + share * (values[i] - values[i - 1]);
-}
-
 // The step that half of the time lies in steps of or below. Where stamps come in batches, that is
 // the time between batches, which the median of the steps is not.
 double UsualStep(std::span<const double> time) {
@@ -66,17 +55,28 @@ double TwinMotion::SlowestStep() const {
   return std::max(MedianStep(pose_time), MedianStep(twist_time));
 }
 
-std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
-  if (!log.pose || !log.velocity) return {};
-  const Stream& pose = *log.pose;
-  const Stream& velocity = *log.velocity;
-  if (pose.time.size() < kFewestSamples || velocity.time.size() < kFewestSamples) return {};
+SavitzkyGolayOptions TwinFilter(const Log& log) {
   SavitzkyGolayOptions options;
   options.order = 2;
   const auto window_of = [](std::span<const double> time) {
     return std::max(kTwinWindow, 6.0 * UsualStep(time));
   };
-  options.window = std::max(window_of(pose.time), window_of(velocity.time));
+  options.window = std::max(window_of(log.pose->time), window_of(log.velocity->time));
+  return options;
+}
+
+std::vector<double> SmoothTwist(std::span<const double> time,
+                                std::span<const double> twist,
+                                const SavitzkyGolayOptions& filter) {
+  return SavitzkyGolay(time, WayAlong(time, twist, 0), 1, filter);
+}
+
+std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
+  if (!log.pose || !log.velocity) return {};
+  const Stream& pose = *log.pose;
+  const Stream& velocity = *log.velocity;
+  if (pose.time.size() < kFewestSamples || velocity.time.size() < kFewestSamples) return {};
+  const SavitzkyGolayOptions options = TwinFilter(log);
   const Poses poses = PosesOf(pose);
   const BodyVelocity from_pose = VelocityOf(poses, options);
   std::vector<TwinMotion> motions;
@@ -92,9 +92,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
       if (in_world.empty()) continue;
       in_world[i] = (poses.world_from_body[i] * from_pose.velocity[i].head<3>())[Index(dof)];
     }
-    // Smoothed as the poses are, so that fast motion and noise count alike in both.
-    std::vector<double> smooth =
-        SavitzkyGolay(velocity.time, WayAlong(velocity.time, *twist, 0), 1, options);
+    std::vector<double> smooth = SmoothTwist(velocity.time, *twist, options);
     const double least = IsAngular(dof) ? kLeastRate : kLeastSpeed;
     if (Spread(along) < least || Spread(smooth) < least) continue;
     motions.push_back({dof,
@@ -103,15 +101,31 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
                        std::move(along),
                        std::move(in_world),
                        velocity.time,
-                       std::move(smooth)});
+                       std::move(smooth),
+                       options.window});
   }
   return motions;
 }
 
-std::vector<double> AtPoses(const TwinMotion& motion) {
+std::vector<double> AtPoses(const TwinMotion& motion, double delay) {
   std::vector<double> twist;
-  for (const double t : motion.pose_time) twist.push_back(At(motion.twist_time, motion.twist, t));
+  for (const double t : motion.pose_time) {
+    twist.push_back(ValueAt(motion.twist_time, motion.twist, t + delay));
+  }
   return twist;
+}
+
+double ValueAt(std::span<const double> time,
+               std::span<const double> values,
+               double t,
+               double longest_step) {
+  const auto after = std::lower_bound(time.begin(), time.end(), t);
+  if (after == time.end()) return kNan;
+  const auto i = static_cast<std::size_t>(after - time.begin());
+  if (*after == t) return values[i];
+  if (i == 0 || time[i] - time[i - 1] > longest_step) return kNan;
+  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+  return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
 Misfit MisfitTo(const std::vector<double>& at_poses, const TwinMotion& motion) {
@@ -129,7 +143,7 @@ Likeness LikenessAt(double delay, const TwinMotion& motion) {
   double n = 0.0, sum_a = 0.0, sum_b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   for (std::size_t i = 0; i < motion.pose_time.size(); ++i) {
     const double a = motion.from_pose[i];
-    const double b = At(motion.twist_time, motion.twist, motion.pose_time[i] + delay);
+    const double b = ValueAt(motion.twist_time, motion.twist, motion.pose_time[i] + delay);
     if (!std::isfinite(a) || !std::isfinite(b)) continue;
     n += 1.0;
     sum_a += a;

@@ -5,8 +5,10 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/log/log.h"
+#include "fathom/signal/filters/savitzky_golay.h"
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +26,19 @@ struct TwinMotion {
   std::vector<double> twist_time;  // [s]
   std::vector<double> twist;       // [m/s] or [rad/s]
 
+  double window = 0.0;  // of the smoothing [s]
+
   double SlowestStep() const;  // the larger of the two median steps [s]
 };
+
+// The filter that both are smoothed by. The log has both, of 50 samples or more.
+SavitzkyGolayOptions TwinFilter(const Log& log);
+
+// A column of velocity.csv, smoothed as the poses are, so that fast motion and noise count alike in
+// both.
+std::vector<double> SmoothTwist(std::span<const double> time,
+                                std::span<const double> twist,
+                                const SavitzkyGolayOptions& filter);
 
 // Of those DOFs along which both move: by over 0.02 m/s or 0.01 rad/s (standard deviation). Empty
 // for a log that lacks one of the two, or has under 50 samples of it.
@@ -39,8 +52,15 @@ struct Likeness {
   double size = std::numeric_limits<double>::quiet_NaN();  // of their root mean squares
 };
 
-// The twist at the stamps of the poses; NaN beyond its ends.
-std::vector<double> AtPoses(const TwinMotion& motion);
+// The twist `delay` [s] after the stamps of the poses; NaN beyond its ends.
+std::vector<double> AtPoses(const TwinMotion& motion, double delay = 0.0);
+
+// The value of a curve at a time, on straight lines; NaN beyond its ends, and between two stamps
+// that are further apart than this.
+double ValueAt(std::span<const double> time,
+               std::span<const double> values,
+               double t,
+               double longest_step = std::numeric_limits<double>::infinity());
 
 // The sum of the twist's squares at the stamps of the poses, and of its difference from another
 // curve there, where both are known.

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/base/time_interval.h"
+#include "fathom/log/correction.h"
 #include "fathom/log/remark.h"
 
 #include <filesystem>
@@ -48,15 +49,16 @@ struct Log {
   std::vector<Dof> dofs;  // the excited ones
   std::string vehicle;    // a file name or free text, as in log.yaml
   std::string notes;
-  std::string dive;                    // which logs belong together; may be empty
-  std::optional<double> start;         // when it began, as log.yaml says [s since 1970, UTC]
-  std::vector<TimeInterval> held_out;  // not to be trained on; may be empty
-  std::optional<double> mass;          // of the vehicle, dry [kg]; see OpenLog()
-  std::string command_unit;            // empty: N and N m
-  std::string thruster_unit;           // of a command of thrusters, "N"; empty: Hz
-  std::string video;                   // of a camera log, a file in its folder; may be empty
-  double video_start = 0.0;            // when the video's own clock is at 0 [s], in the log's time
-  std::optional<LogOrigin> origin;     // of a log that was imported
+  std::string dive;                     // which logs belong together; may be empty
+  std::optional<double> start;          // when it began, as log.yaml says [s since 1970, UTC]
+  std::vector<TimeInterval> held_out;   // not to be trained on; may be empty
+  std::optional<double> mass;           // of the vehicle, dry [kg]; see OpenLog()
+  std::string command_unit;             // empty: N and N m
+  std::string thruster_unit;            // of a command of thrusters, "N"; empty: Hz
+  std::string video;                    // of a camera log, a file in its folder; may be empty
+  double video_start = 0.0;             // when the video's own clock is at 0 [s], in the log's time
+  std::vector<Correction> corrections;  // that velocity is multiplied by already
+  std::optional<LogOrigin> origin;      // of a log that was imported
 
   std::optional<Stream> command;    // tau_* [N, N m], or thruster_* [thruster_unit] until OpenLog()
   std::optional<Stream> thrusters;  // thruster_* [N], which the command was made of; OpenLog()

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/log/correct_velocity.h"
 #include "fathom/log/hold_out.h"
 #include "fathom/log/log_clocks.h"
 #include "fathom/log/log_streams.h"
@@ -96,6 +97,9 @@ Log ParseLog(const LogText& text) {
     Keep(std::move(*command), &log.command, &log);
     PartFins(&log);
   }
+  if (text.is_other_velocity) log.corrections.clear();
+  CorrectVelocity(
+      text.log_yaml.name, text.velocity ? text.velocity->name : "", text.corrections, &log);
   HoldOut(text.held_out, &log);
   return log;
 }

@@ -25,8 +25,10 @@ struct LogText {
   std::optional<File> velocity;  // one of these three at least
   std::optional<File> pose;
   std::optional<File> detections;
-  std::optional<File> pose_yaml;       // what is to be said of `pose`
-  std::vector<TimeInterval> held_out;  // for HoldOut()
+  std::optional<File> pose_yaml;        // what is to be said of `pose`
+  std::vector<TimeInterval> held_out;   // for HoldOut()
+  std::vector<Correction> corrections;  // for CorrectVelocity()
+  bool is_other_velocity = false;       // `velocity` is not the log's own, which log.yaml corrects
 };
 
 // ReadLog for files that are in memory already. They throw InputError, naming file, line and

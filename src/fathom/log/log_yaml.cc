@@ -47,6 +47,20 @@ std::vector<TimeInterval> HeldOutOf(const YamlMap& file) {
   return intervals;
 }
 
+std::vector<Correction> CorrectionsOf(const YamlMap& file) {
+  std::vector<Correction> corrections;
+  const auto factors = file.OptionalMap("correct");
+  if (!factors) return corrections;
+  for (const Dof dof : kAllDofs) {
+    const std::string column(VelocityColumn(dof));
+    if (!factors->Has(column)) continue;
+    const double factor = factors->Number(column);
+    if (factor == 0.0) factors->Fail(column, "is 0, expected a factor that is not 0.");
+    corrections.push_back({column, factor});
+  }
+  return corrections;
+}
+
 std::optional<double> StartOf(const YamlMap& file) {
   if (!file.Has("start")) return std::nullopt;
   const std::string text = file.String("start");
@@ -124,6 +138,7 @@ Log ParseLogYaml(const std::string& name, const std::string& text) {
   log.dive = file.String("dive", "");
   log.start = StartOf(file);
   log.held_out = HeldOutOf(file);
+  log.corrections = CorrectionsOf(file);
   log.mass = MassOf(file);
   log.command_unit = file.String("command_unit", "");
   log.thruster_unit = ThrusterUnitOf(file);

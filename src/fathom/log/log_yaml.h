@@ -9,8 +9,9 @@
 
 namespace fathom {
 
-// What log.yaml says about a log: everything in Log but the streams. `name` stands for the file in
-// messages. Throws InputError, naming file, line and key.
+// What log.yaml says about a log: everything in Log but the streams, with corrections that
+// are not yet made. `name` stands for the file in messages. Throws InputError, naming file, line
+// and key.
 Log ParseLogYaml(const std::string& name, const std::string& text);
 
 }  // namespace fathom

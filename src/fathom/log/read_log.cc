@@ -83,6 +83,7 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   LogText text;
   text.path = folder;
   text.held_out = options.held_out;
+  text.corrections = options.corrections;
   text.log_yaml = ReadText(folder / "log.yaml");
   if (Exists(folder / "command.csv")) text.command = ReadText(folder / "command.csv");
   if (!options.velocity.empty()) {
@@ -94,10 +95,12 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   if (Exists(folder / "pose.yaml")) text.pose_yaml = ReadText(folder / "pose.yaml");
   if (Exists(folder / "detections.csv")) text.detections = ReadText(folder / "detections.csv");
 
-  Log log = ParseLog(text);
   std::error_code error;
-  if (has_own_velocity && !options.velocity.empty() &&
-      !std::filesystem::equivalent(text.velocity->name, folder / "velocity.csv", error)) {
+  text.is_other_velocity =
+      !options.velocity.empty() &&
+      !std::filesystem::equivalent(text.velocity->name, folder / "velocity.csv", error);
+  Log log = ParseLog(text);
+  if (has_own_velocity && text.is_other_velocity) {
     log.remarks.push_back(
         {RemarkKind::kGeneral,
          fmt::format("velocity.csv: not read, {} is in its place.", options.velocity.string())});
@@ -147,6 +150,12 @@ Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
         fmt::format("--velocity={}: {} is a single CSV with its own speed, expected a log "
                     "folder. Leave out --velocity.",
                     options.velocity.string(),
+                    path.string()));
+  }
+  if (!options.corrections.empty()) {
+    throw InputError(
+        fmt::format("--correct: {} is a single CSV with one speed, expected a log folder. Turn its "
+                    "column v round in the file.",
                     path.string()));
   }
   return ParseSingleCsv(path.string(), text, *options.dof, options.held_out);

@@ -23,6 +23,9 @@ struct ReadLogOptions {
   // Held out in place of what log.yaml says, as HoldOut() has it; empty: what that says.
   std::vector<TimeInterval> held_out = {};
 
+  // Factors of columns of the velocity stream, in place of what log.yaml says of the same column.
+  std::vector<Correction> corrections = {};
+
   // True: a folder with none of velocity.csv, pose.csv, detections.csv will do, for predictions and
   // for images.
   bool may_lack_motion = false;

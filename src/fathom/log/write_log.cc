@@ -44,9 +44,7 @@ std::optional<Stream> CommandFile(const Log& log) {
   return command;
 }
 
-}  // namespace
-
-std::string FormatLogYaml(const Log& log) {
+std::string FormatYaml(const Log& log, const std::vector<Correction>& corrections) {
   YAML::Emitter yaml;
   const auto emit_text = [&](const char* key, const std::string& text) {
     if (!text.empty()) yaml << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << text;
@@ -67,6 +65,13 @@ std::string FormatLogYaml(const Log& log) {
            << fmt::format("{}", interval.to) << YAML::EndSeq;
     }
     yaml << YAML::EndSeq;
+  }
+  if (!corrections.empty()) {
+    yaml << YAML::Key << "correct" << YAML::Value << YAML::Flow << YAML::BeginMap;
+    for (const Correction& correction : corrections) {
+      yaml << YAML::Key << correction.column << YAML::Value << fmt::format("{}", correction.factor);
+    }
+    yaml << YAML::EndMap;
   }
   emit_text("command_unit", log.command_unit);
   emit_text("thruster_unit", log.thrusters ? "N" : log.thruster_unit);
@@ -94,6 +99,10 @@ std::string FormatLogYaml(const Log& log) {
   return std::string(yaml.c_str()) + "\n";
 }
 
+}  // namespace
+
+std::string FormatLogYaml(const Log& log) { return FormatYaml(log, log.corrections); }
+
 void WriteStream(const std::filesystem::path& path, const Stream& stream) {
   std::string csv = "t";
   for (const std::string& column : stream.columns) csv += "," + column;
@@ -115,7 +124,8 @@ void WriteLog(const std::filesystem::path& folder, const Log& log) {
   WriteOrRequireNone(folder / "detections.csv", log.detections);
   // On the poses of another log.
   WriteOrRequireNone(folder / "pose.yaml", std::nullopt);
-  WriteFile(folder / "log.yaml", FormatLogYaml(log));
+  // Its velocities are corrected already.
+  WriteFile(folder / "log.yaml", FormatYaml(log, {}));
 }
 
 }  // namespace fathom

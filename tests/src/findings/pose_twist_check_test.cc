@@ -106,6 +106,7 @@ TEST(PoseAgainstTwist, FindsAWrongSignOfOneAxis) {
   EXPECT_EQ(findings[0].code, "pose_twist_sign");
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   EXPECT_THAT(findings[0].sentence, HasSubstr("r and the yaw velocity"));
+  EXPECT_THAT(findings[0].sentence, HasSubstr("a factor of -1 (-1.0"));
 }
 
 // Rows are missing for 20 s at a time, as where a log was paused: the windows stay short.
@@ -215,6 +216,14 @@ TEST_F(PoseAgainstTwistOfRealLogs, FindsTheWrongSignsAndTheDelayOfAnAuv) {
                           "pose_twist_delay w",
                           "pose_twist_sign p",
                           "pose_twist_sign q"));
+}
+
+TEST_F(PoseAgainstTwistOfRealLogs, SaysNothingOfASignThatIsCorrected) {
+  const Log log =
+      ReadLog(folder_ / "auv_6dof/random_2", {.corrections = {{"p", -1.0}, {"q", -1.0}}});
+  for (const Finding& finding : CheckPoseAgainstTwist(log)) {
+    EXPECT_EQ(finding.code, "pose_twist_delay") << finding.sentence;
+  }
 }
 
 TEST_F(PoseAgainstTwistOfRealLogs, FindsVelocitiesOverGroundThatAreCalledThoseOfTheBody) {

@@ -110,6 +110,55 @@ TEST(ReadLog, RemarksOnHeldOutTimeWithoutMotion) {
               ElementsAre("log.yaml: held_out [100, 200.5] holds no sample of the motion."));
 }
 
+// Three rates, two of them with factors in log.yaml.
+Files Corrected() {
+  return With({{"log.yaml", "name: a\ndof: roll\ncorrect: {q: 0.5, p: -1}\n"},
+               {"velocity.csv", "t,p,q,r\n0.5,1,2,3\n0.6,-4,6,8\n"}});
+}
+
+TEST(ReadLog, MultipliesColumnsAsLogYamlSays) {
+  const Log log = ReadLog(Folder(Corrected()));
+  EXPECT_THAT(*log.velocity->Find("p"), ElementsAre(-1, 4));
+  EXPECT_THAT(*log.velocity->Find("q"), ElementsAre(1, 3));
+  EXPECT_THAT(*log.velocity->Find("r"), ElementsAre(3, 8));
+  EXPECT_THAT(TextsOf(log.remarks),
+              ElementsAre("velocity.csv: p times -1, q times 0.5, as log.yaml says."));
+}
+
+TEST(ReadLog, MultipliesAColumnAsAskedInPlaceOfWhatLogYamlSays) {
+  const Log log = ReadLog(Folder(Corrected()), {.corrections = {{"q", 3}, {"r", -1}}});
+  EXPECT_THAT(*log.velocity->Find("p"), ElementsAre(-1, 4));
+  EXPECT_THAT(*log.velocity->Find("q"), ElementsAre(6, 18));
+  EXPECT_THAT(*log.velocity->Find("r"), ElementsAre(-3, -8));
+  EXPECT_THAT(TextsOf(log.remarks),
+              ElementsAre("velocity.csv: p times -1, as log.yaml says.",
+                          "velocity.csv: q times 3, r times -1, as --correct says."));
+}
+
+TEST(ReadLog, LeavesAnotherVelocityFileAsItIs) {
+  Files files = Corrected();
+  files["other.csv"] = "t,p\n0.5,1\n0.6,2\n";
+  const Log log = ReadLog(Folder(files), {.velocity = "other.csv"});
+  EXPECT_THAT(*log.velocity->Find("p"), ElementsAre(1, 2));
+}
+
+TEST(ReadLog, RefusesCorrectionsOfWhatIsNotThere) {
+  EXPECT_EQ(Error({}, {.corrections = {{"p", -1}}}),
+            "--correct: corrects 'p', which is no column of velocity.csv, expected one of: u.");
+  EXPECT_EQ(Error({{"log.yaml", "name: a\ndof: surge\ncorrect: {p: -1}\n"}}),
+            "log.yaml: corrects 'p', which is no column of velocity.csv, expected one of: u.");
+  EXPECT_THAT(Error({{"velocity.csv", "-"}, {"pose.csv", kReadPose}}, {.corrections = {{"u", -1}}}),
+              StartsWith("--correct: corrects columns of velocity.csv, but "));
+  const auto error = [](const std::string& factors) {
+    return Error({{"log.yaml", "name: a\ndof: surge\ncorrect: " + factors + "\n"}});
+  };
+  EXPECT_EQ(error("{u: 0}"), "log.yaml:3: key 'correct.u' is 0, expected a factor that is not 0.");
+  EXPECT_EQ(error("{u: .inf}"), "log.yaml:3: key 'correct.u' is '.inf', expected a finite number.");
+  EXPECT_EQ(error("{up: -1}"),
+            "log.yaml:3: key 'correct.up' is not known here, expected one of: u, v, w, p, q, r. "
+            "Correct or remove it.");
+}
+
 TEST(ReadLog, TakesTheFinsOutOfTheCommand) {
   const Log log =
       ReadLog(Folder(With({{"command.csv", "t,tau_surge,fin_rudder\n0,1,0.2\n1,3,0.4\n"}})));
@@ -321,7 +370,8 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
   EXPECT_EQ(
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
-      "dive, start, held_out, mass, command_unit, thruster_unit, video, video_start, imported. "
+      "dive, start, held_out, correct, mass, command_unit, thruster_unit, video, video_start, "
+      "imported. "
       "Correct or remove "
       "it.");
   EXPECT_EQ(error("name: a\ndof: yaw\nvideo: ../a.mp4\n"),

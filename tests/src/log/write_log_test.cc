@@ -124,6 +124,20 @@ TEST(WriteLog, KeepsWhatIsOddAboutTheStampsOfARecording) {
   EXPECT_EQ(again.origin->out_of_order[0].share, 0.0984);
 }
 
+// The velocities that it writes are corrected; log.yaml alone goes beside the file as it was.
+TEST(WriteLog, WritesNoCorrectionThatIsMade) {
+  Log log;
+  log.name = "a";
+  log.dofs = {Dof::kSurge};
+  log.velocity = Stream{{0, 1}, {"u"}, {{-1, -2}}};
+  log.corrections = {{"u", -1}};
+  EXPECT_THAT(FormatLogYaml(log), ::testing::HasSubstr("correct: {u: -1}"));
+  const auto folder = Folder();
+  std::filesystem::create_directories(folder);
+  WriteLog(folder, log);
+  EXPECT_THAT(ReadFile(folder / "log.yaml"), ::testing::Not(::testing::HasSubstr("correct")));
+}
+
 TEST(WriteLog, WritesOnlyWhatThereIs) {
   const auto folder = Folder();
   Log log = FullLog();

@@ -7,6 +7,7 @@
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/open_log/open_log.h"
+#include "fathom/tool/correct_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/print_text.h"
@@ -101,6 +102,7 @@ Log ReadLogFromFlags(const std::string& path,
   options.dof = dof;
   options.velocity = FLAGS_velocity;
   options.held_out = HeldOutFromFlag();
+  options.corrections = CorrectionsFromFlag();
   options.may_lack_motion = may_lack_motion;
   options.may_lack_command = may_lack_command;
   Log log = OpenLog(path, options);

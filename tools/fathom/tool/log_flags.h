@@ -35,7 +35,8 @@ void RequireDifferentData(const std::vector<Log>& logs);
 // Throws InputError if --held_out leaves no sample of the motion of any log to train on.
 void RequireTrainingData(std::span<const Log> logs);
 
-// OpenLog() of a path of --log (with --velocity and --held_out); prints the remarks to stderr.
+// OpenLog() of a path of --log (with --velocity, --held_out and --correct); prints the remarks to
+// stderr.
 Log ReadLogFromFlags(const std::string& path,
                      std::optional<Dof> dof,
                      bool may_lack_motion = false,
