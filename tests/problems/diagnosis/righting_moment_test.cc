@@ -83,21 +83,6 @@ TEST(RightingMoment, IsNotNamedForASpringThatIsLinearFarOut) {
   EXPECT_EQ(TextOf(DiagnosedRoll(log)), "explained: position_stiffness");
 }
 
-// As of a log whose software stamps its command late.
-Diagnosis DiagnosedWithCommandLate(double delay) {
-  Log log = RollLog("righting_moment", 1.2, 1.1, 1);
-  for (double& time : log.command->time) time += delay;
-  return DiagnosedRoll(log);
-}
-
-// Samples of 10 Hz: how a log is sampled, or a simulation stepped, shifts it by a part of a step.
-TEST(DelaysUnderHalfOfAStep, AreNotNamedBesideTheCause) {
-  const Diagnosis fine = DiagnosedWithCommandLate(0.03);
-  EXPECT_EQ(TextOf(fine), "explained: righting_moment");
-  EXPECT_THAT(fine.remarks, Contains(::testing::HasSubstr("half of the step")));
-  EXPECT_EQ(TextOf(DiagnosedWithCommandLate(0.12)), "explained: time_offset righting_moment");
-}
-
 // Up to 0.3 rad sin x differs from x by less than x^3 / 6 = 0.005, the noise of one sample.
 TEST(RightingMoment, IsNotToldFromASpringAtSmallAngles) {
   const Log log = RollLog("righting_moment", 1.2, 0.1, 3);

@@ -48,8 +48,14 @@ Sifted SiftedBest(const Prepared& prepared,
     next.refusals.insert(next.refusals.begin(), before.refusals.begin(), before.refusals.end());
     return next;
   };
-  Sifted sifted =
-      LeaveOutTheTooFine(prepared.data, search, ConfirmedOnAllData(prepared.data, search));
+  Sifted sifted = {ConfirmedOnAllData(prepared.data, search), {}};
+  // Unless what is too fine to be told from sampling matters.
+  Sifted coarse = LeaveOutTheTooFine(prepared.data, search, sifted.choice);
+  const double gain_of_all = search.found.book[sifted.choice.chosen].gain;
+  if (!coarse.refusals.empty() &&
+      !Remains(prepared, RemainingOf(prepared, coarse.choice), gain_of_all)) {
+    sifted = std::move(coarse);
+  }
   sifted = after(sifted, sift(sifted.choice, Burden::kNotToLose));
   if (prepared.held_out.empty()) {
     if (!logs || sifted.choice.chosen == 0) return sifted;
