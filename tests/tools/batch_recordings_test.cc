@@ -167,7 +167,8 @@ velocity: {channel: /adap_samples.velocity, frame: FLU, time: time, u: "velocity
       ++num_without_map;
     }
   }
-  // 22 + 3 bags, 2 MCAP, 2 .db3, 4 .BIN, 2 .ulg, 1 .tlog, 4 .mat, 2 .alog; 2 bags and 6 .mat of sonia.
+  // 22 + 3 bags, 2 MCAP, 2 .db3, 4 .BIN, 2 .ulg, 1 .tlog, 4 .mat, 2 .alog; 2 bags and 6 .mat of
+  // sonia.
   EXPECT_EQ(num_without_map, 50);
 }
 
