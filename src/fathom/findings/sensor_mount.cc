@@ -28,8 +28,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastLinear = 0.02;  // [m/s] and [m/s^2] std
 constexpr double kLeastTurn = 0.05;    // [rad/s] std
 constexpr double kLeastWindows = 30.0;
-constexpr double kMostMissed = 0.36;  // of the twist's squares: a correlation of 0.8
-constexpr double kTakenAway = 0.8;    // of what the two do not share is left
+constexpr double kTakenAway = 0.8;  // of what the two do not share is left
 constexpr double kLeastAngle = 3.0 * std::numbers::pi / 180.0;
 
 // What the poses say: u v w p q r, and the derivatives of the first three.
@@ -74,17 +73,6 @@ struct Curve {
   std::vector<double> values, instrument;  // at the stamps of the poses
   bool moves = false;
 };
-
-double SpreadOf(const std::vector<double>& values) {
-  double n = 0.0, sum = 0.0, squares = 0.0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    n += 1.0;
-    sum += value;
-    squares += value * value;
-  }
-  return n < 2.0 ? 0.0 : std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
-}
 
 std::vector<Curve> CurvesOf(const std::vector<double>& time,
                             const BodyVelocity& body,
@@ -251,7 +239,8 @@ std::optional<SensorMount> SensorMountOf(const Log& log, const std::vector<LateC
     if ((rows.regressors.col(k).array() != 0.0).any()) parameters.insert(k);
   }
   const BlockRegression fit = Regress(rows, parameters);
-  if (!(fit.squares < kMostMissed * (rows.squares[0] + rows.squares[1] + rows.squares[2]))) {
+  if (!(fit.squares <
+        SensorMount::kMostMissed * (rows.squares[0] + rows.squares[1] + rows.squares[2]))) {
     return std::nullopt;
   }
 

@@ -47,8 +47,11 @@ struct SensorMount {
                                   std::numeric_limits<double>::quiet_NaN(),
                                   std::numeric_limits<double>::quiet_NaN()};
 
-  // Whether (12) makes one motion of the two along this axis: it leaves less than 36 %.
-  bool Explains(Dof dof) const { return !IsAngular(dof) && missed[Index(dof)] < 0.36; }
+  // Of what a column shows: one of which (12) leaves less is one motion with the poses, as by a
+  // correlation of 0.8.
+  static constexpr double kMostMissed = 0.36;
+
+  bool Explains(Dof dof) const { return !IsAngular(dof) && missed[Index(dof)] < kMostMissed; }
 };
 
 // The rates are those of the poses; arms along which no rate over 0.05 rad/s (standard deviation)

@@ -38,7 +38,9 @@ double UsualStep(std::span<const double> time) {
   return 0.0;
 }
 
-double Spread(std::span<const double> values) {
+}  // namespace
+
+double SpreadOf(std::span<const double> values) {
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
@@ -48,8 +50,6 @@ double Spread(std::span<const double> values) {
   }
   return n < 2.0 ? 0.0 : std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
 }
-
-}  // namespace
 
 double TwinMotion::SlowestStep() const {
   return std::max(MedianStep(pose_time), MedianStep(twist_time));
@@ -94,7 +94,7 @@ std::vector<TwinMotion> TwinMotionsOf(const Log& log) {
     }
     std::vector<double> smooth = SmoothTwist(velocity.time, *twist, options);
     const double least = IsAngular(dof) ? kLeastRate : kLeastSpeed;
-    if (Spread(along) < least || Spread(smooth) < least) continue;
+    if (SpreadOf(along) < least || SpreadOf(smooth) < least) continue;
     motions.push_back({dof,
                        column,
                        pose.time,

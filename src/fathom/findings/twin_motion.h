@@ -44,6 +44,9 @@ std::vector<double> SmoothTwist(std::span<const double> time,
 // for a log that lacks one of the two, or has under 50 samples of it.
 std::vector<TwinMotion> TwinMotionsOf(const Log& log);
 
+// The standard deviation of those values that are known; 0 of fewer than two.
+double SpreadOf(std::span<const double> values);
+
 // What the two share. Too few samples: the correlation is 0, the others NaN.
 struct Likeness {
   double correlation = 0.0;

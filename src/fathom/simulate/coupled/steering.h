@@ -38,8 +38,10 @@ std::optional<SteeringEquations> SteeringOf(const CoupledModel& model,
                                             double ahead,
                                             double thrust);
 
-// What is left of them for slow rudders: T dr/dt + r = K angle. T is T_1 + T_2 - T_3 of both
-// equations; K. Nomoto et al., On the steering qualities of ships, 1957.
+// What is left of them for slow rudders: T dr/dt + r = K angle. With sway, T is T_1 + T_2 - T_3 of
+// the transfer function from angle to r.
+//
+// Nomoto et al., On the steering qualities of ships, International Shipbuilding Progress 4, 1957.
 struct Nomoto {
   double K = 0.0;            // [1/s]; below 0 the vehicle does not hold a straight track
   double T = 0.0;            // [s]
