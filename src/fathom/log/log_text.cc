@@ -45,7 +45,7 @@ void PartFins(Log* log) {
   if (!fins.columns.empty()) {
     log->remarks.push_back(
         {RemarkKind::kGeneral,
-         fmt::format("command.csv: {} acts in models of several DOFs (--dofs) only.",
+         fmt::format("command.csv: {} acts in models that --dofs makes, in no others.",
                      fmt::join(fins.columns, ", "))});
     log->fins = std::move(fins);
   }
