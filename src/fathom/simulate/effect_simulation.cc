@@ -48,6 +48,7 @@ ScalarModel<T> InScalars(const ExtendedModel& model,
     const EffectInfo& info = active.effect->info();
     CHECK_EQ(active.values.size(), info.parameters.size());
     StackedEffect<T> effect = {&active.effect->law<T>(), active.setting, info.has_partner(), {}};
+    scalars.depends_on_time = scalars.depends_on_time || info.depends_on_time;
     for (const double value : active.values) effect.values.push_back(Seeded<T>(value, column++));
     effects.push_back(std::move(effect));
   }

@@ -185,17 +185,13 @@ bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
   return 2.0 * (fit.log_likelihood - prepared.baseline.log_likelihood) > price;
 }
 
-// Whether what free runs propose is named instead of what likelihood does. It predicts unseen data
-// better for certain, and by more where that is a cause that they have not refused.
-bool TakesThePlaceOf(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
+// Whether what free runs propose is named where likelihood names nothing: it predicts unseen data
+// better for certain.
+bool IsNamed(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
   const Scored& standing = by_likelihood.runs.unseen;
-  if (rung.choice.chosen == 0 || !AreOverTheSame(standing.after, rung.runs.unseen.after)) {
-    return false;
-  }
-  const Gain gain = GainOf(Beside(standing, rung.runs.unseen), false);
-  const bool is_better = IsBetterForCertain(gain) && (by_likelihood.choice.chosen == 0 ||
-                                                      gain.value > VerdictRules::kBetterThanNamed);
-  return is_better && IsLikely(prepared, rung.choice.fit());
+  return rung.choice.chosen != 0 && AreOverTheSame(standing.after, rung.runs.unseen.after) &&
+         IsBetterForCertain(GainOf(Beside(standing, rung.runs.unseen), false)) &&
+         IsLikely(prepared, rung.choice.fit());
 }
 
 }  // namespace
@@ -207,14 +203,15 @@ Judgement Judge(const Prepared& prepared,
   std::optional<Judgement> by_likelihood;
   if (prepared.has_baseline) {
     by_likelihood = JudgedByLikelihood(prepared, suspects, evidence, options);
-    if (LeavesNothing(prepared.data, by_likelihood->choice.fit()) ||
+    if (by_likelihood->choice.chosen != 0 ||
+        LeavesNothing(prepared.data, by_likelihood->choice.fit()) ||
         !LeavesMoreThanScatter(prepared, *by_likelihood)) {
       return *std::move(by_likelihood);
     }
   }
   WeighedSearch search = SearchByFreeRuns(prepared, suspects, options);
   Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes);
-  if (by_likelihood && !TakesThePlaceOf(prepared, *by_likelihood, rung)) {
+  if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung)) {
     return *std::move(by_likelihood);
   }
   return Concluded(prepared,

@@ -37,9 +37,6 @@ struct VerdictRules {
   // too few for an interval, for the second.
   static constexpr double kMaterialGain = 0.05;
   static constexpr double kMaterialGainWithoutInterval = 0.2;
-
-  // What free runs propose takes the place of a cause that likelihood names for such a gain.
-  static constexpr double kBetterThanNamed = 0.2;
 };
 
 }  // namespace fathom

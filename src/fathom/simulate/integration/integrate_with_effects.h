@@ -47,10 +47,12 @@ RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, 
 template <typename T>
 void Take(bool is_stiff, bool is_first, double rate, WaterIntegrator<T>* water, RunStep<T>* step) {
   const auto take = [&](const auto& h) {
-    if (is_stiff) {
-      water->StiffStep(step->before, step->force, step->begin, h, rate, &step->slope, &step->after);
-    } else {
+    step->stiff_rate = 0.0;
+    if (!is_stiff) {
       water->Step(step->before, step->force, step->begin, h, &step->slope, &step->after);
+    } else if (water->StiffStep(
+                   step->before, step->force, step->begin, h, rate, &step->slope, &step->after)) {
+      step->stiff_rate = rate;
     }
   };
   if (is_first) {
@@ -130,11 +132,8 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
                                            const EmitVelocity& emit_velocity,
                                            const EmitDisplacement& emit_displacement,
                                            int* num_steps) {
-  // What a vehicle in water does takes longer than a few of these; a search that gets here has run
-  // away to where inertia and a resistance stand in for one another, at hundreds of steps a second.
-  constexpr double kShortestStep = 2.5e-3;  // [s]
-  constexpr double kLargestSpeed = 1e6;     // [m/s] or [rad/s]; beyond, it has diverged
-  constexpr double kMostRepeats = 200.0;    // of stiff steps, per second
+  constexpr double kLargestSpeed = 1e6;   // [m/s] or [rad/s]; beyond, it has diverged
+  constexpr double kMostRepeats = 200.0;  // of stiff steps, per second
   *num_steps = 0;
   Instants<T> instants(inputs, model.effects);
   StepPace pace(inputs, numbers);
@@ -147,6 +146,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   step.begin = stamps.start - instants.delay();
   step.after = FirstState(inputs, model, stamps.start);
   step.slope.memory.resize(step.after.memory.size());
+  RunState<double> state;
   step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
   std::size_t next_edge =
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
@@ -156,8 +156,9 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
     const double s = Value(step.begin);
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
-    const auto [longest, is_stiff] = pace.From(ValuesOf(step.after), step.command, s);
-    if (!(longest > kShortestStep)) return false;
+    SetValues(step.after, &state);
+    const auto [longest, is_stiff] = pace.From(state, step.command, s);
+    if (longest == 0.0) return false;
     step.thrust = step.thrust_after;
     step.before = step.after;
     bool reaches_edge = false;

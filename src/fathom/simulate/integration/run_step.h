@@ -21,7 +21,8 @@ struct RunStep {
   ThrusterStates<T> thrust_after{};
   RunState<T> before;
   RunState<T> after;
-  RunState<T> slope;  // at the begin
+  RunState<T> slope;        // at the begin
+  double stiff_rate = 0.0;  // of a stiff step [1/s], 0 of others
 };
 
 // A cubic from (y0, slope0) to (y1, slope1) at the share `x` of `h`.

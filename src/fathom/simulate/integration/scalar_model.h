@@ -20,6 +20,7 @@ template <typename T>
 struct ScalarModel {
   UncoupledModel<T> baseline;
   EffectStack<T> effects;
+  bool depends_on_time = false;  // any of the effects
   T initial_velocity{0.0};
   T initial_position{0.0};
   T initial_reading_excess{0.0};

@@ -70,6 +70,10 @@ class ShownReadings {
  private:
   T VelocityWithin(const RunStep<T>& step, const T& slope_after, double t) const {
     const T& delay = instants_.delay();
+    if (step.stiff_rate != 0.0) {
+      const T since = t - delay - step.begin;
+      return step.before.velocity + Reach(step.stiff_rate, since) * step.slope.velocity;
+    }
     const auto at = [&](const auto& x) {
       return Cubic(step.before.velocity,
                    step.slope.velocity,

@@ -11,8 +11,28 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestStep = 0.1;         // [s]
 constexpr double kShortestClassical = 0.02;  // [s]
+
+// What a vehicle in water does takes longer than some of these; a search that gets here has run
+// away to where inertia and a resistance stand in for one another.
+constexpr double kQuickest = 100.0;  // [1/s]
+
+// The force over a step is one number. What changes within it asks for shorter ones: thrusters that
+// follow, and what happens at a time.
+double LongestStep(const ScalarModel<double>& model) {
+  const bool follows = model.effects.Has(&EffectLaw<double>::follow);
+  return follows || model.depends_on_time ? 0.1 : 0.2;
+}
+
+// The highest speed while `force` acts for `h` [s]: no more than it gives to a mass alone, nor than
+// where damping holds it.
+double SpeedReached(const UncoupledModel<double>& model, double speed, double force, double h) {
+  const double linear = model.linear_damping;
+  const double steady =
+      2.0 * force / (linear + std::sqrt(linear * linear + 4.0 * model.quadratic_damping * force));
+  const double alone = speed + force * h / model.inertia;
+  return std::isfinite(steady) ? std::min(alone, std::max(speed, steady)) : alone;
+}
 
 }  // namespace
 
@@ -20,19 +40,19 @@ StepPace::StepPace(const EffectInputs& inputs, const ScalarModel<double>& model)
     : model_(model),
       instants_(inputs, model.effects),
       water_(model, false, &instants_),
-      acts_on_water_(ActsOnWater(model.effects)) {}
+      acts_on_water_(ActsOnWater(model.effects)),
+      longest_(LongestStep(model)) {}
 
 StepPace::Pace StepPace::From(const RunState<double>& state, double command, double s) {
   const UncoupledModel<double>& baseline = model_.baseline;
-  const double reached = std::abs(state.velocity) +
-                         std::abs(command - baseline.buoyancy) * kLongestStep / baseline.inertia;
-  const double rate = std::abs(baseline.DampingSlope(reached)) / baseline.inertia;
-  const double of_baseline = std::min(kLongestStep, kMostRateTimesStep / rate);
-  if (!acts_on_water_) return {of_baseline, false};
-  const double with_effects =
-      std::min(of_baseline, kMostRateTimesStep / WaterRate(state, command, s));
-  if (with_effects > kShortestClassical) return {with_effects, false};
-  return {of_baseline, true};
+  const double reached = SpeedReached(
+      baseline, std::abs(state.velocity), std::abs(command - baseline.buoyancy), longest_);
+  double rate = std::abs(baseline.DampingSlope(reached)) / baseline.inertia;
+  if (!(rate < kQuickest)) return {};
+  if (acts_on_water_) rate = std::max(rate, WaterRate(state, command, s));
+  const double classical = std::min(longest_, kMostRateTimesStep / rate);
+  if (classical > kShortestClassical) return {classical, false};
+  return {longest_, true};
 }
 
 FATHOM_FLATTENED double StepPace::SpeedRate(const RunState<double>& state,
@@ -40,11 +60,20 @@ FATHOM_FLATTENED double StepPace::SpeedRate(const RunState<double>& state,
                                             double command,
                                             double s) {
   constexpr double kProbe = 1e-4;  // of speed
-  RunState<double> at = state;
-  at.velocity = speed - kProbe;
-  const double below = water_.Acceleration(at, command, s);
-  at.velocity = speed + kProbe;
-  return (water_.Acceleration(at, command, s) - below) / (2.0 * kProbe);
+  probe_ = state;
+  probe_.velocity = speed - kProbe;
+  const double below = water_.Acceleration(probe_, command, s);
+  probe_.velocity = speed + kProbe;
+  return (water_.Acceleration(probe_, command, s) - below) / (2.0 * kProbe);
+}
+
+double StepPace::SwingRate(const RunState<double>& state, double command, double s) {
+  constexpr double kProbe = 1e-4;  // of position
+  probe_ = state;
+  probe_.position = state.position - kProbe;
+  const double below = water_.Acceleration(probe_, command, s);
+  probe_.position = state.position + kProbe;
+  return std::sqrt(std::abs(water_.Acceleration(probe_, command, s) - below) / (2.0 * kProbe));
 }
 
 bool StepPace::IsShortEnough(const RunState<double>& before,
@@ -66,11 +95,11 @@ bool StepPace::IsShortEnough(const RunState<double>& before,
 // now and then.
 double StepPace::WaterRate(const RunState<double>& state, double command, double s) {
   constexpr int kLookAgain = 5;  // steps
-  if (5.0 * water_rate_ * kLongestStep < kMostRateTimesStep && ++since_look_ < kLookAgain) {
+  if (5.0 * water_rate_ * longest_ < kMostRateTimesStep && ++since_look_ < kLookAgain) {
     return water_rate_;
   }
   since_look_ = 0;
-  water_rate_ = 0.0;
+  water_rate_ = SwingRate(state, command, s);
   for (const double speed : {state.velocity, 0.0}) {
     water_rate_ = std::max(water_rate_, std::abs(SpeedRate(state, speed, command, s)));
   }

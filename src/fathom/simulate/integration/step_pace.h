@@ -23,12 +23,12 @@ class StepPace {
 
   // How a run may go on from a state.
   struct Pace {
-    double longest = 0.0;   // [s], of the classical scheme
-    bool is_stiff = false;  // about rest it would be far shorter: a stiff step, which is checked
+    double longest = 0.0;   // [s]; 0 where the baseline has run away
+    bool is_stiff = false;  // the classical scheme's would be far shorter: one that is checked
   };
 
   // From `state` at `s` [s] on the command's clock, while `command` is held: by the water's
-  // quickest rate now and about rest, where friction turns.
+  // quickest rate now and about rest, where friction turns, and by what swings.
   Pace From(const RunState<double>& state, double command, double s);
 
   // How fast a small difference in speed grows, below 0 shrinks [1/s], at `state` and `speed`.
@@ -47,11 +47,14 @@ class StepPace {
 
  private:
   double WaterRate(const RunState<double>& state, double command, double s);
+  double SwingRate(const RunState<double>& state, double command, double s);
 
   const ScalarModel<double>& model_;
   Instants<double> instants_;
   WaterIntegrator<double> water_;
   const bool acts_on_water_;
+  const double longest_;  // [s], however slow the water is
+  RunState<double> probe_;
   double water_rate_ = std::numeric_limits<double>::infinity();  // when last looked at [1/s]
   int since_look_ = 0;                                           // steps
 };

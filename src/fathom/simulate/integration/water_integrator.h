@@ -23,9 +23,16 @@ struct RunState {
 
 // Without the derivatives.
 template <typename T>
+void SetValues(const RunState<T>& state, RunState<double>* values) {
+  values->velocity = Value(state.velocity);
+  values->position = Value(state.position);
+  values->memory.clear();
+  for (const T& memory : state.memory) values->memory.push_back(Value(memory));
+}
+template <typename T>
 RunState<double> ValuesOf(const RunState<T>& state) {
-  RunState<double> values = {Value(state.velocity), Value(state.position), {}};
-  for (const T& memory : state.memory) values.memory.push_back(Value(memory));
+  RunState<double> values;
+  SetValues(state, &values);
   return values;
 }
 
@@ -37,6 +44,14 @@ bool ActsOnWater(const EffectStack<T>& effects) {
 
 // Of a step [s] and the rate [1/s] of what it follows, for the classical scheme.
 inline constexpr double kMostRateTimesStep = 0.25;
+
+// (exp(rate t) - 1) / rate: how far a slope reaches over `t` [s] where differences grow at a `rate`
+// [1/s] other than 0.
+template <typename H>
+H Reach(double rate, const H& t) {
+  using std::expm1;
+  return expm1(H(rate * t)) / rate;
+}
 
 // The motion under a mean force, docs/effects.md (1), in steps of the classical Runge-Kutta scheme.
 // Times are on the command's clock. Numbers with derivatives are large: what every step needs is
@@ -97,33 +112,35 @@ class WaterIntegrator {
     Move(*after, H(h / 6.0), k4_, after);
   }
 
-  // Step() where dry friction or the like holds the vehicle: one step of the exponential Rosenbrock
-  // scheme of second order, which keeps to a balance of forces whatever its length. `rate`:
-  // StepPace::SpeedRate() at `before` [1/s]. Where that is slow, the classical step.
+  // Step() where dry friction or strong damping holds the vehicle: one step of the exponential
+  // Rosenbrock scheme of second order, which keeps to a balance of forces whatever its length.
+  // `rate`: StepPace::SpeedRate() at `before` [1/s]. Where that is slow, the classical step, and
+  // false.
   template <typename H>
-  void StiffStep(const RunState<T>& before,
+  bool StiffStep(const RunState<T>& before,
                  const T& mean_force,
                  const T& s,
                  const H& h,
                  double rate,
                  RunState<T>* slope,
                  RunState<T>* after) {
-    using std::expm1;
     if (!(rate * Value(h) < -kMostRateTimesStep)) {
       Step(before, mean_force, s, h, slope, after);
-      return;
+      return false;
     }
     Slope(before, mean_force, s, slope);
-    const H reach = expm1(H(rate * h)) / rate;
+    const H reach = Reach(rate, h);
     after->velocity = before.velocity + reach * slope->velocity;
     after->position = before.position;
-    if (with_position_) after->position += 0.5 * h * (before.velocity + after->velocity);
-    after->memory.resize(before.memory.size());
+    if (with_position_)
+      after->position += h * before.velocity + (reach - h) / rate * slope->velocity;
+    if (before.memory.empty()) return true;
+    Move(before, h, *slope, &trial_);
+    model_.effects.MemoryRates(trial_.memory.data(), after->velocity, k2_.memory.data());
     for (std::size_t k = 0; k < before.memory.size(); ++k) {
-      after->memory[k] = before.memory[k] + h * slope->memory[k];
+      after->memory[k] = before.memory[k] + H(0.5 * h) * (slope->memory[k] + k2_.memory[k]);
     }
-    // Outputs in between lie on a line: the slope at its begin is of an instant.
-    slope->velocity = (after->velocity - before.velocity) / h;
+    return true;
   }
 
  private:
