@@ -5,7 +5,6 @@
 
 #include "fathom/vehicle/effects/catalogue.h"
 
-#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "drawn_setup.h"
 #include "effect_size.h"

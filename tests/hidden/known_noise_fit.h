@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "known_run.h"
-#include <Eigen/Core>
 
 namespace fathom::hidden {
 

@@ -10,7 +10,6 @@
 #include "fathom/simulate/effect_simulation.h"
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>

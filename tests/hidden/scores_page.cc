@@ -3,7 +3,6 @@
 
 #include "scores_page.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "binomial.h"

@@ -18,7 +18,6 @@
 #include "small_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 namespace fathom {
@@ -33,8 +32,8 @@ using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
 ToolRun RunBatch(const Path& archive, const Path& results, std::vector<std::string> more = {}) {
-  std::vector<std::string> flags = {"--archive=" + archive.string(),
-                                    "--results=" + results.string(),
+  std::vector<std::string> flags = {Flag("archive", archive),
+                                    Flag("results", results),
                                     "--families=output_error",
                                     "--diagnose=false"};
   flags.insert(flags.end(), more.begin(), more.end());
@@ -81,13 +80,6 @@ std::vector<std::string> StampsOf(const Path& folder) {
   return stamps;
 }
 
-// What a batch gives that knows nothing yet of the archive as it is now.
-std::vector<std::string> FreshRows(const Path& archive, const Path& results) {
-  fs::remove(results);
-  EXPECT_EQ(RunBatch(archive, results).exit_code, 0);
-  return PublicRows(results);
-}
-
 std::string DivesIn(const Path& results) {
   std::string dives;
   for (const std::string& row : Query("SELECT path, dive FROM logs ORDER BY path", results)) {
@@ -96,45 +88,56 @@ std::string DivesIn(const Path& results) {
   return dives;
 }
 
-TEST(Batch, WritesNothingIntoTheArchive) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive");
-  const auto before = StampsOf(archive);
-  const ToolRun run = RunToolBinary("fathom_batch",
-                                    {"--archive=" + archive.string(),
-                                     "--results=" + (folder / "r.sqlite").string(),
-                                     "--report=" + (folder / "r.html").string(),
-                                     "--pages",
-                                     "--jobs=2"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(StatesOf(folder / "r.sqlite").at("dive 1/run 1"), "ok: ");
-  EXPECT_EQ(StampsOf(archive), before);
+class Batch : public ::testing::Test {
+ protected:
+  // Those of a batch that knows nothing yet of the archive as it is now.
+  void ExpectTheRowsOfAFreshBatch() const {
+    const auto rows = PublicRows(results_);
+    fs::remove(results_);
+    RunsWell(RunBatch(archive_, results_));
+    EXPECT_EQ(rows, PublicRows(results_));
+  }
+
+  const Path folder_ = EmptyTestFolder();
+  const Path archive_ = folder_ / "archive", results_ = folder_ / "r.sqlite";
+};
+
+TEST_F(Batch, WritesNothingIntoTheArchive) {
+  WriteArchive(archive_);
+  const auto before = StampsOf(archive_);
+  const ToolRun run = RunsWell("fathom_batch",
+                               {Flag("archive", archive_),
+                                Flag("results", results_),
+                                Flag("report", folder_ / "r.html"),
+                                "--pages",
+                                "--jobs=2"});
+  EXPECT_EQ(StatesOf(results_).at("dive 1/run 1"), "ok: ");
+  EXPECT_EQ(StampsOf(archive_), before);
 }
 
-TEST(Batch, ReadsAnArchiveThatCannotBeWritten) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive");
-  const std::string mounted = (folder / "mounted").string();
+TEST_F(Batch, ReadsAnArchiveThatCannotBeWritten) {
+  WriteArchive(archive_);
+  const std::string mounted = (folder_ / "mounted").string();
   fs::create_directory(mounted);
   const auto mount = [](std::vector<std::string> arguments) {
     return RunChild({.program = "mount", .arguments = std::move(arguments)}).exit_code == 0;
   };
-  if (!mount({"--bind", archive.string(), mounted})) GTEST_SKIP() << "Nothing can be mounted here.";
+  if (!mount({"--bind", archive_.string(), mounted}))
+    GTEST_SKIP() << "Nothing can be mounted here.";
   const bool is_read_only = mount({"-o", "remount,bind,ro", mounted});
-  const ToolRun run = RunBatch(mounted, folder / "r.sqlite");
+  const ToolRun run = RunBatch(mounted, results_);
   RunChild({.program = "umount", .arguments = {mounted}});
   if (!is_read_only) GTEST_SKIP() << "Nothing can be mounted read-only here.";
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("4 logs in 2 dives: 4 ok"));
 }
 
-TEST(Batch, RefusesToWriteIntoTheArchive) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive");
-  fs::create_directory_symlink(archive, folder / "link");
-  const auto before = StampsOf(archive);
-  for (const Path& place : {archive / "x", archive / "dive 1" / "x", folder / "link" / "x"}) {
-    const ToolRun run = RunBatch(archive, place);
+TEST_F(Batch, RefusesToWriteIntoTheArchive) {
+  WriteArchive(archive_);
+  fs::create_directory_symlink(archive_, folder_ / "link");
+  const auto before = StampsOf(archive_);
+  for (const Path& place : {archive_ / "x", archive_ / "dive 1" / "x", folder_ / "link" / "x"}) {
+    const ToolRun run = RunBatch(archive_, place);
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(run.err,
               fmt::format("fathom_batch: --results={}: lies in the archive, into which nothing is "
@@ -142,45 +145,43 @@ TEST(Batch, RefusesToWriteIntoTheArchive) {
                           place.string()));
     for (const std::string flag : {"report", "csv", "slurm"}) {
       const ToolRun other =
-          RunBatch(archive, folder / "r.sqlite", {"--" + flag + "=" + place.string(), "--plan=2"});
+          RunBatch(archive_, results_, {"--" + flag + "=" + place.string(), "--plan=2"});
       EXPECT_EQ(other.exit_code, 1);
       EXPECT_THAT(other.err,
                   HasSubstr("--" + flag + "=" + place.string() + ": lies in the archive"));
     }
   }
-  EXPECT_EQ(StampsOf(archive), before);
+  EXPECT_EQ(StampsOf(archive_), before);
 }
 
-TEST(Batch, IsTheOnlyOneThatWritesItsResults) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite";
-  WriteLog(archive / "hang", 1);
+TEST_F(Batch, IsTheOnlyOneThatWritesItsResults) {
+  WriteLog(archive_ / "hang", 1);
   for (const char* verb : {"batch", "compare", "identify"}) {
-    fs::create_directories(folder / "tools");
-    fs::create_symlink(FATHOM_UNRULY_TOOL, folder / "tools" / (std::string("fathom_") + verb));
+    fs::create_directories(folder_ / "tools");
+    fs::create_symlink(FATHOM_UNRULY_TOOL, folder_ / "tools" / (std::string("fathom_") + verb));
   }
   ToolRun second;
   const ToolRun first = RunToolBinary("fathom_batch",
-                                      {"--archive=" + archive.string(),
-                                       "--results=" + results.string(),
+                                      {Flag("archive", archive_),
+                                       Flag("results", results_),
                                        "--families=output_error",
                                        "--diagnose=false",
                                        "--time_limit=2",
-                                       "--tools=" + (folder / "tools").string()},
+                                       Flag("tools", folder_ / "tools")},
                                       [&](int) {
                                         // It is made once the lock is held.
-                                        while (!fs::exists(results.string() + ".work")) {
+                                        while (!fs::exists(results_.string() + ".work")) {
                                           std::this_thread::sleep_for(std::chrono::milliseconds(5));
                                         }
-                                        second = RunBatch(archive, results);
+                                        second = RunBatch(archive_, results_);
                                       });
   EXPECT_EQ(second.exit_code, 1);
   EXPECT_EQ(second.err,
             fmt::format("fathom_batch: --results={}: another batch is writing it, expected one at "
                         "a time.\n",
-                        results.string()));
+                        results_.string()));
   EXPECT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_THAT(StatesOf(results).at("hang"), StartsWith("timed_out: "));
+  EXPECT_THAT(StatesOf(results_).at("hang"), StartsWith("timed_out: "));
 }
 
 // A program in place of a tool: the lines, then the tool itself.
@@ -192,11 +193,10 @@ void WriteWrappedTool(const Path& tools, const std::string& name, const std::str
 }
 
 // The last log does not end before the first dive is fitted.
-TEST(Batch, FitsADiveWhileALogOfALaterOneIsRunning) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite", tools = folder / "tools";
-  for (int i = 1; i <= 3; ++i) WriteLog(archive / fmt::format("dive {}/run", i), i);
-  const Path fitted = folder / "fitted", in_vain = folder / "in vain";
+TEST_F(Batch, FitsADiveWhileALogOfALaterOneIsRunning) {
+  const Path tools = folder_ / "tools";
+  for (int i = 1; i <= 3; ++i) WriteLog(archive_ / fmt::format("dive {}/run", i), i);
+  const Path fitted = folder_ / "fitted", in_vain = folder_ / "in vain";
   WriteWrappedTool(tools, "fathom_batch", "");
   WriteWrappedTool(tools, "fathom_simulate", "");
   WriteWrappedTool(tools, "fathom_identify", fmt::format("touch '{}'", fitted.string()));
@@ -208,124 +208,111 @@ TEST(Batch, FitsADiveWhileALogOfALaterOneIsRunning) {
                                "esac",
                                fitted.string(),
                                in_vain.string()));
-  const ToolRun run = RunBatch(archive, results, {"--jobs=2", "--tools=" + tools.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(RunBatch(archive_, results_, {"--jobs=2", Flag("tools", tools)}));
   EXPECT_TRUE(fs::exists(fitted));
   EXPECT_FALSE(fs::exists(in_vain));
   EXPECT_THAT(
-      Query("SELECT dive FROM dive_fits WHERE parameter = 'inertia' ORDER BY dive", results),
+      Query("SELECT dive FROM dive_fits WHERE parameter = 'inertia' ORDER BY dive", results_),
       ElementsAre("dive 1", "dive 2", "dive 3"));
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, IsStrictWhereAskedTo) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive");
-  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite", {"--strict"}).exit_code, 0);
-  WriteTestFile(archive / "bad" / "log.yaml", "depth: 3\n");
-  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite").exit_code, 0);
-  EXPECT_EQ(RunBatch(archive, folder / "r.sqlite", {"--strict"}).exit_code, 3);
+TEST_F(Batch, IsStrictWhereAskedTo) {
+  WriteArchive(archive_);
+  RunsWell(RunBatch(archive_, results_, {"--strict"}));
+  WriteTestFile(archive_ / "bad" / "log.yaml", "depth: 3\n");
+  RunsWell(RunBatch(archive_, results_));
+  EXPECT_EQ(RunBatch(archive_, results_, {"--strict"}).exit_code, 3);
 }
 
-TEST(Batch, RunsNothingInADryRun) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  const ToolRun before = RunBatch(archive, results, {"--dry_run"});
+TEST_F(Batch, RunsNothingInADryRun) {
+  WriteArchive(archive_);
+  const ToolRun before = RunBatch(archive_, results_, {"--dry_run"});
   EXPECT_EQ(before.out, "4 logs, 4 to do\n4 logs new\n");
-  EXPECT_THAT(Query("SELECT * FROM runs", results), testing::IsEmpty());
-  EXPECT_THAT(Query("SELECT * FROM logs", results), testing::IsEmpty());
-  RunBatch(archive, results);
-  EXPECT_EQ(RunBatch(archive, results, {"--dry_run"}).out, "4 logs, 0 to do\n");
-  WriteLog(archive / "dive 2" / "run 2", 7);
-  const auto runs = Query("SELECT * FROM runs", results);
-  EXPECT_EQ(RunBatch(archive, results, {"--dry_run"}).out,
+  EXPECT_THAT(Query("SELECT * FROM runs", results_), testing::IsEmpty());
+  EXPECT_THAT(Query("SELECT * FROM logs", results_), testing::IsEmpty());
+  RunBatch(archive_, results_);
+  EXPECT_EQ(RunBatch(archive_, results_, {"--dry_run"}).out, "4 logs, 0 to do\n");
+  WriteLog(archive_ / "dive 2" / "run 2", 7);
+  const auto runs = Query("SELECT * FROM runs", results_);
+  EXPECT_EQ(RunBatch(archive_, results_, {"--dry_run"}).out,
             "4 logs, 1 to do\n1 log changed, or done with other options\n");
-  EXPECT_EQ(Query("SELECT * FROM runs", results), runs);
+  EXPECT_EQ(Query("SELECT * FROM runs", results_), runs);
 }
 
-TEST(Batch, TakesDivesFromTheFolders) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite";
-  WriteLog(archive / "cruise a" / "2024-05-01 dive" / "run", 1);
-  WriteLog(archive / "cruise b" / "2024-05-02 dive" / "run", 2);
-  WriteLog(archive / "cruise b" / "run", 3);
-  RunBatch(archive, results);
-  EXPECT_EQ(DivesIn(results),
+TEST_F(Batch, TakesDivesFromTheFolders) {
+  WriteLog(archive_ / "cruise a" / "2024-05-01 dive" / "run", 1);
+  WriteLog(archive_ / "cruise b" / "2024-05-02 dive" / "run", 2);
+  WriteLog(archive_ / "cruise b" / "run", 3);
+  RunBatch(archive_, results_);
+  EXPECT_EQ(DivesIn(results_),
             "cruise a/2024-05-01 dive/run|cruise a/2024-05-01 dive\n"
             "cruise b/2024-05-02 dive/run|cruise b/2024-05-02 dive\n"
             "cruise b/run|cruise b\n");
-  WriteTestFile(archive / "archive.yaml", "dive_level: 1\n");
-  RunBatch(archive, results);
-  EXPECT_EQ(DivesIn(results),
+  WriteTestFile(archive_ / "archive.yaml", "dive_level: 1\n");
+  RunBatch(archive_, results_);
+  EXPECT_EQ(DivesIn(results_),
             "cruise a/2024-05-01 dive/run|cruise a\n"
             "cruise b/2024-05-02 dive/run|cruise b\n"
             "cruise b/run|cruise b\n");
-  EXPECT_THAT(Query("SELECT DISTINCT dive, logs FROM dive_fits", results),
+  EXPECT_THAT(Query("SELECT DISTINCT dive, logs FROM dive_fits", results_),
               ElementsAre("cruise a|1", "cruise b|2"));
   // A path without a match is a dive of its own.
-  WriteTestFile(archive / "archive.yaml", "dive_pattern: '[0-9]{4}-[0-9]{2}-[0-9]{2}'\n");
-  RunBatch(archive, results);
-  EXPECT_EQ(DivesIn(results),
+  WriteTestFile(archive_ / "archive.yaml", "dive_pattern: '[0-9]{4}-[0-9]{2}-[0-9]{2}'\n");
+  RunBatch(archive_, results_);
+  EXPECT_EQ(DivesIn(results_),
             "cruise a/2024-05-01 dive/run|2024-05-01\n"
             "cruise b/2024-05-02 dive/run|2024-05-02\n"
             "cruise b/run|cruise b/run\n");
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, TakesDivesAndStartsFromTheLogs) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite";
-  WriteLog(archive / "x", 1, "dive: west\nstart: 2024-05-02T10:00:00Z\n");
-  WriteLog(archive / "y", 2, "dive: west\nstart: 2024-05-02T11:00:00Z\n");
-  WriteLog(archive / "z", 3, "dive: east\nstart: 2024-05-01T10:00:00Z\n");
-  RunBatch(archive, results);
-  EXPECT_THAT(Query("SELECT path, dive, start FROM logs ORDER BY path", results),
+TEST_F(Batch, TakesDivesAndStartsFromTheLogs) {
+  WriteLog(archive_ / "x", 1, "dive: west\nstart: 2024-05-02T10:00:00Z\n");
+  WriteLog(archive_ / "y", 2, "dive: west\nstart: 2024-05-02T11:00:00Z\n");
+  WriteLog(archive_ / "z", 3, "dive: east\nstart: 2024-05-01T10:00:00Z\n");
+  RunBatch(archive_, results_);
+  EXPECT_THAT(Query("SELECT path, dive, start FROM logs ORDER BY path", results_),
               ElementsAre("x|west|2024-05-02T10:00:00Z",
                           "y|west|2024-05-02T11:00:00Z",
                           "z|east|2024-05-01T10:00:00Z"));
   // The dive of May 1 predicts the logs of May 2, though its name comes last by the path.
-  EXPECT_THAT(Query("SELECT model_log, log FROM predictions ORDER BY log", results),
+  EXPECT_THAT(Query("SELECT model_log, log FROM predictions ORDER BY log", results_),
               ElementsAre("east|x", "east|y"));
   // A start that is corrected turns them round.
-  WriteLog(archive / "z", 3, "dive: east\nstart: 2024-05-03T10:00:00Z\n");
-  RunBatch(archive, results);
-  EXPECT_THAT(Query("SELECT model_log, log FROM predictions", results), ElementsAre("west|z"));
+  WriteLog(archive_ / "z", 3, "dive: east\nstart: 2024-05-03T10:00:00Z\n");
+  RunBatch(archive_, results_);
+  EXPECT_THAT(Query("SELECT model_log, log FROM predictions", results_), ElementsAre("west|z"));
 }
 
-TEST(Batch, LeavesOutWhatItIsTold) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  RunBatch(archive, results);
-  WriteTestFile(archive / "archive.yaml", "leave_out: [dive 1, '*/run 2']\n");
-  const ToolRun run = RunBatch(archive, results);
+TEST_F(Batch, LeavesOutWhatItIsTold) {
+  WriteArchive(archive_);
+  RunBatch(archive_, results_);
+  WriteTestFile(archive_ / "archive.yaml", "leave_out: [dive 1, '*/run 2']\n");
+  const ToolRun run = RunBatch(archive_, results_);
   EXPECT_THAT(run.out, AllOf(HasSubstr("1 log in 1 dive: 1 ok"), HasSubstr("2 left out")));
-  EXPECT_EQ(DivesIn(results), "dive 2/run 1|dive 2\n");
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+  EXPECT_EQ(DivesIn(results_), "dive 2/run 1|dive 2\n");
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, TakesTheDofOfSingleFilesFromTheArchive) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite";
-  WriteCsvLog(archive / "dive" / "a.csv", 1);
-  RunBatch(archive, results);
-  EXPECT_THAT(StatesOf(results).at("dive/a.csv"), StartsWith("refused: "));
-  WriteTestFile(archive / "archive.yaml", "dof: heave\n");
-  RunBatch(archive, results);
-  EXPECT_EQ(StatesOf(results).at("dive/a.csv"), "ok: ");
-  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM fits", results), ElementsAre("heave|1"));
-  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM dive_fits", results), ElementsAre("heave|1"));
+TEST_F(Batch, TakesTheDofOfSingleFilesFromTheArchive) {
+  WriteCsvLog(archive_ / "dive" / "a.csv", 1);
+  RunBatch(archive_, results_);
+  EXPECT_THAT(StatesOf(results_).at("dive/a.csv"), StartsWith("refused: "));
+  WriteTestFile(archive_ / "archive.yaml", "dof: heave\n");
+  RunBatch(archive_, results_);
+  EXPECT_EQ(StatesOf(results_).at("dive/a.csv"), "ok: ");
+  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM fits", results_), ElementsAre("heave|1"));
+  EXPECT_THAT(Query("SELECT DISTINCT dof, usable FROM dive_fits", results_),
+              ElementsAre("heave|1"));
 }
 
-TEST(Batch, RefusesSettingsThatItDoesNotKnow) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive");
-  const std::string file = (archive / "archive.yaml").string();
+TEST_F(Batch, RefusesSettingsThatItDoesNotKnow) {
+  WriteArchive(archive_);
+  const std::string file = (archive_ / "archive.yaml").string();
   const auto refusal = [&](const std::string& yaml) {
     WriteTestFile(file, "# the archive of a test\n" + yaml);
-    const ToolRun run = RunBatch(archive, folder / "r.sqlite");
+    const ToolRun run = RunBatch(archive_, results_);
     EXPECT_EQ(run.exit_code, 1) << yaml;
     return run.err;
   };
@@ -344,117 +331,106 @@ TEST(Batch, RefusesSettingsThatItDoesNotKnow) {
   EXPECT_THAT(refusal("dive_level: one\n"), AllOf(StartsWith(at), HasSubstr("dive_level")));
   EXPECT_THAT(refusal("dive_level: 1\ndive_pattern: a\n"),
               HasSubstr(":3: key 'dive_pattern' stands beside dive_level"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "r.sqlite"));
+  EXPECT_FALSE(std::filesystem::exists(results_));
 }
 
-TEST(Batch, DoesAChangedLogAgainAndNoOther) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  RunBatch(archive, results);
+TEST_F(Batch, DoesAChangedLogAgainAndNoOther) {
+  WriteArchive(archive_);
+  RunBatch(archive_, results_);
   const auto runs_of = [&](const std::string& program) {
-    return Query("SELECT arguments FROM runs WHERE program = '" + program + "'", results).size();
+    return Query("SELECT arguments FROM runs WHERE program = '" + program + "'", results_).size();
   };
   EXPECT_EQ(runs_of("fathom_compare"), 4u);
   EXPECT_EQ(runs_of("fathom_identify"), 2u);
-  const auto seconds = Query("SELECT path, seconds FROM logs ORDER BY path", results);
-  WriteLog(archive / "dive 1" / "run 2", 9);
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("1 log run"));
+  const auto seconds = Query("SELECT path, seconds FROM logs ORDER BY path", results_);
+  WriteLog(archive_ / "dive 1" / "run 2", 9);
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("1 log run"));
   EXPECT_EQ(runs_of("fathom_compare"), 5u);
   EXPECT_EQ(runs_of("fathom_identify"), 3u);
-  const auto then = Query("SELECT path, seconds FROM logs ORDER BY path", results);
+  const auto then = Query("SELECT path, seconds FROM logs ORDER BY path", results_);
   ASSERT_EQ(then.size(), 4u);
   for (const std::size_t i : {0u, 2u, 3u}) EXPECT_EQ(then[i], seconds[i]);
   EXPECT_NE(then[1], seconds[1]);
   // Touched, and not changed.
-  fs::last_write_time(archive / "dive 1" / "run 1" / "velocity.csv",
+  fs::last_write_time(archive_ / "dive 1" / "run 1" / "velocity.csv",
                       fs::file_time_type::clock::now());
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs run"));
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("0 logs run"));
+  ExpectTheRowsOfAFreshBatch();
 }
 
 // What the programs wrote of logs that are done is not read again: it could as well be damaged.
-TEST(Batch, TakesLogsThatAreDoneFromItsTables) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  WriteLog(archive / "dive 0" / "run 1", 5, "dive: dive 1\nvehicle: pike\n");
-  WriteLog(archive / "dive 0" / "run 2", 5, "dive: dive 1\nvehicle: pike\n");  // a copy
-  WriteTestFile(archive / "dive 2/at rest/log.yaml", "name: rest\ndof: surge\n");
-  WriteTestFile(archive / "dive 2/at rest/command.csv", "t,tau_surge\n0,0\n1,0\n");
-  WriteTestFile(archive / "dive 2/at rest/velocity.csv", "t,u\n0,0\n1,0\n");
-  RunBatch(archive, results);
-  Query("UPDATE runs SET output = '' WHERE program IN ('fathom_batch', 'fathom_compare')", results);
-  WriteLog(archive / "dive 2" / "run 3", 6);
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("1 log run now, 7 done before"));
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+TEST_F(Batch, TakesLogsThatAreDoneFromItsTables) {
+  WriteArchive(archive_);
+  WriteLog(archive_ / "dive 0" / "run 1", 5, "dive: dive 1\nvehicle: pike\n");
+  WriteLog(archive_ / "dive 0" / "run 2", 5, "dive: dive 1\nvehicle: pike\n");  // a copy
+  WriteTestFile(archive_ / "dive 2/at rest/log.yaml", "name: rest\ndof: surge\n");
+  WriteTestFile(archive_ / "dive 2/at rest/command.csv", "t,tau_surge\n0,0\n1,0\n");
+  WriteTestFile(archive_ / "dive 2/at rest/velocity.csv", "t,u\n0,0\n1,0\n");
+  RunBatch(archive_, results_);
+  Query("UPDATE runs SET output = '' WHERE program IN ('fathom_batch', 'fathom_compare')",
+        results_);
+  WriteLog(archive_ / "dive 2" / "run 3", 6);
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("1 log run now, 7 done before"));
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, ForgetsALogThatIsGone) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  WriteSmallLog(archive / "dive 3" / "a");
-  WriteSmallLog(archive / "dive 3" / "b");
-  RunBatch(archive, results);
-  EXPECT_EQ(StatesOf(results).at("dive 3/b"), "duplicate: the same bytes as dive 3/a.");
-  fs::remove_all(archive / "dive 1" / "run 1");
-  fs::remove_all(archive / "dive 2");
-  fs::remove_all(archive / "dive 3" / "a");  // its copy is the first one now
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("2 logs in 2 dives: 2 ok"));
-  EXPECT_EQ(DivesIn(results), "dive 1/run 2|dive 1\ndive 3/b|dive 3\n");
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+TEST_F(Batch, ForgetsALogThatIsGone) {
+  WriteArchive(archive_);
+  WriteSmallLog(archive_ / "dive 3" / "a");
+  WriteSmallLog(archive_ / "dive 3" / "b");
+  RunBatch(archive_, results_);
+  EXPECT_EQ(StatesOf(results_).at("dive 3/b"), "duplicate: the same bytes as dive 3/a.");
+  fs::remove_all(archive_ / "dive 1" / "run 1");
+  fs::remove_all(archive_ / "dive 2");
+  fs::remove_all(archive_ / "dive 3" / "a");  // its copy is the first one now
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("2 logs in 2 dives: 2 ok"));
+  EXPECT_EQ(DivesIn(results_), "dive 1/run 2|dive 1\ndive 3/b|dive 3\n");
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, ForgetsAnArchiveThatIsEmptyNow) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  RunBatch(archive, results);
-  fs::remove_all(archive);
-  fs::create_directory(archive);
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs: nothing found"));
-  EXPECT_THAT(PublicRows(results), testing::IsEmpty());
+TEST_F(Batch, ForgetsAnArchiveThatIsEmptyNow) {
+  WriteArchive(archive_);
+  RunBatch(archive_, results_);
+  fs::remove_all(archive_);
+  fs::create_directory(archive_);
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("0 logs: nothing found"));
+  EXPECT_THAT(PublicRows(results_), testing::IsEmpty());
 }
 
-TEST(Batch, TakesTheNameOfTheVehicleFromItsFile) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  WriteTestFile(archive / "archive.yaml", "vehicle: v.yaml\n");
-  WriteTestFile(archive / "v.yaml", SmallVehicleYaml());
-  RunBatch(archive, results);
-  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results), ElementsAre("small"));
+TEST_F(Batch, TakesTheNameOfTheVehicleFromItsFile) {
+  WriteArchive(archive_);
+  WriteTestFile(archive_ / "archive.yaml", "vehicle: v.yaml\n");
+  WriteTestFile(archive_ / "v.yaml", SmallVehicleYaml());
+  RunBatch(archive_, results_);
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results_), ElementsAre("small"));
   std::string renamed = SmallVehicleYaml();
   renamed.replace(renamed.find("small"), 5, "other");
-  WriteTestFile(archive / "v.yaml", renamed);
-  EXPECT_THAT(RunBatch(archive, results).out, HasSubstr("0 logs run"));
-  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results), ElementsAre("other"));
-  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM dive_fits", results), ElementsAre("other"));
+  WriteTestFile(archive_ / "v.yaml", renamed);
+  EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("0 logs run"));
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results_), ElementsAre("other"));
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM dive_fits", results_), ElementsAre("other"));
 }
 
-TEST(Batch, RunsAgainWhatDidNotStart) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = WriteArchive(folder / "archive"), results = folder / "r.sqlite";
-  fs::create_directory(folder / "no tools");
-  RunBatch(archive, results, {"--tools=" + (folder / "no tools").string()});
-  EXPECT_EQ(StatesOf(results).at("dive 1/run 1"),
+TEST_F(Batch, RunsAgainWhatDidNotStart) {
+  WriteArchive(archive_);
+  fs::create_directory(folder_ / "no tools");
+  RunBatch(archive_, results_, {Flag("tools", folder_ / "no tools")});
+  EXPECT_EQ(StatesOf(results_).at("dive 1/run 1"),
             "refused: did not start: No such file or directory");
-  RunBatch(archive, results);
-  const auto rows = PublicRows(results);
-  EXPECT_EQ(rows, FreshRows(archive, results));
+  RunBatch(archive_, results_);
+  ExpectTheRowsOfAFreshBatch();
 }
 
-TEST(Batch, WritesTheFitsAsCsv) {
-  const Path folder = EmptyTestFolder();
-  const Path archive = folder / "archive", results = folder / "r.sqlite";
-  WriteLog(archive / "a, \"b\"" / "run", 1);
-  RunBatch(archive, results, {"--csv=" + (folder / "fits.csv").string()});
-  std::ifstream file(folder / "fits.csv");
+TEST_F(Batch, WritesTheFitsAsCsv) {
+  WriteLog(archive_ / "a, \"b\"" / "run", 1);
+  RunBatch(archive_, results_, {Flag("csv", folder_ / "fits.csv")});
+  std::ifstream file(folder_ / "fits.csv");
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[0], "log,dof,family,source,usable,parameter,value,std,unit,message");
   const std::vector<std::string> values =
-      Query("SELECT parameter FROM fits ORDER BY rowid", results);
+      Query("SELECT parameter FROM fits ORDER BY rowid", results_);
   ASSERT_EQ(values.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_THAT(
@@ -479,15 +455,14 @@ void Scale(const Path& csv, double factor) {
 
 // One of another, lighter vehicle, which moves more than the others and would dominate them, and
 // one whose command has the wrong sign.
-TEST(Batch, LeavesOutOfTheFitOfADiveWhatSpoilsIt) {
-  const Path folder = EmptyTestFolder();
-  for (int i = 1; i <= 3; ++i) WriteLog(folder / "archive/dive" / fmt::format("run {}", i), i);
-  Scale(WriteLog(folder / "archive/dive/other", 4) / "velocity.csv", 5.0);
-  Scale(WriteLog(folder / "archive/dive/reversed", 5) / "command.csv", -1.0);
-  const Path results = folder / "results.sqlite";
-  EXPECT_EQ(RunBatch(folder / "archive", results).exit_code, 0);
-  const auto inertia = Query(
-      "SELECT logs, message, value FROM dive_fits WHERE parameter = 'inertia' AND usable", results);
+TEST_F(Batch, LeavesOutOfTheFitOfADiveWhatSpoilsIt) {
+  for (int i = 1; i <= 3; ++i) WriteLog(archive_ / "dive" / fmt::format("run {}", i), i);
+  Scale(WriteLog(archive_ / "dive/other", 4) / "velocity.csv", 5.0);
+  Scale(WriteLog(archive_ / "dive/reversed", 5) / "command.csv", -1.0);
+  RunsWell(RunBatch(archive_, results_));
+  const auto inertia =
+      Query("SELECT logs, message, value FROM dive_fits WHERE parameter = 'inertia' AND usable",
+            results_);
   ASSERT_EQ(inertia.size(), 1u);
   EXPECT_THAT(inertia[0],
               AllOf(StartsWith("3|Left out: dive/reversed ("), HasSubstr(", dive/other (")));

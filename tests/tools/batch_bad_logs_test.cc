@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,7 +15,6 @@
 #include "small_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -67,10 +65,8 @@ Path UnrulyTools(const Path& folder) {
 ToolRun RunBatchOfBadLogs(const Path& archive,
                           const Path& results,
                           std::vector<std::string> more = {}) {
-  std::vector<std::string> flags = {"--archive=" + archive.string(),
-                                    "--results=" + results.string(),
-                                    "--jobs=2",
-                                    "--families=output_error"};
+  std::vector<std::string> flags = {
+      Flag("archive", archive), Flag("results", results), "--jobs=2", "--families=output_error"};
   if (std::find(more.begin(), more.end(), "--diagnose") == more.end()) {
     flags.push_back("--diagnose=false");
   }
@@ -97,10 +93,9 @@ std::map<std::string, std::string> StatesBesideGoodLogs(const Write& write,
   WriteGoodLogs(folder / "archive");
   write(folder / "archive");
   more.push_back("--tools=" + UnrulyTools(folder / "tools").string());
-  const ToolRun alone = RunBatchOfBadLogs(folder / "good", folder / "good.sqlite", more);
-  EXPECT_EQ(alone.exit_code, 0) << alone.err;
-  const ToolRun run = RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", more);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(RunBatchOfBadLogs(folder / "good", folder / "good.sqlite", more));
+  const ToolRun run =
+      RunsWell(RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", more));
   const auto expected = PublicRows(folder / "good.sqlite");
   EXPECT_THAT(expected, testing::SizeIs(testing::Gt(10u)));
   EXPECT_THAT(PublicRows(folder / "archive.sqlite"), IsSupersetOf(expected));

@@ -15,7 +15,6 @@
 #include "small_log.h"
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -58,8 +57,7 @@ void CopyWithout(std::size_t num_lines, const Path& from, const Path& to) {
 TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
   const Path folder = EmptyTestFolder();
   const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
-  const ToolRun run = RunBatchOfRecordings(archive, results);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(RunBatchOfRecordings(archive, results));
   std::map<std::string, std::string> states = StatesOf(results);
   EXPECT_THAT(states["dive_1/pool.csv"], StartsWith("ok"));
   EXPECT_THAT(states["dive_2/run.bag"], StartsWith("no_map: needs a map"));
@@ -67,14 +65,12 @@ TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
 
   // The batch says what a user gets who imports and compares by hand.
   const Path log = folder / "by_hand";
-  ASSERT_EQ(RunToolBinary("fathom_import",
-                          {"--from=" + (archive / "dive_1/pool.csv").string(),
-                           "--map=" + (archive / "pool_map.yaml").string(),
-                           "--out=" + log.string()})
-                .exit_code,
-            0);
+  RunsWell("fathom_import",
+           {"--from=" + (archive / "dive_1/pool.csv").string(),
+            "--map=" + (archive / "pool_map.yaml").string(),
+            "--out=" + log.string()});
   const Path by_hand = folder / "by_hand.sqlite";
-  ASSERT_EQ(RunBatchOfRecordings(log, by_hand).exit_code, 0);
+  RunsWell(RunBatchOfRecordings(log, by_hand));
   const std::string fits = "SELECT dof, family, parameter, value, std FROM fits ORDER BY rowid";
   EXPECT_EQ(Query(fits, results), Query(fits, by_hand));
   EXPECT_FALSE(Query(fits, results).empty());
@@ -83,7 +79,7 @@ TEST(BatchOnRecordings, ImportsThemByTheMapsOfTheArchive) {
 TEST(BatchOnRecordings, DoesAgainOnlyWhatAMapChanges) {
   const Path folder = EmptyTestFolder();
   const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
-  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
+  RunsWell(RunBatchOfRecordings(archive, results));
   EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
               HasSubstr("0 logs run now, 2 done before"));
 
@@ -101,7 +97,7 @@ TEST(BatchOnRecordings, TakesTheLogsThatItMadeBefore) {
   const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
   WriteTestFile(archive / "archive.yaml",
                 "imports: [{files: '*/pool*.csv', map: pool_map.yaml}]\n");
-  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
+  RunsWell(RunBatchOfRecordings(archive, results));
   CopyWithout(1, archive / "dive_1/pool.csv", archive / "dive_1/pool_2.csv");
   EXPECT_THAT(RunBatchOfRecordings(archive, results).out,
               HasSubstr("1 log run now, 2 done before"));
@@ -119,7 +115,7 @@ TEST(BatchOnRecordings, TellsWhatIsWrongWithTheirMap) {
   const Path folder = EmptyTestFolder();
   const Path archive = WriteRecordings(folder / "archive"), results = folder / "results.sqlite";
   fs::remove(archive / "pool_map.yaml");
-  ASSERT_EQ(RunBatchOfRecordings(archive, results).exit_code, 0);
+  RunsWell(RunBatchOfRecordings(archive, results));
   EXPECT_THAT(StatesOf(results)["dive_1/pool.csv"], HasSubstr("pool_map.yaml"));
 }
 
@@ -150,8 +146,7 @@ velocity: {channel: /adap_samples.velocity, frame: FLU, time: time, u: "velocity
                 "imports:\n"
                 "  - {files: 'sonia/y_*.mat', map: sonia.yaml}\n"
                 "  - {files: formats/pocolog, map: rock.yaml}\n");
-  const ToolRun run = RunBatchOfRecordings(archive, results);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(RunBatchOfRecordings(archive, results));
   int num_without_map = 0;
   for (const auto& [log, state] : StatesOf(results)) {
     SCOPED_TRACE(log);

@@ -21,7 +21,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 namespace fathom {
@@ -263,13 +262,13 @@ class BatchOnSlurm : public testing::Test {
     const fs::path job = folder_ / "shared" / "the job.sbatch";
     fs::create_directories(folder_ / "shared");
     const ToolRun plan = RunToolBinary("fathom_batch",
-                                       {"--archive=" + archive_.string(),
-                                        "--results=" + results_.string(),
-                                        "--tools=" + tools_.string(),
+                                       {Flag("archive", archive_),
+                                        Flag("results", results_),
+                                        Flag("tools", tools_),
                                         "--plan=4",
-                                        "--slurm=" + job.string()});
+                                        Flag("slurm", job)});
     if (plan.exit_code != 0) throw std::runtime_error(plan.err);
-    const std::string logs = "--output=" + (folder_ / "shared/%A_%a.out").string();
+    const std::string logs = Flag("output", folder_ / "shared/%A_%a.out");
     std::string array = Output("sbatch", {"--parsable", "--array=0-3", logs, job.string()});
     array.pop_back();
     std::string merge = Output(
@@ -290,10 +289,7 @@ class BatchOnSlurm : public testing::Test {
   }
 
   void RunOnOneMachine(const fs::path& results) const {
-    const ToolRun run = RunToolBinary(
-        "fathom_batch",
-        {"--archive=" + archive_.string(), "--results=" + results.string(), "--jobs=2"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    RunsWell("fathom_batch", {Flag("archive", archive_), Flag("results", results), "--jobs=2"});
   }
 
   const fs::path folder_ = EmptyTestFolder();

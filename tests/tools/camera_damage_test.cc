@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -37,13 +36,12 @@ fs::path FilmedLog(const fs::path& folder, bool rendered) {
                     "name: filmed\nduration: 2\ncommand_rate: 10\nsurge: {control: open_loop, "
                     "input: {kind: sine, amplitude: 20, frequency: 2}}\n"
                     "velocity: {rate: 10, noise: {surge: 0.005}}\n");
-  std::vector<std::string> arguments = {"--vehicle=" + vehicle.string(),
-                                        "--experiment=" + experiment.string(),
+  std::vector<std::string> arguments = {Flag("vehicle", vehicle),
+                                        Flag("experiment", experiment),
                                         "--film=" + kFilms + "wall_four.yaml",
-                                        "--out=" + (folder / "log").string()};
+                                        Flag("out", folder / "log")};
   if (rendered) arguments.push_back("--render");
-  const ToolRun run = RunToolBinary("fathom_synthesize", arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_synthesize", arguments);
   return folder / "log";
 }
 
@@ -61,10 +59,9 @@ void ChangeDetections(const fs::path& log,
 }
 
 ToolRun Tracked(const fs::path& log, const fs::path& folder, const fs::path& summary) {
-  return RunToolBinary("fathom_track",
-                       {"--log=" + log.string(),
-                        "--out=" + (folder / "tracked").string(),
-                        "--summary=" + summary.string()});
+  return RunToolBinary(
+      "fathom_track",
+      {Flag("log", log), Flag("out", folder / "tracked"), Flag("summary", summary)});
 }
 
 TEST(CameraDamage, CountsTheFramesThatATruncatedVideoLacks) {
@@ -91,8 +88,7 @@ TEST(CameraDamage, CountsTheFramesThatATruncatedVideoLacks) {
   fs::resize_file(video, fs::file_size(video) * 6 / 10);
   std::ofstream(log / "log.yaml", std::ios::app) << "video: film.avi\n";
   const fs::path summary = folder / "track.json";
-  const ToolRun run = Tracked(log, folder, summary);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Tracked(log, folder, summary));
   const auto frames = JsonOf(summary)["frames"];
   const int num_read = 20 - frames["unreadable"].get<int>();
   EXPECT_GT(num_read, 5);
@@ -120,13 +116,11 @@ TEST(CameraDamage, RefusesCornersInTheOrderOfAMirror) {
       ": the corners of 80 of 80 run clockwise in the image, expected bottom-left, "
       "bottom-right, top-right, top-left of the upright tag. Are the images mirrored, or the "
       "corners in another order (OpenCV's aruco starts at the top-left)?\n";
-  EXPECT_THAT(ExpectRefusal("fathom_track",
-                            {"--log=" + log.string(), "--out=" + (folder / "tracked").string()},
-                            folder),
-              HasSubstr((log / "detections.csv").string() + said));
   EXPECT_THAT(
-      ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
+      ExpectRefusal("fathom_track", {Flag("log", log), Flag("out", folder / "tracked")}, folder),
       HasSubstr((log / "detections.csv").string() + said));
+  EXPECT_THAT(ExpectRefusal("fathom_identify", {Flag("log", log), "--source=camera"}, folder),
+              HasSubstr((log / "detections.csv").string() + said));
 }
 
 TEST(CameraDamage, RefusesDetectionsFromFramesOfAnotherSize) {
@@ -136,7 +130,7 @@ TEST(CameraDamage, RefusesDetectionsFromFramesOfAnotherSize) {
     for (std::size_t i = 2; i < row->size(); ++i) (*row)[i] = 2.5 * (*row)[i];
   });
   EXPECT_THAT(
-      ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
+      ExpectRefusal("fathom_identify", {Flag("log", log), "--source=camera"}, folder),
       HasSubstr("lie outside the camera's image of 800 x 600 pixels or its lens' field. Is this "
                 "the calibration of another camera or resolution?\n"));
 }
@@ -148,15 +142,14 @@ TEST(CameraDamage, CountsDetectionsOfTagsThatAreNotInTheMapAndRefusesIfThereAreN
     if ((*row)[1] == 5.0) (*row)[1] = 77.0;
   });
   const fs::path summary = folder / "track.json";
-  const ToolRun run = Tracked(log, folder, summary);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Tracked(log, folder, summary));
   EXPECT_THAT(run.err,
               HasSubstr("Set aside as unknown id: 20 of 80 detections: tags 77 (20 times).\n"));
   EXPECT_EQ(JsonOf(summary)["frames"]["with_pose"], 20);
 
   ChangeDetections(log, [](std::vector<double>* row) { (*row)[1] += 100.0; });
   EXPECT_THAT(
-      ExpectRefusal("fathom_identify", {"--log=" + log.string(), "--source=camera"}, folder),
+      ExpectRefusal("fathom_identify", {Flag("log", log), "--source=camera"}, folder),
       HasSubstr(
           "detections.csv: 0 of 20 frames with detections gave a pose, expected at least two."));
 }

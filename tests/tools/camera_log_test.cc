@@ -14,7 +14,6 @@
 #include "saved_files.h"
 #include "synthetic_views.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -80,12 +79,9 @@ Path WriteCameraLog(const Path& folder, bool with_velocity = false) {
 TEST(CameraLog, IdentifyFindsTheModelFromDetectionsAlone) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteCameraLog(folder / "log");
-  const ToolRun run = RunToolBinary("fathom_identify",
-                                    {"--log=" + log.string(),
-                                     "--dof=surge",
-                                     "--source=camera",
-                                     "--model=" + (folder / "model.json").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(
+      "fathom_identify",
+      {Flag("log", log), "--dof=surge", "--source=camera", Flag("model", folder / "model.json")});
   EXPECT_THAT(run.err, HasSubstr("1800 of 1800 frames with detections gave a pose"));
   EXPECT_THAT(run.err, HasSubstr("; corner sigma 0."));
   const auto model = JsonOf(folder / "model.json");
@@ -99,11 +95,10 @@ TEST(CameraLog, IdentifyFindsTheModelFromDetectionsAlone) {
 TEST(CameraLog, CompareHasRowsOfBothSources) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteCameraLog(folder / "log", /*with_velocity=*/true);
-  const std::vector<std::string> arguments = {"--log=" + log.string(),
+  const std::vector<std::string> arguments = {Flag("log", log),
                                               "--families=least_squares,output_error",
-                                              "--json=" + (folder / "rows.json").string()};
-  const ToolRun run = RunToolBinary("fathom_compare", arguments);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+                                              Flag("json", folder / "rows.json")};
+  RunsWell("fathom_compare", arguments);
   std::set<std::string> rows;
   const auto json = JsonOf(folder / "rows.json");
   for (const auto& row : json["rows"]) {
@@ -118,8 +113,7 @@ TEST(CameraLog, CompareHasRowsOfBothSources) {
 
   // Without the calibration the other source is still there, and the loss is told.
   std::filesystem::remove(log / "camera.yaml");
-  const ToolRun without = RunToolBinary("fathom_compare", arguments);
-  ASSERT_EQ(without.exit_code, 0) << without.err;
+  const ToolRun without = RunsWell("fathom_compare", arguments);
   EXPECT_THAT(without.err, HasSubstr("The camera is not used: "));
   EXPECT_THAT(without.err, HasSubstr("holds no camera.yaml"));
   EXPECT_EQ(JsonOf(folder / "rows.json")["rows"].size(), 2u);
@@ -130,7 +124,7 @@ TEST(CameraLog, RefusesDetectionsWithoutACalibration) {
   const Path log = WriteCameraLog(folder / "log");
   std::filesystem::remove(log / "mount.yaml");
   for (const char* source : {"--source=camera", "--dof=surge"}) {
-    const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string(), source});
+    const ToolRun run = RunToolBinary("fathom_identify", {Flag("log", log), source});
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_THAT(run.err, HasSubstr("holds no mount.yaml (the camera's place on the vehicle)"));
   }

@@ -23,7 +23,6 @@
 #include "synthesized_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -86,8 +85,7 @@ struct Said {
 
 Said Check(const Path& log, const Path& scratch) {
   const Path file = scratch / "check.json";
-  const ToolRun run =
-      RunToolBinary("fathom_check", {"--log=" + log.string(), "--json=" + file.string()});
+  const ToolRun run = RunToolBinary("fathom_check", {Flag("log", log), Flag("json", file)});
   Said said = {run.exit_code, {}, "", run.out + run.err};
   if (run.exit_code != 0 && run.exit_code != 2) return said;
   const Json json = Json::parse(TextOf(file));
@@ -372,7 +370,13 @@ INSTANTIATE_TEST_SUITE_P(Table,
                          ::testing::ValuesIn(Table()),
                          [](const auto& info) { return info.param.name; });
 
-TEST(CheckTool, SaysOfALogWithoutACommandThatItIsAFreeDecay) {
+class CheckTool : public ::testing::Test {
+ protected:
+  const Path folder_ = EmptyTestFolder();
+  Dive dive_ = SoundDive(folder_, false);
+};
+
+TEST_F(CheckTool, SaysOfALogWithoutACommandThatItIsAFreeDecay) {
   std::string text = "t,v\n";
   for (int i = 0; i < 300; ++i) {
     const double t = 0.05 * i;
@@ -380,16 +384,14 @@ TEST(CheckTool, SaysOfALogWithoutACommandThatItIsAFreeDecay) {
     text += std::to_string(t) + "," + std::to_string(v) + "\n";
   }
   const std::string csv = WriteTestFile(EmptyTestFolder() / "decay.csv", text).string();
-  const ToolRun run = RunToolBinary("fathom_check", {"--log=" + csv, "--dof=yaw"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_check", {"--log=" + csv, "--dof=yaw"});
   EXPECT_THAT(run.out, HasSubstr("yellow  free_decay        There is no command, so that this is"));
   EXPECT_THAT(run.out, HasSubstr("next: fathom_identify --log=" + csv + " --dof=yaw"));
 }
 
-TEST(CheckTool, IsGreenOnSoundLogs) {
-  const Path folder = EmptyTestFolder();
+TEST_F(CheckTool, IsGreenOnSoundLogs) {
   for (const bool is_slow : {false, true}) {
-    const Path own = folder / (is_slow ? "slow" : "fast");
+    const Path own = folder_ / (is_slow ? "slow" : "fast");
     fs::create_directories(own);
     Dive dive = SoundDive(own, is_slow);
     dive.has_pose = true;
@@ -399,14 +401,12 @@ TEST(CheckTool, IsGreenOnSoundLogs) {
   }
 }
 
-TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  ScaleSpeed(-1.0, &dive.numbers);
-  const Path page = folder / "check.html";
-  const ToolRun run = RunToolBinary(
-      "fathom_check",
-      {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+TEST_F(CheckTool, SaysWhatToDoAndWritesAPage) {
+  ScaleSpeed(-1.0, &dive_.numbers);
+  const Path page = folder_ / "check.html";
+  const ToolRun run =
+      RunToolBinary("fathom_check",
+                    {"--log=" + WriteDive(dive_, folder_ / "log").string(), Flag("report", page)});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.out, HasSubstr("To do: Check sign and frame of command and motion"));
   EXPECT_THAT(TextOf(page), HasSubstr("Check sign and frame of command and motion"));
@@ -414,45 +414,39 @@ TEST(CheckTool, SaysWhatToDoAndWritesAPage) {
 
 // A mass of a thousand times the true one: a log of forces is not told of thruster speeds, and the
 // reverse.
-TEST(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  dive.numbers.mass = 3e4;
-  const Said of_forces = Check(WriteDive(dive, folder / "forces"), folder);
+TEST_F(CheckTool, NamesTheMassAndNoUnitThatALogLacks) {
+  dive_.numbers.mass = 3e4;
+  const Said of_forces = Check(WriteDive(dive_, folder_ / "forces"), folder_);
   EXPECT_THAT(of_forces.text, AllOf(HasSubstr("forces in kN"), HasSubstr("a wrong `mass`")));
-  dive.numbers.thruster_speed_unit = 1.0;
-  const Said of_thrusters = Check(WriteDive(dive, folder / "thrusters"), folder);
+  dive_.numbers.thruster_speed_unit = 1.0;
+  const Said of_thrusters = Check(WriteDive(dive_, folder_ / "thrusters"), folder_);
   EXPECT_THAT(of_thrusters.text, AllOf(Not(HasSubstr("kN")), HasSubstr("a wrong `mass`")));
 }
 
 // A slow sine: a delay turns the response like damping against inertia.
-TEST(CheckTool, DoesNotCallWellKnownWhatADelayMayChange) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  Drive(&dive.numbers, [](double t, double) { return std::sin(0.2 * t); });
+TEST_F(CheckTool, DoesNotCallWellKnownWhatADelayMayChange) {
+  Drive(&dive_.numbers, [](double t, double) { return std::sin(0.2 * t); });
   std::mt19937 generator(1);
   std::normal_distribution<double> noise(0.0, 0.01);
-  for (double& speed : dive.numbers.speed) speed += noise(generator);
-  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  for (double& speed : dive_.numbers.speed) speed += noise(generator);
+  const Said said = Check(WriteDive(dive_, folder_ / "log"), folder_);
   EXPECT_THAT(
       said.text,
       AllOf(HasSubstr("note: This log cannot separate inertia, damping and a command delay"),
             HasSubstr("known: with an unknown delay of the command, the 95 % interval")));
-  const Json dof = Json::parse(TextOf(folder / "check.json"))["dofs"][0];
+  const Json dof = Json::parse(TextOf(folder_ / "check.json"))["dofs"][0];
   EXPECT_THAT(dof["caveats"].dump(), HasSubstr("With an unknown delay the inertia is known to"));
   EXPECT_EQ(dof["parameters"][0]["name"], "inertia");
   EXPECT_EQ(dof["parameters"][0]["known"], "roughly");
 }
 
 // A swell that no force explains.
-TEST(CheckTool, SaysThatTheModelFitsPoorly) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  Drive(&dive.numbers, [](double t, double) { return Tones(t); });
-  for (std::size_t i = 0; i < dive.numbers.speed.size(); ++i) {
-    dive.numbers.speed[i] += 0.3 * std::sin(0.9 * dive.numbers.time[i]);
+TEST_F(CheckTool, SaysThatTheModelFitsPoorly) {
+  Drive(&dive_.numbers, [](double t, double) { return Tones(t); });
+  for (std::size_t i = 0; i < dive_.numbers.speed.size(); ++i) {
+    dive_.numbers.speed[i] += 0.3 * std::sin(0.9 * dive_.numbers.time[i]);
   }
-  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+  const Said said = Check(WriteDive(dive_, folder_ / "log"), folder_);
   EXPECT_THAT(said.text,
               AllOf(HasSubstr("A model of surge from this log fits poorly"),
                     ContainsRegex("yellow  poor_fit +Simulated from the command alone, the model "
@@ -462,39 +456,35 @@ TEST(CheckTool, SaysThatTheModelFitsPoorly) {
                     Not(HasSubstr("note: Simulated"))));
 }
 
-TEST(CheckTool, SaysOnceThatNoMassIsKnown) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  const Path log = WriteDive(dive, folder / "log");
+TEST_F(CheckTool, SaysOnceThatNoMassIsKnown) {
+  const Path log = WriteDive(dive_, folder_ / "log");
   const auto note = HasSubstr("note: No mass of the vehicle is known");
-  const Said with_mass = Check(log, folder);
+  const Said with_mass = Check(log, folder_);
   EXPECT_THAT(with_mass.text, Not(note));
   WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\n");
-  const Said said = Check(log, folder);
+  const Said said = Check(log, folder_);
   EXPECT_THAT(said.text, AllOf(note, HasSubstr("(dry, in kg) to log.yaml.")));
   EXPECT_EQ(said.findings, with_mass.findings);
   WriteTestFile(log / "log.yaml", "name: dive\ndof: surge\ncommand_unit: A\n");
-  EXPECT_THAT(Check(log, folder).text, Not(note));
+  EXPECT_THAT(Check(log, folder_).text, Not(note));
 }
 
-TEST(CheckTool, SaysWhatToDoNextAndWhatTheColoursMean) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
+TEST_F(CheckTool, SaysWhatToDoNextAndWhatTheColoursMean) {
   const auto run_on = [&](const Path& log) {
-    const Path page = folder / "check.html";
+    const Path page = folder_ / "check.html";
     const std::string out =
-        RunToolBinary("fathom_check", {"--log=" + log.string(), "--report=" + page.string()}).out;
+        RunToolBinary("fathom_check", {Flag("log", log), Flag("report", page)}).out;
     EXPECT_THAT(TextOf(page), HasSubstr("Red: no model of this log should be believed before"));
     return std::pair{out, TextOf(page)};
   };
-  const Path sound = WriteDive(dive, folder / "sound");
+  const Path sound = WriteDive(dive_, folder_ / "sound");
   const std::string next =
       "fathom_identify --log=" + sound.string() + " --dof=surge --model=surge.json";
   const auto [out, page] = run_on(sound);
   EXPECT_THAT(out, HasSubstr("\nnext: " + next + "\n"));
   EXPECT_THAT(page, HasSubstr("Next: " + next));
-  ScaleSpeed(-1.0, &dive.numbers);
-  const Path flipped = WriteDive(dive, folder / "flipped");
+  ScaleSpeed(-1.0, &dive_.numbers);
+  const Path flipped = WriteDive(dive_, folder_ / "flipped");
   const auto [red_out, red_page] = run_on(flipped);
   const std::string mend = "mend what is red, then fathom_check --log=" + flipped.string();
   EXPECT_THAT(red_out, HasSubstr("\nnext: " + mend + "\n"));
@@ -509,13 +499,12 @@ Json PlaceOf(const Said& said, const std::string& code) {
 }
 
 // Of mistakes that were made in known rows: rows 300 to 599, 10 Hz, and rows 600 to 899 are copies.
-TEST(CheckTool, SaysWhereAMistakeIs) {
-  const Path folder = EmptyTestFolder();
-  const Dive sound = SoundDive(folder, false);
+TEST_F(CheckTool, SaysWhereAMistakeIs) {
+  const Dive& sound = dive_;
   const std::vector<double>& time = sound.numbers.time;
   Dive stuck = sound;
   std::fill_n(stuck.numbers.speed.begin() + 300, 300, stuck.numbers.speed[300]);
-  const Json where = PlaceOf(Check(WriteDive(stuck, folder / "stuck"), folder), "stuck_values");
+  const Json where = PlaceOf(Check(WriteDive(stuck, folder_ / "stuck"), folder_), "stuck_values");
   EXPECT_EQ(where["file"], "velocity.csv");
   EXPECT_EQ(where["axis"], "u");
   EXPECT_NEAR(where["from"].get<double>(), time[300], 1e-3);
@@ -523,7 +512,7 @@ TEST(CheckTool, SaysWhereAMistakeIs) {
 
   Dive jumps = sound;
   Pose([](Dive* dive, std::size_t i) { dive->yaw[i] = i < 700 ? 0.0 : 0.4; })(&jumps);
-  const Json jump = PlaceOf(Check(WriteDive(jumps, folder / "jumps"), folder), "pose_jump");
+  const Json jump = PlaceOf(Check(WriteDive(jumps, folder_ / "jumps"), folder_), "pose_jump");
   EXPECT_EQ(jump["axis"], "yaw");
   EXPECT_NEAR(jump["from"].get<double>(), time[699], 1e-3);
   EXPECT_NEAR(jump["to"].get<double>(), time[700], 1e-3);
@@ -531,7 +520,7 @@ TEST(CheckTool, SaysWhereAMistakeIs) {
   Dive clipped = sound;
   Driven([](double t, double) { return t > 40.0 && t < 70.0 ? 30.0 : Tones(t); })(&clipped);
   const Json limit =
-      PlaceOf(Check(WriteDive(clipped, folder / "clipped"), folder), "clipped_command");
+      PlaceOf(Check(WriteDive(clipped, folder_ / "clipped"), folder_), "clipped_command");
   EXPECT_EQ(limit["file"], "command.csv");
   EXPECT_NEAR(limit["from"].get<double>(), 40.0, 0.21);  // two rows
   EXPECT_NEAR(limit["to"].get<double>(), 70.0, 0.21);
@@ -539,17 +528,15 @@ TEST(CheckTool, SaysWhereAMistakeIs) {
   Dive flipped = sound;
   ScaleForce(-1.0, &flipped.numbers);
   EXPECT_TRUE(
-      PlaceOf(Check(WriteDive(flipped, folder / "flipped"), folder), "passivity").is_null());
+      PlaceOf(Check(WriteDive(flipped, folder_ / "flipped"), folder_), "passivity").is_null());
 }
 
-TEST(CheckTool, DrawsAFindingAtItsPlace) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  std::fill_n(dive.numbers.speed.begin() + 300, 300, dive.numbers.speed[300]);
-  Later(3.0)(&dive);
-  const Path page = folder / "check.html";
+TEST_F(CheckTool, DrawsAFindingAtItsPlace) {
+  std::fill_n(dive_.numbers.speed.begin() + 300, 300, dive_.numbers.speed[300]);
+  Later(3.0)(&dive_);
+  const Path page = folder_ / "check.html";
   RunToolBinary("fathom_check",
-                {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+                {"--log=" + WriteDive(dive_, folder_ / "log").string(), Flag("report", page)});
   const std::string html = TextOf(page);
   EXPECT_THAT(html, HasSubstr("<h2>surge: stuck values</h2>"));
   EXPECT_THAT(html, HasSubstr("\"name\":\"the finding\""));
@@ -557,38 +544,33 @@ TEST(CheckTool, DrawsAFindingAtItsPlace) {
   EXPECT_THAT(html, HasSubstr("correlation with the command"));
 }
 
-TEST(CheckTool, DrawsTwoMotionsThatAreNotOne) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  Pose([](Dive* dive, std::size_t i) { dive->x[i] *= 2.0; })(&dive);
-  const Path page = folder / "check.html";
+TEST_F(CheckTool, DrawsTwoMotionsThatAreNotOne) {
+  Pose([](Dive* dive, std::size_t i) { dive->x[i] *= 2.0; })(&dive_);
+  const Path page = folder_ / "check.html";
   RunToolBinary("fathom_check",
-                {"--log=" + WriteDive(dive, folder / "log").string(), "--report=" + page.string()});
+                {"--log=" + WriteDive(dive_, folder_ / "log").string(), Flag("report", page)});
   const std::string html = TextOf(page);
   EXPECT_THAT(html, HasSubstr("<h2>log: pose twist scale</h2>"));
   EXPECT_THAT(html, HasSubstr("from pose.csv, along the vehicle"));
 }
 
-TEST(CheckTool, ListsAnArchive) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  WriteDive(dive, folder / "archive/sound");
-  LoseLock(&dive.numbers);
-  WriteDive(dive, folder / "archive/lost");
-  WriteTestFile(folder / "archive/broken/log.yaml", "name: [\n");
-  const ToolRun run = RunToolBinary("fathom_check", {"--archive=" + (folder / "archive").string()});
+TEST_F(CheckTool, ListsAnArchive) {
+  WriteDive(dive_, folder_ / "archive/sound");
+  LoseLock(&dive_.numbers);
+  WriteDive(dive_, folder_ / "archive/lost");
+  WriteTestFile(folder_ / "archive/broken/log.yaml", "name: [\n");
+  const ToolRun run = RunToolBinary("fathom_check", {Flag("archive", folder_ / "archive")});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.out, HasSubstr("lost_values"));
   EXPECT_THAT(run.out, ContainsRegex("\nbroken is not readable: .*log.yaml:2: "));
   EXPECT_THAT(run.out, ContainsRegex("sound +surge +- +-\n"));
 }
 
-TEST(CheckTool, TellsHowToNameALog) {
-  const Path folder = EmptyTestFolder();
-  const ToolRun run = RunToolBinary("fathom_check", {folder.string()});
+TEST_F(CheckTool, TellsHowToNameALog) {
+  const ToolRun run = RunToolBinary("fathom_check", {folder_.string()});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err,
-            "fathom_check: a log needs its flag, expected --log=" + folder.string() +
+            "fathom_check: a log needs its flag, expected --log=" + folder_.string() +
                 ". See fathom_check --help.\n");
 }
 
@@ -613,44 +595,40 @@ Dive PartOf(const Dive& dive, double from, double to) {
 // What fathom_check writes of several logs, and prints.
 Json CheckSeveral(const std::vector<Path>& logs, const Path& scratch, std::string* text = nullptr) {
   const Path file = scratch / "several.json";
-  std::vector<std::string> arguments = {"--json=" + file.string(),
-                                        "--report=" + (scratch / "several.html").string()};
-  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
-  const ToolRun run = RunToolBinary("fathom_check", arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  std::vector<std::string> arguments = {Flag("json", file),
+                                        Flag("report", scratch / "several.html")};
+  for (const Path& log : logs) arguments.push_back(Flag("log", log));
+  const ToolRun run = RunsWell("fathom_check", arguments);
   if (text != nullptr) *text = run.out;
   return Json::parse(TextOf(file));
 }
 
-TEST(CheckTool, SaysOfSeveralLogsWhatIsFoundAndLeftOut) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  const Path sound = WriteDive(dive, folder / "sound");
-  dive.numbers.time.erase(dive.numbers.time.begin() + 500, dive.numbers.time.begin() + 600);
-  dive.numbers.speed.erase(dive.numbers.speed.begin() + 500, dive.numbers.speed.begin() + 600);
-  const Path paused = WriteDive(dive, folder / "paused");
+TEST_F(CheckTool, SaysOfSeveralLogsWhatIsFoundAndLeftOut) {
+  const Path sound = WriteDive(dive_, folder_ / "sound");
+  dive_.numbers.time.erase(dive_.numbers.time.begin() + 500, dive_.numbers.time.begin() + 600);
+  dive_.numbers.speed.erase(dive_.numbers.speed.begin() + 500, dive_.numbers.speed.begin() + 600);
+  const Path paused = WriteDive(dive_, folder_ / "paused");
   WriteTestFile(paused / "log.yaml", "name: dive\ndof: [surge, heave]\nmass: 22.5\n");
   std::string text;
-  const Json json = CheckSeveral({sound, paused}, folder, &text);
+  const Json json = CheckSeveral({sound, paused}, folder_, &text);
   EXPECT_THAT(text, HasSubstr("yellow  gap               surge: 1 gap of over 5 steps"));
   const std::string left_out =
       "heave is not compared: that takes two logs that give a model of it. " + sound.string() +
       ": log.yaml does not name it. " + paused.string() + ": no command.";
   EXPECT_THAT(text, HasSubstr(left_out + "\n"));
   EXPECT_EQ(json["left_out"], Json::array({left_out}));
-  const std::string page = TextOf(folder / "several.html");
+  const std::string page = TextOf(folder_ / "several.html");
   EXPECT_THAT(page, AllOf(HasSubstr("1 gap of over 5 steps"), HasSubstr("heave is not compared")));
 }
 
 // Information adds up: two pieces know together what the whole log knows.
-TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
-  const Path folder = EmptyTestFolder();
-  const Dive whole = SoundDive(folder, false);
-  const Path first = WriteDive(PartOf(whole, 0.0, 50.0), folder / "first");
-  const Path second = WriteDive(PartOf(whole, 50.0, 1e9), folder / "second");
-  const Json parameters = CheckSeveral({first, second}, folder)["dofs"][0]["parameters"];
-  Check(WriteDive(whole, folder / "whole"), folder);
-  const Json of_whole = Json::parse(TextOf(folder / "check.json"))["dofs"][0]["parameters"];
+TEST_F(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
+  const Dive& whole = dive_;
+  const Path first = WriteDive(PartOf(whole, 0.0, 50.0), folder_ / "first");
+  const Path second = WriteDive(PartOf(whole, 50.0, 1e9), folder_ / "second");
+  const Json parameters = CheckSeveral({first, second}, folder_)["dofs"][0]["parameters"];
+  Check(WriteDive(whole, folder_ / "whole"), folder_);
+  const Json of_whole = Json::parse(TextOf(folder_ / "check.json"))["dofs"][0]["parameters"];
   ASSERT_EQ(parameters.size(), 4u);
   for (std::size_t p = 0; p < 4; ++p) {
     SCOPED_TRACE(parameters[p]["name"]);
@@ -664,45 +642,42 @@ TEST(CheckTool, SaysOfTwoPiecesWhatTheWholeLogKnows) {
   }
 }
 
-TEST(CheckTool, SaysThatLogsOfOneVehicleDisagree) {
-  const Path folder = EmptyTestFolder();
-  const Path first = SmallLogWith(folder, "first", "", 1),
-             second = SmallLogWith(folder, "second", "", 2);
-  EXPECT_TRUE(CheckSeveral({first, second}, folder)["dofs"][0]["disagreements"].empty());
+TEST_F(CheckTool, SaysThatLogsOfOneVehicleDisagree) {
+  const Path first = SmallLogWith(folder_, "first", "", 1),
+             second = SmallLogWith(folder_, "second", "", 2);
+  EXPECT_TRUE(CheckSeveral({first, second}, folder_)["dofs"][0]["disagreements"].empty());
   std::string heavier = SmallVehicleYaml();
   heavier.replace(heavier.find("inertia: 40"), 11, "inertia: 48");
-  const Path loaded = SmallLogWith(folder, "loaded", "", 3, heavier);
-  const Json json = CheckSeveral({first, loaded}, folder);
+  const Path loaded = SmallLogWith(folder_, "loaded", "", 3, heavier);
+  const Json json = CheckSeveral({first, loaded}, folder_);
   EXPECT_THAT(json["verdict"].get<std::string>(), HasSubstr("but they disagree"));
   EXPECT_THAT(json["dofs"][0]["disagreements"][0].get<std::string>(),
               HasSubstr("disagree on the inertia in surge"));
 }
 
 // A log that never moves gives no model; two others weigh a fifth of what they move with.
-TEST(CheckTool, AcquitsNoLogWithoutAModelAndTellsOfUnusualInertias) {
-  const Path folder = EmptyTestFolder();
+TEST_F(CheckTool, AcquitsNoLogWithoutAModelAndTellsOfUnusualInertias) {
   std::vector<Path> logs;
   for (int seed = 1; seed < 4; ++seed) {
-    logs.push_back(SmallLogWith(folder, fmt::format("run_{}", seed), "", seed));
+    logs.push_back(SmallLogWith(folder_, fmt::format("run_{}", seed), "", seed));
     WriteTestFile(logs.back() / "log.yaml", "name: run\ndof: surge\nmass: 9\n");
   }
   WriteTestFile(logs[2] / "log.yaml", "name: run\ndof: heave\nmass: 9\n");
-  const std::string verdict = CheckSeveral(logs, folder)["verdict"];
+  const std::string verdict = CheckSeveral(logs, folder_)["verdict"];
   EXPECT_THAT(verdict, HasSubstr("Nothing red speaks against 2 of 3 logs, but"));
   EXPECT_THAT(verdict, HasSubstr(logs[2].string() + " gives no model"));
   EXPECT_THAT(verdict, HasSubstr("the inertia in surge is 4.4 times the dry mass in 2 of 3 logs"));
 }
 
 // What it proposes to hold out of several logs leaves enough to identify.
-TEST(CheckTool, ProposesWholeLogsToHoldOut) {
-  const Path folder = EmptyTestFolder();
-  const Dive whole = SoundDive(folder, false);
+TEST_F(CheckTool, ProposesWholeLogsToHoldOut) {
+  const Dive& whole = dive_;
   std::vector<Path> logs;
   for (int k = 0; k < 3; ++k) {
-    logs.push_back(WriteDive(PartOf(whole, 50.0 * k, 50.0 * (k + 1)), folder / std::to_string(k)));
+    logs.push_back(WriteDive(PartOf(whole, 50.0 * k, 50.0 * (k + 1)), folder_ / std::to_string(k)));
   }
   std::string text;
-  const Json held_out = CheckSeveral(logs, folder, &text)["dofs"][0]["held_out"];
+  const Json held_out = CheckSeveral(logs, folder_, &text)["dofs"][0]["held_out"];
   ASSERT_EQ(held_out.size(), 1u) << text;
   const Path held = held_out[0]["log"].get<std::string>();
   const auto line = text.find("held_out: [");
@@ -710,32 +685,28 @@ TEST(CheckTool, ProposesWholeLogsToHoldOut) {
   WriteTestFile(held / "log.yaml",
                 TextOf(held / "log.yaml") + text.substr(line, text.find('\n', line) - line) + "\n");
   std::vector<std::string> arguments = {"--dof=surge"};
-  for (const Path& log : logs) arguments.push_back("--log=" + log.string());
-  const ToolRun run = RunToolBinary("fathom_identify", arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const Path& log : logs) arguments.push_back(Flag("log", log));
+  const ToolRun run = RunsWell("fathom_identify", arguments);
   EXPECT_THAT(run.out, HasSubstr("held out")) << run.out;
 }
 
-TEST(CheckTool, SaysFirstWhatStaysUnknown) {
-  const Path folder = EmptyTestFolder();
-  Dive dive = SoundDive(folder, false);
-  Drive(&dive.numbers, [](double t, double) { return 0.01 * Tones(t); });
-  const Said said = Check(WriteDive(dive, folder / "log"), folder);
+TEST_F(CheckTool, SaysFirstWhatStaysUnknown) {
+  Drive(&dive_.numbers, [](double t, double) { return 0.01 * Tones(t); });
+  const Said said = Check(WriteDive(dive_, folder_ / "log"), folder_);
   EXPECT_THAT(said.text,
               ContainsRegex("Nothing speaks against a model of surge from this log, but it leaves "
                             "quadratic_damping( and linear_damping)? unknown\\."));
 }
 
 // Two lines of its help gave two meanings of 2.
-TEST(CheckTool, SaysOneThingOfItsExitCodes) {
+TEST_F(CheckTool, SaysOneThingOfItsExitCodes) {
   const std::string help = RunToolBinary("fathom_check", {"--help"}).out;
   EXPECT_THAT(help, HasSubstr("2: a finding is red."));
   EXPECT_THAT(help, Not(HasSubstr("no usable fit")));
 }
 
 // Every step that is named can be taken.
-TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
-  const Path folder = EmptyTestFolder();
+TEST_F(CheckTool, SaysHowASingleCsvGetsAMass) {
   std::string text = "t,tau,v\n";
   double v = 0.0;
   for (int i = 0; i < 1500; ++i) {
@@ -743,20 +714,17 @@ TEST(CheckTool, SaysHowASingleCsvGetsAMass) {
     text += fmt::format("{:.1f},{:.4f},{:.5f}\n", 0.1 * i, force, v);
     v += 0.1 * (force - 40.0 * v * std::abs(v) - 8.0 * v) / 38.0;
   }
-  const Path csv = folder / "run.csv", map = folder / "map.yaml", log = folder / "run";
+  const Path csv = folder_ / "run.csv", map = folder_ / "map.yaml", log = folder_ / "run";
   WriteTestFile(csv, text);
-  const std::string from = "--from=" + csv.string();
-  const ToolRun run = RunToolBinary("fathom_check", {"--log=" + csv.string(), "--dof=surge"});
+  const std::string from = Flag("from", csv);
+  const ToolRun run = RunToolBinary("fathom_check", {Flag("log", csv), "--dof=surge"});
   EXPECT_THAT(run.out,
               AllOf(ContainsRegex("that it has not seen, add --held_out=[0-9.]+:[0-9.]+\n"),
                     HasSubstr("fathom_import " + from + " --suggest > map.yaml, add `mass:`"),
                     HasSubstr("fathom_import " + from + " --map=map.yaml --out=run.")));
   WriteTestFile(map, RunToolBinary("fathom_import", {from, "--suggest"}).out + "mass: 22.5\n");
-  ASSERT_EQ(RunToolBinary("fathom_import", {from, "--map=" + map.string(), "--out=" + log.string()})
-                .exit_code,
-            0);
-  const ToolRun with_mass = RunToolBinary("fathom_check", {"--log=" + log.string()});
-  EXPECT_EQ(with_mass.exit_code, 0) << with_mass.err;
+  RunsWell("fathom_import", {from, Flag("map", map), Flag("out", log)});
+  const ToolRun with_mass = RunsWell("fathom_check", {Flag("log", log)});
   EXPECT_THAT(with_mass.out, Not(HasSubstr("No mass of the vehicle is known")));
 }
 
@@ -764,10 +732,10 @@ using CheckedRealLogs = OnRealData;
 
 TEST_F(CheckedRealLogs, AreKnownAsWellAsFathomIdentifyKnowsThem) {
   const Path folder = EmptyTestFolder();
-  const std::string log = "--log=" + (Path(folder_) / "kingfisher_runs/run_20").string();
+  const std::string log = Flag("log", Path(folder_) / "kingfisher_runs/run_20");
   const Path json = folder / "check.json", model = folder / "model.json";
-  RunToolBinary("fathom_check", {log, "--dof=surge", "--json=" + json.string()});
-  RunToolBinary("fathom_identify", {log, "--dof=surge", "--model=" + model.string()});
+  RunToolBinary("fathom_check", {log, "--dof=surge", Flag("json", json)});
+  RunToolBinary("fathom_identify", {log, "--dof=surge", Flag("model", model)});
   const Json identified = JsonOf(model);
   const Json checked = JsonOf(json)["dofs"][0]["parameters"];
   ASSERT_EQ(checked.size(), 4u);
@@ -801,7 +769,7 @@ TEST_F(CheckedRealLogs, TellACameraThatIsLate) {
   EXPECT_EQ(said.findings[0]["code"], "camera_delay");
   EXPECT_THAT(said.findings[0]["sentence"].get<std::string>(), HasSubstr("2.30 s after"));
   const Path page = folder / "check.html";
-  RunToolBinary("fathom_check", {"--log=" + log.string(), "--report=" + page.string()});
+  RunToolBinary("fathom_check", {Flag("log", log), Flag("report", page)});
   EXPECT_THAT(TextOf(page),
               AllOf(HasSubstr("<b>correlation with w of velocity.csv</b>"),
                     HasSubstr("the most, at 2.30 s")));

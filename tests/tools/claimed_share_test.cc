@@ -14,7 +14,6 @@
 #include "synthesized_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -66,10 +65,9 @@ double TrueShare(const Hidden& hidden, const Path& log, const Path& folder) {
   const std::string model = (folder / "model.json").string();
   const std::string prediction = (folder / "prediction.csv").string();
   for (const ToolRun& run :
-       {RunToolBinary("fathom_identify",
-                      {"--log=" + log.string(), "--dof=surge", "--model=" + model}),
+       {RunToolBinary("fathom_identify", {Flag("log", log), "--dof=surge", "--model=" + model}),
         RunToolBinary("fathom_simulate",
-                      {"--log=" + moved.string(), "--model=" + model, "--out=" + prediction})}) {
+                      {Flag("log", moved), "--model=" + model, "--out=" + prediction})}) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
   }
   const CsvColumns measured = ReadColumns(moved / "velocity.csv");
@@ -92,9 +90,8 @@ TEST_P(ClaimedShare, IsWhatTheTrueModelRemoves) {
   const Path folder = EmptyTestFolder();
   const Path log = LogOf(hidden, 0.01, hidden.turbulence, folder / "log");
   const Path verdict = folder / "verdict.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_diagnose", {"--log=" + log.string(), "--dof=surge", "--verdict=" + verdict.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell("fathom_diagnose", {Flag("log", log), "--dof=surge", Flag("verdict", verdict)});
   ASSERT_EQ(JsonOf(verdict)["causes"].size(), 1u) << run.out;
 
   const double true_share = TrueShare(hidden, log, folder);
@@ -121,9 +118,7 @@ TEST(ClaimedShare, IsNoZeroBesideAnErrorThatIsNotNoise) {
   const Path folder = EmptyTestFolder();
   const Path log = SmallLogThatLoses(folder, "thruster_lag:time_constant=0.5", 1);
   const Path page = folder / "page.html";
-  const ToolRun run =
-      RunToolBinary("fathom_diagnose", {"--log=" + log.string(), "--report=" + page.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_diagnose", {Flag("log", log), Flag("report", page)});
   EXPECT_THAT(run.out, StartsWith("surge: unexplained\nPart of the error "));
   const std::string header = HeaderOf(TextOf(page));
   EXPECT_THAT(header, HasSubstr("<dd>unexplained</dd>"));

@@ -13,7 +13,6 @@
 #include "saved_files.h"
 #include "turn_without_command.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -33,8 +32,8 @@ struct FlatfishRun {
     run = RunToolBinary("fathom_compare",
                         {"--log=" + kFlatfish,
                          "--dofs=surge,heave,yaw",
-                         "--json=" + (folder / "rows.json").string(),
-                         "--report=" + (folder / "page.html").string()});
+                         Flag("json", folder / "rows.json"),
+                         Flag("report", folder / "page.html")});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     json = TextOf(folder / "rows.json");
     page = TextOf(folder / "page.html");
@@ -75,21 +74,19 @@ TEST(CompareTool, OutputErrorPredictsANoiselessRunBest) {
     if (line.find(" noise:") == std::string::npos) experiment += line + "\n";
   }
   WriteTestFile(folder / "noiseless.yaml", experiment);
-  const std::string log = "--log=" + (folder / "log").string();
-  const ToolRun made = RunToolBinary("fathom_synthesize",
-                                     {"--vehicle=" FATHOM_DATA_DIR "/vehicles/flatfish.yaml",
-                                      "--experiment=" + (folder / "noiseless.yaml").string(),
-                                      "--seed=5",
-                                      "--out=" + (folder / "log").string()});
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string log = Flag("log", folder / "log");
+  RunsWell("fathom_synthesize",
+           {"--vehicle=" FATHOM_DATA_DIR "/vehicles/flatfish.yaml",
+            Flag("experiment", folder / "noiseless.yaml"),
+            "--seed=5",
+            Flag("out", folder / "log")});
   for (const std::string dof : {"surge", "heave", "yaw"}) {
     std::map<std::string, double> mae;
     for (const std::string family : {"least_squares", "adaptive", "output_error"}) {
-      const std::string model = "--model=" + (folder / (dof + family + ".json")).string();
+      const std::string model = Flag("model", folder / (dof + family + ".json"));
       RunToolBinary("fathom_identify",
                     {"--log=" + kFlatfish, "--dof=" + dof, "--family=" + family, model});
-      const ToolRun run = RunToolBinary("fathom_simulate", {model, log});
-      EXPECT_EQ(run.exit_code, 0) << run.err;
+      const ToolRun run = RunsWell("fathom_simulate", {model, log});
       mae[family] = NumberBehind("MAE ", run.out);
     }
     EXPECT_LT(mae["output_error"], mae["least_squares"]) << dof;
@@ -178,12 +175,9 @@ TEST(CompareTool, TheSameLogGivesTheSameBytes) {
 
 TEST(CompareTool, TakesTheFamiliesAndDofsItIsAskedFor) {
   const Path json = EmptyTestFolder() / "rows.json";
-  const ToolRun run = RunToolBinary("fathom_compare",
-                                    {"--log=" + kFlatfish,
-                                     "--dofs=yaw",
-                                     "--families=adaptive,output_error",
-                                     "--json=" + json.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(
+      "fathom_compare",
+      {"--log=" + kFlatfish, "--dofs=yaw", "--families=adaptive,output_error", Flag("json", json)});
   std::vector<std::string> families;
   const auto comparison = JsonOf(json);
   for (const auto& row : comparison["rows"]) families.push_back(row["family"]);
@@ -203,9 +197,7 @@ TEST(CompareTool, RefusesWhatIsNamedTwice) {
 
 TEST(CompareTool, WritesItsFigures) {
   const Path folder = EmptyTestFolder() / "figures";
-  const ToolRun run = RunToolBinary(
-      "fathom_compare", {"--log=" + kFlatfish, "--dofs=heave", "--figures=" + folder.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_compare", {"--log=" + kFlatfish, "--dofs=heave", Flag("figures", folder)});
   EXPECT_THAT(TextOf(folder / "heave_response.svg"), HasSubstr("<svg"));
   EXPECT_THAT(TextOf(folder / "heave_parameters.svg"), HasSubstr("<svg"));
   EXPECT_EQ(TextOf(folder / "heave_response.png").substr(0, 4), "\x89PNG");
@@ -223,8 +215,8 @@ TEST(CompareTool, AVehicleAtRestEndsWithExitCodeTwoAndSaysWhy) {
   WriteTestFile(folder / "log" / "command.csv", command);
   WriteTestFile(folder / "log" / "velocity.csv", velocity);
   const Path json = folder / "rows.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_compare", {"--log=" + (folder / "log").string(), "--json=" + json.string()});
+  const ToolRun run =
+      RunToolBinary("fathom_compare", {Flag("log", folder / "log"), Flag("json", json)});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   ASSERT_TRUE(std::filesystem::exists(json));
   const nlohmann::json rows = JsonOf(json)["rows"];
@@ -239,12 +231,11 @@ TEST(CompareTool, AVehicleAtRestEndsWithExitCodeTwoAndSaysWhy) {
 TEST(CompareTool, TellsTheRatiosOfAFreeDecay) {
   const Path folder = EmptyTestFolder();
   const Path turn = TurnWithoutCommand(folder, true);
-  const ToolRun run = RunToolBinary("fathom_compare",
-                                    {"--log=" + turn.string(),
-                                     "--dofs=yaw",
-                                     "--json=" + (folder / "decay.json").string(),
-                                     "--report=" + (folder / "page.html").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_compare",
+                               {Flag("log", turn),
+                                "--dofs=yaw",
+                                Flag("json", folder / "decay.json"),
+                                Flag("report", folder / "page.html")});
   EXPECT_THAT(run.out, StartsWith("Nothing drives yaw"));
   const auto decay = nlohmann::json::parse(TextOf(folder / "decay.json"));
   EXPECT_NEAR(decay["parameters"]["linear_damping / inertia"]["value"], 0.2, 0.01);
@@ -253,7 +244,7 @@ TEST(CompareTool, TellsTheRatiosOfAFreeDecay) {
 
 TEST(CompareTool, EndsWithExitCodeTwoWhereNothingDrivesAndNothingDecays) {
   const Path turn = TurnWithoutCommand(EmptyTestFolder(), false);
-  const ToolRun run = RunToolBinary("fathom_compare", {"--log=" + turn.string(), "--dofs=yaw"});
+  const ToolRun run = RunToolBinary("fathom_compare", {Flag("log", turn), "--dofs=yaw"});
   EXPECT_EQ(run.exit_code, 2) << run.out;
   EXPECT_THAT(run.err, HasSubstr("nothing to compare"));
 }

@@ -12,7 +12,6 @@
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -49,7 +48,7 @@ TEST(Correct, MendsASignInEveryTool) {
                                                        {"fathom_simulate", "--model=" + model}};
   for (const auto& tool : tools) {
     const auto run = [&](const Path& log, const std::string& flag) {
-      std::vector<std::string> arguments = {tool[1], "--log=" + log.string()};
+      std::vector<std::string> arguments = {tool[1], Flag("log", log)};
       if (!flag.empty()) arguments.push_back(flag);
       ToolRun run = RunToolBinary(tool[0], arguments);
       for (auto at = run.out.find(log.string()); at != std::string::npos;
@@ -83,11 +82,11 @@ TEST(Correct, IsWhatTheCheckOfAWrongSignAsksFor) {
     x += 0.1 * std::stod(row.substr(comma + 1));
   }
   WriteTestFile(log / "pose.csv", pose);
-  const ToolRun wrong = RunToolBinary("fathom_check", {"--log=" + log.string()});
+  const ToolRun wrong = RunToolBinary("fathom_check", {Flag("log", log)});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.out, HasSubstr("pose_twist_sign"));
   EXPECT_THAT(wrong.out, HasSubstr("`correct: {u: -1}` in log.yaml, or --correct=u:-1."));
-  const ToolRun mended = RunToolBinary("fathom_check", {"--log=" + log.string(), "--correct=u:-1"});
+  const ToolRun mended = RunToolBinary("fathom_check", {Flag("log", log), "--correct=u:-1"});
   EXPECT_THAT(mended.out, Not(HasSubstr("pose_twist_sign"))) << mended.err;
   EXPECT_THAT(mended.out + mended.err, HasSubstr("u times -1, as --correct says."));
 }
@@ -96,7 +95,7 @@ TEST(Correct, RefusesWhatIsNoFactorOfAColumn) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
   const auto refusal = [&](const std::string& correct) {
-    return ExpectRefusal("fathom_check", {"--log=" + log.string(), "--correct=" + correct}, folder);
+    return ExpectRefusal("fathom_check", {Flag("log", log), "--correct=" + correct}, folder);
   };
   for (const char* value : {"u", "u=-1", "u:0", "u:nan", "u:inf", ":-1"}) {
     EXPECT_THAT(

@@ -3,7 +3,6 @@
 
 // fathom_diagnose --dofs on the log of a boat with two thrusters.
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -13,7 +12,6 @@
 #include "saved_files.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -59,12 +57,9 @@ std::filesystem::path BoatLog(double gain) {
 TEST(CoupledDiagnosis, NamesTheThrusterThatIsWeak) {
   const std::filesystem::path log = BoatLog(0.6);
   const std::filesystem::path verdict = log / "verdict.json", page = log / "page.html";
-  const ToolRun run = RunToolBinary("fathom_diagnose",
-                                    {"--log=" + log.string(),
-                                     "--dofs=surge,yaw",
-                                     "--verdict=" + verdict.string(),
-                                     "--report=" + page.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(
+      "fathom_diagnose",
+      {Flag("log", log), "--dofs=surge,yaw", Flag("verdict", verdict), Flag("report", page)});
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("explained: Thruster starboard gives"), HasSubstr("next: ")));
   const auto json = JsonOf(verdict);
@@ -74,25 +69,20 @@ TEST(CoupledDiagnosis, NamesTheThrusterThatIsWeak) {
   EXPECT_NEAR(json["causes"][0]["value"].get<double>(), 0.6, 0.01);
   EXPECT_THAT(HeaderOf(TextOf(page)), HasSubstr("Thruster starboard gives"));
 
-  const ToolRun simulated = RunToolBinary(
-      "fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string(), "--horizon=5"});
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  RunsWell("fathom_simulate", {Flag("model", verdict), Flag("log", log), "--horizon=5"});
 }
 
 TEST(CoupledDiagnosis, NamesNothingOfASoundVehicle) {
   const std::filesystem::path log = BoatLog(1.0);
   const std::filesystem::path verdict = log / "verdict.json";
-  const ToolRun run =
-      RunToolBinary("fathom_diagnose",
-                    {"--log=" + log.string(), "--dofs=surge,yaw", "--verdict=" + verdict.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_diagnose", {Flag("log", log), "--dofs=surge,yaw", Flag("verdict", verdict)});
   EXPECT_EQ(JsonOf(verdict)["verdict"], "consistent");
 }
 
 TEST(CoupledDiagnosis, RefusesFlagsOfAModelOfOneDof) {
   const std::filesystem::path log = BoatLog(1.0);
   const ToolRun run =
-      RunToolBinary("fathom_diagnose", {"--log=" + log.string(), "--dofs=surge,yaw", "--effort=2"});
+      RunToolBinary("fathom_diagnose", {Flag("log", log), "--dofs=surge,yaw", "--effort=2"});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err, HasSubstr("--effort"));
 }

@@ -16,7 +16,6 @@
 #include "synthesized_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -76,10 +75,9 @@ TEST(DisagreeingRuns, AreToldOneByOneWithTheOneThatStandsApart) {
     const int seed = static_cast<int>(k) + 1;
     const Path log = SmallLogWith(folder, name, "", seed, VehicleYaml(kInertias[k]));
     WriteTestFile(log / "log.yaml", "name: " + name + "\ndof: surge\nheld_out: [70, 90]\n");
-    arguments.push_back("--log=" + log.string());
+    arguments.push_back(Flag("log", log));
   }
-  const ToolRun run = RunToolBinary("fathom_identify", arguments);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_identify", arguments);
 
   ASSERT_THAT(run.out, HasSubstr("\nrun alone "));
   std::vector<Estimate> inertias;

@@ -16,7 +16,6 @@
 #include "small_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -57,12 +56,11 @@ TEST(ExportTool, WritesEachFormatAndSaysWhatItChecked) {
                  {"mss", "small.m", "function xdot = small(x, ui)\n"}};
   for (const auto& [format, file, begins] : formats) {
     const std::string out = inputs.Out(file);
-    const ToolRun run = RunToolBinary("fathom_export",
-                                      {"--model=" + inputs.model,
-                                       "--vehicle=" + inputs.vehicle,
-                                       "--format=" + format,
-                                       "--out=" + out});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ToolRun run = RunsWell("fathom_export",
+                                 {"--model=" + inputs.model,
+                                  "--vehicle=" + inputs.vehicle,
+                                  "--format=" + format,
+                                  "--out=" + out});
     EXPECT_THAT(run.out, StartsWith(out + " written: a "));
     EXPECT_THAT(run.out, HasSubstr("Checked: the inertia, a free decay.\n"));
     EXPECT_THAT(TextOf(out), StartsWith(begins));
@@ -99,13 +97,9 @@ TEST(ExportTool, PredictsALogInCAsFathomSimulateDoes) {
   const ExportInputs inputs;
   const Path log = WriteSmallLog(inputs.folder / "log");
   const Path csv = inputs.folder / "prediction.csv";
-  const ToolRun simulated =
-      RunToolBinary("fathom_simulate",
-                    {"--model=" + inputs.model, "--log=" + log.string(), "--out=" + csv.string()});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
-  const ToolRun exported = RunToolBinary(
-      "fathom_export", {"--model=" + inputs.model, "--format=c", "--out=" + inputs.Out("small.h")});
-  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  RunsWell("fathom_simulate", {"--model=" + inputs.model, Flag("log", log), Flag("out", csv)});
+  RunsWell("fathom_export",
+           {"--model=" + inputs.model, "--format=c", "--out=" + inputs.Out("small.h")});
   const std::vector<double> speeds = ReadColumns(csv).Values("u");
   const CsvColumns command = ReadColumns(log / "command.csv");
   ASSERT_EQ(command.rows.size(), speeds.size());
@@ -144,9 +138,7 @@ TEST(ExportTool, SaysOnStderrAndInTheFileWhatItLeavesOut) {
                "[0, 0, 0, 0, 0.01]]");
   const std::string model = WriteTestFile(inputs.folder / "lag.json", text).string();
   const std::string out = inputs.Out("lag.h");
-  const ToolRun run =
-      RunToolBinary("fathom_export", {"--model=" + model, "--format=c", "--out=" + out});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_export", {"--model=" + model, "--format=c", "--out=" + out});
   const std::string remark = "The effect thruster_lag of surge is left out (time_constant 0.5 s)";
   EXPECT_THAT(run.err, HasSubstr("fathom_export: note: " + remark));
   EXPECT_THAT(TextOf(out), HasSubstr(" * Note: " + remark));

@@ -4,7 +4,6 @@
 #include "filmed_minute.h"
 
 #include "run_tool.h"
-#include <gtest/gtest.h>
 
 namespace fathom {
 
@@ -20,13 +19,12 @@ std::filesystem::path SynthesizeMinute(const std::filesystem::path& log,
                         ", frequency: 0.5, offset: -0.81}}\nvelocity: {rate: 10, noise: {surge: "
                         "0.01}}\npose: {rate: 10}\nheld_out: [48, 60]\n");
   const std::string data = FATHOM_DATA_DIR;
-  const ToolRun run = RunToolBinary("fathom_synthesize",
-                                    {"--vehicle=" + data + "/vehicles/flatfish.yaml",
-                                     "--experiment=" + experiment.string(),
-                                     "--film=" + data + "/films/" + film,
-                                     "--seed=" + std::to_string(seed),
-                                     "--out=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_synthesize",
+           {"--vehicle=" + data + "/vehicles/flatfish.yaml",
+            Flag("experiment", experiment),
+            "--film=" + data + "/films/" + film,
+            "--seed=" + std::to_string(seed),
+            Flag("out", log)});
   return log;
 }
 

@@ -18,7 +18,6 @@
 #include "small_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -63,12 +62,9 @@ void ExpectTheNumbersOfTheBatch(const Path& csv, const std::vector<std::string>&
   const Path folder = EmptyTestFolder();
   const Path model = folder / "model.json";
   auto of_batch = flags;
-  of_batch.insert(of_batch.end(),
-                  {"--log=" + csv.string(), "--family=adaptive", "--model=" + model.string()});
-  const ToolRun batch = RunToolBinary("fathom_identify", of_batch);
-  ASSERT_EQ(batch.exit_code, 0) << batch.err;
-  const ToolRun followed = RunToolBinaryOn(csv, "fathom_follow", And(flags, "--json"));
-  ASSERT_EQ(followed.exit_code, 0) << followed.err;
+  of_batch.insert(of_batch.end(), {Flag("log", csv), "--family=adaptive", Flag("model", model)});
+  const ToolRun batch = RunsWell("fathom_identify", of_batch);
+  const ToolRun followed = RunsWell(RunToolBinaryOn(csv, "fathom_follow", And(flags, "--json")));
   const auto last = nlohmann::json::parse(LinesOf(followed.out).back());
   EXPECT_TRUE(last["usable"].get<bool>());
   const auto parameters = JsonOf(model)["parameters"];
@@ -95,15 +91,12 @@ TEST(FollowTool, TakesTheGainsThatTheBatchChose) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
   const Path model = folder / "model.json";
-  const ToolRun batch = RunToolBinary(
-      "fathom_identify",
-      {"--log=" + csv.string(), "--dof=surge", "--family=adaptive", "--model=" + model.string()});
-  ASSERT_EQ(batch.exit_code, 0) << batch.err;
+  RunsWell("fathom_identify",
+           {Flag("log", csv), "--dof=surge", "--family=adaptive", Flag("model", model)});
   const auto chosen = JsonOf(model);
   const std::string gains = chosen["provenance"]["gains"];
   const ToolRun followed =
-      RunToolBinaryOn(csv, "fathom_follow", {"--dof=surge", "--gains=" + gains});
-  ASSERT_EQ(followed.exit_code, 0) << followed.err;
+      RunsWell(RunToolBinaryOn(csv, "fathom_follow", {"--dof=surge", "--gains=" + gains}));
   EXPECT_EQ(LastNumbers(followed)[1], chosen["parameters"]["inertia"]["value"].get<double>());
 }
 
@@ -135,8 +128,7 @@ TEST_F(FollowToolOnRealData, EndsAtTheNumbersOfTheBatchAndOfTheAuthor) {
 TEST(FollowTool, PrintsALineForEachSample) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
-  const ToolRun run = RunToolBinaryOn(csv, "fathom_follow", kSmallFlags);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(RunToolBinaryOn(csv, "fathom_follow", kSmallFlags));
   EXPECT_EQ(run.err, "");
   const auto lines = LinesOf(run.out);
   ASSERT_EQ(lines.size(), 602u);
@@ -168,7 +160,7 @@ TEST(FollowTool, TwoHalvesEndAsTheWhole) {
   std::string first, second;
   for (size_t i = 0; i < lines.size(); ++i) (i < 250 ? first : second) += lines[i] + "\n";
   const Path state = folder / "state.json";
-  const auto flags = And(kSmallFlags, "--state=" + state.string());
+  const auto flags = And(kSmallFlags, Flag("state", state));
   RunToolBinaryOn(WriteTestFile(folder / "first.csv", first), "fathom_follow", flags);
   ASSERT_TRUE(std::filesystem::exists(state));
   const ToolRun halves =
@@ -183,7 +175,7 @@ TEST(FollowTool, TwoHalvesEndAsTheWhole) {
 TEST(FollowTool, KeepsWhatCameBeforeABadLine) {
   const Path folder = EmptyTestFolder();
   const Path state = folder / "state.json";
-  const auto flags = And(kSmallFlags, "--state=" + state.string());
+  const auto flags = And(kSmallFlags, Flag("state", state));
   const ToolRun bad =
       RunToolBinaryOn(WriteTestFile(folder / "bad.csv", "t,tau,v\n0,1,0\n0.1,1,0.02\n0.2,1,nan\n"),
                       "fathom_follow",
@@ -211,7 +203,7 @@ TEST(FollowTool, WritesItsStateOnTheWay) {
                                        "--gains=-1e150,1e150,1e150,1e150,1e150",
                                        "--integrator=euler",
                                        "--state_every=1",
-                                       "--state=" + state.string()});
+                                       Flag("state", state)});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("no usable model: The adaptive law diverged at t = "));
   EXPECT_GE(JsonOf(state)["num_samples"].get<int>(), 1);
@@ -233,7 +225,7 @@ TEST(FollowTool, RefusesWhatItCannotUse) {
   EXPECT_THAT(refusal(And(kSmallFlags, "--state_every=0")),
               HasSubstr("--state_every: is 0, expected at least 1 sample."));
   const Path state = WriteTestFile(folder / "state.json", "{");
-  EXPECT_THAT(refusal(And(kSmallFlags, "--state=" + state.string())),
+  EXPECT_THAT(refusal(And(kSmallFlags, Flag("state", state))),
               HasSubstr("state.json: is not JSON"));
 }
 

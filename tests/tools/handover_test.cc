@@ -14,7 +14,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -50,11 +49,10 @@ Path Synthesize(const Path& folder,
                 "name: handover\ncommand_rate: 10\npose: {rate: 10}\n" + experiment);
   more.insert(more.end(),
               {"--vehicle=" + kData + "/vehicles/flatfish.yaml",
-               "--experiment=" + (folder / "experiment.yaml").string(),
-               "--film=" + (folder / "film.yaml").string(),
-               "--out=" + (folder / "log").string()});
-  const ToolRun run = RunToolBinary("fathom_synthesize", more);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+               Flag("experiment", folder / "experiment.yaml"),
+               Flag("film", folder / "film.yaml"),
+               Flag("out", folder / "log")});
+  RunsWell("fathom_synthesize", more);
   return folder / "log";
 }
 
@@ -101,10 +99,8 @@ TEST(Handover, TrackGoesOnWithTheNextMarkerAndCountsTheGap) {
                               "exposure: 0.01\nwater: {attenuation: 0.1, noise: 2}\n",
                               {"--render"});
   const Path tracked = folder / "tracked", summary = folder / "track.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_track",
-      {"--log=" + log.string(), "--out=" + tracked.string(), "--summary=" + summary.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell("fathom_track", {Flag("log", log), Flag("out", tracked), Flag("summary", summary)});
   const auto seen = SeenIn(tracked);
   EXPECT_EQ(HandoversIn(seen), 1);
   const int num_empty = 40 - static_cast<int>(seen.size());
@@ -140,10 +136,8 @@ TEST(Handover, RefineFitsOneModelAcrossTheGaps) {
   const auto seen = SeenIn(log);
   EXPECT_EQ(HandoversIn(seen), 6);  // a period is 21 s
   const Path json = folder / "rows.json", refined = folder / "refined.csv";
-  const ToolRun run = RunToolBinary(
-      "fathom_refine",
-      {"--log=" + log.string(), "--json=" + json.string(), "--trajectory=" + refined.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_refine",
+                               {Flag("log", log), Flag("json", json), Flag("trajectory", refined)});
   EXPECT_THAT(run.out,
               HasSubstr("About " + std::to_string(600 - seen.size()) +
                         " frames in between are without a pose"));

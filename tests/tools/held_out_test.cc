@@ -11,7 +11,6 @@
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -43,7 +42,7 @@ std::vector<Asked> ToolsThatFitOrScore(const Path& folder) {
 
 ToolRun RunOn(const Asked& asked, const Path& log, const std::string& held_out = "") {
   std::vector<std::string> arguments = asked.flags;
-  arguments.push_back("--log=" + log.string());
+  arguments.push_back(Flag("log", log));
   if (!held_out.empty()) arguments.push_back("--held_out=" + held_out);
   return RunToolBinary(asked.tool, arguments);
 }
@@ -78,8 +77,7 @@ TEST(HeldOut, HoldsDataOutOfASingleCsv) {
   const Path csv = WriteTestFile(folder / "small.csv", SmallSingleCsv());
   const Path log = WriteLog(folder / "log", "held_out: [45, 60]\n");
   const Asked identify = {"fathom_identify", {"--dof=surge"}};
-  const ToolRun run = RunOn(identify, csv, "45:60");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(RunOn(identify, csv, "45:60"));
   EXPECT_THAT(run.out, HasSubstr("held out"));
   const std::string fit = RunOn(identify, log).out;
   EXPECT_EQ(run.out.substr(run.out.find("inertia")), fit.substr(fit.find("inertia")));
@@ -113,7 +111,7 @@ TEST(HeldOut, RefusesWhatIsNoInterval) {
   for (const Asked& asked : tools) {
     for (const std::string text : {"240", "300:240", "10:20,", "10-20"}) {
       std::vector<std::string> arguments = asked.flags;
-      arguments.push_back("--log=" + log.string());
+      arguments.push_back(Flag("log", log));
       arguments.push_back("--held_out=" + text);
       EXPECT_THAT(ExpectRefusal(asked.tool, arguments, folder),
                   HasSubstr(": --held_out: holds '" + text.substr(text.find(',') + 1) +

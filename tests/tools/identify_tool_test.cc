@@ -12,7 +12,6 @@
 #include "saved_files.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -37,9 +36,8 @@ std::string Dof(const ::testing::TestParamInfo<DofTruth>& info) { return info.pa
 nlohmann::json IdentifiedModel(const std::vector<std::string>& arguments) {
   const Path model = EmptyTestFolder() / "model.json";
   std::vector<std::string> all = arguments;
-  all.push_back("--model=" + model.string());
-  const ToolRun run = RunToolBinary("fathom_identify", all);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  all.push_back(Flag("model", model));
+  RunsWell("fathom_identify", all);
   return JsonOf(model);
 }
 
@@ -93,8 +91,7 @@ INSTANTIATE_TEST_SUITE_P(TableI,
                          Dof);
 
 TEST(IdentifyTool, PrintsParametersWithIntervalsAndFigures) {
-  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=surge"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_identify", {"--log=" + kFlatfish, "--dof=surge"});
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("surge by output error from velocity.csv: "),
                     HasSubstr("95 % interval"),
@@ -110,9 +107,8 @@ TEST(IdentifyTool, TheSameLogGivesTheSameBytes) {
   const Path folder = EmptyTestFolder();
   std::vector<std::string> models, outputs;
   for (const char* name : {"first.json", "second.json"}) {
-    const ToolRun run =
-        RunToolBinary("fathom_identify",
-                      {"--log=" + kFlatfish, "--dof=yaw", "--model=" + (folder / name).string()});
+    const ToolRun run = RunToolBinary(
+        "fathom_identify", {"--log=" + kFlatfish, "--dof=yaw", Flag("model", folder / name)});
     models.push_back(TextOf(folder / name));
     outputs.push_back(run.out);
   }
@@ -204,11 +200,9 @@ TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {
   const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
   const Path log = WriteSmallLog(folder / "log");
   for (const Path& path : {csv, log}) {
-    const ToolRun run = RunToolBinary("fathom_identify",
-                                      {"--log=" + path.string(),
-                                       "--dof=surge",
-                                       "--model=" + (folder / path.stem()).string() + ".json"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    RunsWell(
+        "fathom_identify",
+        {Flag("log", path), "--dof=surge", "--model=" + (folder / path.stem()).string() + ".json"});
   }
   const auto from_csv = JsonOf(folder / "run.json");
   EXPECT_EQ(from_csv["parameters"], JsonOf(folder / "log.json")["parameters"]);
@@ -239,9 +233,9 @@ TEST(IdentifyTool, AVehicleAtRestEndsWithExitCodeTwoAndNoModel) {
   WriteTestFile(log / "velocity.csv", velocity);
   const Path model = folder / "model.json";
   for (const char* family : {"least_squares", "adaptive", "output_error"}) {
-    const ToolRun run = RunToolBinary(
-        "fathom_identify",
-        {"--log=" + log.string(), std::string("--family=") + family, "--model=" + model.string()});
+    const ToolRun run =
+        RunToolBinary("fathom_identify",
+                      {Flag("log", log), std::string("--family=") + family, Flag("model", model)});
     EXPECT_EQ(run.exit_code, 2) << family << ": " << run.out;
     EXPECT_THAT(run.err, HasSubstr("fathom_identify: no usable model: ")) << family;
     EXPECT_FALSE(std::filesystem::exists(model)) << family;
@@ -257,11 +251,9 @@ TEST(IdentifyTool, TakesLogsOneByOneAndBetweenCommas) {
   const std::string velocity = TextOf(folder / "c" / "velocity.csv");
   WriteTestFile(folder / "c" / "velocity.csv",
                 velocity.substr(0, velocity.find('\n', velocity.size() / 2) + 1));
-  const ToolRun alone = RunToolBinary("fathom_identify", {"--log=" + first, "--dof=surge"});
-  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  const ToolRun alone = RunsWell("fathom_identify", {"--log=" + first, "--dof=surge"});
   const ToolRun one_by_one =
-      RunToolBinary("fathom_identify", {"--log=" + first, "--log=" + second, "--dof=surge"});
-  EXPECT_EQ(one_by_one.exit_code, 0) << one_by_one.err;
+      RunsWell("fathom_identify", {"--log=" + first, "--log=" + second, "--dof=surge"});
   EXPECT_NE(one_by_one.out, alone.out);
 
   std::filesystem::rename(folder / "a,b", folder / "a_b");
@@ -292,17 +284,16 @@ TEST(IdentifyTool, ALogWithoutACommandIsAFreeDecay) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "decay.csv", DecayCsv());
   const Path json = folder / "decay.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_identify", {"--log=" + csv.string(), "--dof=yaw", "--json=" + json.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell("fathom_identify", {Flag("log", csv), "--dof=yaw", Flag("json", json)});
   EXPECT_THAT(run.out, HasSubstr("yaw: free decay over"));
   const auto decay = JsonOf(json);
   EXPECT_EQ(decay["schema"], "fathom-decay-1");
   EXPECT_NEAR(decay["parameters"]["linear_damping / inertia"]["value"], 0.2, 0.01);
   EXPECT_NEAR(decay["parameters"]["quadratic_damping / inertia"]["value"], 0.48, 0.02);
 
-  const ToolRun model = RunToolBinary(
-      "fathom_identify", {"--log=" + csv.string(), "--dof=yaw", "--model=" + json.string()});
+  const ToolRun model =
+      RunToolBinary("fathom_identify", {Flag("log", csv), "--dof=yaw", Flag("model", json)});
   EXPECT_EQ(model.exit_code, 1);
   EXPECT_THAT(model.err, HasSubstr("--model: a model needs the inertia, expected `inertia:"));
 }
@@ -314,7 +305,7 @@ TEST(IdentifyTool, ScalesAFreeDecayByTheInertiaOfTheVehicleFile) {
   std::string text = DecayCsv();
   text.replace(text.find('v'), 1, "r");
   WriteTestFile(folder / "velocity.csv", text);
-  const auto model = IdentifiedModel({"--log=" + folder.string(), "--dof=yaw"});
+  const auto model = IdentifiedModel({Flag("log", folder), "--dof=yaw"});
   EXPECT_EQ(model["provenance"]["family"], "free_decay");
   EXPECT_EQ(model["parameters"]["inertia"]["value"], 5.0);
   EXPECT_NEAR(model["parameters"]["linear_damping"]["value"], 1.0, 0.05);
@@ -326,7 +317,7 @@ TEST(IdentifyTool, AMotionThatDoesNotDecayEndsWithExitCodeTwo) {
     text += std::to_string(0.1 * i) + "," + std::to_string(0.01 * i) + "\n";
   }
   const Path csv = WriteTestFile(EmptyTestFolder() / "rise.csv", text);
-  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + csv.string(), "--dof=yaw"});
+  const ToolRun run = RunToolBinary("fathom_identify", {Flag("log", csv), "--dof=yaw"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("no usable model: Nothing decays"));
 }
@@ -335,20 +326,18 @@ TEST(IdentifyTool, AMotionThatDoesNotDecayEndsWithExitCodeTwo) {
 TEST(IdentifyTool, MakesOneModelOfSeveralDofsThatFathomSimulateRuns) {
   const Path folder = EmptyTestFolder();
   const std::string model = (folder / "model.json").string();
-  const ToolRun run = RunToolBinary(
+  RunsWell(
       "fathom_identify",
       {"--log=" + kFlatfish, "--dofs=surge,heave", "--structure=coriolis", "--model=" + model});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(JsonOf(model)["schema"], "fathom-model-2");
   EXPECT_NEAR(JsonOf(model)["parameters"]["inertia.surge"]["value"], 851.05, 0.05 * 851.05);
   const Path scores = folder / "scores.json", out = folder / "prediction.csv";
-  const ToolRun simulated = RunToolBinary("fathom_simulate",
-                                          {"--model=" + model,
-                                           "--log=" + kFlatfish,
-                                           "--horizon=20",
-                                           "--out=" + out.string(),
-                                           "--json=" + scores.string()});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  const ToolRun simulated = RunsWell("fathom_simulate",
+                                     {"--model=" + model,
+                                      "--log=" + kFlatfish,
+                                      "--horizon=20",
+                                      Flag("out", out),
+                                      Flag("json", scores)});
   EXPECT_THAT(simulated.out, HasSubstr("surge, training data: velocity MAE"));
   EXPECT_LT(JsonOf(scores)["dofs"]["surge"]["nmae"], 0.2);
   EXPECT_THAT(ReadColumns(out).names, ::testing::ElementsAre("t", "u", "w"));

@@ -3,7 +3,6 @@
 
 // The joint refinement among the families of fathom_compare and fathom_identify.
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -37,10 +35,8 @@ TEST(JointRow, StandsLastInTheTableOfACameraLogAndIsThatOfRefine) {
   const Path folder = EmptyTestFolder();
   const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
   const Path json = folder / "rows.json", page = folder / "page.html";
-  const ToolRun run = RunToolBinary(
-      "fathom_compare",
-      {"--log=" + log.string(), "--json=" + json.string(), "--report=" + page.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell("fathom_compare", {Flag("log", log), Flag("json", json), Flag("report", page)});
   const auto rows = JsonOf(json)["rows"];
   ASSERT_THAT(NamesOf(rows),
               ElementsAre("least_squares pose_estimator",
@@ -64,20 +60,14 @@ TEST(JointRow, StandsLastInTheTableOfACameraLogAndIsThatOfRefine) {
   EXPECT_NEAR(joint["heldout_mae"].get<double>(), 0.008, 0.002);
 
   const Path refined = folder / "refined.json";
-  const ToolRun refine =
-      RunToolBinary("fathom_refine", {"--log=" + log.string(), "--json=" + refined.string()});
-  ASSERT_EQ(refine.exit_code, 0) << refine.err;
+  RunsWell("fathom_refine", {Flag("log", log), Flag("json", refined)});
   EXPECT_EQ(joint, JsonOf(refined)["rows"].back());
 
   // Alone if asked for alone, and not there where its source is not.
-  const ToolRun alone = RunToolBinary(
-      "fathom_compare", {"--log=" + log.string(), "--families=joint", "--json=" + json.string()});
-  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  RunsWell("fathom_compare", {Flag("log", log), "--families=joint", Flag("json", json)});
   EXPECT_EQ(JsonOf(json)["rows"], nlohmann::json::array({joint}));
-  const ToolRun without = RunToolBinary(
-      "fathom_compare",
-      {"--log=" + log.string(), "--sources=pose_estimator", "--json=" + json.string()});
-  ASSERT_EQ(without.exit_code, 0) << without.err;
+  const ToolRun without = RunsWell(
+      "fathom_compare", {Flag("log", log), "--sources=pose_estimator", Flag("json", json)});
   EXPECT_EQ(JsonOf(json)["rows"].size(), 3u);
   EXPECT_THAT(without.out, Not(HasSubstr("Joint")));
 }
@@ -86,19 +76,16 @@ TEST(JointRow, IsIdentifiedByItselfToo) {
   const Path folder = EmptyTestFolder();
   const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
   const Path refined = folder / "refined.json", model = folder / "model.json";
-  RunToolBinary("fathom_refine", {"--log=" + log.string(), "--model=" + refined.string()});
-  const ToolRun run = RunToolBinary(
-      "fathom_identify",
-      {"--log=" + log.string(), "--family=joint", "--source=camera", "--model=" + model.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunToolBinary("fathom_refine", {Flag("log", log), Flag("model", refined)});
+  const ToolRun run =
+      RunsWell("fathom_identify",
+               {Flag("log", log), "--family=joint", "--source=camera", Flag("model", model)});
   EXPECT_THAT(run.out, HasSubstr("surge by joint from camera: "));
   EXPECT_THAT(run.out, HasSubstr("Held out and not refined: "));
   EXPECT_EQ(JsonOf(model)["parameters"], JsonOf(refined)["parameters"]);
   EXPECT_EQ(JsonOf(model)["provenance"]["family"], "joint");
   EXPECT_EQ(JsonOf(model)["provenance"]["source"], "camera");
-  const ToolRun simulated =
-      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  RunsWell("fathom_simulate", {Flag("model", model), Flag("log", log)});
 
   // Several logs, of which the corners are the only motion: one fit of all.
   const Path second = SynthesizeMinute(folder / "second", "wall.yaml", 25.0, 2);
@@ -107,11 +94,9 @@ TEST(JointRow, IsIdentifiedByItselfToo) {
     std::filesystem::remove(one / "pose.csv");
   }
   const Path both = folder / "both.json";
-  const ToolRun together = RunToolBinary("fathom_identify",
-                                         {"--log=" + log.string() + "," + second.string(),
-                                          "--family=joint",
-                                          "--model=" + both.string()});
-  ASSERT_EQ(together.exit_code, 0) << together.err;
+  RunsWell(
+      "fathom_identify",
+      {"--log=" + log.string() + "," + second.string(), "--family=joint", Flag("model", both)});
   const auto inertia = JsonOf(both)["parameters"]["inertia"];
   EXPECT_NEAR(inertia["value"].get<double>(), kSurgeInertia, 4.0 * inertia["std"].get<double>());
   EXPECT_LT(inertia["std"], JsonOf(model)["parameters"]["inertia"]["std"]);
@@ -124,13 +109,10 @@ TEST(JointRow, NamesAClockOffsetOfTheCameraThatIsNotApplied) {
                 "cam0: {camera_model: pinhole, distortion_model: radtan, resolution: [800, 600], "
                 "intrinsics: [640, 641, 401.3, 297.6], timeshift_cam_imu: 0.1, "
                 "distortion_coeffs: [-0.12, 0.03, 0.0006, -0.0004]}\n");
-  const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + log.string(), "--family=joint"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_identify", {Flag("log", log), "--family=joint"});
   EXPECT_THAT(run.out, HasSubstr("note: minute: camera.yaml: timeshift_cam_imu is 0.1 s and not"));
   std::filesystem::remove(log / "pose.csv");
-  const ToolRun from_poses =
-      RunToolBinary("fathom_identify", {"--log=" + log.string(), "--source=camera"});
-  EXPECT_EQ(from_poses.exit_code, 0) << from_poses.err;
+  const ToolRun from_poses = RunsWell("fathom_identify", {Flag("log", log), "--source=camera"});
   EXPECT_THAT(from_poses.err, HasSubstr("camera.yaml: timeshift_cam_imu is 0.1 s and not"));
 }
 
@@ -138,8 +120,8 @@ TEST(JointRow, SaysWhyThereIsNoModel) {
   const Path folder = EmptyTestFolder();
   const Path still = SynthesizeMinute(folder / "still", "wall_four.yaml", 0.0, 3);
   const Path json = folder / "rows.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_compare", {"--log=" + still.string(), "--families=joint", "--json=" + json.string()});
+  const ToolRun run =
+      RunToolBinary("fathom_compare", {Flag("log", still), "--families=joint", Flag("json", json)});
   EXPECT_EQ(run.exit_code, 2) << run.out;
   const auto row = JsonOf(json)["rows"][0];
   EXPECT_EQ(row["family"], "joint");
@@ -153,7 +135,7 @@ TEST(JointRow, SaysThatAllIsHeldOut) {
   const Path folder = EmptyTestFolder();
   const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
   WriteTestFile(log / "log.yaml", "name: minute\ndof: surge\nheld_out: [[0, 100]]\n");
-  const std::string here = "--log=" + log.string();
+  const std::string here = Flag("log", log);
   const std::string message =
       (log / "log.yaml").string() +
       ": nothing is left to train on: the held-out intervals take all of the data.\n";
@@ -170,7 +152,7 @@ TEST(JointRow, SaysThatAllIsHeldOut) {
 TEST(JointRow, WantsCornersAndACalibration) {
   const Path folder = EmptyTestFolder();
   const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
-  const std::string here = "--log=" + log.string(), joint = "--families=joint";
+  const std::string here = Flag("log", log), joint = "--families=joint";
   EXPECT_THAT(ExpectRefusal("fathom_compare", {here, joint, "--sources=pose_estimator"}, folder),
               HasSubstr("expected the source camera with it"));
   EXPECT_THAT(
@@ -185,8 +167,7 @@ TEST(JointRow, WantsCornersAndACalibration) {
   EXPECT_THAT(ExpectRefusal("fathom_compare", {here, joint}, folder),
               HasSubstr("holds no mount.yaml"));
   const Path json = folder / "rows.json";
-  const ToolRun run = RunToolBinary("fathom_compare", {here, "--json=" + json.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_compare", {here, Flag("json", json)});
   EXPECT_EQ(JsonOf(json)["rows"].size(), 6u);
   EXPECT_THAT(run.out, HasSubstr("note: Joint, camera: left out: "));
   EXPECT_THAT(run.out, HasSubstr("holds no mount.yaml"));

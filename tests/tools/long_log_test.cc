@@ -13,7 +13,6 @@
 #include "run_tool.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -59,7 +58,7 @@ TEST(LongLog, IsDiagnosedInLittleMemory) {
 #endif
   const std::filesystem::path folder = EmptyTestFolder();
   const std::filesystem::path log = WriteTestFile(folder / "log.csv", LongCsv());
-  const ToolRun run = RunToolBinary("fathom_diagnose", {"--log=" + log.string(), "--dof=surge"});
+  const ToolRun run = RunToolBinary("fathom_diagnose", {Flag("log", log), "--dof=surge"});
   std::filesystem::remove(log);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, StartsWith("surge: consistent\n"));

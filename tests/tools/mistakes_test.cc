@@ -16,7 +16,6 @@
 #include "saved_files.h"
 #include "sound_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -101,9 +100,7 @@ LogNumbers SoundLogOf(const Path& folder, bool is_slow) {
 }
 
 std::string ModelOf(const Path& sound, const Path& file) {
-  const ToolRun run =
-      RunToolBinary("fathom_identify", {"--log=" + sound.string(), "--model=" + file.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_identify", {Flag("log", sound), Flag("model", file)});
   return file.string();
 }
 
@@ -146,7 +143,7 @@ TEST_P(SoundLogs, AreNotWarnedOf) {
   numbers.thruster_speed_unit = 1.0;
   Write(numbers, folder / "thrusters");
   for (const char* name : {"forces", "thrusters"}) {
-    const std::string log = "--log=" + (folder / name).string();
+    const std::string log = Flag("log", folder / name);
     for (const char* tool : {"fathom_identify", "fathom_compare", "fathom_diagnose"}) {
       ExpectFirst(tool, {log}, kUnseen);
     }
@@ -161,7 +158,7 @@ TEST(MistakesOnFilm, AreSaidFirstByRefine) {
   const Path folder = EmptyTestFolder();
   const Path log = SynthesizeMinute(folder / "log", "wall.yaml", 40.0, 1);
   WriteTestFile(log / "log.yaml", TextOf(log / "log.yaml") + "mass: 274\n");
-  const std::vector<std::string> flags = {"--log=" + log.string(), "--dof=surge"};
+  const std::vector<std::string> flags = {Flag("log", log), "--dof=surge"};
   ExpectFirst("fathom_refine", flags, kUnseen);
 
   const CsvColumns command = ReadColumns(log / "command.csv");

@@ -10,7 +10,6 @@
 #include "saved_files.h"
 #include "synthesized_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -24,9 +23,8 @@ using Path = std::filesystem::path;
 struct Diagnosed {
   explicit Diagnosed(const Path& folder, const Path& log) {
     const Path verdict = folder / "verdict.json", report = folder / "page.html";
-    run = RunToolBinary(
-        "fathom_diagnose",
-        {"--log=" + log.string(), "--verdict=" + verdict.string(), "--report=" + report.string()});
+    run = RunToolBinary("fathom_diagnose",
+                        {Flag("log", log), Flag("verdict", verdict), Flag("report", report)});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     json = JsonOf(verdict);
     header = HeaderOf(TextOf(report));

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "real_data.h"
 #include "run_tool.h"
@@ -26,16 +25,14 @@ struct Scores {
 // `logs`: with commas between them.
 Scores ScoresOf(const std::string& logs, const std::string& dof, const Path& folder) {
   const auto file = [&](const char* name) { return (folder / name).string(); };
-  const auto run = [](const std::string& tool, const std::vector<std::string>& arguments) {
-    const ToolRun run = RunToolBinary(tool, arguments);
-    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
-  };
   const std::string of_log = "--log=" + logs, of_dof = "--dof=" + dof;
-  run("fathom_identify", {of_log, of_dof, "--model=" + file("model.json")});
-  run("fathom_compare",
+  RunsWell("fathom_identify", {of_log, of_dof, "--model=" + file("model.json")});
+  RunsWell(
+      "fathom_compare",
       {of_log, "--dofs=" + dof, "--families=output_error", "--json=" + file("comparison.json")});
-  run("fathom_diagnose", {of_log, of_dof, "--verdict=" + file("verdict.json")});
-  run("fathom_simulate", {of_log, "--model=" + file("model.json"), "--json=" + file("score.json")});
+  RunsWell("fathom_diagnose", {of_log, of_dof, "--verdict=" + file("verdict.json")});
+  RunsWell("fathom_simulate",
+           {of_log, "--model=" + file("model.json"), "--json=" + file("score.json")});
   return {JsonOf(file("model.json"))["held_out"]["nmae"],
           JsonOf(file("comparison.json"))["rows"][0]["heldout_nmae"],
           JsonOf(file("verdict.json"))["baseline"]["heldout_nmae"],
@@ -71,13 +68,10 @@ TEST(OneScoreOfLogs, FittedTogether) {
   }
   const std::string of_logs = "--log=" + logs;
   const auto file = [&](const char* name) { return (folder / name).string(); };
-  const auto run = [&](const std::string& tool, const std::vector<std::string>& arguments) {
-    const ToolRun run = RunToolBinary(tool, arguments);
-    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
-  };
-  run("fathom_identify", {of_logs, "--model=" + file("model.json")});
-  run("fathom_compare", {of_logs, "--families=output_error", "--json=" + file("comparison.json")});
-  run("fathom_diagnose", {of_logs, "--verdict=" + file("verdict.json")});
+  RunsWell("fathom_identify", {of_logs, "--model=" + file("model.json")});
+  RunsWell("fathom_compare",
+           {of_logs, "--families=output_error", "--json=" + file("comparison.json")});
+  RunsWell("fathom_diagnose", {of_logs, "--verdict=" + file("verdict.json")});
   const auto model = JsonOf(file("model.json"));
   const auto row = JsonOf(file("comparison.json"))["rows"][0];
   const double score = model["held_out"]["nmae"];

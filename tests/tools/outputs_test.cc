@@ -14,7 +14,6 @@
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 namespace fathom {
@@ -51,7 +50,7 @@ TEST(Outputs, DoNotTakeThePlaceOfAFileOfTheLog) {
   for (const Asked& asked : EveryOutput(folder)) {
     auto arguments = asked.flags;
     const std::string file = (log / "command.csv").string();
-    arguments.push_back("--log=" + log.string());
+    arguments.push_back(Flag("log", log));
     arguments.push_back("--" + asked.output + "=" + file);
     EXPECT_EQ(ExpectRefusal(asked.tool, arguments, folder),
               asked.tool + ": --" + asked.output + "=" + file + ": is command.csv of the log " +
@@ -63,17 +62,17 @@ TEST(Outputs, DoNotTakeThePlaceOfAnInput) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
   const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
-  EXPECT_EQ(ExpectRefusal("fathom_simulate",
-                          {"--log=" + log.string(), "--model=" + model, "--out=" + model},
-                          folder),
-            "fathom_simulate: --out=" + model +
-                ": is read by this program, expected another "
-                "file.\n");
+  EXPECT_EQ(
+      ExpectRefusal(
+          "fathom_simulate", {Flag("log", log), "--model=" + model, "--out=" + model}, folder),
+      "fathom_simulate: --out=" + model +
+          ": is read by this program, expected another "
+          "file.\n");
   const std::string vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml()).string();
   EXPECT_THAT(ExpectRefusal("fathom_synthesize",
                             {"--vehicle=" + vehicle,
                              "--experiment=" FATHOM_DATA_DIR "/experiments/film_surge.yaml",
-                             "--out=" + (folder / "made").string(),
+                             Flag("out", folder / "made"),
                              "--truth=" + vehicle},
                             folder),
               HasSubstr("--truth=" + vehicle + ": is read by this program"));
@@ -85,23 +84,22 @@ TEST(Outputs, AreOneFileEach) {
   const std::string file = (folder / "rows").string();
   // The same place by another name.
   const std::string other = (folder / "log" / ".." / "rows").string();
-  EXPECT_EQ(ExpectRefusal("fathom_compare",
-                          {"--log=" + log.string(), "--json=" + file, "--report=" + other},
-                          folder),
-            "fathom_compare: --report=" + other +
-                ": is the file of --json too, expected another "
-                "one.\n");
+  EXPECT_EQ(
+      ExpectRefusal(
+          "fathom_compare", {Flag("log", log), "--json=" + file, "--report=" + other}, folder),
+      "fathom_compare: --report=" + other +
+          ": is the file of --json too, expected another "
+          "one.\n");
 }
 
 TEST(Outputs, AreTriedBeforeTheWork) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
-  EXPECT_THAT(ExpectRefusal("fathom_compare",
-                            {"--log=" + log.string(),
-                             "--json=" + (folder / "rows.json").string(),
-                             "--report=" + log.string()},
-                            folder),
-              HasSubstr(log.string() + ": is a folder, expected a file to write."));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_compare",
+                    {Flag("log", log), Flag("json", folder / "rows.json"), Flag("report", log)},
+                    folder),
+      HasSubstr(log.string() + ": is a folder, expected a file to write."));
 }
 
 TEST(Outputs, MakeTheFoldersThatAreMissing) {
@@ -110,21 +108,20 @@ TEST(Outputs, MakeTheFoldersThatAreMissing) {
   const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
   const auto write = [&](const std::string& tool, std::vector<std::string> flags, const Path& out) {
     EXPECT_FALSE(std::filesystem::exists(out.parent_path()));
-    const ToolRun run = RunToolBinary(tool, flags);
-    EXPECT_EQ(run.exit_code, 0) << tool << ": " << run.err;
+    RunsWell(tool, flags);
     EXPECT_TRUE(std::filesystem::exists(out)) << out;
   };
-  const std::string log_flag = "--log=" + log.string();
+  const std::string log_flag = Flag("log", log);
   const Path identified = folder / "a" / "b" / "model.json";
-  write("fathom_identify", {log_flag, "--dof=surge", "--model=" + identified.string()}, identified);
+  write("fathom_identify", {log_flag, "--dof=surge", Flag("model", identified)}, identified);
   const Path score = folder / "c" / "d" / "score.json";
-  write("fathom_simulate", {log_flag, "--model=" + model, "--json=" + score.string()}, score);
+  write("fathom_simulate", {log_flag, "--model=" + model, Flag("json", score)}, score);
   const Path rows = folder / "e" / "f" / "rows.json";
-  write("fathom_compare", {log_flag, "--families=least_squares", "--json=" + rows.string()}, rows);
+  write("fathom_compare", {log_flag, "--families=least_squares", Flag("json", rows)}, rows);
   const Path results = folder / "g" / "h" / "results.sqlite";
   write("fathom_batch",
-        {"--archive=" + (folder / "archive").string(),
-         "--results=" + results.string(),
+        {Flag("archive", folder / "archive"),
+         Flag("results", results),
          "--families=least_squares",
          "--nodiagnose"},
         results);
@@ -133,9 +130,9 @@ TEST(Outputs, MakeTheFoldersThatAreMissing) {
 TEST(Outputs, MakeNoFolderIfTheInputIsBad) {
   const Path folder = EmptyTestFolder();
   ExpectRefusal("fathom_batch",
-                {"--archive=" + (folder / "none").string(),
-                 "--results=" + (folder / "a" / "results.sqlite").string(),
-                 "--csv=" + (folder / "b" / "fits.csv").string()},
+                {Flag("archive", folder / "none"),
+                 Flag("results", folder / "a" / "results.sqlite"),
+                 Flag("csv", folder / "b" / "fits.csv")},
                 folder);
 }
 
@@ -160,7 +157,7 @@ TEST(Outputs, AreNotLeftHalfWrittenByAnInterrupt) {
                                      "--experiment=" FATHOM_DATA_DIR "/experiments/film_surge.yaml",
                                      "--film=" FATHOM_DATA_DIR "/films/wall.yaml",
                                      "--render",
-                                     "--out=" + (folder / "log").string()},
+                                     Flag("out", folder / "log")},
                                     interrupt_in_the_midst);
   EXPECT_EQ(run.exit_code, 128 + SIGINT);
   EXPECT_THAT(ListOf(folder), ::testing::IsEmpty());

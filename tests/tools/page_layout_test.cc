@@ -16,9 +16,7 @@
 #include "saved_files.h"
 #include "small_log.h"
 #include "sound_log.h"
-#include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -38,7 +36,7 @@ class PageLayout : public testing::Test {
                      std::vector<std::string> arguments,
                      int exit_code = 0) {
     const Path page = folder_ / "page.html";
-    arguments.push_back("--report=" + page.string());
+    arguments.push_back(Flag("report", page));
     const ToolRun run = RunToolBinary(tool, arguments);
     EXPECT_EQ(run.exit_code, exit_code) << run.err;
     return TextOf(page);
@@ -82,7 +80,7 @@ TEST_F(PageLayout, OfACheckFits) {
   GetStuck(&log);
   for (double& t : log.time) t += 3.0;
   Write(log, folder_ / "log");
-  const std::string page = PageOf("fathom_check", {"--log=" + (folder_ / "log").string()}, 2);
+  const std::string page = PageOf("fathom_check", {Flag("log", folder_ / "log")}, 2);
   EXPECT_THAT(page, testing::HasSubstr("stuck values</h2>"));
   EXPECT_THAT(page, testing::HasSubstr("command delay</h2>"));
   ExpectThatItFits(page);
@@ -93,7 +91,7 @@ TEST_F(PageLayout, OfACheckOfSeveralLogsFits) {
   LogNumbers log = SoundLog(folder_);
   for (const char* dive : {"dive_1", "dive_2", "dive_3"}) {
     Write(log, folder_ / dive);
-    arguments.push_back("--log=" + (folder_ / dive).string());
+    arguments.push_back(Flag("log", folder_ / dive));
     ScaleForce(1.01, &log);  // the same data twice would be refused
   }
   ExpectThatItFits(PageOf("fathom_check", arguments));
@@ -101,14 +99,14 @@ TEST_F(PageLayout, OfACheckOfSeveralLogsFits) {
 
 TEST_F(PageLayout, OfARefinementFits) {
   const Path log = SynthesizeMinute(folder_ / "log", "wall.yaml", 40.0, 1);
-  ExpectThatItFits(PageOf("fathom_refine", {"--log=" + log.string(), "--dof=surge"}));
+  ExpectThatItFits(PageOf("fathom_refine", {Flag("log", log), "--dof=surge"}));
 }
 
 TEST_F(PageLayout, OfAnArchiveFits) {
   for (const char* dive : {"dive_1", "dive_2"}) WriteSmallLog(folder_ / "archive" / dive / "run");
-  ExpectThatItFits(PageOf("fathom_batch",
-                          {"--archive=" + (folder_ / "archive").string(),
-                           "--results=" + (folder_ / "results.sqlite").string()}));
+  ExpectThatItFits(
+      PageOf("fathom_batch",
+             {Flag("archive", folder_ / "archive"), Flag("results", folder_ / "results.sqlite")}));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "saved_files.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -41,8 +40,7 @@ struct PlanInputs {
 
 TEST(PlanTool, WritesACommandWithinItsLimits) {
   const PlanInputs inputs;
-  const ToolRun run = inputs.Plan({"--report=" + inputs.At("plan.html")});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(inputs.Plan({"--report=" + inputs.At("plan.html")}));
   EXPECT_THAT(run.out, HasSubstr("Command surge for 42 s as planned."));
   EXPECT_THAT(run.out, HasSubstr("inertia [kg]"));
 
@@ -64,22 +62,19 @@ TEST(PlanTool, WritesACommandWithinItsLimits) {
 // What is played is what was planned, and is then known as well as was said.
 TEST(PlanTool, WritesAnExperimentThatFathomSynthesizePlays) {
   const PlanInputs inputs;
-  ASSERT_EQ(inputs.Plan().exit_code, 0);
-  const ToolRun played = RunToolBinary("fathom_synthesize",
-                                       {"--vehicle=" + inputs.vehicle,
-                                        "--experiment=" + inputs.At("plan/experiment.yaml"),
-                                        "--out=" + inputs.At("log")});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  RunsWell(inputs.Plan());
+  RunsWell("fathom_synthesize",
+           {"--vehicle=" + inputs.vehicle,
+            "--experiment=" + inputs.At("plan/experiment.yaml"),
+            "--out=" + inputs.At("log")});
   const CsvColumns planned = ReadColumns(inputs.At("plan/command.csv"));
   const CsvColumns logged = ReadColumns(inputs.At("log/command.csv"));
   ASSERT_EQ(logged.rows.size(), 7U * 60U);
   for (std::size_t i = 0; i < logged.rows.size(); ++i) {
     EXPECT_EQ(logged.rows[i][1], planned.rows[i / 7][1]) << "row " << i;
   }
-  const ToolRun fitted = RunToolBinary(
-      "fathom_identify",
-      {"--log=" + inputs.At("log"), "--dof=surge", "--model=" + inputs.At("next.json")});
-  ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
+  RunsWell("fathom_identify",
+           {"--log=" + inputs.At("log"), "--dof=surge", "--model=" + inputs.At("next.json")});
   const auto plan = JsonOf(inputs.At("plan/plan.json"));
   const auto next = JsonOf(inputs.At("next.json"));
   for (const char* parameter : {"inertia", "quadratic_damping", "linear_damping", "buoyancy"}) {
@@ -92,9 +87,9 @@ TEST(PlanTool, WritesAnExperimentThatFathomSynthesizePlays) {
 
 TEST(PlanTool, GivesTheSamePlanForTheSameSeed) {
   const PlanInputs inputs;
-  ASSERT_EQ(inputs.Plan().exit_code, 0);
+  RunsWell(inputs.Plan());
   const std::string first = TextOf(inputs.At("plan/plan.json"));
-  ASSERT_EQ(inputs.Plan().exit_code, 0);
+  RunsWell(inputs.Plan());
   EXPECT_EQ(TextOf(inputs.At("plan/plan.json")), first);
 }
 

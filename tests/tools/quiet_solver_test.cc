@@ -13,7 +13,6 @@
 #include "saved_files.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -46,7 +45,7 @@ TEST_P(QuietSolver, KeepsItsLogToItself) {
   WriteTestFile(log / "command.csv", command);
   WriteTestFile(log / "velocity.csv", velocity);
   const ToolRun run =
-      RunToolBinary(hopeless.tool, {"--log=" + log.string(), hopeless.dof_flag + "=surge"});
+      RunToolBinary(hopeless.tool, {Flag("log", log), hopeless.dof_flag + "=surge"});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.out + run.err, HasSubstr(hopeless.reason));
   for (const char* line : {".cc:", "Error in evaluating"}) {  // "trust_region_minimizer.cc:71]"
@@ -73,8 +72,8 @@ TEST(QuietSolver, KeepsItsLogToItselfInRefine) {
   }
   WriteTestFile(log / "command.csv", command);
   const Path page = folder / "page.html";
-  const ToolRun run = RunToolBinary(
-      "fathom_refine", {"--log=" + log.string(), "--dof=surge", "--report=" + page.string()});
+  const ToolRun run =
+      RunToolBinary("fathom_refine", {Flag("log", log), "--dof=surge", Flag("report", page)});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));
   EXPECT_THAT(run.err, Not(HasSubstr(".cc:")));

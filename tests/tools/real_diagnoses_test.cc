@@ -13,7 +13,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -31,7 +30,7 @@ class RealDiagnoses : public OnRealData {
                            const std::vector<std::string>& more = {}) {
     const Path verdict = EmptyTestFolder() / "verdict.json";
     std::vector<std::string> flags = {
-        "--log=" + (folder_ / log).string(), "--dof=" + dof, "--verdict=" + verdict.string()};
+        Flag("log", folder_ / log), "--dof=" + dof, Flag("verdict", verdict)};
     flags.insert(flags.end(), more.begin(), more.end());
     run_ = RunToolBinary("fathom_diagnose", flags);
     EXPECT_EQ(run_.exit_code, 0) << run_.err;

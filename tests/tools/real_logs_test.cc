@@ -3,7 +3,6 @@
 
 // The tools on logs of real vehicles.
 
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -13,7 +12,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -26,14 +24,13 @@ using Path = std::filesystem::path;
 
 class RealLogsTool : public OnRealData {
  protected:
-  std::string Log(const std::string& name) const { return "--log=" + (folder_ / name).string(); }
+  std::string Log(const std::string& name) const { return Flag("log", folder_ / name); }
 };
 
 // A single tone of 0.2 rad/s: good predictions of the same tone, and honest about the rest.
 TEST_F(RealLogsTool, LbvSurgeIsPredictedAndItsAmbiguityIsSaid) {
-  const ToolRun run = RunToolBinary(
-      "fathom_identify", {Log("lbv_surge"), "--velocity=author_velocity.csv", "--dof=surge"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_identify",
+                               {Log("lbv_surge"), "--velocity=author_velocity.csv", "--dof=surge"});
   EXPECT_LE(NumberBehind("NMAE ", run.out, "held out"), 0.065);
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("surge by output error from author_velocity.csv: "),
@@ -45,8 +42,8 @@ TEST_F(RealLogsTool, LbvSurgeIsPredictedAndItsAmbiguityIsSaid) {
 // Poses from one tag, which flips between its two solutions: every family has to say something.
 TEST_F(RealLogsTool, LbvSurgeRunsFromItsPoses) {
   const Path json = EmptyTestFolder() / "rows.json";
-  const ToolRun run = RunToolBinary(
-      "fathom_compare", {Log("lbv_surge"), "--sources=camera", "--json=" + json.string()});
+  const ToolRun run =
+      RunToolBinary("fathom_compare", {Log("lbv_surge"), "--sources=camera", Flag("json", json)});
   EXPECT_THAT(run.exit_code, AnyOf(0, 2)) << run.err;
   std::set<std::string> families;
   const auto comparison = JsonOf(json);
@@ -69,8 +66,7 @@ TEST_F(RealLogsTool, LbvYawIsFoundNotToBePassive) {
 
 // The command is a sum of currents: only ratios mean anything, and the tool says so.
 TEST_F(RealLogsTool, PoolRovSurgeIsPredictedAndGivenAsRatios) {
-  const ToolRun run = RunToolBinary("fathom_identify", {Log("pool_rov_surge"), "--dof=surge"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_identify", {Log("pool_rov_surge"), "--dof=surge"});
   EXPECT_LE(NumberBehind("NMAE ", run.out, "held out"), 0.105);
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("linear_damping / inertia "),

@@ -14,7 +14,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 namespace fathom {
@@ -64,14 +63,13 @@ nlohmann::json RowOf(const nlohmann::json& file, const std::string& family) {
 
 TEST(RefineTool, FindsModelAndPathFromOneMarker) {
   const fs::path folder = EmptyTestFolder();
-  const ToolRun run = RunToolBinary("fathom_refine",
-                                    {"--log=" + OneMarkerLog().string(),
-                                     "--dof=surge",
-                                     "--json=" + (folder / "rows.json").string(),
-                                     "--model=" + (folder / "model.json").string(),
-                                     "--trajectory=" + (folder / "pose.csv").string(),
-                                     "--report=" + (folder / "page.html").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_refine",
+                               {"--log=" + OneMarkerLog().string(),
+                                "--dof=surge",
+                                Flag("json", folder / "rows.json"),
+                                Flag("model", folder / "model.json"),
+                                Flag("trajectory", folder / "pose.csv"),
+                                Flag("report", folder / "page.html")});
   EXPECT_THAT(run.out, HasSubstr("against velocity.csv"));
   EXPECT_THAT(run.out, HasSubstr("Held out and not refined: "));
   EXPECT_THAT(run.out, HasSubstr("pose.csv is not read"));
@@ -111,11 +109,10 @@ TEST(RefineTool, FindsModelAndPathFromOneMarker) {
   EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("Trajectory and corners"));
 
   // The model is one that fathom_simulate reads.
-  const ToolRun simulated = RunToolBinary("fathom_simulate",
-                                          {"--model=" + (folder / "model.json").string(),
-                                           "--log=" + OneMarkerLog().string(),
-                                           "--out=" + (folder / "prediction.csv").string()});
-  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  RunsWell("fathom_simulate",
+           {Flag("model", folder / "model.json"),
+            "--log=" + OneMarkerLog().string(),
+            Flag("out", folder / "prediction.csv")});
   EXPECT_EQ(JsonOf(folder / "model.json")["parameters"]["inertia"]["value"].get<double>(), inertia);
   EXPECT_EQ(JsonOf(folder / "model.json")["provenance"]["family"], "joint");
 }
@@ -124,12 +121,11 @@ TEST(RefineTool, FitsSeveralLogsTogether) {
   const fs::path folder = EmptyTestFolder();
   const fs::path second = SynthesizeMinute(folder / "second", "wall.yaml", 25.0, 2);
   const std::vector<std::string> both = {
-      "--log=" + OneMarkerLog().string(), "--log=" + second.string(), "--dof=surge"};
+      "--log=" + OneMarkerLog().string(), Flag("log", second), "--dof=surge"};
   auto arguments = both;
-  arguments.push_back("--json=" + (folder / "rows.json").string());
-  arguments.push_back("--report=" + (folder / "page.html").string());
-  const ToolRun run = RunToolBinary("fathom_refine", arguments);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  arguments.push_back(Flag("json", folder / "rows.json"));
+  arguments.push_back(Flag("report", folder / "page.html"));
+  RunsWell("fathom_refine", arguments);
   // Both clocks begin at the same time.
   EXPECT_THAT(TextOf(folder / "page.html"), HasSubstr("2 logs, one behind the other"));
   const auto json = JsonOf(folder / "rows.json");
@@ -138,7 +134,7 @@ TEST(RefineTool, FitsSeveralLogsTogether) {
   EXPECT_NEAR(inertia["value"].get<double>(), kSurgeInertia, 4.0 * inertia["std"].get<double>());
 
   arguments = both;
-  arguments.push_back("--trajectory=" + (folder / "pose.csv").string());
+  arguments.push_back(Flag("trajectory", folder / "pose.csv"));
   EXPECT_THAT(ExpectRefusal("fathom_refine", arguments, folder),
               HasSubstr("--trajectory: holds the poses of one log"));
 }
@@ -156,8 +152,7 @@ TEST(RefineTool, RefusesALogBesideWhatATrackMadeOfIt) {
   const fs::path folder = EmptyTestFolder();
   const std::string log = OneMarkerLog().string();
   const std::string tracked = (folder / "tracked").string();
-  const ToolRun track = RunToolBinary("fathom_track", {"--log=" + log, "--out=" + tracked});
-  ASSERT_EQ(track.exit_code, 0) << track.err;
+  RunsWell("fathom_track", {"--log=" + log, "--out=" + tracked});
   EXPECT_THAT(
       ExpectRefusal("fathom_refine", {"--log=" + log, "--log=" + tracked, "--dof=surge"}, folder),
       HasSubstr("hold the same data"));
@@ -167,8 +162,7 @@ TEST(RefineTool, SaysWhatItMeasuresAgainstWithoutASensor) {
   const fs::path log = CopyOfTheLog();
   fs::remove(log / "velocity.csv");
   fs::remove(log / "pose.csv");
-  const ToolRun run = RunToolBinary("fathom_refine", {"--log=" + log.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_refine", {Flag("log", log)});
   EXPECT_THAT(run.out, HasSubstr("against the derivative of the PnP poses"));
   EXPECT_THAT(run.out, Not(HasSubstr("pose.csv is not read")));
 }
@@ -177,8 +171,7 @@ TEST(RefineTool, CountsMarkersThatAreNotInTheMap) {
   const fs::path folder = EmptyTestFolder();
   const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 15.0, 3);
   ReplaceIn(log / "tags.yaml", "id: 9", "id: 19");
-  const ToolRun run = RunToolBinary("fathom_refine", {"--log=" + log.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_refine", {Flag("log", log)});
   EXPECT_THAT(run.out, HasSubstr("unknown id"));
 
   // A gap of 4 s, 40 frames, in what the camera saw.
@@ -187,18 +180,17 @@ TEST(RefineTool, CountsMarkersThatAreNotInTheMap) {
   ASSERT_LT(from, to);
   ASSERT_NE(to, std::string::npos);
   WriteTestFile(log / "detections.csv", rows.substr(0, from) + rows.substr(to));
-  const ToolRun gap = RunToolBinary("fathom_refine", {"--log=" + log.string()});
-  ASSERT_EQ(gap.exit_code, 0) << gap.err;
+  const ToolRun gap = RunsWell("fathom_refine", {Flag("log", log)});
   EXPECT_THAT(gap.out, HasSubstr("About 40 frames in between are without a pose"));
 }
 
 TEST(RefineTool, RefusesWhatItCannotUse) {
   const fs::path log = CopyOfTheLog(), folder = log.parent_path();
   const auto refusal = [&](std::vector<std::string> arguments) {
-    arguments.push_back("--model=" + (folder / "model.json").string());
+    arguments.push_back(Flag("model", folder / "model.json"));
     return ExpectRefusal("fathom_refine", arguments, folder);
   };
-  const std::string here = "--log=" + log.string();
+  const std::string here = Flag("log", log);
   EXPECT_THAT(refusal({}), HasSubstr("--log: is missing, expected a log folder"));
   EXPECT_THAT(refusal({here, "--dof=up"}), HasSubstr("--dof: is 'up', expected"));
   EXPECT_THAT(refusal({here, "--dof=sway"}), HasSubstr("tau_sway"));
@@ -218,17 +210,17 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
   fs::copy(OneMarkerLog(), other, fs::copy_options::recursive);
   fs::remove(other / "velocity.csv");  // or it would be the same run
   ReplaceIn(other / "camera.yaml", "401.3", "401.4");
-  EXPECT_THAT(refusal({"--log=" + OneMarkerLog().string(), "--log=" + other.string()}),
+  EXPECT_THAT(refusal({"--log=" + OneMarkerLog().string(), Flag("log", other)}),
               HasSubstr("camera.yaml: differs from the first log's"));
 }
 
 TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
   const fs::path folder = EmptyTestFolder();
   const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 0.0, 3);
-  std::vector<std::string> arguments = {"--log=" + log.string(),
-                                        "--model=" + (folder / "model.json").string(),
-                                        "--json=" + (folder / "rows.json").string(),
-                                        "--report=" + (folder / "page.html").string()};
+  std::vector<std::string> arguments = {Flag("log", log),
+                                        Flag("model", folder / "model.json"),
+                                        Flag("json", folder / "rows.json"),
+                                        Flag("report", folder / "page.html")};
   const ToolRun run = RunToolBinary("fathom_refine", arguments);
   EXPECT_EQ(run.exit_code, 2) << run.out;
   EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <sstream>
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 namespace fathom {
@@ -43,13 +42,12 @@ const fs::path& RenderedLog() {
                   "name: rendered\nduration: 1.2\ncommand_rate: 10\nsurge: {control: open_loop, "
                   "initial_speed: 0.3, input: {kind: sine, amplitude: 50, frequency: 1}}\npose: "
                   "{rate: 10}\n");
-    const ToolRun run = RunToolBinary("fathom_synthesize",
-                                      {"--vehicle=" + kData + "/vehicles/flatfish.yaml",
-                                       "--experiment=" + (folder / "experiment.yaml").string(),
-                                       "--film=" + (folder / "film.yaml").string(),
-                                       "--render",
-                                       "--out=" + (folder / "log").string()});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    RunsWell("fathom_synthesize",
+             {"--vehicle=" + kData + "/vehicles/flatfish.yaml",
+              "--experiment=" + (folder / "experiment.yaml").string(),
+              "--film=" + (folder / "film.yaml").string(),
+              "--render",
+              "--out=" + (folder / "log").string()});
     return folder / "log";
   }()};
   return made.log;

@@ -8,13 +8,11 @@
 #include <iterator>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -47,13 +45,12 @@ Path RenderedLog(const Path& folder) {
                     "surge: {control: open_loop, input: {kind: square, amplitude: 12, offset: 1, "
                     "frequency: 1.5}, initial_speed: -0.3}\n"
                     "velocity: {rate: 10, noise: {surge: 0.01}}\n");
-  const ToolRun run = RunToolBinary("fathom_synthesize",
-                                    {"--vehicle=" + vehicle.string(),
-                                     "--experiment=" + experiment.string(),
-                                     "--film=" + film.string(),
-                                     "--render",
-                                     "--out=" + (folder / "log").string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_synthesize",
+           {Flag("vehicle", vehicle),
+            Flag("experiment", experiment),
+            Flag("film", film),
+            "--render",
+            Flag("out", folder / "log")});
   return folder / "log";
 }
 
@@ -68,21 +65,14 @@ void ExpectInertia(const nlohmann::json& parameters) {
 TEST(RenderedRun, GivesTheModelInOneCommandPerStep) {
   const Path folder = EmptyTestFolder();
   const Path log = RenderedLog(folder), tracked = folder / "tracked";
-  const ToolRun track =
-      RunToolBinary("fathom_track", {"--log=" + log.string(), "--out=" + tracked.string()});
-  ASSERT_EQ(track.exit_code, 0) << track.err;
+  const ToolRun track = RunsWell("fathom_track", {Flag("log", log), Flag("out", tracked)});
   EXPECT_THAT(track.out, HasSubstr("frames with a pose  200 (100.0 %)"));
 
   const Path model = folder / "model.json";
-  const ToolRun identify =
-      RunToolBinary("fathom_identify",
-                    {"--log=" + tracked.string(), "--source=camera", "--model=" + model.string()});
-  ASSERT_EQ(identify.exit_code, 0) << identify.err;
+  RunsWell("fathom_identify", {Flag("log", tracked), "--source=camera", Flag("model", model)});
   ExpectInertia(JsonOf(model)["parameters"]);
 
-  const ToolRun compare = RunToolBinary(
-      "fathom_compare", {"--log=" + tracked.string(), "--json=" + (folder / "rows.json").string()});
-  ASSERT_EQ(compare.exit_code, 0) << compare.err;
+  RunsWell("fathom_compare", {Flag("log", tracked), Flag("json", folder / "rows.json")});
   std::set<std::string> sources;
   const auto rows = JsonOf(folder / "rows.json");
   for (const auto& row : rows["rows"]) {
@@ -91,9 +81,7 @@ TEST(RenderedRun, GivesTheModelInOneCommandPerStep) {
   EXPECT_EQ(sources, std::set<std::string>({"camera", "pose_estimator"}));
 
   const Path joint = folder / "joint.json";
-  const ToolRun refine = RunToolBinary(
-      "fathom_refine", {"--log=" + tracked.string(), "--dof=surge", "--model=" + joint.string()});
-  ASSERT_EQ(refine.exit_code, 0) << refine.err;
+  RunsWell("fathom_refine", {Flag("log", tracked), "--dof=surge", Flag("model", joint)});
   ExpectInertia(JsonOf(joint)["parameters"]);
 }
 
@@ -108,14 +96,13 @@ TEST(RenderedRun, IsTrackedByABatch) {
   }
   const auto before = std::distance(std::filesystem::recursive_directory_iterator(archive), {});
   const Path csv = folder / "fits.csv";
-  const ToolRun run = RunToolBinary("fathom_batch",
-                                    {"--archive=" + archive.string(),
-                                     "--results=" + (folder / "results.sqlite").string(),
-                                     "--csv=" + csv.string(),
-                                     "--families=output_error",
-                                     "--diagnose=false",
-                                     "--strict"});
-  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  const ToolRun run = RunsWell("fathom_batch",
+                               {Flag("archive", archive),
+                                Flag("results", folder / "results.sqlite"),
+                                Flag("csv", csv),
+                                "--families=output_error",
+                                "--diagnose=false",
+                                "--strict"});
   EXPECT_THAT(run.out, HasSubstr("1 log in 1 dive: 1 ok\n"));
   EXPECT_THAT(TextOf(csv), HasSubstr("\nlog,surge,output_error,camera,1,inertia,"));
   EXPECT_EQ(std::distance(std::filesystem::recursive_directory_iterator(archive), {}), before);

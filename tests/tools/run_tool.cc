@@ -38,6 +38,15 @@ ToolRun RunToolBinary(const std::string& name,
   return RunOf({.program = BinaryOf(name), .arguments = arguments, .on_start = on_start});
 }
 
+ToolRun RunsWell(const ToolRun& run) {
+  if (run.exit_code == 0) return run;
+  throw std::runtime_error(fmt::format("exit code {}: {}{}", run.exit_code, run.err, run.out));
+}
+
+ToolRun RunsWell(const std::string& name, const std::vector<std::string>& arguments) {
+  return RunsWell(RunToolBinary(name, arguments));
+}
+
 ToolRun RunToolBinaryOn(const std::filesystem::path& input,
                         const std::string& name,
                         const std::vector<std::string>& arguments) {
@@ -47,6 +56,10 @@ ToolRun RunToolBinaryOn(const std::filesystem::path& input,
   shell.arguments.push_back(BinaryOf(name));
   shell.arguments.insert(shell.arguments.end(), arguments.begin(), arguments.end());
   return RunOf(shell);
+}
+
+std::string Flag(const std::string& name, const std::filesystem::path& value) {
+  return "--" + name + "=" + value.string();
 }
 
 std::filesystem::path EmptyTestFolder() {

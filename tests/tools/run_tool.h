@@ -27,10 +27,18 @@ ToolRun RunToolBinary(const std::string& name,
                       const std::vector<std::string>& arguments,
                       const std::function<void(int)>& on_start = {});
 
-// The same with the file `input` as stdin.
+// The same of a program that has to end with exit code 0: else the test fails and ends here, with
+// what it said on stderr.
+ToolRun RunsWell(const std::string& name, const std::vector<std::string>& arguments);
+ToolRun RunsWell(const ToolRun& run);
+
+// As RunToolBinary, with the file `input` as stdin.
 ToolRun RunToolBinaryOn(const std::filesystem::path& input,
                         const std::string& name,
                         const std::vector<std::string>& arguments);
+
+// "--log=/a/b" of "log" and a path.
+std::string Flag(const std::string& name, const std::filesystem::path& value);
 
 // A new, empty folder for the running test in FATHOM_SCRATCH_DIR, named after it.
 std::filesystem::path EmptyTestFolder();

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -85,13 +85,8 @@ TEST(SampleLines, RefuseStampsThatDoNotRise) {
   std::istringstream in("5,1,2\n6,1,2");
   SampleLines lines("stdin", &in);
   lines.GoOnBehind(5.5, "s.json");
-  try {
-    lines.Next();
-    FAIL() << "5 is before 5.5";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "stdin:1: column 't' goes back from 5.5 in s.json to 5, expected rising stamps.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { lines.Next(); }),
+            "stdin:1: column 't' goes back from 5.5 in s.json to 5, expected rising stamps.");
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -40,12 +39,9 @@ LogNumbers Synthesized(const std::filesystem::path& scratch, double rms, double 
                                 rms,
                                 noise));
   const std::filesystem::path folder = scratch / "synthesized";
-  const ToolRun run = RunToolBinary("fathom_synthesize",
-                                    {"--vehicle=" + vehicle.string(),
-                                     "--experiment=" + experiment.string(),
-                                     "--seed=1",
-                                     "--out=" + folder.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(
+      "fathom_synthesize",
+      {Flag("vehicle", vehicle), Flag("experiment", experiment), "--seed=1", Flag("out", folder)});
   const CsvColumns command = ReadColumns(folder / "command.csv");
   const CsvColumns velocity = ReadColumns(folder / "velocity.csv");
   LogNumbers log;

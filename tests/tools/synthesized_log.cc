@@ -8,7 +8,6 @@
 
 #include "run_tool.h"
 #include "saved_files.h"
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -22,13 +21,12 @@ std::filesystem::path Synthesized(const std::filesystem::path& vehicle,
                                   const std::string& effects,
                                   int seed,
                                   const std::filesystem::path& log) {
-  std::vector<std::string> arguments = {"--vehicle=" + vehicle.string(),
-                                        "--experiment=" + experiment.string(),
+  std::vector<std::string> arguments = {Flag("vehicle", vehicle),
+                                        Flag("experiment", experiment),
                                         "--seed=" + std::to_string(seed),
-                                        "--out=" + log.string()};
+                                        Flag("out", log)};
   if (!effects.empty()) arguments.push_back("--effects=" + effects);
-  const ToolRun run = RunToolBinary("fathom_synthesize", arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_synthesize", arguments);
   return log;
 }
 

@@ -12,7 +12,6 @@
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -108,8 +107,7 @@ class TableWidthOnRealRecordings : public OnRealData {};
 
 TEST_F(TableWidthOnRealRecordings, IsAtMost100) {
   for (const char* name : {"bin/ardusub_4.5_sitl_visp.BIN", "ardusub_small.tlog"}) {
-    ExpectTablesThatFit("fathom_import",
-                        {"--from=" + (folder_ / "formats" / name).string(), "--list"});
+    ExpectTablesThatFit("fathom_import", {Flag("from", folder_ / "formats" / name), "--list"});
   }
 }
 

@@ -16,7 +16,6 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -49,12 +48,11 @@ std::size_t NearestRow(const Stream& stream, double time) {
 
 TEST_F(TagVideo, IsTrackedFromEndToEnd) {
   const Path folder = EmptyTestFolder();
-  const ToolRun run = RunToolBinary("fathom_track",
-                                    {"--log=" + (folder_ / "tag_video").string(),
-                                     "--out=" + (folder / "tracked").string(),
-                                     "--summary=" + (folder / "track.json").string(),
-                                     "--overlay=" + (folder / "sheet.png").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_track",
+                               {Flag("log", folder_ / "tag_video"),
+                                Flag("out", folder / "tracked"),
+                                Flag("summary", folder / "track.json"),
+                                Flag("overlay", folder / "sheet.png")});
   // The tag that lies loose on the floor is named.
   EXPECT_THAT(run.err, HasSubstr("of a tag that is not in the map: tag16h5 13 (124 times)"));
 

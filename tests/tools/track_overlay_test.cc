@@ -16,7 +16,6 @@
 #include "rendered_log.h"
 #include "run_tool.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -29,10 +28,8 @@ using testing::StartsWith;
 
 TEST(TrackTool, WritesAnOverlayVideo) {
   const fs::path folder = EmptyTestFolder();
-  const ToolRun run = Track(
-      RenderedLog(),
-      {"--out=" + (folder / "tracked").string(), "--overlay=" + (folder / "overlay.avi").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(RenderedLog(),
+                 {Flag("out", folder / "tracked"), Flag("overlay", folder / "overlay.avi")}));
   EXPECT_THAT(Bytes(folder / "overlay.avi"), StartsWith("RIFF"));
   EXPECT_EQ(ListOf(folder).size(), ListOf(folder / "tracked").size() + 2);
 }
@@ -40,7 +37,7 @@ TEST(TrackTool, WritesAnOverlayVideo) {
 TEST(TrackTool, SaysWhatIsMissingInAnOverlayOfDetections) {
   const fs::path log = CopyOfTheLog();
   const fs::path tracked = log.parent_path() / "tracked";
-  ASSERT_EQ(Track(log, {"--out=" + tracked.string()}).exit_code, 0);
+  RunsWell(Track(log, {Flag("out", tracked)}));
   // The fourth row, of the first frame's last tag, a little later; and a frame that is not there.
   std::string csv = Bytes(tracked / "detections.csv");
   std::size_t row = csv.find('\n') + 1;
@@ -53,11 +50,10 @@ TEST(TrackTool, SaysWhatIsMissingInAnOverlayOfDetections) {
     return Track(log,
                  {"--from=detections",
                   "--overwrite",
-                  "--out=" + again.string(),
-                  "--overlay=" + (log.parent_path() / file).string()});
+                  Flag("out", again),
+                  Flag("overlay", log.parent_path() / file)});
   };
-  const ToolRun run = overlay("overlay.avi");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(overlay("overlay.avi"));
   EXPECT_THAT(run.err, HasSubstr("frames/000005.png: there is no such file. Check the path.\n"));
   EXPECT_THAT(run.err,
               HasSubstr((log / "frames.csv").string() +
@@ -88,15 +84,13 @@ int NumColoured(const cv::Mat& sheet, const cv::Point& place, const cv::Vec3b& c
 TEST(TrackTool, DrawsARejectedDetectionInRed) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  ASSERT_EQ(Track(log, {"--overwrite"}).exit_code, 0);
+  RunsWell(Track(log, {"--overwrite"}));
   std::vector<Detection> detections = DetectionsOf(*ReadLog(log).detections);
   ASSERT_EQ(detections[1].tag_id, 5);
   std::reverse(detections[1].corners.begin(), detections[1].corners.end());
   WriteDetections(log / "detections.csv", detections);
-  const ToolRun run = Track(
-      log,
-      {"--out=" + (folder / "tracked").string(), "--overlay=" + (folder / "sheet.png").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(
+      Track(log, {Flag("out", folder / "tracked"), Flag("overlay", folder / "sheet.png")}));
   EXPECT_THAT(run.err, HasSubstr("Set aside as mirrored: 1 of 48 detections: tags 5 (1 time)."));
   const cv::Mat sheet = cv::imread((folder / "sheet.png").string());
   ASSERT_EQ(sheet.cols, 3 * 420);

@@ -12,7 +12,6 @@
 #include "rendered_log.h"
 #include "run_tool.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -27,19 +26,19 @@ using testing::StartsWith;
 TEST(TrackTool, LeavesNothingBehindWhereAnOutputCannotBeWritten) {
   const fs::path& log = RenderedLog();
   const fs::path folder = EmptyTestFolder();
-  const std::vector<std::string> outputs = {"--log=" + log.string(),
-                                            "--out=" + (folder / "deep/tracked").string(),
-                                            "--overlay=" + (folder / "new/a.avi").string()};
+  const std::vector<std::string> outputs = {Flag("log", log),
+                                            Flag("out", folder / "deep/tracked"),
+                                            Flag("overlay", folder / "new/a.avi")};
   std::vector<std::string> arguments = outputs;
   arguments.emplace_back("--summary=/proc/x.json");
   EXPECT_THAT(ExpectRefusal("fathom_track", arguments, folder),
               StartsWith("fathom_track: /proc/x.json: cannot write this file: "));
   EXPECT_TRUE(ListOf(folder).empty());
-  arguments.back() = "--summary=" + folder.string();
+  arguments.back() = Flag("summary", folder);
   EXPECT_EQ(ExpectRefusal("fathom_track", arguments, folder),
             "fathom_track: " + folder.string() + ": is a folder, expected a file to write.\n");
   EXPECT_TRUE(ListOf(folder).empty());
-  arguments = {"--log=" + log.string(), "--out=/proc/tracked"};
+  arguments = {Flag("log", log), "--out=/proc/tracked"};
   EXPECT_THAT(ExpectRefusal("fathom_track", arguments, folder),
               StartsWith("fathom_track: /proc/tracked: cannot write this file: "));
 }
@@ -49,9 +48,8 @@ TEST(TrackTool, DoesNotReplaceALogThatHoldsImages) {
   const fs::path folder = log.parent_path();
   const fs::path other = folder / "other";
   const auto refusal = [&] {
-    return ExpectRefusal("fathom_track",
-                         {"--log=" + log.string(), "--out=" + other.string(), "--overwrite"},
-                         folder);
+    return ExpectRefusal(
+        "fathom_track", {Flag("log", log), Flag("out", other), "--overwrite"}, folder);
   };
   const auto holds = [&](const std::string& what) {
     return "fathom_track: --out=" + other.string() + ": the log in it holds " + what +
@@ -69,14 +67,12 @@ TEST(TrackTool, DoesNotReplaceALogThatHoldsImages) {
   WriteTestFile(other / "frame_times.csv", "frame,t\n0,0\n1,1\n");
   EXPECT_EQ(refusal(), holds("frame_times.csv"));
   fs::remove(other / "frame_times.csv");
-  const ToolRun run = Track(log, {"--out=" + other.string(), "--overwrite"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(log, {Flag("out", other), "--overwrite"}));
   // The log itself, by another way there.
   fs::create_directory_symlink(log, folder / "link");
   EXPECT_EQ(
-      ExpectRefusal("fathom_track",
-                    {"--log=" + log.string(), "--out=" + (folder / "link").string(), "--overwrite"},
-                    folder),
+      ExpectRefusal(
+          "fathom_track", {Flag("log", log), Flag("out", folder / "link"), "--overwrite"}, folder),
       "fathom_track: --out: is --log itself. Leave it out to write into the log.\n");
 }
 
@@ -88,13 +84,11 @@ TEST(TrackTool, DoesNotReplaceALogThatHoldsSomebodysFiles) {
   WriteTestFile(other / "log.yaml", "name: other\ndof: surge\nvehicle: rov.yaml\n");
   WriteTestFile(other / "rov.yaml", "name: rov\nmass: 20\nsize: [1, 1, 1]\n");
   WriteTestFile(other / "survey.csv", "id,x\n1,2\n");
-  EXPECT_THAT(ExpectRefusal("fathom_track",
-                            {"--log=" + log.string(), "--out=" + other.string(), "--overwrite"},
-                            folder),
-              HasSubstr("the log in it holds survey.csv, which"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_track", {Flag("log", log), Flag("out", other), "--overwrite"}, folder),
+      HasSubstr("the log in it holds survey.csv, which"));
   fs::remove(other / "survey.csv");
-  const ToolRun run = Track(log, {"--out=" + other.string(), "--overwrite"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(log, {Flag("out", other), "--overwrite"}));
 }
 
 TEST(TrackTool, KeepsOutputsOutOfTheFolderThatIsReplaced) {
@@ -103,9 +97,8 @@ TEST(TrackTool, KeepsOutputsOutOfTheFolderThatIsReplaced) {
   const fs::path out = folder / "out";
   for (const std::string flag : {"--overlay", "--summary"}) {
     const std::string file = (out / "deep/../a.png").string();
-    EXPECT_EQ(ExpectRefusal("fathom_track",
-                            {"--log=" + log.string(), "--out=" + out.string(), flag + "=" + file},
-                            folder),
+    EXPECT_EQ(ExpectRefusal(
+                  "fathom_track", {Flag("log", log), Flag("out", out), flag + "=" + file}, folder),
               "fathom_track: " + flag + "=" + file + ": lies in --out=" + out.string() +
                   ", which is replaced as a whole, expected a file elsewhere.\n");
   }
@@ -117,7 +110,7 @@ TEST(TrackTool, DoesNotWriteOverWhatItReads) {
   const std::string before = Bytes(image);
   for (const std::string flag : {"--overlay", "--summary"}) {
     EXPECT_EQ(ExpectRefusal("fathom_track",
-                            {"--log=" + log.string(), "--overwrite", flag + "=" + image.string()},
+                            {Flag("log", log), "--overwrite", flag + "=" + image.string()},
                             log.parent_path()),
               "fathom_track: " + flag + "=" + image.string() + ": is what --log=" + log.string() +
                   " was filmed as, expected another file.\n");
@@ -129,31 +122,31 @@ TEST(TrackTool, DoesNotWriteOverWhatItReads) {
 TEST(TrackTool, LeavesTheDetectionsAloneThatItStartsFrom) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  ASSERT_EQ(Track(log, {"--out=" + (folder / "first").string()}).exit_code, 0);
+  RunsWell(Track(log, {Flag("out", folder / "first")}));
   std::istringstream rows(Bytes(folder / "first/detections.csv"));
   std::string with_margin;
   for (std::string row; std::getline(rows, row);) {
     with_margin += row + (with_margin.empty() ? ",margin\n" : ",0.123456789\n");
   }
   WriteTestFile(folder / "first/detections.csv", with_margin);
-  ASSERT_EQ(Track(folder / "first", {"--out=" + (folder / "second").string()}).exit_code, 0);
+  RunsWell(Track(folder / "first", {Flag("out", folder / "second")}));
   EXPECT_EQ(Bytes(folder / "second/detections.csv"), with_margin);
-  ASSERT_EQ(Track(folder / "first", {"--overwrite"}).exit_code, 0);
+  RunsWell(Track(folder / "first", {"--overwrite"}));
   EXPECT_EQ(Bytes(folder / "first/detections.csv"), with_margin);
 }
 
 TEST(TrackTool, RefusesFlagsOfTheDetectionWhereThereIsNone) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  ASSERT_EQ(Track(log, {"--out=" + (folder / "first").string()}).exit_code, 0);
+  RunsWell(Track(log, {Flag("out", folder / "first")}));
   for (const std::string flag : {"max_hamming", "quad_decimate", "quad_sigma", "threads"}) {
-    EXPECT_EQ(ExpectRefusal("fathom_track",
-                            {"--log=" + (folder / "first").string(),
-                             "--out=" + (folder / "second").string(),
-                             "--" + flag + "=2"},
-                            folder),
-              "fathom_track: --" + flag + ": is about the detection, but the track starts from " +
-                  (folder / "first/detections.csv").string() + ", expected --from=images too.\n");
+    EXPECT_EQ(
+        ExpectRefusal(
+            "fathom_track",
+            {Flag("log", folder / "first"), Flag("out", folder / "second"), "--" + flag + "=2"},
+            folder),
+        "fathom_track: --" + flag + ": is about the detection, but the track starts from " +
+            (folder / "first/detections.csv").string() + ", expected --from=images too.\n");
   }
 }
 
@@ -163,13 +156,11 @@ TEST(TrackTool, RefusesFramesOnAnotherClockThanTheCommands) {
   const fs::path folder = log.parent_path();
   WriteTestFile(log / "command.csv", "t,tau_surge\n1700000000,1\n1700000001,2\n");
   fs::remove(log / "pose.csv");
-  EXPECT_EQ(
-      ExpectRefusal(
-          "fathom_track", {"--log=" + log.string(), "--out=" + (folder / "out").string()}, folder),
-      "fathom_track: " + (log / "command.csv").string() +
-          ": column 't' runs from 1700000000 to 1700000001, but that of " +
-          (log / "frames.csv").string() +
-          " from 0 to 1.1, expected some time in common. Put both on one clock.\n");
+  EXPECT_EQ(ExpectRefusal("fathom_track", {Flag("log", log), Flag("out", folder / "out")}, folder),
+            "fathom_track: " + (log / "command.csv").string() +
+                ": column 't' runs from 1700000000 to 1700000001, but that of " +
+                (log / "frames.csv").string() +
+                " from 0 to 1.1, expected some time in common. Put both on one clock.\n");
 }
 
 TEST(TrackTool, SaysThatASinglePoseIsNoTrajectory) {
@@ -177,7 +168,7 @@ TEST(TrackTool, SaysThatASinglePoseIsNoTrajectory) {
   WriteTestFile(log / "frames.csv", "t,file\n0,frames/000000.png\n0.1,frames/black.png\n");
   cv::imwrite((log / "frames/black.png").string(), cv::Mat(600, 800, CV_8UC1, cv::Scalar(90)));
   const fs::path out = log.parent_path() / "tracked";
-  const ToolRun run = Track(log, {"--out=" + out.string()});
+  const ToolRun run = Track(log, {Flag("out", out)});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.err,
               HasSubstr("fathom_track: no usable trajectory: a single frame has a pose, expected "
@@ -188,18 +179,18 @@ TEST(TrackTool, SaysThatASinglePoseIsNoTrajectory) {
 // The map of a track in place stands beside it, and goes with it.
 TEST(TrackTool, ReplacesTheEstimateOfAnEarlierTrack) {
   const fs::path log = CopyOfTheLog();
-  ASSERT_EQ(Track(log, {"--overwrite", "--estimate_markers"}).exit_code, 0);
+  RunsWell(Track(log, {"--overwrite", "--estimate_markers"}));
   EXPECT_TRUE(fs::exists(log / "tags_estimated.yaml"));
-  ASSERT_EQ(Track(log, {"--overwrite"}).exit_code, 0);
+  RunsWell(Track(log, {"--overwrite"}));
   EXPECT_FALSE(fs::exists(log / "tags_estimated.yaml"));
 }
 
 TEST(TrackTool, RefusesWhatItCannotUse) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  const std::string out = "--out=" + (folder / "tracked").string();
+  const std::string out = Flag("out", folder / "tracked");
   const auto refusal = [&](const fs::path& path, std::vector<std::string> more) {
-    more.push_back("--log=" + path.string());
+    more.push_back(Flag("log", path));
     return ExpectRefusal("fathom_track", more, folder);
   };
   EXPECT_EQ(
@@ -231,7 +222,7 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
                 ", expected one of 4, 5, 6, 9.\n");
   EXPECT_EQ(refusal(log, {out, "--gate=0"}),
             "fathom_track: --gate: is 0, expected a number above 0.\n");
-  EXPECT_EQ(refusal(log, {out, "--overlay=" + (folder / "sheet.gif").string()}),
+  EXPECT_EQ(refusal(log, {out, Flag("overlay", folder / "sheet.gif")}),
             "fathom_track: " + (folder / "sheet.gif").string() +
                 ": expected a path that ends in .mp4 or .avi for a video, or in .png for a "
                 "contact sheet.\n");
@@ -243,16 +234,14 @@ TEST(TrackTool, NamesAClockOffsetOfTheCameraThatIsNotApplied) {
                 "cam0: {camera_model: pinhole, distortion_model: radtan, resolution: [800, 600], "
                 "intrinsics: [640, 641, 401.3, 297.6], timeshift_cam_imu: 0.1, "
                 "distortion_coeffs: [-0.12, 0.03, 0.0006, -0.0004]}\n");
-  const ToolRun run = Track(log, {"--overwrite"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Track(log, {"--overwrite"}));
   EXPECT_THAT(run.err, HasSubstr("camera.yaml: timeshift_cam_imu is 0.1 s and not used: "));
 }
 
 TEST(TrackTool, RefusesALogWithoutCalibrationOrWithAnothers) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  const std::vector<std::string> arguments = {"--log=" + log.string(),
-                                              "--out=" + (folder / "tracked").string()};
+  const std::vector<std::string> arguments = {Flag("log", log), Flag("out", folder / "tracked")};
   const std::string camera = Bytes(log / "camera.yaml");
   std::string half = camera;
   half.replace(half.find("image_width: 800"), 16, "image_width: 700");
@@ -279,8 +268,7 @@ TEST(TrackTool, NamesAllMissingFilesAtOnce) {
   const fs::path log = folder / "log";
   WriteTestFile(log / "mount.yaml", "never read\n");
   const auto refusal = [&] {
-    return ExpectRefusal(
-        "fathom_track", {"--log=" + log.string(), "--out=" + (folder / "out").string()}, folder);
+    return ExpectRefusal("fathom_track", {Flag("log", log), Flag("out", folder / "out")}, folder);
   };
   const std::string rig =
       "no camera.yaml (the camera's calibration), no tags.yaml (size and place of the markers), ";
@@ -298,7 +286,7 @@ TEST(TrackTool, SaysWhenNothingIsSeen) {
                 "family: tag25h9\ntags: [{id: 1, size: 0.4, world_from_tag: {position: [4, 0, 0], "
                 "quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n");
   const fs::path out = log.parent_path() / "tracked";
-  const ToolRun run = Track(log, {"--out=" + out.string()});
+  const ToolRun run = Track(log, {Flag("out", out)});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr("fathom_track: no usable trajectory: "));
   EXPECT_FALSE(fs::exists(out));

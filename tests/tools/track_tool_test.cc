@@ -19,7 +19,6 @@
 #include "run_tool.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -33,11 +32,10 @@ using testing::StartsWith;
 TEST(TrackTool, FindsTheTrajectoryOfRenderedImages) {
   const fs::path& log = RenderedLog();
   const fs::path folder = EmptyTestFolder();
-  const ToolRun run = Track(log,
-                            {"--out=" + (folder / "tracked").string(),
-                             "--summary=" + (folder / "track.json").string(),
-                             "--overlay=" + (folder / "sheet.png").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Track(log,
+                                     {Flag("out", folder / "tracked"),
+                                      Flag("summary", folder / "track.json"),
+                                      Flag("overlay", folder / "sheet.png")}));
   EXPECT_THAT(run.out, HasSubstr("frames with a pose  12 (100.0 %)"));
 
   CsvSpec spec;
@@ -70,8 +68,7 @@ TEST(TrackTool, FindsTheTrajectoryOfRenderedImages) {
   }
 
   // The same poses from the detections alone.
-  const ToolRun again = Track(folder / "tracked", {"--out=" + (folder / "again").string()});
-  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const ToolRun again = RunsWell(Track(folder / "tracked", {Flag("out", folder / "again")}));
   const auto& first = *found.stream.Find("x");
   const CsvTable second_table = PosesIn(folder / "again");
   const auto& second = *second_table.stream.Find("x");
@@ -86,8 +83,7 @@ TEST(TrackTool, CountsDamagedImagesAndGoesOn) {
   fs::remove(log / "frames/000005.png");
   const fs::path out = log.parent_path() / "tracked";
   const fs::path summary = log.parent_path() / "track.json";
-  const ToolRun run = Track(log, {"--out=" + out.string(), "--summary=" + summary.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Track(log, {Flag("out", out), Flag("summary", summary)}));
   EXPECT_THAT(run.err,
               HasSubstr((log / "frames.csv").string() + ":6: " + image.string() +
                         ": cannot decode this image: "));
@@ -103,9 +99,8 @@ TEST(TrackTool, CountsTagsThatAreNotInTheMap) {
   const fs::path log = CopyOfTheLog();
   WriteTestFile(log / "tags.yaml", Bytes(kData + "/films/wall_one_tag.yaml"));
   const fs::path summary = log.parent_path() / "track.json";
-  const ToolRun run = Track(
-      log, {"--out=" + (log.parent_path() / "tracked").string(), "--summary=" + summary.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell(Track(log, {Flag("out", log.parent_path() / "tracked"), Flag("summary", summary)}));
   // Tags 5 and 6 in twelve frames; tag 9 is of a family that nobody looks for now.
   const auto unused = nlohmann::json::parse(Bytes(summary))["detections"]["sightings_not_used"];
   EXPECT_EQ(unused.size(), 24u);
@@ -124,8 +119,8 @@ TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
                 "family: tag36h11\ntags: [{id: 77, size: 0.4, world_from_tag: {position: [4, 0, "
                 "0], quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n");
   const fs::path summary = log.parent_path() / "track.json";
-  const ToolRun run = Track(
-      log, {"--out=" + (log.parent_path() / "tracked").string(), "--summary=" + summary.string()});
+  const ToolRun run =
+      Track(log, {Flag("out", log.parent_path() / "tracked"), Flag("summary", summary)});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr("12 of 12 frames show only tags that are not used"));
   EXPECT_THAT(run.err,
@@ -141,9 +136,7 @@ TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
 TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
   const fs::path folder = EmptyTestFolder();
   const fs::path& log = RenderedLog();
-  const ToolRun filmed = Track(
-      log, {"--out=" + (folder / "first").string(), "--overlay=" + (folder / "dive.avi").string()});
-  ASSERT_EQ(filmed.exit_code, 0) << filmed.err;
+  RunsWell(Track(log, {Flag("out", folder / "first"), Flag("overlay", folder / "dive.avi")}));
   for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml"}) {
     fs::copy_file(log / file, folder / file);
   }
@@ -151,16 +144,14 @@ TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
   WriteTestFile(folder / "map.yaml",
                 "command: {tau_surge: {field: tau_surge, unit: N}}\ndof: surge\n"
                 "camera: {video: dive.avi, start: 0.25}\n");
-  const ToolRun imported = RunToolBinary("fathom_import",
-                                         {"--from=" + (folder / "vehicle.csv").string(),
-                                          "--map=" + (folder / "map.yaml").string(),
-                                          "--out=" + (folder / "log").string()});
-  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  const ToolRun imported = RunsWell("fathom_import",
+                                    {Flag("from", folder / "vehicle.csv"),
+                                     Flag("map", folder / "map.yaml"),
+                                     Flag("out", folder / "log")});
   EXPECT_THAT(imported.out, HasSubstr("note: the motion is in the video. This tracks it: "));
   EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
 
-  const ToolRun run = Track(folder / "log", {"--out=" + (folder / "out").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(folder / "log", {Flag("out", folder / "out")}));
   const CsvTable first = PosesIn(folder / "first"), again = PosesIn(folder / "out");
   ASSERT_EQ(again.stream.time.size(), first.stream.time.size());
   for (std::size_t row = 0; row < first.stream.time.size(); ++row) {
@@ -176,9 +167,7 @@ TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
 TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
-  const ToolRun tracked =
-      Track(log, {"--overlay=" + (folder / "dive.avi").string(), "--overwrite"});
-  ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
+  RunsWell(Track(log, {Flag("overlay", folder / "dive.avi"), "--overwrite"}));
   const fs::path dive = folder / "dive";
   for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml", "command.csv"}) {
     WriteTestFile(dive / file, Bytes(log / file));
@@ -192,8 +181,7 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
                 "name: dive\ndof: surge\nvideo: dive.avi\nvehicle: ../rov.yaml\nnotes: still\n"
                 "mass: 21\ndive: harbour\n");
 
-  const ToolRun run = Track(dive, {"--out=" + (folder / "out").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(dive, {Flag("out", folder / "out")}));
   const Log out = ReadLog(folder / "out");
   EXPECT_EQ(out.name, "dive");
   EXPECT_EQ(out.notes, "still");
@@ -202,13 +190,13 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   EXPECT_EQ(out.video, "");
   EXPECT_EQ(out.vehicle, "rov.yaml");
   EXPECT_EQ(Bytes(folder / "out/rov.yaml"), Bytes(folder / "rov.yaml"));
-  const std::vector<std::string> again = {"--log=" + (folder / "out").string(),
-                                          "--out=" + (folder / "again").string()};
-  EXPECT_EQ(RunToolBinary("fathom_track", again).exit_code, 0);
+  const std::vector<std::string> again = {Flag("log", folder / "out"),
+                                          Flag("out", folder / "again")};
+  RunsWell("fathom_track", again);
   for (const std::string& more :
-       {std::string("--from=images"), "--overlay=" + (folder / "a.png").string()}) {
+       {std::string("--from=images"), Flag("overlay", folder / "a.png")}) {
     const std::vector<std::string> arguments = {
-        "--log=" + (folder / "out").string(), "--out=" + (folder / "third").string(), more};
+        Flag("log", folder / "out"), Flag("out", folder / "third"), more};
     EXPECT_EQ(ExpectRefusal("fathom_track", arguments, folder),
               "fathom_track: " + (folder / "out").string() +
                   ": holds no images: no frames.csv, and log.yaml names no video. See "
@@ -227,9 +215,7 @@ TEST(TrackTool, WritesTheEstimatedMarkersAsThoseOfTheNewLog) {
   survey.markers[1].world_from_tag.translation.y() += 0.1;
   WriteTestFile(log / "tags.yaml", FormatTagsFile(survey));
   const fs::path out = folder / "out";
-  const ToolRun run =
-      Track(log, {"--out=" + out.string(), "--estimate_markers", "--reference=4", "--gate=100"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Track(log, {Flag("out", out), "--estimate_markers", "--reference=4", "--gate=100"}));
   const MarkerMap found = ReadTagsFile(out / "tags.yaml");
   ASSERT_EQ(found.markers.size(), truth.markers.size());
   // Tag 4 holds the world; tag 5 beside it is found to centimetres from 2 to 4 m.
@@ -239,8 +225,7 @@ TEST(TrackTool, WritesTheEstimatedMarkersAsThoseOfTheNewLog) {
             0.03);
   EXPECT_FALSE(fs::exists(out / "tags_estimated.yaml"));
   // The same poses again, with the map as the survey.
-  const ToolRun again = Track(out, {"--out=" + (folder / "again").string()});
-  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const ToolRun again = RunsWell(Track(out, {Flag("out", folder / "again")}));
   const CsvTable first = PosesIn(out);
   const CsvTable second = PosesIn(folder / "again");
   for (const char* axis : {"x", "y", "z"}) {

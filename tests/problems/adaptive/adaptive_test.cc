@@ -9,13 +9,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <type_traits>
 
 #include "experiments.h"
 #include "real_data.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

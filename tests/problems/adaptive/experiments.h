@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <random>
 
 namespace fathom {

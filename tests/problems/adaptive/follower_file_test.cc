@@ -3,13 +3,11 @@
 
 #include "fathom/adaptive/follower_file.h"
 
-#include "fathom/base/input_error.h"
-
 #include <cmath>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -35,12 +33,7 @@ std::string With(const std::string& key, const std::string& value) {
 std::string ProblemOf(const std::string& text,
                       Dof dof = Dof::kSurge,
                       const AdaptiveOptions& options = kWritten) {
-  try {
-    ParseFollower("s.json", text, dof, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return ErrorFrom([&] { ParseFollower("s.json", text, dof, options); });
 }
 
 TEST(FollowerFile, GoesOnToTheLastDigit) {
@@ -57,7 +50,7 @@ TEST(FollowerFile, GoesOnToTheLastDigit) {
 
 TEST(FollowerFile, RefusesAnotherDofAndOtherOptions) {
   const std::string text = FormatFollower(Dof::kSurge, kWritten, FollowerBehind(5));
-  EXPECT_EQ(ProblemOf(text), "none");
+  EXPECT_EQ(ProblemOf(text), "no error");
   EXPECT_EQ(ProblemOf(text, Dof::kSway), "s.json: 'dof' is surge, expected sway as --dof says.");
   AdaptiveOptions other = kWritten;
   other.integrator = AdaptiveIntegrator::kEuler;

@@ -4,7 +4,6 @@
 #include "fathom/adaptive/recent_scatter.h"
 
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,6 @@
 
 #include "fathom/comparison/comparison_file.h"
 
-#include <set>
-#include <string>
-
 #include "handmade_comparison.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

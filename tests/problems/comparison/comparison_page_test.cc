@@ -5,12 +5,8 @@
 
 #include "fathom/base/not_known.h"
 
-#include <string>
-#include <vector>
-
 #include "handmade_comparison.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

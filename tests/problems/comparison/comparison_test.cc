@@ -3,7 +3,6 @@
 
 #include "fathom/comparison/comparison.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/comparison/recommendation.h"
 
 #include <cmath>
@@ -12,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -82,12 +81,7 @@ Comparison CompareOne(const Log& log, const ComparisonOptions& options = {}) {
 }
 
 std::string RefusalOf(const Log& log, const ComparisonOptions& options) {
-  try {
-    Compare({&log, 1}, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { Compare({&log, 1}, options); });
 }
 
 TEST(Compare, TriesEveryFamilyOnEverySource) {
@@ -210,12 +204,7 @@ TEST(Compare, TakesWhatAllLogsHave) {
 
 TEST(Compare, RefusesLogsWithoutADofOrASourceInCommon) {
   const auto refusal = [](const std::vector<Log>& logs) -> std::string {
-    try {
-      Compare(logs);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return ErrorFrom([&] { Compare(logs); });
   };
   std::vector<Log> logs = {KnownRun("a"), KnownRun("b")};
   logs[0].pose.reset();

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "drawn_vehicle.h"
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

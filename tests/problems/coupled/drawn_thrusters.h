@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "drawn_vehicle.h"

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <random>
-#include <vector>
 
 #include "plain_simulator.h"
 

@@ -5,10 +5,8 @@
 
 #include <cmath>
 #include <random>
-#include <vector>
 
 #include "drawn_vehicle.h"
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

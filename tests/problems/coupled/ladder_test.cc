@@ -3,14 +3,12 @@
 
 #include "fathom/coupled/ladder.h"
 
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "drawn_vehicle.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "drawn_thrusters.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

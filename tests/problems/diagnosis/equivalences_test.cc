@@ -20,7 +20,6 @@
 #include "named.h"
 #include "surge_run.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

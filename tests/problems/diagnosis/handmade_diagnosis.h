@@ -6,11 +6,9 @@
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
-#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fathom {

@@ -11,13 +11,11 @@
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "surge_run.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -10,15 +10,12 @@
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

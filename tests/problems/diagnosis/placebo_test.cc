@@ -3,8 +3,6 @@
 
 #include "placebo.h"
 
-#include <string>
-
 #include <gtest/gtest.h>
 
 namespace fathom {

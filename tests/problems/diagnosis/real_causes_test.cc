@@ -8,7 +8,6 @@
 #include "fathom/diagnosis/report/verdict_sentence.h"
 #include "fathom/log/read_log.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>

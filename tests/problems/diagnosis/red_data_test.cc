@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "surge_run.h"
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

@@ -17,7 +17,6 @@
 
 #include "named.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -10,14 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "named.h"
 #include "surge_run.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -10,10 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "fathom/base/names_of_dofs.h"
 
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>

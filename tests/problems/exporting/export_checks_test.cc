@@ -5,7 +5,6 @@
 
 #include "generic_models.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "fathom/exporting/export_model.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/exporting/export_target.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
@@ -13,9 +12,9 @@
 #include <fstream>
 #include <string>
 
+#include "error_from.h"
 #include "generic_models.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -34,12 +33,7 @@ Path Saved(const std::string& name, const std::string& text) {
 }
 
 std::string RefusalOf(const std::vector<Path>& paths) {
-  try {
-    ReadExportModel(paths);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ReadExportModel(paths); });
 }
 
 TEST(ExportModel, JoinsModelsOfOneDofInTheOrderOfTheirDofs) {

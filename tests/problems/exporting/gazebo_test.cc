@@ -3,17 +3,16 @@
 
 #include "fathom/exporting/gazebo.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 
 #include <cmath>
 #include <sstream>
 #include <string>
 
+#include "error_from.h"
 #include "generic_models.h"
 #include "written_out_rate.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <pugixml.hpp>
 
 namespace fathom {
@@ -192,12 +191,8 @@ TEST(GazeboModel, NamesAnInertiaByADofThatIsNotModelled) {
 TEST(GazeboModel, RefusesAVehicleWhoseBodyIsNotKnown) {
   ExportTarget target = TargetWithBody();
   target.vehicle->body.centre_of_mass.reset();
-  try {
-    GazeboModel(ExportModelOf(GenericRov(), "rov.json"), target);
-    FAIL() << "it should have been refused";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("`rigid_body: {centre_of_mass: [0, 0, 0.02]}`"));
-  }
+  EXPECT_THAT(ErrorFrom([&] { GazeboModel(ExportModelOf(GenericRov(), "rov.json"), target); }),
+              HasSubstr("`rigid_body: {centre_of_mass: [0, 0, 0.02]}`"));
 }
 
 TEST(GazeboModel, FailsItsCheckWhereTheAddedMassWouldBeNegative) {

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

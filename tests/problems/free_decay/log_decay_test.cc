@@ -9,12 +9,9 @@
 
 #include <cmath>
 #include <random>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

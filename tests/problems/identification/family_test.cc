@@ -3,13 +3,11 @@
 
 #include "fathom/identification/family.h"
 
-#include "fathom/base/input_error.h"
-
 #include <set>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -28,25 +26,16 @@ TEST(Family, NamesGoThereAndBack) {
 
 TEST(Family, AnUnknownNameIsRefusedWithTheNamesThereAre) {
   for (const std::string name : {"kalman", "", "Adaptive", "adaptive "}) {
-    try {
-      ParseFamily(name);
-      ADD_FAILURE() << "'" << name << "' is taken for a family";
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(),
-                  AllOf(HasSubstr("'" + name + "'"),
-                        HasSubstr("one of least_squares, adaptive, output_error, joint.")));
-    }
+    EXPECT_THAT(ErrorFrom([&] { ParseFamily(name); }),
+                AllOf(HasSubstr("'" + name + "'"),
+                      HasSubstr("one of least_squares, adaptive, output_error, joint.")));
   }
 }
 
 TEST(Family, TheJointRefinementTakesNoSignals) {
   EXPECT_EQ(ParseSignalFamily("adaptive"), Family::kAdaptive);
-  try {
-    ParseSignalFamily("joint");
-    ADD_FAILURE() << "joint is taken for a family of signals";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("one of least_squares, adaptive, output_error."));
-  }
+  EXPECT_THAT(ErrorFrom([&] { ParseSignalFamily("joint"); }),
+              HasSubstr("one of least_squares, adaptive, output_error."));
 }
 
 }  // namespace

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <string>
 
 #include "handmade_identification.h"
 #include <Eigen/Cholesky>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

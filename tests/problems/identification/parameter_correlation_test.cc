@@ -7,7 +7,6 @@
 
 #include "handmade_identification.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

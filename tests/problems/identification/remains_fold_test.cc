@@ -3,11 +3,8 @@
 
 #include "fathom/identification/remains_fold.h"
 
-#include <vector>
-
 #include "handmade_identification.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

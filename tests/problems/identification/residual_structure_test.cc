@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <vector>
 
 #include "handmade_identification.h"
 #include <gtest/gtest.h>

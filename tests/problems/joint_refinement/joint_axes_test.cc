@@ -6,7 +6,6 @@
 #include "fathom/joint_refinement/joint_refinement.h"
 
 #include <cmath>
-#include <vector>
 
 #include "camera_experiment.h"
 #include "expect_found.h"

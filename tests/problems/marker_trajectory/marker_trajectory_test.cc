@@ -5,13 +5,11 @@
 
 #include "fathom/base/input_error.h"
 
-#include <algorithm>
 #include <random>
 
 #include "synthetic_views.h"
 #include <Eigen/Cholesky>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

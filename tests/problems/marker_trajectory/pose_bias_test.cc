@@ -13,7 +13,6 @@
 
 #include "synthetic_views.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -3,15 +3,14 @@
 
 #include "fathom/open_log/open_log.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -71,22 +70,12 @@ TEST(OpenLogText, MakesTheSameOfALogInMemory) {
 TEST(OpenLogText, RefusesWhatTheReaderOfFoldersRefuses) {
   LogText text = ThrustersInMemory("rov.yaml");
   text.velocity->text = "t,u\n0,0\n1,nan\n";
-  try {
-    OpenLogText(text);
-    FAIL() << "no error";
-  } catch (const InputError& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("velocity:3: column 'u' is 'nan'"));
-  }
+  EXPECT_THAT(ErrorFrom([&] { OpenLogText(text); }), HasSubstr("velocity:3: column 'u' is 'nan'"));
 }
 
 TEST(OpenLog, RefusesThrustersOfAnUnknownVehicleOrUnit) {
   const auto error = [](const std::string& log_yaml) -> std::string {
-    try {
-      OpenLog(LogWith(log_yaml));
-    } catch (const InputError& refused) {
-      return refused.what();
-    }
-    return "no error";
+    return ErrorFrom([&] { OpenLog(LogWith(log_yaml)); });
   };
   EXPECT_THAT(error(""), HasSubstr("command.csv holds thrusters, but log.yaml names no vehicle"));
   EXPECT_THAT(error("vehicle: rov.yaml\nthruster_unit: kgf\n"),

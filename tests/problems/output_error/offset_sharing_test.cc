@@ -15,7 +15,6 @@
 #include "synthetic_run.h"
 #include <Eigen/Dense>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "synthetic_run.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -10,13 +10,11 @@
 #include "fathom/output_error/output_error.h"
 
 #include <cmath>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "noise_trial.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

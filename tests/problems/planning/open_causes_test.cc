@@ -6,7 +6,6 @@
 #include "fathom/planning/plan_experiment.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
-#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>

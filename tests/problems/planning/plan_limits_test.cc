@@ -3,11 +3,10 @@
 
 #include "fathom/planning/plan_limits.h"
 
-#include "fathom/base/input_error.h"
-
 #include <cmath>
 #include <string>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -15,12 +14,7 @@ namespace {
 
 // What is said of a text that cannot be used.
 std::string RefusalOf(const std::string& text) {
-  try {
-    ParsePlanLimits("tank.yaml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ParsePlanLimits("tank.yaml", text); });
 }
 
 TEST(PlanLimits, ReadsEveryKey) {

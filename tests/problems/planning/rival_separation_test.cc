@@ -5,7 +5,6 @@
 
 #include "fathom/vehicle/effects/catalogue.h"
 
-#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>

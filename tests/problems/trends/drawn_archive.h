@@ -6,7 +6,6 @@
 #include "fathom/base/random_stream.h"
 #include "fathom/trends/dive_estimate.h"
 
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -3,10 +3,9 @@
 
 #include "fathom/base/dof.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -31,12 +30,8 @@ TEST(Dof, IsFoundAgainByItsName) {
 }
 
 TEST(Dof, ListsTheNamesWhenThereIsNoSuchName) {
-  try {
-    ParseDof("surg");
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "is 'surg', expected surge, sway, heave, roll, pitch or yaw.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ParseDof("surg"); }),
+            "is 'surg', expected surge, sway, heave, roll, pitch or yaw.");
 }
 
 }  // namespace

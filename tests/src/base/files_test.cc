@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -63,12 +64,7 @@ TEST(Files, ReplaceAFileInMemoryAsAnyOther) {
 }
 
 std::string WhyUnreadable(const std::filesystem::path& path) {
-  try {
-    ReadFile(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ReadFile(path); });
 }
 
 // A device may never end, a pipe never begin.

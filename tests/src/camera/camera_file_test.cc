@@ -3,12 +3,10 @@
 
 #include "fathom/camera/camera_file.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -44,12 +42,7 @@ std::string With(std::string text, const std::string& from, const std::string& t
 }
 
 std::string Error(const std::string& text) {
-  try {
-    ParseCameraFile("camera.yaml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return ErrorFrom([&] { ParseCameraFile("camera.yaml", text); });
 }
 
 TEST(CameraFile, ReadsCameraInfo) {
@@ -159,15 +152,10 @@ TEST(CameraFile, RefusesCamchainsItCannotUse) {
 TEST(CameraFile, RefusesFramesOfAnotherSize) {
   const CameraModel camera = ParseCameraFile("camera.yaml", kRos);
   EXPECT_NO_THROW(RequireFrameSize(camera, "camera.yaml", "a.png", 640, 480));
-  try {
-    RequireFrameSize(camera, "log/camera.yaml", "a.png", 1280, 960);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "a.png: is 1280 x 960 pixels, expected 640 x 480 as in log/camera.yaml. Calibrate "
-                 "the camera at the size of its frames, or give the calibration that belongs to "
-                 "them.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { RequireFrameSize(camera, "log/camera.yaml", "a.png", 1280, 960); }),
+            "a.png: is 1280 x 960 pixels, expected 640 x 480 as in log/camera.yaml. Calibrate "
+            "the camera at the size of its frames, or give the calibration that belongs to "
+            "them.");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "fathom/camera/camera_model.h"
 
 #include <random>
-#include <string>
 #include <vector>
 
 #include <ceres/jet.h>

@@ -4,11 +4,11 @@
 #include "fathom/camera/camera_rig.h"
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 
 #include <map>
 #include <string>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -52,30 +52,20 @@ TEST(CameraRig, SaysWhatIsMissing) {
       {"mount.yaml", "the camera's place on the vehicle"}};
   for (const auto& [file, meaning] : meanings) {
     const auto folder = FolderWithout(file);
-    try {
-      ReadCameraRig(folder);
-      FAIL() << file;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.what(),
-                folder.string() + ": holds no " + file + " (" + meaning +
-                    "), expected it in a camera log. See docs/file_formats.md.");
-    }
+    EXPECT_EQ(ErrorFrom([&] { ReadCameraRig(folder); }),
+              folder.string() + ": holds no " + file + " (" + meaning +
+                  "), expected it in a camera log. See docs/file_formats.md.");
   }
 }
 
 TEST(CameraRig, NamesAllThatIsMissingAtOnce) {
   const auto folder = FolderWithout("mount.yaml");
   std::filesystem::remove(folder / "camera.yaml");
-  try {
-    RequireRigFiles(folder, {"images (frames.csv)"});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(),
-              folder.string() +
-                  ": holds no camera.yaml (the camera's calibration), no mount.yaml (the camera's "
-                  "place on the vehicle), no images (frames.csv), expected them in a camera log. "
-                  "See docs/file_formats.md.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { RequireRigFiles(folder, {"images (frames.csv)"}); }),
+            folder.string() +
+                ": holds no camera.yaml (the camera's calibration), no mount.yaml (the camera's "
+                "place on the vehicle), no images (frames.csv), expected them in a camera log. "
+                "See docs/file_formats.md.");
 }
 
 // What else is missing is said by who misses it.

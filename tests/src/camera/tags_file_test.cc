@@ -3,12 +3,10 @@
 
 #include "fathom/camera/tags_file.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -25,12 +23,7 @@ constexpr char kTags[] =
 std::string Error(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
-  try {
-    ParseTagsFile("tags.yaml", text.replace(at, from.size(), to));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return ErrorFrom([&] { ParseTagsFile("tags.yaml", text.replace(at, from.size(), to)); });
 }
 
 TEST(TagsFile, ReadsSizesFamiliesAndPlaces) {

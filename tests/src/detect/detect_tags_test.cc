@@ -9,7 +9,6 @@
 
 #include "rendered_scene.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

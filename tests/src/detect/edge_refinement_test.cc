@@ -6,7 +6,6 @@
 #include "fathom/detect/tag_detector.h"
 #include "fathom/film/tag_renderer.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include "real_data.h"
 #include "rendered_scene.h"
 #include <gtest/gtest.h>
@@ -198,12 +199,7 @@ TEST(TagDetector, LosesNoTagToTheMarginForNoise) {
 TEST(TagDetector, RefusesWhatItCannotDo) {
   const auto message = [](const std::vector<std::string>& families,
                           const TagDetectorOptions& options) -> std::string {
-    try {
-      TagDetector detector(families, options);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return ErrorFrom([&] { TagDetector detector(families, options); });
   };
   EXPECT_EQ(message({}, {}), "tag detector: no tag family, expected at least one.");
   EXPECT_EQ(message({"tag36h12"}, {}),

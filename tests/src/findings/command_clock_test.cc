@@ -9,12 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

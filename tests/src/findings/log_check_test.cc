@@ -14,7 +14,6 @@
 
 #include "real_data.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

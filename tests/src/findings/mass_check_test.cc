@@ -4,7 +4,6 @@
 #include "fathom/findings/mass_check.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

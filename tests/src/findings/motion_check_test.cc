@@ -11,7 +11,6 @@
 #include "real_data.h"
 #include "values/noisy_motion.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

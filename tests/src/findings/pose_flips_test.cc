@@ -9,12 +9,10 @@
 #include <cmath>
 #include <functional>
 #include <set>
-#include <string>
 
 #include "real_data.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

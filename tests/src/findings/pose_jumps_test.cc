@@ -7,10 +7,8 @@
 
 #include <cmath>
 #include <functional>
-#include <string>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -7,12 +7,10 @@
 #include "fathom/log/read_log.h"
 
 #include <cmath>
-#include <filesystem>
 #include <random>
 
 #include "real_data.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

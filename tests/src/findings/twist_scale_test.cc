@@ -7,7 +7,6 @@
 #include "fathom/log/log.h"
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 #include "fathom/geometry/stamped_pose.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

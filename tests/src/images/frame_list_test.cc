@@ -3,31 +3,20 @@
 
 #include "fathom/images/frame_list.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
 std::string RefusalOfList(const std::string& text) {
-  try {
-    ParseFrameList("log/frames.csv", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ParseFrameList("log/frames.csv", text); });
 }
 
 std::string RefusalOfTimes(const std::string& text) {
-  try {
-    ParseFrameTimes("log/frame_times.csv", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ParseFrameTimes("log/frame_times.csv", text); });
 }
 
 TEST(ParseFrameList, ReadsStampsAndFiles) {

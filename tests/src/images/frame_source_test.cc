@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include "rendered_scene.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -123,14 +123,11 @@ class FrameFolder : public testing::Test {
 
   std::string RefusalOf(const std::string& video = "",
                         const CameraModel& camera = SmallCamera()) const {
-    try {
+    return ErrorFrom([&] {
       const auto source = Open(video, camera);
       for (ImageFrame frame; source->Next(&frame);) {
       }
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
 
   std::string Path(const char* file) const { return (folder_ / file).string(); }
@@ -237,18 +234,9 @@ TEST_F(FrameFolder, RefusesImagesOfAnotherSizeThanTheCalibration) {
 TEST_F(FrameFolder, RefusesImagesOfSixteenBits) {
   cv::Mat deep;
   Picture(0).convertTo(deep, CV_16U, 16.0);
-  EXPECT_THROW(
-      {
-        try {
-          DecodeImage("deep.png", Encoded(deep, ".png"));
-        } catch (const InputError& error) {
-          EXPECT_STREQ(error.what(),
-                       "deep.png: has more than 8 bits per pixel, expected 8. Convert it with a "
-                       "scale that is the same for all images.");
-          throw;
-        }
-      },
-      InputError);
+  EXPECT_EQ(ErrorFrom([&] { DecodeImage("deep.png", Encoded(deep, ".png")); }),
+            "deep.png: has more than 8 bits per pixel, expected 8. Convert it with a "
+            "scale that is the same for all images.");
 }
 
 TEST_F(FrameFolder, ReadsAVideoWithTheContainersStamps) {

@@ -4,7 +4,6 @@
 #include "fathom/log/hold_out.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -4,13 +4,12 @@
 #include "fathom/log/log_content.h"
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 
 #include <filesystem>
 #include <set>
 #include <string>
 
-#include <gmock/gmock.h>
+#include "error_from.h"
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -82,12 +81,7 @@ TEST_F(LogContent, TellsAFileFromItsContentInAnother) {
 TEST_F(LogContent, RefusesAPipeWithoutWaitingForIt) {
   const fs::path pipe = log_ / "pose.csv";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  try {
-    ContentOf(log_);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()), pipe.string() + ": is a pipe, expected a file.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ContentOf(log_); }), pipe.string() + ": is a pipe, expected a file.");
 }
 
 TEST(Digest, TellsListsOfTextsApart) {

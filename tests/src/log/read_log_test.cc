@@ -11,8 +11,8 @@
 #include <map>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -210,13 +210,8 @@ TEST(ReadLog, ReadsThePlainSentencesOnPosesOfBefore) {
 
 TEST(ReadLog, RefusesARemarkOfAnUnknownKind) {
   const std::string yaml = "poses: 2\nremarks: [{kind: loud, text: a}]\n";
-  try {
-    ParsePoseRemarks("pose.yaml", yaml, 2);
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "pose.yaml:2: key 'remarks[0].kind' is 'loud', expected poses or lost_motion.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ParsePoseRemarks("pose.yaml", yaml, 2); }),
+            "pose.yaml:2: key 'remarks[0].kind' is 'loud', expected poses or lost_motion.");
 }
 
 TEST(ReadLog, ReadsASingleCsvOfTheGivenDof) {
@@ -241,30 +236,16 @@ TEST(ReadLog, ReadsASingleCsvOfAFreeDecayWhereNoCommandIsNeeded) {
 
 TEST(ReadLog, NeedsTheDofOfASingleCsv) {
   const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
-  try {
-    ReadLog(file);
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(
-        error.what(),
-        file.string() +
-            ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected --dof "
-            "with it: --dof=surge, sway, heave, roll, pitch or yaw.");
-  }
+  EXPECT_EQ(
+      ErrorFrom([&] { ReadLog(file); }),
+      file.string() +
+          ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected --dof "
+          "with it: --dof=surge, sway, heave, roll, pitch or yaw.");
 }
 
 TEST(ReadLog, RefusesAPathThatIsNotThere) {
-  EXPECT_THROW(
-      {
-        try {
-          ReadLog("no/such/log");
-        } catch (const InputError& error) {
-          EXPECT_STREQ(error.what(),
-                       "no/such/log: there is no such log folder or CSV file. Check the path.");
-          throw;
-        }
-      },
-      InputError);
+  EXPECT_EQ(ErrorFrom([&] { ReadLog("no/such/log"); }),
+            "no/such/log: there is no such log folder or CSV file. Check the path.");
 }
 
 TEST(ReadLog, NamesALogInAFolderThatHoldsSome) {
@@ -273,15 +254,10 @@ TEST(ReadLog, NamesALogInAFolderThatHoldsSome) {
     std::filesystem::create_directory(folder / name);
     WriteFile(folder / name / "log.yaml", kGood.at("log.yaml"));
   }
-  try {
-    ReadLog(folder);
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(),
-              folder.string() + ": holds logs and is none itself, expected one of them: --log=" +
-                  (folder / "run_1").string() + ". fathom_check --archive=" + folder.string() +
-                  " checks them all.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ReadLog(folder); }),
+            folder.string() + ": holds logs and is none itself, expected one of them: --log=" +
+                (folder / "run_1").string() + ". fathom_check --archive=" + folder.string() +
+                " checks them all.");
 }
 
 TEST(ReadLog, RefusesAFolderThatLacksAFile) {
@@ -348,12 +324,8 @@ TEST(ReadLog, RefusesDetectionsItCannotUse) {
 TEST(ReadLog, RefusesAFolderInPlaceOfAStream) {
   const auto folder = Folder(With({{"velocity.csv", "-"}}));
   std::filesystem::create_directories(folder / "velocity.csv");
-  try {
-    ReadLog(folder);
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), (folder / "velocity.csv").string() + ": is a folder, expected a file.");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ReadLog(folder); }),
+            (folder / "velocity.csv").string() + ": is a folder, expected a file.");
 }
 
 TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
@@ -502,29 +474,19 @@ TEST(ReadLog, RefusesAnotherVelocityThatCouldBeTwoFiles) {
 
 TEST(ReadLog, RefusesAnotherVelocityForASingleCsv) {
   const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
-  try {
-    ReadLog(file, {.dof = Dof::kSurge, .velocity = "v.csv"});
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(
-        error.what(),
-        "--velocity=v.csv: " + file.string() +
-            " is a single CSV with its own speed, expected a log folder. Leave out --velocity.");
-  }
+  EXPECT_EQ(
+      ErrorFrom([&] { ReadLog(file, {.dof = Dof::kSurge, .velocity = "v.csv"}); }),
+      "--velocity=v.csv: " + file.string() +
+          " is a single CSV with its own speed, expected a log folder. Leave out --velocity.");
 }
 
 TEST(ReadLog, NamesTheMissingColumnOfASingleCsv) {
   const auto file = Folder({{"run.csv", "t,tau,u\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
-  try {
-    ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(),
-              file.string() +
-                  ":1: column 'v' is missing, found t, tau, u; expected t, tau, v. fathom_import "
-                  "makes a log of what other programs write: fathom_import --from=" +
-                  file.string() + " --suggest > map.yaml");
-  }
+  EXPECT_EQ(ErrorFrom([&] { ReadLog(file, {.dof = Dof::kSurge, .velocity = {}}); }),
+            file.string() +
+                ":1: column 'v' is missing, found t, tau, u; expected t, tau, v. fathom_import "
+                "makes a log of what other programs write: fathom_import --from=" +
+                file.string() + " --suggest > map.yaml");
 }
 
 // What is wrong with it as a single CSV leads nowhere.
@@ -532,17 +494,11 @@ TEST(ReadLog, NamesOnlyTheImportForACsvOfAnotherShape) {
   for (const char* text :
        {"Pool test 7\r\nTime;Thrust\r\n0;1\r\n", "Time,Thrust,Speed\r\n0,1,2\r\n"}) {
     const auto file = Folder({{"run.csv", text}}) / "run.csv";
-    try {
-      ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
-      ADD_FAILURE() << "no error";
-    } catch (const InputError& error) {
-      EXPECT_EQ(
-          error.what(),
-          file.string() +
-              ": is no log, expected a log folder or a CSV with columns t, tau, v. "
-              "fathom_import makes a log of what other programs write: fathom_import --from=" +
-              file.string() + " --suggest > map.yaml");
-    }
+    EXPECT_EQ(ErrorFrom([&] { ReadLog(file, {.dof = Dof::kSurge, .velocity = {}}); }),
+              file.string() +
+                  ": is no log, expected a log folder or a CSV with columns t, tau, v. "
+                  "fathom_import makes a log of what other programs write: fathom_import --from=" +
+                  file.string() + " --suggest > map.yaml");
   }
 }
 
@@ -550,12 +506,8 @@ TEST(ReadLog, NamesTheMistakeInTheFirstLineOfASingleCsv) {
   for (const auto& [text, mistake] : {std::pair{"\xef\xbb\xbft,tau,v\n0,1,2\n", "byte order mark"},
                                       {"t,tau [N],v\n0,1,2\n", "with a unit"}}) {
     const auto file = Folder({{"run.csv", text}}) / "run.csv";
-    try {
-      ReadLog(file, {.dof = Dof::kSurge, .velocity = {}});
-      ADD_FAILURE() << "no error";
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(mistake));
-    }
+    EXPECT_THAT(ErrorFrom([&] { ReadLog(file, {.dof = Dof::kSurge, .velocity = {}}); }),
+                HasSubstr(mistake));
   }
 }
 

@@ -4,12 +4,8 @@
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"
 
-#include <filesystem>
-#include <string>
-
 #include "real_data.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

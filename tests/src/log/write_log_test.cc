@@ -4,7 +4,6 @@
 #include "fathom/log/write_log.h"
 
 #include "fathom/base/files/input_file.h"
-#include "fathom/base/input_error.h"
 #include "fathom/log/log_yaml.h"
 #include "fathom/log/read_log.h"
 
@@ -14,8 +13,8 @@
 #include <random>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -158,14 +157,8 @@ TEST(WriteLog, ReplacesAnEarlierLogButRefusesToLeaveAStreamOfItBehind) {
   WriteLog(folder, log);
   EXPECT_EQ(ReadLog(folder).name, "second");
   log.pose.reset();
-  try {
-    WriteLog(folder, log);
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_THAT(
-        error.what(),
-        ::testing::StartsWith((folder / "pose.csv").string() + ": is left from another log"));
-  }
+  EXPECT_THAT(ErrorFrom([&] { WriteLog(folder, log); }),
+              ::testing::StartsWith((folder / "pose.csv").string() + ": is left from another log"));
 }
 
 TEST(WriteStream, WritesTheFewestDigits) {

@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "dense_covariance.h"

@@ -3,7 +3,6 @@
 
 #include "fathom/noise/damping_factors.h"
 
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>

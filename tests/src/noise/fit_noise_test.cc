@@ -6,14 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 #include "dense_covariance.h"
 #include <Eigen/QR>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

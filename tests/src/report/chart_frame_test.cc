@@ -4,10 +4,8 @@
 #include "fathom/report/chart_frame.h"
 
 #include <cmath>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

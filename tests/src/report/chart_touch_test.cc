@@ -5,7 +5,6 @@
 
 #include "fathom/report/page.h"
 
-#include <string>
 #include <vector>
 
 #include "headless_browser.h"

@@ -3,14 +3,12 @@
 
 #include "fathom/report/curve_chart.h"
 
-#include <cmath>
 #include <limits>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

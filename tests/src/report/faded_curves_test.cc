@@ -5,8 +5,6 @@
 
 #include "fathom/report/page.h"
 
-#include <string>
-
 #include "headless_browser.h"
 #include <gtest/gtest.h>
 

@@ -3,10 +3,7 @@
 
 #include "fathom/report/held_curve.h"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -6,7 +6,6 @@
 #include "fathom/base/not_known.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -6,7 +6,6 @@
 #include "fathom/report/table_html.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -6,11 +6,9 @@
 #include "fathom/report/page.h"
 
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "headless_browser.h"
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

@@ -3,14 +3,12 @@
 
 #include "fathom/signal/joined_signals.h"
 
-#include "fathom/base/input_error.h"
-
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -37,12 +35,7 @@ Log RunAlong(Dof dof) {
 }
 
 std::string RefusalOf(const std::vector<Log>& logs) {
-  try {
-    JoinSignals(logs, {}, {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { JoinSignals(logs, {}, {}); });
 }
 
 TEST(JoinSignals, KnowsWhichLogASegmentIsOf) {

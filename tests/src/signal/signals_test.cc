@@ -6,11 +6,10 @@
 #include "fathom/base/input_error.h"
 
 #include <cmath>
-#include <functional>
 #include <random>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -147,13 +146,10 @@ TEST(Signals, TakeFromAPartOfAPoseWhatItTells) {
   EXPECT_THAT(heave.remarks, Contains(HasSubstr("stays level")));
 
   const auto error = [&](Dof dof) -> std::string {
-    try {
+    return ErrorFrom([&] {
       log.command->columns = {std::string(ForceColumn(dof))};
       SignalsOf(log, dof, {.source = Source::kCamera});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    });
   };
   EXPECT_THAT(error(Dof::kSurge), HasSubstr("tells nothing of surge; expected a position"));
   EXPECT_THAT(error(Dof::kRoll), HasSubstr("tells nothing of roll; expected an attitude"));
@@ -271,12 +267,7 @@ TEST(Signals, HaveNoAccelerationNearTheEnds) {
 TEST(Signals, SayWhatALogLacks) {
   TankRun run = StepRun(30.0);
   const auto message = [&](Dof dof, Source source) -> std::string {
-    try {
-      SignalsOf(run.log, dof, {.source = source});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return ErrorFrom([&] { SignalsOf(run.log, dof, {.source = source}); });
   };
   EXPECT_THAT(message(Dof::kHeave, Source::kPoseEstimator), HasSubstr("'w' is missing"));
   EXPECT_THAT(message(Dof::kHeave, Source::kCamera), HasSubstr("'tau_heave' is missing"));
@@ -290,12 +281,7 @@ TEST(Signals, SayWhatALogLacks) {
 }
 
 std::string RefusalOfSource(const Log& log, Source source) {
-  try {
-    SignalsOf(log, Dof::kSurge, {.source = source});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { SignalsOf(log, Dof::kSurge, {.source = source}); });
 }
 
 TEST(Signals, RefuseCommandAndMotionThatDoNotOverlap) {

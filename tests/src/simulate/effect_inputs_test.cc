@@ -3,14 +3,12 @@
 
 #include "fathom/simulate/effect_inputs.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
-#include <cmath>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -31,12 +29,7 @@ ActiveEffect WithPartner(const char* name, Dof partner, double value) {
 }
 
 std::string ErrorOf(const ActiveEffect& effect, const Log& log) {
-  try {
-    RequirePartners({{}, {effect}}, EffectInputsOf(log, Dof::kSurge), log);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return ErrorFrom([&] { RequirePartners({{}, {effect}}, EffectInputsOf(log, Dof::kSurge), log); });
 }
 
 TEST(EffectInputs, HoldEveryCommandAndMeasuredVelocity) {

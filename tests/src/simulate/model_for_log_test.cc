@@ -7,7 +7,6 @@
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -4,10 +4,8 @@
 #include "fathom/simulate/prediction_remarks.h"
 
 #include <cmath>
-#include <string>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -4,7 +4,6 @@
 #include "fathom/simulate/run_start.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

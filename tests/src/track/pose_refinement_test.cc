@@ -3,7 +3,6 @@
 
 #include "fathom/track/pose_refinement.h"
 
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -3,13 +3,11 @@
 
 #include "fathom/track/pose_track.h"
 
-#include "fathom/base/input_error.h"
-
 #include <set>
 
+#include "error_from.h"
 #include "synthetic_views.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -390,16 +388,12 @@ TEST(TrackPoses, RefusesCornersInAnotherOrder) {
   for (Detection& detection : record.detections) {
     std::reverse(detection.corners.begin(), detection.corners.end());
   }
-  try {
-    PoseTrackOptions options;
-    options.name = "log/detections.csv";
-    TrackPoses(record.detections, SyntheticCamera(), map, options);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(
-        error.what(),
-        StartsWith("log/detections.csv: the corners of 20 of 20 run clockwise in the image"));
-  }
+  EXPECT_THAT(ErrorFrom([&] {
+                PoseTrackOptions options;
+                options.name = "log/detections.csv";
+                TrackPoses(record.detections, SyntheticCamera(), map, options);
+              }),
+              StartsWith("log/detections.csv: the corners of 20 of 20 run clockwise in the image"));
 }
 
 TEST(TrackPoses, RefusesTheCalibrationOfAnotherSize) {
@@ -410,12 +404,8 @@ TEST(TrackPoses, RefusesTheCalibrationOfAnotherSize) {
   camera.height /= 2;
   camera.cx /= 2.0;
   camera.cy /= 2.0;
-  try {
-    TrackPoses(record.detections, camera, map);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("lie outside the camera's image of 640 x 480 pixels"));
-  }
+  EXPECT_THAT(ErrorFrom([&] { TrackPoses(record.detections, camera, map); }),
+              HasSubstr("lie outside the camera's image of 640 x 480 pixels"));
 }
 
 TEST(TrackPoses, IsEmptyWithoutAnyKnownTag) {

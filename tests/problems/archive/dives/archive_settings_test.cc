@@ -3,12 +3,10 @@
 
 #include "fathom/archive/dives/archive_settings.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -39,22 +37,17 @@ TEST(ParseArchiveSettings, ReadsEveryKey) {
 }
 
 TEST(ParseArchiveSettings, NamesFileLineAndKey) {
-  try {
-    ParseArchiveSettings("archive.yaml", "dof: heave\ndive_level: 101\n");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("archive.yaml:2: key 'dive_level' is 101"));
-  }
+  EXPECT_THAT(
+      ErrorFrom([&] { ParseArchiveSettings("archive.yaml", "dof: heave\ndive_level: 101\n"); }),
+      testing::StartsWith("archive.yaml:2: key 'dive_level' is 101"));
 }
 
 // Found by its fuzz target: the standard library overflows on such a count.
 TEST(ParseArchiveSettings, RefusesAPatternWithAHugeCount) {
-  try {
-    ParseArchiveSettings("archive.yaml", "dive_pattern: m[0-9]{9999999999999999999}\n");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("expected counts below 1000"));
-  }
+  EXPECT_THAT(ErrorFrom([&] {
+                ParseArchiveSettings("archive.yaml", "dive_pattern: m[0-9]{9999999999999999999}\n");
+              }),
+              testing::HasSubstr("expected counts below 1000"));
 }
 
 TEST(DiveOfPath, IsTheFolderOfTheLog) {

@@ -11,7 +11,6 @@
 #include "example_archive.h"
 #include "headless_browser.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

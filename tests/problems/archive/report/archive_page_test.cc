@@ -6,11 +6,9 @@
 #include "fathom/archive/report/log_states.h"
 
 #include <string>
-#include <string_view>
 
 #include "example_archive.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

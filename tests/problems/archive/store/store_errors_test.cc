@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/archive/store/store.h"
-#include "fathom/base/input_error.h"
 
 #include <filesystem>
 #include <string>
 
+#include "error_from.h"
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -31,12 +30,7 @@ class StoreErrors : public testing::Test {
 
   template <typename Work>
   std::string ErrorOf(const Work& work) {
-    try {
-      work();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no InputError";
+    return ErrorFrom([&] { work(); });
   }
 
   // A folder of each test's own: they run side by side.

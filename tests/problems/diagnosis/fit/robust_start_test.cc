@@ -3,7 +3,6 @@
 
 #include "fathom/diagnosis/fit/robust_start.h"
 
-#include <cmath>
 #include <vector>
 
 #include "surge_run.h"

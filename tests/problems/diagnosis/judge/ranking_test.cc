@@ -9,14 +9,11 @@
 #include "fathom/vehicle/parameters.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

@@ -18,7 +18,6 @@
 #include "handmade_diagnosis.h"
 #include "headless_browser.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

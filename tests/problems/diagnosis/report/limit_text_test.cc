@@ -6,10 +6,8 @@
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <limits>
-#include <string>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

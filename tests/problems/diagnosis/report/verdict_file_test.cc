@@ -7,13 +7,10 @@
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/model_file.h"
 
-#include <cmath>
 #include <limits>
-#include <string>
 
 #include "handmade_diagnosis.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {

@@ -8,7 +8,6 @@
 
 #include "handmade_diagnosis.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

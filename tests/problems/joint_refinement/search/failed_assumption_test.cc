@@ -12,7 +12,6 @@
 
 #include "camera_experiment.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -6,7 +6,6 @@
 #include "synthetic_views.h"
 #include <Eigen/Cholesky>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>

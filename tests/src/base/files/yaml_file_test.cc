@@ -5,11 +5,10 @@
 
 #include "fathom/base/input_error.h"
 
-#include <functional>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -21,15 +20,6 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 YamlMap Parse(const std::string& text) { return ParseYaml("v.yaml", text); }
-
-std::string ErrorFrom(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string ParseError(const std::string& text) {
   return ErrorFrom([&] { Parse(text); });

@@ -4,13 +4,11 @@
 #include "fathom/log/csv/csv_table.h"
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 
-#include <functional>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -32,15 +30,6 @@ const CsvSpec kPose = {.required = {"x", "y", "qw"},
                        .at_least_one_of = {},
                        .numbered = "",
                        .allow_equal_stamps = false};
-
-std::string ErrorFrom(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string Error(const std::string& text, const CsvSpec& spec = kVelocity) {
   return ErrorFrom([&] { ParseCsvTable("velocity.csv", text, spec); });

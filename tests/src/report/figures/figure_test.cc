@@ -13,7 +13,6 @@
 
 #include "example_page.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -4,7 +4,6 @@
 #include "fathom/signal/sources/choose_source.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

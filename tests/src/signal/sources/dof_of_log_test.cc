@@ -3,11 +3,10 @@
 
 #include "fathom/signal/sources/dof_of_log.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -21,12 +20,7 @@ Log LogAbout(const std::string& path, std::vector<Dof> dofs) {
 }
 
 std::string RefusalOfDof(std::vector<Log> logs) {
-  try {
-    DofOfAll(logs, {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { DofOfAll(logs, {}); });
 }
 
 TEST(DofOfAll, IsTheGivenOneOrTheOnlyOne) {

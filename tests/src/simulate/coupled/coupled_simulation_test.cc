@@ -14,7 +14,6 @@
 
 #include "plain_simulator.h"
 #include <Eigen/Geometry>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

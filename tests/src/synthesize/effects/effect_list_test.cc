@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -57,12 +57,7 @@ std::vector<ActiveEffect> Parse(const std::string& text, std::uint64_t seed = 1)
 }
 
 std::string MessageOf(const std::string& text) {
-  try {
-    Parse(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return ErrorFrom([&] { Parse(text); });
 }
 
 TEST(EffectList, ReadsNamesValuesDofsAndPartners) {

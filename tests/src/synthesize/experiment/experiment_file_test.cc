@@ -8,10 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <utility>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -57,12 +56,7 @@ std::string MessageWith(const std::string& from, const std::string& to) {
   const auto place = text.find(from);
   EXPECT_NE(place, std::string::npos) << from;
   text.replace(place, from.size(), to);
-  try {
-    ParseExperiment("e.yaml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return ErrorFrom([&] { ParseExperiment("e.yaml", text); });
 }
 
 TEST(ExperimentFile, ReadsEveryKey) {

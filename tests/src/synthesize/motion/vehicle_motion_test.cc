@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

@@ -9,7 +9,6 @@
 #include <cstddef>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "fathom/vehicle/coupled/coupled_model.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fathom {

@@ -3,12 +3,10 @@
 
 #include "fathom/vehicle/coupled/free_entry.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -71,12 +69,7 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
 
 TEST(FreeEntry, IsRefusedByItsName) {
   for (const std::string name : {"inertia.up", "righting_moment.yaw", "mass", "thrust_gain.", ""}) {
-    try {
-      ParseFreeEntry(name);
-      ADD_FAILURE() << name;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("'" + name + "'"));
-    }
+    EXPECT_THAT(ErrorFrom([&] { ParseFreeEntry(name); }), HasSubstr("'" + name + "'"));
   }
 }
 

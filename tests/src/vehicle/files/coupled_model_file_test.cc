@@ -3,14 +3,12 @@
 
 #include "fathom/vehicle/files/coupled_model_file.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <string>
-#include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -49,12 +47,7 @@ std::string Replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string MessageOf(const std::string& text) {
-  try {
-    ParseCoupledModel("m.json", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { ParseCoupledModel("m.json", text); });
 }
 
 TEST(CoupledModelFile, ReadsBackWhatWasWritten) {

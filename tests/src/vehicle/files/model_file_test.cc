@@ -3,15 +3,14 @@
 
 #include "fathom/vehicle/files/model_file.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -31,13 +30,8 @@ FittedModel Example() {
   return fitted;
 }
 
-std::string ErrorFrom(const std::string& text) {
-  try {
-    ParseModel("m.json", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string ModelError(const std::string& text) {
+  return ErrorFrom([&] { ParseModel("m.json", text); });
 }
 
 // The example with one piece of text exchanged.
@@ -45,7 +39,7 @@ std::string ErrorAfter(const std::string& from, const std::string& to) {
   std::string text = FormatModel(Example());
   const size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
-  return ErrorFrom(text.replace(at, from.size(), to));
+  return ModelError(text.replace(at, from.size(), to));
 }
 
 TEST(ModelFile, KeepsEveryNumberToTheBit) {
@@ -142,10 +136,11 @@ TEST(ModelFile, ReadsTheExtendedModelOfAVerdict) {
 }
 
 TEST(ModelFile, SaysWhatIsWrong) {
-  EXPECT_THAT(ErrorFrom("{\"schema\": "), StartsWith("m.json: is not JSON: parse error at line 1"));
-  EXPECT_EQ(ErrorFrom("t,u\n0,1\n"),
+  EXPECT_THAT(ModelError("{\"schema\": "),
+              StartsWith("m.json: is not JSON: parse error at line 1"));
+  EXPECT_EQ(ModelError("t,u\n0,1\n"),
             "m.json: is no model, expected the JSON of fathom_identify --model.");
-  EXPECT_THAT(ErrorFrom("[]"), HasSubstr("'schema' is missing"));
+  EXPECT_THAT(ModelError("[]"), HasSubstr("'schema' is missing"));
   EXPECT_THAT(ErrorAfter("fathom-model-1", "other"), HasSubstr("'schema' is 'other', expected"));
   EXPECT_THAT(ErrorAfter("\"heave\"", "\"up\""), HasSubstr("'dof' is not one of"));
   EXPECT_THAT(ErrorAfter("\"inertia\"", "\"mass\""), HasSubstr("'parameters.inertia' is missing"));
@@ -157,7 +152,7 @@ TEST(ModelFile, SaysWhatIsWrong) {
 }
 
 TEST(ModelFile, RefusesDeepNestingBeforeItOverflowsAnything) {
-  EXPECT_THAT(ErrorFrom(std::string(100000, '[')), HasSubstr("nested more than 16 levels"));
+  EXPECT_THAT(ModelError(std::string(100000, '[')), HasSubstr("nested more than 16 levels"));
 }
 
 // With the example's baseline, and effects as DESIGN.md writes causes.
@@ -199,7 +194,7 @@ TEST(ModelFile, RefusesAnEffectItCannotSimulate) {
   const auto error_with = [](const std::string& effects) {
     std::string text = FormatModel(Example());
     const std::string from = "\"effects\": []";
-    return ErrorFrom(text.replace(text.find(from), from.size(), "\"effects\": [" + effects + "]"));
+    return ModelError(text.replace(text.find(from), from.size(), "\"effects\": [" + effects + "]"));
   };
   EXPECT_THAT(
       error_with(R"({"effect": "ghost"})"),
@@ -238,7 +233,7 @@ TEST(ModelFile, RefusesAParameterThatNoEffectHas) {
 TEST(ModelFile, RefusesAValueBeyondItsBounds) {
   std::string text = FormatModel(ExampleWithEffects());
   text.replace(text.find("0.47"), 4, "-0.1");
-  EXPECT_THAT(ErrorFrom(text),
+  EXPECT_THAT(ModelError(text),
               HasSubstr("'parameters.thruster_lag.time_constant' is -0.1, expected 0 to 20."));
 }
 
@@ -246,7 +241,7 @@ TEST(ModelFile, RefusesACovarianceOfAnotherSize) {
   std::string text = FormatModel(ExampleWithEffects());
   const std::string key = "\"covariance\": ";
   const size_t begin = text.find(key), end = text.find("\"fit\"");
-  EXPECT_THAT(ErrorFrom(text.replace(begin, end - begin, key + "[[1]],\n")),
+  EXPECT_THAT(ModelError(text.replace(begin, end - begin, key + "[[1]],\n")),
               HasSubstr("'covariance' has 1 entries, expected a 9 x 9 array of numbers or nulls."));
 }
 
@@ -265,7 +260,7 @@ TEST(ModelFile, RefusesKeysThatNobodyWrites) {
 
 TEST(ModelFile, RefusesUnknownKeysOfAVerdict) {
   const auto error_of = [](const std::string& cause) {
-    return ErrorFrom(VerdictWithCauses(cause, ""));
+    return ModelError(VerdictWithCauses(cause, ""));
   };
   EXPECT_EQ(error_of(kLag), "no error");
   EXPECT_THAT(error_of(R"({"effect": "sensor_lag", "parameter": {}})"),
@@ -275,7 +270,7 @@ TEST(ModelFile, RefusesUnknownKeysOfAVerdict) {
   EXPECT_THAT(error_of(R"({"effect": "sensor_lag", "parameters": {"time_constant": {"value": 1},
                            "width": {"value": 2}}})"),
               HasSubstr("'causes[0].parameters.width' is not known here"));
-  EXPECT_THAT(ErrorFrom(R"({"schema": "fathom-verdict-1", "dof": "surge", "fit": {}})"),
+  EXPECT_THAT(ModelError(R"({"schema": "fathom-verdict-1", "dof": "surge", "fit": {}})"),
               HasSubstr("'fit' is not known here"));
 }
 
@@ -284,7 +279,7 @@ TEST(ModelFile, RefusesAKeyThatIsGivenTwice) {
             "m.json: 'dof' is given twice, expected once.");
   EXPECT_EQ(ErrorAfter("\"std\"", "\"value\": 1511.53, \"std\""),
             "m.json: 'parameters.inertia.value' is given twice, expected once.");
-  EXPECT_EQ(ErrorFrom(R"({"a": [1, {"b": 1}, {"b": 1, "c": [], "b": 2}]})"),
+  EXPECT_EQ(ModelError(R"({"a": [1, {"b": 1}, {"b": 1, "c": [], "b": 2}]})"),
             "m.json: 'a[2].b' is given twice, expected once.");
 }
 
@@ -294,7 +289,7 @@ TEST(ModelFile, RefusesUnitsOfAnotherDof) {
   // What was identified from amperes is in amperes all through.
   EXPECT_EQ(ErrorAfter("\"force_unit\": \"N\"", "\"force_unit\": \"A\""),
             "m.json: 'parameters.inertia.unit' is 'kg', expected 'A s^2/m'.");
-  EXPECT_EQ(ErrorFrom(VerdictWithCauses(
+  EXPECT_EQ(ModelError(VerdictWithCauses(
                 R"({"effect": "thrust_dead_zone", "parameters": {"width": {"value": 8,
                     "unit": "N m"}}})",
                 "")),
@@ -312,7 +307,7 @@ TEST(ModelFile, RefusesNegativeDampingButOfFamiliesThatDoNotBoundIt) {
   fitted.model.linear_damping = -31.4;
   fitted.caveats = {"linear_damping is negative."};  // words decide nothing
   fitted.provenance["family"] = "output_error";
-  EXPECT_THAT(ErrorFrom(FormatModel(fitted)), HasSubstr("'parameters.linear_damping' is -31.4"));
+  EXPECT_THAT(ModelError(FormatModel(fitted)), HasSubstr("'parameters.linear_damping' is -31.4"));
   fitted.provenance["family"] = "least_squares";
   EXPECT_EQ(ParseModel("m.json", FormatModel(fitted)).model.linear_damping, -31.4);
 }
@@ -320,7 +315,7 @@ TEST(ModelFile, RefusesNegativeDampingButOfFamiliesThatDoNotBoundIt) {
 TEST(ModelFile, RefusesANegativeDeviation) {
   const std::string text = VerdictWithCauses(kLag, R"(, "sensor_lag.time_constant": {"value": 0.9,
       "std": -0.5})");
-  EXPECT_EQ(ErrorFrom(text),
+  EXPECT_EQ(ModelError(text),
             "m.json: 'extended.parameters.sensor_lag.time_constant.std' is -0.5, expected at "
             "least 0.");
 }
@@ -340,7 +335,7 @@ TEST(ModelFile, KeepsTheRangeOfTheData) {
 TEST(ModelFile, RefusesARangeThatIsNone) {
   FittedModel in = Example();
   in.range = {.speed = {0.5, -0.75}, .force = {-120.0, 100.5}};
-  EXPECT_EQ(ErrorFrom(FormatModel(in)),
+  EXPECT_EQ(ModelError(FormatModel(in)),
             "m.json: 'fit.speed_range' is 0.5 to -0.75, expected the smaller value first.");
   EXPECT_EQ(ErrorAfter("\"mae\"", "\"speed_range\": [1], \"mae\""),
             "m.json: 'fit.speed_range' has 1 entries, expected 2: the smallest and the greatest "

@@ -3,7 +3,6 @@
 
 #include "fathom/vehicle/files/thruster_command.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 
 #include <filesystem>
@@ -11,8 +10,8 @@
 #include <functional>
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -31,12 +30,7 @@ constexpr char kTwoThrusters[] =
     "     coefficient: {forward: 0.02, reverse: 0}}\n";
 
 std::string ErrorOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return ErrorFrom([&] { action(); });
 }
 
 Vehicle TwoThrusters() { return ParseVehicleFile("v.yaml", kTwoThrusters); }

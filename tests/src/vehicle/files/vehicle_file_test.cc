@@ -3,12 +3,10 @@
 
 #include "fathom/vehicle/files/vehicle_file.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
+#include "error_from.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -25,12 +23,7 @@ constexpr char kThrusters[] =
     "     coefficient: {forward: 0.02, reverse: 0}}\n";
 
 std::string Error(const std::string& text) {
-  try {
-    ParseVehicleFile("v.yaml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return ErrorFrom([&] { ParseVehicleFile("v.yaml", text); });
 }
 
 TEST(VehicleFile, ReadsAVehicleWithThrustersAndModels) {
