@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs every test. Says what both took, and which
-# tests were the slowest.
+# tests were the slowest; fails for one that takes over 10 s and is none of tests/slow_tests.txt.
 #
 #   scripts/test.sh          optimised, with debug information (preset dev)
 #   scripts/test.sh asan     under the address and undefined behaviour sanitizers
@@ -19,3 +19,4 @@ echo 'The slowest tests [s]'
 awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); sub(/  # GetParam.*/, ""); name = $0 }
      /^Test time =/ { print $4, name }' "build/$preset/Testing/Temporary/LastTest.log" |
   sort -rn | sed -n 1,20p
+scripts/check_test_times.sh "$preset"
