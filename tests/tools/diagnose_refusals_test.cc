@@ -3,15 +3,16 @@
 
 // Flags and logs that fathom_diagnose refuses beside those that every tool does.
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -24,9 +25,9 @@ using Path = std::filesystem::path;
 class DiagnoseRefusals : public ::testing::Test {
  protected:
   std::string Refused(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments = {"--log=" + log_.string(),
-                                          "--verdict=" + (folder_ / "out/verdict.json").string(),
-                                          "--report=" + (folder_ / "out/page.html").string()};
+    std::vector<std::string> arguments = {Flag("log", log_),
+                                          Flag("verdict", folder_ / "out/verdict.json"),
+                                          Flag("report", folder_ / "out/page.html")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return ExpectRefusal("fathom_diagnose", arguments, folder_);
   }
@@ -35,28 +36,20 @@ class DiagnoseRefusals : public ::testing::Test {
   const Path log_ = WriteSmallLog(folder_ / "log");
 };
 
-TEST_F(DiagnoseRefusals, AFalseAlarmRateThatIsNone) {
-  for (const std::string rate : {"0", "-0.1", "0.6", "1e300"}) {
-    const std::string shown = rate == "1e300" ? "1e+300" : rate;
-    EXPECT_EQ(Refused({"--false_alarm_rate=" + rate}),
-              "fathom_diagnose: --false_alarm_rate: is " + shown +
-                  ", expected above 0 and at most 0.5.\n");
+TEST_F(DiagnoseRefusals, AFlagOfAnotherRange) {
+  const std::string rate = "--false_alarm_rate", above = ", expected above 0 and at most 0.5.\n";
+  for (const auto& [flag, value, said] : std::vector<std::array<std::string, 3>>{
+           {rate, "0", "0" + above},
+           {rate, "-0.1", "-0.1" + above},
+           {rate, "0.6", "0.6" + above},
+           {rate, "1e300", "1e+300" + above},
+           {rate, "often", "'often', expected a number.\n"},
+           {rate, "nan", "'nan', expected a number.\n"},
+           {rate, "inf", "'inf', expected a number.\n"},
+           {"--seed", "-1", "'-1', expected a whole number, at least 0.\n"},
+           {"--dof", "up", "'up', expected surge, sway, heave, roll, pitch or yaw.\n"}}) {
+    EXPECT_EQ(Refused({flag + "=" + value}), "fathom_diagnose: " + flag + ": is " + said);
   }
-  for (const std::string rate : {"often", "nan", "inf"}) {
-    EXPECT_EQ(Refused({"--false_alarm_rate=" + rate}),
-              "fathom_diagnose: --false_alarm_rate: is '" + rate + "', expected a number.\n");
-  }
-}
-
-TEST_F(DiagnoseRefusals, ASeedThatIsNone) {
-  EXPECT_EQ(Refused({"--seed=-1"}),
-            "fathom_diagnose: --seed: is '-1', expected a whole number, at least 0.\n");
-}
-
-TEST_F(DiagnoseRefusals, AnUnknownDof) {
-  EXPECT_EQ(Refused({"--dof=forward"}),
-            "fathom_diagnose: --dof: is 'forward', expected surge, sway, heave, roll, pitch or "
-            "yaw.\n");
 }
 
 TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {
@@ -71,7 +64,7 @@ TEST_F(DiagnoseRefusals, LogsOfDifferentDofsWithoutSayingWhich) {
   const Path second = WriteSmallLog(folder_ / "second");
   WriteTestFile(second / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
   WriteTestFile(second / "log.yaml", "name: second\ndof: heave\n");
-  EXPECT_EQ(Refused({"--log=" + second.string()}),
+  EXPECT_EQ(Refused({Flag("log", second)}),
             "fathom_diagnose: --dof: is missing, and " + (log_ / "log.yaml").string() +
                 " names surge, but " + (second / "log.yaml").string() + " heave; say which.\n");
 }
@@ -93,7 +86,7 @@ TEST_F(DiagnoseRefusals, ADofThatTheLogDoesNotMeasure) {
 
 TEST_F(DiagnoseRefusals, AVelocityFileForSeveralLogs) {
   const Path second = WriteSmallLog(folder_ / "second");
-  EXPECT_EQ(Refused({"--log=" + second.string(), "--velocity=velocity.csv"}),
+  EXPECT_EQ(Refused({Flag("log", second), "--velocity=velocity.csv"}),
             "fathom_diagnose: --velocity: belongs to one log, expected a single --log with it.\n");
 }
 
@@ -105,7 +98,7 @@ TEST_F(DiagnoseRefusals, TheSameLogTwice) {
 
 TEST_F(DiagnoseRefusals, TheSecondOfTwoLogs) {
   const Path second = folder_ / "second";
-  EXPECT_EQ(Refused({"--log=" + second.string()}),
+  EXPECT_EQ(Refused({Flag("log", second)}),
             "fathom_diagnose: " + second.string() +
                 ": there is no such log folder or CSV file. Check the path.\n");
 }
@@ -114,32 +107,21 @@ TEST_F(DiagnoseRefusals, LogsWhoseForcesHaveDifferentUnits) {
   const Path second = WriteSmallLog(folder_ / "second");
   WriteTestFile(second / "velocity.csv", SmallVelocityCsv() + "60.1,0\n");
   WriteTestFile(second / "log.yaml", "name: second\ndof: surge\ncommand_unit: A\n");
-  EXPECT_THAT(Refused({"--log=" + second.string()}),
+  EXPECT_THAT(Refused({Flag("log", second)}),
               AllOf(StartsWith("fathom_diagnose: "), HasSubstr("second"), HasSubstr("A")));
 }
 
-// Nothing is printed as if all were well, and no page is left.
-TEST_F(DiagnoseRefusals, AVerdictThatCannotBeWritten) {
+// Nothing is printed as if all were well, and neither output is left behind by the other.
+TEST_F(DiagnoseRefusals, AnOutputThatCannotBeWritten) {
   WriteTestFile(folder_ / "file", "not a folder\n");
-  const std::string verdict = (folder_ / "file/verdict.json").string();
-  EXPECT_THAT(ExpectRefusal("fathom_diagnose",
-                            {"--log=" + log_.string(),
-                             "--verdict=" + verdict,
-                             "--report=" + (folder_ / "out/page.html").string()},
-                            folder_),
-              StartsWith("fathom_diagnose: " + verdict + ": cannot write this file: "));
-}
-
-// The verdict is not left behind by the page that cannot be written.
-TEST_F(DiagnoseRefusals, APageThatCannotBeWritten) {
-  WriteTestFile(folder_ / "file", "not a folder\n");
-  const std::string page = (folder_ / "file/page.html").string();
-  EXPECT_THAT(ExpectRefusal("fathom_diagnose",
-                            {"--log=" + log_.string(),
-                             "--verdict=" + (folder_ / "verdict.json").string(),
-                             "--report=" + page},
-                            folder_),
-              StartsWith("fathom_diagnose: " + page + ": cannot write this file: "));
+  for (const auto& [wrong, other] : {std::pair{"verdict", "report"}, {"report", "verdict"}}) {
+    const Path output = folder_ / "file/output";
+    EXPECT_THAT(
+        ExpectRefusal("fathom_diagnose",
+                      {Flag("log", log_), Flag(wrong, output), Flag(other, folder_ / "out/other")},
+                      folder_),
+        StartsWith("fathom_diagnose: " + output.string() + ": cannot write this file: "));
+  }
 }
 
 }  // namespace

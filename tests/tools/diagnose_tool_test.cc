@@ -5,10 +5,8 @@
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <span>
 #include <sstream>
 #include <string>
@@ -21,7 +19,6 @@
 #include "synthesized_log.h"
 #include "turn_without_command.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -35,13 +32,12 @@ using Path = std::filesystem::path;
 const std::string kData = FATHOM_DATA_DIR;
 
 ToolRun Diagnosed(const Path& log, std::vector<std::string> arguments = {}) {
-  arguments.insert(arguments.begin(), "--log=" + log.string());
+  arguments.insert(arguments.begin(), Flag("log", log));
   return RunToolBinary("fathom_diagnose", arguments);
 }
 
 TEST(DiagnoseTool, HelpGivesFlagsAnExampleAndExitCodes) {
-  const ToolRun run = RunToolBinary("fathom_diagnose", {"--help"});
-  EXPECT_EQ(run.exit_code, 0);
+  const ToolRun run = RunsWell("fathom_diagnose", {"--help"});
   EXPECT_EQ(run.err, "");
   for (const char* flag :
        {"--log", "--dof", "--verdict", "--report", "--false_alarm_rate (default 0.05)", "--seed"}) {
@@ -54,7 +50,7 @@ TEST(DiagnoseTool, HelpGivesFlagsAnExampleAndExitCodes) {
             HasSubstr("Exit code 0: a usable result; 1: input or flags cannot be used; 2")));
 }
 
-// The baseline takes the dead zone for inertia; docs/diagnosis_dead_zone.md.
+// What is found in it, and how well: known_causes_test.cc.
 TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
   const Path folder = EmptyTestFolder();
   const Path log = Synthesized(kData + "/vehicles/flatfish.yaml",
@@ -63,9 +59,8 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
                                1,
                                folder / "log");
   const Path verdict = folder / "verdict.json", report = folder / "page.html";
-  const ToolRun run = Diagnosed(
-      log, {"--dof=surge", "--verdict=" + verdict.string(), "--report=" + report.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell(Diagnosed(log, {"--dof=surge", Flag("verdict", verdict), Flag("report", report)}));
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
   EXPECT_THAT(run.out, HasSubstr("\nevidence (BIC): what the fit gains, "));
@@ -79,16 +74,13 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
   EXPECT_EQ(cause["effect"], "thrust_dead_zone");
   EXPECT_EQ(cause["place"], "actuator");
   EXPECT_EQ(cause["alternatives"], nlohmann::json::array());
-  const double width = cause["parameters"]["width"]["value"];
-  const double std = cause["parameters"]["width"]["std"];
-  EXPECT_NEAR(width, 8.0, 4.0 * std);
-  EXPECT_LT(std, 0.4);
   EXPECT_EQ(cause["parameters"]["width"]["unit"], "N");
-  EXPECT_GT(json["baseline"]["parameters"]["inertia"]["value"].get<double>(), 1.15 * 851.05);
-  EXPECT_NEAR(
-      json["extended"]["parameters"]["inertia"]["value"].get<double>(), 851.05, 0.02 * 851.05);
-  EXPECT_LT(json["extended"]["heldout_nmae"].get<double>(),
-            0.85 * json["baseline"]["heldout_nmae"].get<double>());
+
+  // What the causes are the candidates say, too; those they cannot be told from are not kept.
+  for (const auto& candidate : json["candidates"]) {
+    EXPECT_EQ(candidate["kept"], candidate["label"] == "thrust_dead_zone") << candidate;
+    EXPECT_NE(candidate["why"], "");
+  }
 
   // The tool prints the sentence, and the page opens with it, the effect in words.
   const std::string sentence = json["sentence"];
@@ -100,48 +92,6 @@ TEST(DiagnoseTool, NamesAnEightNewtonDeadZoneInFlatfishSurge) {
   EXPECT_THAT(TextOf(report), HasSubstr(in_words));
 }
 
-// Every key of the design, whatever the verdict.
-TEST(DiagnoseTool, VerdictHasEveryDocumentedField) {
-  const Path folder = EmptyTestFolder();
-  const Path log = SmallLogWith(folder, "log", "thruster_lag:time_constant=0.8", 1);
-  const Path path = folder / "verdict.json";
-  const ToolRun run = Diagnosed(log, {"--verdict=" + path.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto verdict = JsonOf(path);
-  EXPECT_EQ(verdict["dof"], "surge");
-  EXPECT_TRUE((std::set<std::string>{"explained", "ambiguous"}).count(verdict["verdict"]))
-      << verdict["verdict"];
-  for (const char* model : {"baseline", "extended"}) {
-    for (const char* name : {"inertia", "quadratic_damping", "linear_damping", "buoyancy"}) {
-      const auto& parameter = verdict[model]["parameters"][name];
-      EXPECT_TRUE(parameter["value"].is_number()) << model << " " << name;
-      EXPECT_TRUE(parameter["std"].is_number()) << model << " " << name;
-      EXPECT_TRUE(parameter["unit"].is_string()) << model << " " << name;
-    }
-    for (const char* figure : {"mae", "nmae", "heldout_nmae"}) {
-      EXPECT_TRUE(verdict[model][figure].is_number()) << model << " " << figure;
-    }
-  }
-  ASSERT_FALSE(verdict["causes"].empty());
-  for (const auto& cause : verdict["causes"]) {
-    EXPECT_TRUE(cause["effect"].is_string());
-    EXPECT_TRUE(cause["place"].is_string());
-    EXPECT_FALSE(cause["parameters"].empty());
-    EXPECT_TRUE(cause["p_value"].is_number());
-    EXPECT_TRUE(cause["delta_bic"].is_number());
-    EXPECT_TRUE(cause["heldout_gain"].is_number());
-    EXPECT_TRUE(cause["alternatives"].is_array());
-  }
-  // What the causes are the candidates say, too; those they cannot be told from are not kept.
-  std::set<std::string> kept, named;
-  for (const auto& candidate : verdict["candidates"]) {
-    EXPECT_FALSE(candidate["why"].get<std::string>().empty());
-    if (candidate["kept"]) kept.insert(candidate["label"]);
-  }
-  for (const auto& cause : verdict["causes"]) named.insert(cause["effect"]);
-  EXPECT_EQ(kept, named);
-}
-
 // The speed forgets where it started from within m / d_L = 8 s: a minute in, the run that the
 // diagnosis fitted and the one that fathom_simulate starts from the first measured speed differ by
 // exp(-60 / 8) of some 0.01 m/s, 6e-6 m/s.
@@ -151,11 +101,9 @@ TEST(DiagnoseTool, ItsVerdictPredictsAnotherLogAsTheDiagnosisDoes) {
   const std::vector<Path> logs = {SmallLogWith(folder, "first", lag, 1),
                                   SmallLogWith(folder, "second", lag, 2)};
   const Path verdict = folder / "verdict.json", prediction = folder / "prediction.csv";
-  ASSERT_EQ(Diagnosed(logs[0], {"--verdict=" + verdict.string()}).exit_code, 0);
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate",
-      {"--model=" + verdict.string(), "--log=" + logs[0].string(), "--out=" + prediction.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell(Diagnosed(logs[0], {Flag("verdict", verdict)}));
+  RunsWell("fathom_simulate",
+           {Flag("model", verdict), Flag("log", logs[0]), Flag("out", prediction)});
 
   const Log log = ReadLog(logs[0]);
   const Diagnosis diagnosis = Diagnose(std::span<const Log>(&log, 1), Dof::kSurge);
@@ -178,16 +126,11 @@ TEST(DiagnoseTool, ItsVerdictPredictsAnotherLogAsTheDiagnosisDoes) {
   // A log that it has never seen: down to the noise of 0.005 m/s, 0.8 of which is the mean of its
   // size; the same without the cause misses by more.
   const auto miss = [&](const Path& model) {
-    const ToolRun other = RunToolBinary("fathom_simulate",
-                                        {"--model=" + model.string(), "--log=" + logs[1].string()});
-    EXPECT_EQ(other.exit_code, 0) << other.err;
+    const ToolRun other = RunsWell("fathom_simulate", {Flag("model", model), Flag("log", logs[1])});
     return NumberBehind("MAE ", other.out);
   };
   const Path baseline = folder / "baseline.json";
-  ASSERT_EQ(RunToolBinary("fathom_identify",
-                          {"--log=" + logs[0].string(), "--model=" + baseline.string()})
-                .exit_code,
-            0);
+  RunsWell("fathom_identify", {Flag("log", logs[0]), Flag("model", baseline)});
   EXPECT_LT(miss(verdict), 0.0055);
   EXPECT_GT(miss(baseline), 2.0 * miss(verdict));
 }
@@ -196,8 +139,7 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   const Path folder = EmptyTestFolder();
   const Path log = SmallLogWith(folder, "log", "", 3);
   const Path verdict = folder / "verdict.json";
-  const ToolRun run = Diagnosed(log, {"--verdict=" + verdict.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Diagnosed(log, {Flag("verdict", verdict)}));
   EXPECT_THAT(run.out,
               StartsWith("surge: consistent\nThis log shows no error of your surge model beyond "
                          "noise."));
@@ -212,15 +154,12 @@ TEST(DiagnoseTool, SaysThatNothingIsMissing) {
   EXPECT_THAT(run.out, Not(HasSubstr("\np-value: ")));
   EXPECT_THAT(run.out, HasSubstr("or a higher saturation. Effects of several parameters"));
   EXPECT_THAT(run.out, HasSubstr("\neffect not named "));
-  const ToolRun simulated =
-      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  RunsWell("fathom_simulate", {Flag("model", verdict), Flag("log", log)});
 }
 
 // Its simulation by Euler's method is 0.02 % of the motion off, which no noise covers here.
 TEST(DiagnoseTool, LooksForNothingWhereTheModelLeavesLessThanAThousandthOfTheMotion) {
-  const ToolRun run = Diagnosed(WriteSmallLog(EmptyTestFolder() / "log"));
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Diagnosed(WriteSmallLog(EmptyTestFolder() / "log")));
   EXPECT_THAT(run.out, StartsWith("surge: consistent\n"));
   EXPECT_THAT(run.out, HasSubstr(" % of the motion. Below 0.1 % no cause is searched."));
 }
@@ -237,20 +176,10 @@ TEST(DiagnoseTool, TakesSeveralLogsTogetherEitherWay) {
 }
 
 TEST(DiagnoseTool, SaysThatTheCommandEndsBeforeTheMotion) {
-  const Path folder = EmptyTestFolder();
-  const Path log = SmallLogWith(folder, "log", "", 1);
-  std::string command = TextOf(log / "command.csv");
-  const std::string last = command.substr(command.rfind('\n', command.size() - 2) + 1);
-  const double end = std::stod(last);
-  std::istringstream lines(command);
-  std::string kept, line;
-  while (std::getline(lines, line)) {
-    const bool is_header = line.starts_with("t,");
-    if (is_header || std::stod(line) < end - 35.0) kept += line + "\n";
-  }
-  WriteTestFile(log / "command.csv", kept);
-  const ToolRun run = RunToolBinary("fathom_diagnose", {"--log=" + log.string()});
-  EXPECT_THAT(run.out, HasSubstr(" s before the motion; its last value is held."));
+  const Path log = SmallLogWith(EmptyTestFolder(), "log", "", 1);
+  const std::string command = TextOf(log / "command.csv");
+  WriteTestFile(log / "command.csv", command.substr(0, command.find("\n55,") + 1));
+  EXPECT_THAT(Diagnosed(log).out, HasSubstr(" s before the motion; its last value is held."));
 }
 
 TEST(DiagnoseTool, TellsLogsOfOneNameApart) {
@@ -260,9 +189,7 @@ TEST(DiagnoseTool, TellsLogsOfOneNameApart) {
   const std::string yaml = TextOf(Path(first) / "log.yaml");
   ASSERT_EQ(yaml, TextOf(Path(second) / "log.yaml"));
   const Path report = folder / "page.html";
-  const ToolRun run = RunToolBinary(
-      "fathom_diagnose", {"--log=" + first, "--log=" + second, "--report=" + report.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_diagnose", {"--log=" + first, "--log=" + second, Flag("report", report)});
   const std::string page = TextOf(report);
   EXPECT_THAT(page,
               AllOf(HasSubstr("small_multisine (first)"), HasSubstr("small_multisine (second)")));
@@ -277,9 +204,7 @@ TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
   WriteTestFile(jumped / "log.yaml", "name: jumped\ndof: surge\nheld_out: [70, 90]\n");
   WriteTestFile(clean / "log.yaml", "name: clean\ndof: surge\nheld_out: [70, 90]\n");
   const Path verdict = folder / "verdict.json";
-  const ToolRun run =
-      Diagnosed(clean, {"--log=" + jumped.string(), "--verdict=" + verdict.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell(Diagnosed(clean, {Flag("log", jumped), Flag("verdict", verdict)}));
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
   EXPECT_THAT(run.out, HasSubstr("(buoyancy_step(jumped)), jump 6"));
   EXPECT_THAT(run.out, HasSubstr("buoyancy_step(jumped) holds for jumped only"));
@@ -292,8 +217,7 @@ TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
   const std::string note = "left out: buoyancy_step(jumped)";
   for (const Path& log : {clean, jumped, SmallLogWith(folder, "third", jump, 3)}) {
     const ToolRun simulated =
-        RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
-    ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+        RunsWell("fathom_simulate", {Flag("model", verdict), Flag("log", log)});
     const bool has_it = log == jumped;
     EXPECT_EQ(simulated.out.find(note) == std::string::npos, has_it) << simulated.out;
     // Noise of 0.005 m/s, 0.8 of which is the mean of its size; a jump that is missing shows.
@@ -304,10 +228,9 @@ TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
       EXPECT_GT(miss, 0.012);
     }
   }
-  const ToolRun kept = RunToolBinary("fathom_simulate",
-                                     {"--model=" + verdict.string(),
-                                      "--log=" + (folder / "third").string(),
-                                      "--keep_run_effects"});
+  const ToolRun kept =
+      RunToolBinary("fathom_simulate",
+                    {Flag("model", verdict), Flag("log", folder / "third"), "--keep_run_effects"});
   EXPECT_LT(NumberBehind("MAE ", kept.out), 0.006);
 }
 
@@ -319,10 +242,9 @@ TEST(DiagnoseTool, TheSameLogGivesTheSameBytes) {
   setenv("SOURCE_DATE_EPOCH", "1500000000", 1);
   for (int i = 0; i < 2; ++i) {
     const Path out = folder / "out";
-    outputs.push_back(Diagnosed(log,
-                                {"--verdict=" + (out / "verdict.json").string(),
-                                 "--report=" + (out / "page.html").string()})
-                          .out);
+    outputs.push_back(
+        Diagnosed(log, {Flag("verdict", out / "verdict.json"), Flag("report", out / "page.html")})
+            .out);
     verdicts.push_back(TextOf(out / "verdict.json"));
     pages.push_back(TextOf(out / "page.html"));
   }
@@ -363,8 +285,8 @@ TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndAPageThatSaysWhy) {
   WriteTestFile(log / "command.csv", command);
   WriteTestFile(log / "velocity.csv", velocity);
   const Path page = folder / "page.html";
-  const ToolRun run = Diagnosed(
-      log, {"--verdict=" + (folder / "verdict.json").string(), "--report=" + page.string()});
+  const ToolRun run =
+      Diagnosed(log, {Flag("verdict", folder / "verdict.json"), Flag("report", page)});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err,
@@ -385,7 +307,7 @@ TEST(DiagnoseTool, ACommandThatMovesNothingEndsWithExitCodeTwo) {
                                1,
                                folder / "log");
   const Path verdict = folder / "verdict.json";
-  const ToolRun run = Diagnosed(log, {"--verdict=" + verdict.string()});
+  const ToolRun run = Diagnosed(log, {Flag("verdict", verdict)});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err, HasSubstr("these logs do not determine the inertia"));
@@ -396,8 +318,7 @@ TEST(DiagnoseTool, TellsTheRatiosOfAFreeDecay) {
   const Path turn = TurnWithoutCommand(EmptyTestFolder(), true);
   const Path verdict = turn.parent_path() / "decay.json", page = turn.parent_path() / "decay.html";
   const ToolRun run =
-      Diagnosed(turn, {"--dof=yaw", "--verdict=" + verdict.string(), "--report=" + page.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+      RunsWell(Diagnosed(turn, {"--dof=yaw", Flag("verdict", verdict), Flag("report", page)}));
   EXPECT_THAT(run.out, StartsWith("Nothing drives yaw"));
   const auto decay = JsonOf(verdict);
   EXPECT_NEAR(decay["parameters"]["linear_damping / inertia"]["value"], 0.2, 0.01);

@@ -4,9 +4,12 @@
 // Every tool refuses every damaged input with exit code 1, the message that docs/file_formats.md
 // promises, nothing on stdout and nothing written.
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "damage.h"
@@ -14,7 +17,6 @@
 #include "run_tool.h"
 #include "small_log.h"
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -58,19 +60,25 @@ std::vector<std::string> ArgumentsOf(const std::string& tool,
             "--verdict=" + out + "/verdict.json",
             "--report=" + out + "/page.html"};
   }
-  return {"--log=" + log,
-          "--model=" + (folder / "model.json").string(),
-          "--out=" + out + "/prediction.csv"};
+  return {"--log=" + log, Flag("model", folder / "model.json"), "--out=" + out + "/prediction.csv"};
 }
 
-class LogTools : public ::testing::TestWithParam<std::string> {};
+class LogTools : public ::testing::TestWithParam<std::string> {
+ protected:
+  // What the tool says of the log as it is now, behind its own name.
+  std::string RefusalOf(const Inputs& inputs) const {
+    const std::string said = ExpectRefusal(
+        GetParam(), ArgumentsOf(GetParam(), inputs.folder, inputs.log.string()), inputs.folder);
+    EXPECT_THAT(said, StartsWith(GetParam() + ": "));
+    return said.substr(std::min(said.size(), GetParam().size() + 2));
+  }
+};
 
 // Without it the refusals below could come from anything.
 TEST_P(LogTools, AcceptsTheUndamagedLog) {
   const Inputs inputs;
-  const auto run =
-      RunToolBinary(GetParam(), ArgumentsOf(GetParam(), inputs.folder, inputs.log.string()));
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run =
+      RunsWell(GetParam(), ArgumentsOf(GetParam(), inputs.folder, inputs.log.string()));
   EXPECT_THAT(run.out, HasSubstr("surge"));
   EXPECT_TRUE(std::filesystem::exists(inputs.folder / "out"));
 }
@@ -106,7 +114,7 @@ TEST_P(LogTools, SuggestsDofForDofsAndTheReverse) {
   const bool takes_several = GetParam() == "fathom_compare";
   const std::string wrong = takes_several ? "--dof" : "--dofs";
   const std::string right = takes_several ? "--dofs" : "--dof";
-  const std::string log = "--log=" + inputs.log.string();
+  const std::string log = Flag("log", inputs.log);
   for (const std::vector<std::string>& given :
        {std::vector<std::string>{log, wrong + "=surge"}, {log, wrong, "surge"}}) {
     EXPECT_EQ(ExpectRefusal(GetParam(), given, inputs.folder),
@@ -120,8 +128,7 @@ TEST_P(LogTools, RefusesALogWithoutMotion) {
   std::filesystem::remove(inputs.log / "velocity.csv");
   const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
   if (GetParam() == "fathom_simulate") {  // it predicts, and needs no motion
-    const ToolRun run = RunToolBinary(GetParam(), arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    RunsWell(GetParam(), arguments);
     return;
   }
   EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
@@ -134,29 +141,22 @@ TEST_P(LogTools, RefusesACommandWithoutTheDofsColumn) {
   const Inputs inputs;
   std::string command = SmallCommandCsv();
   command.replace(command.find("surge"), 5, "heave");
-  WriteTestFile(inputs.log / "command.csv", command);
-  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
-  EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
-              AllOf(StartsWith(GetParam() + ": " + (inputs.log / "command.csv").string() +
-                               ": column 'tau_surge' is missing"),
-                    HasSubstr("tau_heave")));
+  const Path file = WriteTestFile(inputs.log / "command.csv", command);
+  EXPECT_THAT(
+      RefusalOf(inputs),
+      AllOf(StartsWith(file.string() + ": column 'tau_surge' is missing"), HasSubstr("tau_heave")));
 }
 
-TEST_P(LogTools, RefusesAnUnknownKeyOfTheLog) {
+TEST_P(LogTools, RefusesAnUnknownKeyOrDofInTheLog) {
   const Inputs inputs;
-  WriteTestFile(inputs.log / "log.yaml", "name: small\ndof: surge\nvehicel: rov\n");
-  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
-  EXPECT_THAT(ExpectRefusal(GetParam(), arguments, inputs.folder),
-              StartsWith(GetParam() + ": " + (inputs.log / "log.yaml").string() +
-                         ":3: key 'vehicel' is not known here, expected one of: name, dof, "));
-}
-
-TEST_P(LogTools, RefusesAnUnknownDofInTheLog) {
-  const Inputs inputs;
-  WriteTestFile(inputs.log / "log.yaml", "name: small\ndof: forward\n");
-  const auto arguments = ArgumentsOf(GetParam(), inputs.folder, inputs.log.string());
-  EXPECT_EQ(ExpectRefusal(GetParam(), arguments, inputs.folder),
-            GetParam() + ": " + (inputs.log / "log.yaml").string() +
+  const std::string file =
+      WriteTestFile(inputs.log / "log.yaml", "name: small\ndof: surge\nvehicel: rov\n").string();
+  EXPECT_THAT(
+      RefusalOf(inputs),
+      StartsWith(file + ":3: key 'vehicel' is not known here, expected one of: name, dof, "));
+  WriteTestFile(file, "name: small\ndof: forward\n");
+  EXPECT_EQ(RefusalOf(inputs),
+            file +
                 ":2: key 'dof' is 'forward', expected one or a list of surge, sway, heave, roll, "
                 "pitch, yaw.\n");
 }
@@ -202,55 +202,24 @@ INSTANTIATE_TEST_SUITE_P(Refusals,
                          CaseName);
 
 // What only some of the tools can be given.
-TEST(Refusals, IdentifyNamesTheFlagOfAnUnknownDof) {
+TEST(Refusals, NameTheFlagOfAnUnknownValueAndTheValuesThereAre) {
   const Inputs inputs;
-  EXPECT_THAT(
-      ExpectRefusal(
-          "fathom_identify", {"--log=" + inputs.log.string(), "--dof=forward"}, inputs.folder),
-      AllOf(StartsWith("fathom_identify: --dof: is 'forward', expected "),
-            HasSubstr("surge, sway, heave, roll, pitch")));
-}
-
-TEST(Refusals, CompareNamesTheFlagOfAnUnknownDof) {
-  const Inputs inputs;
-  EXPECT_THAT(ExpectRefusal("fathom_compare",
-                            {"--log=" + inputs.log.string(), "--dofs=surge,forward"},
-                            inputs.folder),
-              AllOf(StartsWith("fathom_compare: --dofs: is 'forward', expected "),
-                    HasSubstr("surge, sway, heave, roll, pitch")));
-}
-
-TEST(Refusals, IdentifyNamesTheFlagOfAnUnknownFamily) {
-  const Inputs inputs;
-  EXPECT_THAT(
-      ExpectRefusal(
-          "fathom_identify", {"--log=" + inputs.log.string(), "--family=kalman"}, inputs.folder),
-      AllOf(StartsWith("fathom_identify: --family: is 'kalman', expected "),
-            HasSubstr("least_squares, adaptive")));
-}
-
-TEST(Refusals, CompareNamesTheFlagOfAnUnknownFamily) {
-  const Inputs inputs;
-  EXPECT_THAT(ExpectRefusal("fathom_compare",
-                            {"--log=" + inputs.log.string(), "--families=adaptive,kalman"},
-                            inputs.folder),
-              AllOf(StartsWith("fathom_compare: --families: is 'kalman', expected "),
-                    HasSubstr("least_squares, adaptive")));
-}
-
-TEST(Refusals, CompareNamesTheFlagOfAnUnknownSource) {
-  const Inputs inputs;
-  EXPECT_THAT(
-      ExpectRefusal(
-          "fathom_compare", {"--log=" + inputs.log.string(), "--sources=sonar"}, inputs.folder),
-      AllOf(StartsWith("fathom_compare: --sources: is 'sonar', expected "), HasSubstr("camera")));
+  for (const auto& [tool, flag, begin, part] : std::vector<std::array<std::string, 4>>{
+           {"identify", "--dof=forward", "--dof: is 'forward'", "surge, sway, heave, roll, pitch"},
+           {"compare", "--dofs=surge,forward", "--dofs: is 'forward'", "surge, sway, heave, roll"},
+           {"identify", "--family=kalman", "--family: is 'kalman'", "least_squares, adaptive"},
+           {"compare", "--families=adaptive,kalman", "--families: is 'kalman'", "least_squares, "},
+           {"compare", "--sources=sonar", "--sources: is 'sonar'", "camera"}}) {
+    EXPECT_THAT(
+        ExpectRefusal("fathom_" + tool, {Flag("log", inputs.log), flag}, inputs.folder),
+        AllOf(StartsWith("fathom_" + tool + ": " + begin + ", expected "), HasSubstr(part)));
+  }
 }
 
 TEST(Refusals, IdentifyRefusesASourceThatTheLogDoesNotHold) {
   const Inputs inputs;
   EXPECT_THAT(
-      ExpectRefusal(
-          "fathom_identify", {"--log=" + inputs.log.string(), "--source=camera"}, inputs.folder),
+      ExpectRefusal("fathom_identify", {Flag("log", inputs.log), "--source=camera"}, inputs.folder),
       AllOf(StartsWith("fathom_identify: " + inputs.log.string()), HasSubstr("pose.csv")));
 }
 
@@ -261,61 +230,42 @@ TEST(Refusals, IdentifyRefusesTheSecondOfTwoLogs) {
   EXPECT_EQ(ExpectRefusal("fathom_identify",
                           {"--log=" + inputs.log.string() + "," + second.string(),
                            "--dof=surge",
-                           "--model=" + (inputs.folder / "out.json").string()},
+                           Flag("model", inputs.folder / "out.json")},
                           inputs.folder),
             "fathom_identify: " + (second / "velocity.csv").string() +
                 Refusal(kVelocity, Damage::kNan) + "\n");
 }
 
-TEST(Refusals, IdentifyAsksForTheDofOfASingleCsv) {
+// Each by the flag that it has: a message that says --dof sends the user of fathom_compare to a
+// flag there is not.
+TEST(Refusals, AskForTheDofOfASingleCsv) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
-  EXPECT_EQ(ExpectRefusal("fathom_identify", {"--log=" + csv.string()}, folder),
-            "fathom_identify: " + csv.string() +
-                ": a single CSV (t,tau,v) does not say whose force and speed it holds, expected "
-                "--dof with it: --dof=surge, sway, heave, roll, pitch or yaw.\n");
-  const auto run = RunToolBinary("fathom_identify", {"--log=" + csv.string(), "--dof=surge"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const auto& [tool, flag] : {std::pair{std::string("fathom_identify"), std::string("--dof")},
+                                   {"fathom_compare", "--dofs"}}) {
+    EXPECT_THAT(ExpectRefusal(tool, {Flag("log", csv)}, folder),
+                AllOf(StartsWith(tool + ": " + csv.string() + ": a single CSV (t,tau,v) "),
+                      HasSubstr(" " + flag + "=surge")));
+    RunsWell(tool, {Flag("log", csv), flag + "=surge"});
+  }
 }
 
-// Its flag is called --dofs: a message that says --dof sends the user to a flag there is not.
-TEST(Refusals, CompareAsksForTheDofOfASingleCsv) {
-  const Path folder = EmptyTestFolder();
-  const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
-  EXPECT_THAT(ExpectRefusal("fathom_compare", {"--log=" + csv.string()}, folder),
-              AllOf(StartsWith("fathom_compare: " + csv.string() + ": a single CSV (t,tau,v) "),
-                    HasSubstr("--dofs=")));
-  const auto run = RunToolBinary("fathom_compare", {"--log=" + csv.string(), "--dofs=surge"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-}
-
-TEST(Refusals, SimulateRefusesAModelThatIsNoJson) {
+TEST(Refusals, SimulateRefusesAModelThatItCannotUse) {
   const Inputs inputs;
-  const std::string json = SmallModelJson();
-  WriteTestFile(inputs.model, json.substr(0, json.size() / 2));
-  EXPECT_THAT(ExpectRefusal("fathom_simulate",
-                            ArgumentsOf("fathom_simulate", inputs.folder, inputs.log.string()),
-                            inputs.folder),
-              StartsWith("fathom_simulate: " + inputs.model.string() + ": is not JSON: "));
-}
-
-TEST(Refusals, SimulateRefusesAModelWithoutInertia) {
-  const Inputs inputs;
+  const auto refusal = [&](const std::string& json) {
+    WriteTestFile(inputs.model, json);
+    return ExpectRefusal("fathom_simulate",
+                         ArgumentsOf("fathom_simulate", inputs.folder, inputs.log.string()),
+                         inputs.folder);
+  };
+  const std::string begin = "fathom_simulate: " + inputs.model.string() + ": ";
   std::string json = SmallModelJson();
+  EXPECT_THAT(refusal(json.substr(0, json.size() / 2)), StartsWith(begin + "is not JSON: "));
   json.replace(json.find("inertia"), 7, "inertie");
-  WriteTestFile(inputs.model, json);
-  EXPECT_THAT(ExpectRefusal("fathom_simulate",
-                            ArgumentsOf("fathom_simulate", inputs.folder, inputs.log.string()),
-                            inputs.folder),
-              AllOf(StartsWith("fathom_simulate: " + inputs.model.string() + ": "),
-                    HasSubstr("inertia"),
-                    HasSubstr("is missing")));
-}
-
-TEST(Refusals, SimulateNamesTheMissingModelFlag) {
-  const Inputs inputs;
+  EXPECT_THAT(refusal(json),
+              AllOf(StartsWith(begin), HasSubstr("inertia"), HasSubstr("is missing")));
   EXPECT_THAT(
-      ExpectRefusal("fathom_simulate", {"--log=" + inputs.log.string()}, inputs.folder),
+      ExpectRefusal("fathom_simulate", {Flag("log", inputs.log)}, inputs.folder),
       StartsWith("fathom_simulate: --model: is missing, expected a model or verdict file."));
 }
 

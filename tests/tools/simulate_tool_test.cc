@@ -11,7 +11,6 @@
 #include "small_log.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
@@ -24,17 +23,21 @@ using Path = std::filesystem::path;
 
 const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
 
+// A log and the model that it comes of.
+class SimulateTool : public ::testing::Test {
+ protected:
+  const Path folder_ = EmptyTestFolder();
+  const Path log_ = WriteSmallLog(folder_ / "log");
+  const Path model_ = WriteTestFile(folder_ / "model.json", SmallModelJson());
+};
+
 // From the log to the model file to the prediction, each step a program of its own.
-TEST(SimulateTool, PredictsTheLogThatTheModelWasIdentifiedFrom) {
-  const Path folder = EmptyTestFolder();
-  const std::string model = (folder / "model.json").string();
-  const Path out = folder / "prediction.csv";
-  const ToolRun identified =
-      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=surge", "--model=" + model});
-  ASSERT_EQ(identified.exit_code, 0) << identified.err;
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate", {"--model=" + model, "--log=" + kFlatfish, "--out=" + out.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+TEST_F(SimulateTool, PredictsTheLogThatTheModelWasIdentifiedFrom) {
+  const std::string model = (folder_ / "model.json").string();
+  const Path out = folder_ / "prediction.csv";
+  RunsWell("fathom_identify", {"--log=" + kFlatfish, "--dof=surge", "--model=" + model});
+  const ToolRun run =
+      RunsWell("fathom_simulate", {"--model=" + model, "--log=" + kFlatfish, Flag("out", out)});
 
   const CsvColumns predicted = ReadColumns(out);
   const CsvColumns measured = ReadColumns(kFlatfish + "/velocity.csv");
@@ -71,20 +74,15 @@ Path WriteSecondLog(const Path& folder) {
 }
 
 // The copy has another path and the same data; the second log has other data.
-TEST(SimulateTool, CallsTrainingDataOnlyWhatTheModelWasIdentifiedFrom) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  const Path copy = WriteSmallLog(folder / "copy");
-  const Path second = WriteSecondLog(folder / "second");
-  const std::string model = (folder / "model.json").string();
+TEST_F(SimulateTool, CallsTrainingDataOnlyWhatTheModelWasIdentifiedFrom) {
+  const Path copy = WriteSmallLog(folder_ / "copy");
+  const Path second = WriteSecondLog(folder_ / "second");
+  const std::string model = (folder_ / "model.json").string();
   const std::string held_out = "--held_out=40:60";
-  const ToolRun identified = RunToolBinary(
-      "fathom_identify", {"--log=" + log.string(), "--dof=surge", held_out, "--model=" + model});
-  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  RunsWell("fathom_identify", {Flag("log", log_), "--dof=surge", held_out, "--model=" + model});
   for (const Path& scored : {copy, second}) {
-    const ToolRun run = RunToolBinary("fathom_simulate",
-                                      {"--model=" + model, "--log=" + scored.string(), held_out});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const ToolRun run =
+        RunsWell("fathom_simulate", {"--model=" + model, Flag("log", scored), held_out});
     if (scored == copy) {
       EXPECT_THAT(run.out, HasSubstr("surge, training data: velocity MAE "));
       EXPECT_THAT(run.out, HasSubstr("surge, held out: velocity MAE "));
@@ -95,14 +93,10 @@ TEST(SimulateTool, CallsTrainingDataOnlyWhatTheModelWasIdentifiedFrom) {
   }
 }
 
-TEST(SimulateTool, WritesTheScoreThatItPrints) {
-  const Path folder = EmptyTestFolder();
-  const Path json = folder / "score.json";
-  const std::string log = WriteSmallLog(folder / "log").string();
-  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate", {"--model=" + model, "--log=" + log, "--json=" + json.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+TEST_F(SimulateTool, WritesTheScoreThatItPrints) {
+  const Path json = folder_ / "score.json";
+  const ToolRun run =
+      RunsWell("fathom_simulate", {Flag("model", model_), Flag("log", log_), Flag("json", json)});
   const nlohmann::json score = JsonOf(json);
   EXPECT_EQ(score["schema"], "fathom-score-1");
   EXPECT_EQ(score["dof"], "surge");
@@ -123,14 +117,11 @@ std::string PoorModelJson() {
   return model;
 }
 
-TEST(SimulateTool, SaysWhatAPoorPredictionIsWorth) {
-  const Path folder = EmptyTestFolder();
-  const Path json = folder / "score.json";
-  const std::string log = WriteSmallLog(folder / "log").string();
-  const std::string model = WriteTestFile(folder / "model.json", PoorModelJson()).string();
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate", {"--model=" + model, "--log=" + log, "--json=" + json.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+TEST_F(SimulateTool, SaysWhatAPoorPredictionIsWorth) {
+  const Path json = folder_ / "score.json";
+  const std::string model = WriteTestFile(folder_ / "model.json", PoorModelJson()).string();
+  const ToolRun run =
+      RunsWell("fathom_simulate", {"--model=" + model, Flag("log", log_), Flag("json", json)});
   const std::vector<std::string> beginnings = {"The model is a poor fit: its NMAE on the data that",
                                                "The prediction of this log is poor: its NMAE is",
                                                "The speed of this log, ",
@@ -143,18 +134,15 @@ TEST(SimulateTool, SaysWhatAPoorPredictionIsWorth) {
   }
 }
 
-TEST(SimulateTool, SaysOnceWhatTheModelFileSaysOfTheModel) {
-  const Path folder = EmptyTestFolder();
-  const std::string first = WriteSmallLog(folder / "first").string();
-  const std::string second = WriteSecondLog(folder / "second").string();
-  const Path json = folder / "scores.json";
+TEST_F(SimulateTool, SaysOnceWhatTheModelFileSaysOfTheModel) {
+  const std::string second = WriteSecondLog(folder_ / "second").string();
+  const Path json = folder_ / "scores.json";
   std::string text = SmallModelJson();
   text.replace(text.find("\"caveats\": []"), 13, "\"caveats\": [\"Damping is not known.\"]");
-  const std::string model = WriteTestFile(folder / "model.json", text).string();
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate",
-      {"--model=" + model, "--log=" + first, "--log=" + second, "--json=" + json.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string model = WriteTestFile(folder_ / "model.json", text).string();
+  const ToolRun run =
+      RunsWell("fathom_simulate",
+               {"--model=" + model, Flag("log", log_), "--log=" + second, Flag("json", json)});
   const std::string remark = "Said when the model was fitted: Damping is not known.";
   EXPECT_THAT(run.out, EndsWith("\nnote: " + remark + "\n"));
   EXPECT_EQ(run.out.find(remark), run.out.rfind(remark));
@@ -163,34 +151,24 @@ TEST(SimulateTool, SaysOnceWhatTheModelFileSaysOfTheModel) {
   }
 }
 
-TEST(SimulateTool, TheRangeOfAnIdentifiedModelReachesItsFile) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  const Path model = folder / "model.json";
-  const ToolRun identified = RunToolBinary(
-      "fathom_identify", {"--log=" + log.string(), "--dof=surge", "--model=" + model.string()});
-  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+TEST_F(SimulateTool, TheRangeOfAnIdentifiedModelReachesItsFile) {
+  const Path model = folder_ / "model.json";
+  RunsWell("fathom_identify", {Flag("log", log_), "--dof=surge", Flag("model", model)});
   EXPECT_EQ(JsonOf(model)["fit"]["force_range"], nlohmann::json({-20.0, 20.0}));
-  const ToolRun run =
-      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_simulate", {Flag("model", model), Flag("log", log_)});
   EXPECT_THAT(run.out, ::testing::Not(HasSubstr("note: ")));
 }
 
-TEST(SimulateTool, ScoresSeveralLogsOneByOne) {
-  const Path folder = EmptyTestFolder();
-  const std::string first = WriteSmallLog(folder / "first").string();
-  const std::string second = WriteSecondLog(folder / "second").string();
-  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
-  const Path json = folder / "scores.json";
+TEST_F(SimulateTool, ScoresSeveralLogsOneByOne) {
+  const std::string second = WriteSecondLog(folder_ / "second").string();
+  const Path json = folder_ / "scores.json";
   for (const std::vector<std::string>& logs :
-       {std::vector<std::string>{"--log=" + first, "--log=" + second},
-        std::vector<std::string>{"--log=" + first + "," + second}}) {
-    std::vector<std::string> arguments = {"--model=" + model, "--json=" + json.string()};
+       {std::vector<std::string>{Flag("log", log_), "--log=" + second},
+        std::vector<std::string>{Flag("log", log_.string() + "," + second)}}) {
+    std::vector<std::string> arguments = {Flag("model", model_), Flag("json", json)};
     arguments.insert(arguments.end(), logs.begin(), logs.end());
-    const ToolRun run = RunToolBinary("fathom_simulate", arguments);
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr(first + "\nsurge: velocity MAE "));
+    const ToolRun run = RunsWell("fathom_simulate", arguments);
+    EXPECT_THAT(run.out, HasSubstr(log_.string() + "\nsurge: velocity MAE "));
     EXPECT_THAT(run.out, HasSubstr(second + "\nsurge: velocity MAE "));
     const nlohmann::json file = JsonOf(json);
     EXPECT_EQ(file["schema"], "fathom-scores-1");
@@ -202,71 +180,47 @@ TEST(SimulateTool, ScoresSeveralLogsOneByOne) {
   }
 }
 
-TEST(SimulateTool, RefusesOnePredictionOfSeveralLogs) {
-  const Path folder = EmptyTestFolder();
-  const std::string first = WriteSmallLog(folder / "first").string();
-  const std::string second = WriteSecondLog(folder / "second").string();
-  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
+TEST_F(SimulateTool, RefusesOnePredictionOfSeveralLogs) {
+  const std::string second = WriteSecondLog(folder_ / "second").string();
   const ToolRun run = RunToolBinary("fathom_simulate",
-                                    {"--model=" + model,
-                                     "--log=" + first,
+                                    {Flag("model", model_),
+                                     Flag("log", log_),
                                      "--log=" + second,
-                                     "--out=" + (folder / "out.csv").string()});
+                                     Flag("out", folder_ / "out.csv")});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err,
             "fathom_simulate: --out: holds the prediction of one log, expected a single --log with "
             "it.\n");
-  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv"));
 }
 
-TEST(SimulateTool, TakesTheDofOfTheModelOnly) {
-  const Path folder = EmptyTestFolder();
-  const std::string log = WriteTestFile(folder / "log.csv", SmallSingleCsv()).string();
-  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
-  const ToolRun same =
-      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log, "--dof=surge"});
-  EXPECT_EQ(same.exit_code, 0) << same.err;
+TEST_F(SimulateTool, TakesTheDofOfTheModelOnly) {
+  const std::string log = WriteTestFile(folder_ / "log.csv", SmallSingleCsv()).string();
+  RunsWell("fathom_simulate", {Flag("model", model_), "--log=" + log, "--dof=surge"});
   const ToolRun other =
-      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log, "--dof=yaw"});
+      RunToolBinary("fathom_simulate", {Flag("model", model_), "--log=" + log, "--dof=yaw"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_EQ(other.err,
-            "fathom_simulate: --dof: is yaw, but " + model +
+            "fathom_simulate: --dof: is yaw, but " + model_.string() +
                 " is a model of surge: expected surge, or no --dof.\n");
 }
 
-TEST(SimulateTool, RefusesAModelFileWithAKeyThatNobodyReads) {
-  const Path folder = EmptyTestFolder();
-  const std::string log = WriteSmallLog(folder / "log").string();
-  std::string text = SmallModelJson();
-  text.replace(text.find("\"effects\""), 9, "\"effect\"");
-  const std::string model = WriteTestFile(folder / "model.json", text).string();
-  const ToolRun run = RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err,
-            "fathom_simulate: " + model +
-                ": 'structure.effect' is not known here, expected one of baseline, effects. "
-                "Correct or remove it.\n");
-}
-
 // m dv/dt + d_L v + b = tau from rest: v = (tau - b) / d_L (1 - exp(-d_L t / m)).
-TEST(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
-  const Path folder = EmptyTestFolder();
+TEST_F(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
   std::string model = SmallModelJson();
   model.replace(model.find("\"value\": 30"), 11, "\"value\": 0");
-  WriteTestFile(folder / "model.json", model);
+  WriteTestFile(folder_ / "model.json", model);
   std::string velocity = "t,u\n";
   const auto speed = [](double t) { return 19.0 / 5.0 * (1.0 - std::exp(-5.0 * t / 40.0)); };
   for (int i = 0; i < 200; ++i) velocity += fmt::format("{:.1f},{}\n", 0.1 * i, speed(0.1 * i));
-  WriteTestFile(folder / "log" / "log.yaml", "name: push\ndof: surge\n");
-  WriteTestFile(folder / "log" / "command.csv", "t,tau_surge\n0,20\n19.9,20\n");
-  WriteTestFile(folder / "log" / "velocity.csv", velocity);
-  const ToolRun run = RunToolBinary("fathom_simulate",
-                                    {"--model=" + (folder / "model.json").string(),
-                                     "--log=" + (folder / "log").string(),
-                                     "--out=" + (folder / "prediction.csv").string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const CsvColumns predicted = ReadColumns(folder / "prediction.csv");
+  WriteTestFile(folder_ / "log" / "log.yaml", "name: push\ndof: surge\n");
+  WriteTestFile(folder_ / "log" / "command.csv", "t,tau_surge\n0,20\n19.9,20\n");
+  WriteTestFile(folder_ / "log" / "velocity.csv", velocity);
+  RunsWell("fathom_simulate",
+           {Flag("model", folder_ / "model.json"),
+            Flag("log", folder_ / "log"),
+            Flag("out", folder_ / "prediction.csv")});
+  const CsvColumns predicted = ReadColumns(folder_ / "prediction.csv");
   ASSERT_EQ(predicted.rows.size(), 200u);
   for (const auto& row : predicted.rows) {
     // Runge-Kutta of order four in steps of h = 0.1 s at a time constant of T = 8 s: an error of
@@ -275,10 +229,7 @@ TEST(SimulateTool, MatchesTheClosedFormUnderAConstantForce) {
   }
 }
 
-TEST(SimulateTool, ReadsAVerdictAsTheExtendedModelInIt) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  WriteTestFile(folder / "model.json", SmallModelJson());
+TEST_F(SimulateTool, ReadsAVerdictAsTheExtendedModelInIt) {
   const auto model = nlohmann::json::parse(SmallModelJson());
   auto wrong = model["parameters"];
   wrong["inertia"]["value"] = 400.0;
@@ -295,60 +246,43 @@ TEST(SimulateTool, ReadsAVerdictAsTheExtendedModelInIt) {
         {"nmae", 0.01},
         {"heldout_nmae", nullptr}}},
       {"candidates", nlohmann::json::array()}};
-  WriteTestFile(folder / "verdict.json", verdict.dump(1));
+  WriteTestFile(folder_ / "verdict.json", verdict.dump(1));
   for (const std::string name : {"model", "verdict"}) {
-    const ToolRun run = RunToolBinary("fathom_simulate",
-                                      {"--model=" + (folder / name).string() + ".json",
-                                       "--log=" + log.string(),
-                                       "--out=" + (folder / name).string() + ".csv"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    RunsWell("fathom_simulate",
+             {"--model=" + (folder_ / name).string() + ".json",
+              Flag("log", log_),
+              "--out=" + (folder_ / name).string() + ".csv"});
   }
-  EXPECT_FALSE(TextOf(folder / "model.csv").empty());
-  EXPECT_EQ(TextOf(folder / "model.csv"), TextOf(folder / "verdict.csv"));
+  EXPECT_FALSE(TextOf(folder_ / "model.csv").empty());
+  EXPECT_EQ(TextOf(folder_ / "model.csv"), TextOf(folder_ / "verdict.csv"));
 }
 
 // The truth of the small log predicts it to its own Euler steps of 1 ms, whose error is about
 // 0.0005 s times the acceleration, at most 0.7 m/s^2.
-TEST(SimulateTool, TheTruthPredictsTheSmallLog) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  WriteTestFile(folder / "model.json", SmallModelJson());
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate", {"--model=" + (folder / "model.json").string(), "--log=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+TEST_F(SimulateTool, TheTruthPredictsTheSmallLog) {
+  const ToolRun run = RunsWell("fathom_simulate", {Flag("model", model_), Flag("log", log_)});
   EXPECT_LT(NumberBehind("MAE ", run.out), 0.0005);
   EXPECT_THAT(run.out, HasSubstr("over 601 samples, 60 s"));
 }
 
-// Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
-// prediction, rather than a wrong one.
-// Without a motion stream the prediction stands at the command's stamps and starts from rest.
-TEST(SimulateTool, SaysThatTheCommandEndsBeforeTheMotion) {
-  const Path folder = EmptyTestFolder();
-  const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
-  const Path log = WriteSmallLog(folder / "log");
+TEST_F(SimulateTool, SaysThatTheCommandEndsBeforeTheMotion) {
   const std::string command = SmallCommandCsv();
-  WriteTestFile(log / "command.csv", command.substr(0, command.find("\n20.1,") + 1));
-  const ToolRun run =
-      RunToolBinary("fathom_simulate", {"--model=" + model, "--log=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  WriteTestFile(log_ / "command.csv", command.substr(0, command.find("\n20.1,") + 1));
+  const ToolRun run = RunsWell("fathom_simulate", {Flag("model", model_), Flag("log", log_)});
   EXPECT_THAT(
       run.out,
       HasSubstr("note: The command ends 40.0 s before the motion; its last value is held."));
 }
 
-TEST(SimulateTool, PredictsACommandAlone) {
-  const Path folder = EmptyTestFolder();
-  const Path model = WriteTestFile(folder / "model.json", SmallModelJson());
-  const Path log = folder / "command_only";
+// Without a motion stream the prediction stands at the command's stamps and starts from rest.
+TEST_F(SimulateTool, PredictsACommandAlone) {
+  const Path log = folder_ / "command_only";
   std::filesystem::create_directories(log);
   WriteTestFile(log / "log.yaml", "name: command_only\ndof: surge\n");
   WriteTestFile(log / "command.csv", "t,tau_surge\n0,10\n0.5,20\n1.5,0\n");
-  const Path out = folder / "prediction.csv";
-  const ToolRun run = RunToolBinary(
-      "fathom_simulate",
-      {"--model=" + model.string(), "--log=" + log.string(), "--out=" + out.string()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Path out = folder_ / "prediction.csv";
+  const ToolRun run =
+      RunsWell("fathom_simulate", {Flag("model", model_), Flag("log", log), Flag("out", out)});
   const CsvColumns predicted = ReadColumns(out);
   EXPECT_THAT(predicted.Values("t"), ElementsAre(0.0, 0.5, 1.5));
   EXPECT_EQ(predicted.Values("u").front(), 0.0);
@@ -356,55 +290,46 @@ TEST(SimulateTool, PredictsACommandAlone) {
   EXPECT_THAT(run.out, HasSubstr("predicted from rest"));
 }
 
-// The thrust per ampere is unknown: such a model says nothing about a log in newton.
-TEST(SimulateTool, SaysHowDetectionsBecomePosesToScoreBy) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  std::filesystem::remove(log / "velocity.csv");
-  WriteTestFile(log / "detections.csv",
+TEST_F(SimulateTool, SaysHowDetectionsBecomePosesToScoreBy) {
+  std::filesystem::remove(log_ / "velocity.csv");
+  WriteTestFile(log_ / "detections.csv",
                 "t,tag_id,u0,v0,u1,v1,u2,v2,u3,v3\n"
                 "0.1,4,310,251,350,252,351,211,310,211\n"
                 "0.2,4,310,251,350,252,351,211,310,211\n");
-  const Path model = WriteTestFile(folder / "model.json", SmallModelJson());
-  const ToolRun run =
-      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const ToolRun run = RunsWell("fathom_simulate", {Flag("model", model_), Flag("log", log_)});
   EXPECT_EQ(run.out,
             "surge: predicted from rest. The log has no column 'u' and no pose to score the "
             "prediction. fathom_track makes poses from its detections.csv.\n");
 }
 
-TEST(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
-  const Path folder = EmptyTestFolder();
-  const Path model = folder / "model.json";
-  const Path log = folder / "ampere";
+// The thrust per ampere is unknown: such a model says nothing about a log in newton.
+TEST_F(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
+  const Path model = folder_ / "model.json";
+  const Path log = folder_ / "ampere";
   std::filesystem::create_directories(log);
   for (const char* file : {"command.csv", "velocity.csv"}) {
     std::filesystem::copy_file(kFlatfish + "/" + file, log / file);
   }
   WriteTestFile(log / "log.yaml", "name: ampere\ndof: surge\ncommand_unit: A\n");
-  const ToolRun identified = RunToolBinary(
-      "fathom_identify", {"--log=" + log.string(), "--dof=surge", "--model=" + model.string()});
-  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  RunsWell("fathom_identify", {Flag("log", log), "--dof=surge", Flag("model", model)});
   const ToolRun run =
-      RunToolBinary("fathom_simulate", {"--model=" + model.string(), "--log=" + kFlatfish});
+      RunToolBinary("fathom_simulate", {Flag("model", model), "--log=" + kFlatfish});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err,
               HasSubstr("its commands are in N, but the model was identified from commands "
                         "in A: expected the same unit."));
 }
 
-TEST(SimulateTool, AModelThatCannotBeSimulatedEndsWithExitCodeTwoAndNoFile) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
+// Damping that settles within a microsecond cannot be integrated in steps of the log's rate: no
+// prediction, rather than a wrong one.
+TEST_F(SimulateTool, AModelThatCannotBeSimulatedEndsWithExitCodeTwoAndNoFile) {
   std::string model = SmallModelJson();
   model.replace(model.find("\"value\": 5"), 10, "\"value\": 5e9");
-  WriteTestFile(folder / "model.json", model);
-  const Path out = folder / "prediction.csv";
-  const ToolRun run = RunToolBinary("fathom_simulate",
-                                    {"--model=" + (folder / "model.json").string(),
-                                     "--log=" + log.string(),
-                                     "--out=" + out.string()});
+  WriteTestFile(folder_ / "model.json", model);
+  const Path out = folder_ / "prediction.csv";
+  const ToolRun run =
+      RunToolBinary("fathom_simulate",
+                    {Flag("model", folder_ / "model.json"), Flag("log", log_), Flag("out", out)});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err, HasSubstr("fathom_simulate: the simulation of "));
@@ -436,28 +361,25 @@ Path SynthesizeSteps(const Path& folder, const std::string& effects) {
                                         "levels: [20, -8, 8, -20], hold: 6}}\n"
                                         "velocity: {rate: 10}\n");
   const Path log = folder / ("log_" + effects.substr(0, effects.find(':')));
-  const ToolRun run = RunToolBinary("fathom_synthesize",
-                                    {"--vehicle=" + vehicle.string(),
-                                     "--experiment=" + experiment.string(),
-                                     "--seed=1",
-                                     "--effects=" + effects,
-                                     "--out=" + log.string()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  RunsWell("fathom_synthesize",
+           {Flag("vehicle", vehicle),
+            Flag("experiment", experiment),
+            "--seed=1",
+            "--effects=" + effects,
+            Flag("out", log)});
   return log;
 }
 
-TEST(SimulateTool, SimulatesTheCausesOfAVerdict) {
-  const Path folder = EmptyTestFolder();
-  const Path log = SynthesizeSteps(folder, "thruster_lag:time_constant=0.8");
+TEST_F(SimulateTool, SimulatesTheCausesOfAVerdict) {
+  const Path log = SynthesizeSteps(folder_, "thruster_lag:time_constant=0.8");
   const Path verdict =
-      WriteTestFile(folder / "verdict.json",
+      WriteTestFile(folder_ / "verdict.json",
                     VerdictJson({{"effect", "thruster_lag"},
                                  {"parameters", {{"time_constant", {{"value", 0.8}}}}}}));
-  const Path without = WriteTestFile(folder / "model.json", SmallModelJson());
   const ToolRun with_lag =
-      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+      RunToolBinary("fathom_simulate", {Flag("model", verdict), Flag("log", log)});
   const ToolRun baseline =
-      RunToolBinary("fathom_simulate", {"--model=" + without.string(), "--log=" + log.string()});
+      RunToolBinary("fathom_simulate", {Flag("model", model_), Flag("log", log)});
   ASSERT_EQ(with_lag.exit_code, 0) << with_lag.err;
   ASSERT_EQ(baseline.exit_code, 0) << baseline.err;
   // The force of a step of h = 0.1 s is its mean: within it the speed is off by up to
@@ -466,37 +388,30 @@ TEST(SimulateTool, SimulatesTheCausesOfAVerdict) {
   EXPECT_GT(NumberBehind("MAE ", baseline.out), 0.02);
 }
 
-TEST(SimulateTool, LeavesOutWhatBelongsToAnotherRunAndSaysSo) {
-  const Path folder = EmptyTestFolder();
-  const Path log = SynthesizeSteps(folder, "sensor_bias:bias=0.2");
+TEST_F(SimulateTool, LeavesOutWhatBelongsToAnotherRunAndSaysSo) {
+  const Path log = SynthesizeSteps(folder_, "sensor_bias:bias=0.2");
   const Path verdict = WriteTestFile(
-      folder / "verdict.json",
+      folder_ / "verdict.json",
       VerdictJson({{"effect", "sensor_bias"}, {"parameters", {{"bias", {{"value", 0.2}}}}}}));
-  const std::vector<std::string> arguments = {"--model=" + verdict.string(),
-                                              "--log=" + log.string()};
-  const ToolRun without = RunToolBinary("fathom_simulate", arguments);
-  ASSERT_EQ(without.exit_code, 0) << without.err;
+  const std::vector<std::string> arguments = {Flag("model", verdict), Flag("log", log)};
+  const ToolRun without = RunsWell("fathom_simulate", arguments);
   EXPECT_THAT(without.out, HasSubstr("note: left out: sensor_bias."));
   EXPECT_GT(NumberBehind("MAE ", without.out), 0.1);
 
   auto keeping = arguments;
   keeping.push_back("--keep_run_effects");
-  const ToolRun with = RunToolBinary("fathom_simulate", keeping);
-  ASSERT_EQ(with.exit_code, 0) << with.err;
+  const ToolRun with = RunsWell("fathom_simulate", keeping);
   EXPECT_THAT(with.out, ::testing::Not(HasSubstr("left out")));
   EXPECT_LT(NumberBehind("MAE ", with.out), 1e-4);
 }
 
-TEST(SimulateTool, RefusesALogThatLacksAPartner) {
-  const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
+TEST_F(SimulateTool, RefusesALogThatLacksAPartner) {
   const Path verdict =
-      WriteTestFile(folder / "verdict.json",
+      WriteTestFile(folder_ / "verdict.json",
                     VerdictJson({{"effect", "velocity_coupling"},
                                  {"partner", "sway"},
                                  {"parameters", {{"coefficient", {{"value", 3}}}}}}));
-  const ToolRun run =
-      RunToolBinary("fathom_simulate", {"--model=" + verdict.string(), "--log=" + log.string()});
+  const ToolRun run = RunToolBinary("fathom_simulate", {Flag("model", verdict), Flag("log", log_)});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err,
