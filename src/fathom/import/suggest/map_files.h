@@ -8,6 +8,6 @@
 // The files of data/maps, embedded at build time: a program has no folder to find them in.
 namespace fathom::map_files {
 
-extern const std::string_view uvms_simlab_yaml;
+extern const std::string_view ardupilot, moos, px4, rock, ros, tlog, uvms_simlab;
 
 }  // namespace fathom::map_files
