@@ -23,13 +23,13 @@ constexpr std::size_t kMat4Header = 20;  // [bytes]
 constexpr std::uint32_t kLongestMat4Name = 256;
 
 // The types of numbers by the digit P of MOPT.
-constexpr std::array<std::pair<MatlabNumberType, const char*>, 6> kMat4Types = {
-    {{MatlabNumberType::kDouble, "double"},
-     {MatlabNumberType::kSingle, "single"},
-     {MatlabNumberType::kInt32, "int32"},
-     {MatlabNumberType::kInt16, "int16"},
-     {MatlabNumberType::kUint16, "uint16"},
-     {MatlabNumberType::kUint8, "uint8"}}};
+constexpr std::array<std::pair<NumberType, const char*>, 6> kMat4Types = {
+    {{NumberType::kFloat64, "double"},
+     {NumberType::kFloat32, "single"},
+     {NumberType::kInt32, "int32"},
+     {NumberType::kInt16, "int16"},
+     {NumberType::kUint16, "uint16"},
+     {NumberType::kUint8, "uint8"}}};
 
 // What the header of a variable says.
 struct Mat4Header {

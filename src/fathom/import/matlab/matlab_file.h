@@ -31,9 +31,9 @@ struct MatlabArray {
   std::string class_name;  // "double"
   std::uint64_t rows = 0;
   std::uint64_t columns = 0;
-  MatlabNumberType type = MatlabNumberType::kDouble;  // as it is stored
-  std::uint64_t variable = 0;                         // where its variable begins in the file
-  std::size_t offset = 0;  // of the numbers within the bytes of the variable
+  NumberType type = NumberType::kFloat64;  // as it is stored
+  std::uint64_t variable = 0;              // where its variable begins in the file
+  std::size_t offset = 0;                  // of the numbers within the bytes of the variable
 
   // The longer dimension is time: the rows, unless there are more columns.
   std::uint64_t num_samples() const { return rows < columns ? columns : rows; }

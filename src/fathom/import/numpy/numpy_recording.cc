@@ -403,8 +403,7 @@ std::vector<std::string> NumpyRecording::Read(std::span<const Selection> selecti
 bool LooksLikeNpz(std::string_view first_bytes) {
   constexpr std::size_t kName = 30;  // behind the header of the first entry
   if (!LooksLikeZip(first_bytes) || first_bytes.size() < kName) return false;
-  const std::size_t size = static_cast<unsigned char>(first_bytes[26]) +
-                           256U * static_cast<unsigned char>(first_bytes[27]);
+  const std::size_t size = NumberAt<std::uint16_t>(first_bytes, 26);
   return first_bytes.substr(kName, size).ends_with(kNpyEnding);
 }
 

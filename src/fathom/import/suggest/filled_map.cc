@@ -19,15 +19,15 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view kIf = "#if ";
-constexpr std::string_view kElse = "#else";
-constexpr std::string_view kEnd = "#end";
-constexpr std::string_view kChannel = "{channel}";
-constexpr std::string_view kThrusters = "{thrusters}";
-constexpr std::string_view kOutputs = "outputs";
+constexpr std::string_view kIfLine = "#if ";
+constexpr std::string_view kElseLine = "#else";
+constexpr std::string_view kEndLine = "#end";
+constexpr std::string_view kChannelPlace = "{channel}";
+constexpr std::string_view kThrusterPlace = "{thrusters}";
+constexpr std::string_view kOutputRole = "outputs";
 
 std::vector<std::string> ConditionsOf(std::string_view line) {
-  std::istringstream words{std::string(line.substr(kIf.size()))};
+  std::istringstream words{std::string(line.substr(kIfLine.size()))};
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -51,7 +51,7 @@ std::string EscapedInYaml(const std::string& name) {
 
 bool HasChoices(const MapLines& lines) {
   return std::ranges::any_of(lines, [](const MapLine& line) {
-    return line.text.starts_with(kIf) || line.text == kThrusters;
+    return line.text.starts_with(kIfLine) || line.text == kThrusterPlace;
   });
 }
 
@@ -68,7 +68,7 @@ std::string UnknownCondition(const std::vector<std::string>& conditions,
 void CheckLines(const std::string& file, const MapLines& lines, const WantedChannels& wanted) {
   int depth = 0;
   for (const MapLine& line : lines) {
-    const bool is_if = line.text.starts_with(kIf);
+    const bool is_if = line.text.starts_with(kIfLine);
     if (is_if) {
       ++depth;
       const std::string unknown = UnknownCondition(ConditionsOf(line.text), wanted);
@@ -77,11 +77,11 @@ void CheckLines(const std::string& file, const MapLines& lines, const WantedChan
             fmt::format("{}:{}: 'find' holds no {}.", file, line.number, Quoted(unknown)));
       }
     }
-    const bool needs_if = line.text == kElse || line.text == kEnd;
+    const bool needs_if = line.text == kElseLine || line.text == kEndLine;
     if (needs_if && depth == 0) {
       throw InputError(fmt::format("{}:{}: {} without #if.", file, line.number, line.text));
     }
-    if (line.text == kEnd) --depth;
+    if (line.text == kEndLine) --depth;
   }
   if (depth > 0) throw InputError(fmt::format("{}: an #if has no #end.", file));
 }
@@ -90,7 +90,7 @@ FilledMap::FilledMap(FoundChannels found, const std::optional<Vehicle>& vehicle)
     : found_(std::move(found)), vehicle_(vehicle) {}
 
 bool FilledMap::IsDriven() {
-  return vehicle_ && found_.Of(kOutputs).num_outputs >= std::ssize(vehicle_->thrusters);
+  return vehicle_ && found_.Of(kOutputRole).num_outputs >= std::ssize(vehicle_->thrusters);
 }
 
 bool FilledMap::MeetsOne(std::string_view condition) {
@@ -107,7 +107,7 @@ bool FilledMap::Meets(const std::vector<std::string>& conditions) {
 }
 
 std::string FilledMap::ThrusterText() {
-  const FoundChannel& outputs = found_.Of(kOutputs);
+  const FoundChannel& outputs = found_.Of(kOutputRole);
   if (outputs.channel == nullptr) return {};
   const int number =
       IsDriven() ? static_cast<int>(vehicle_->thrusters.size()) : outputs.num_outputs;
@@ -154,19 +154,19 @@ std::string FilledMap::TextOf(const MapLines& lines) {
   std::string text;
   for (const MapLine& line : lines) {
     std::string shown = line.text;
-    if (shown.starts_with(kIf)) {
+    if (shown.starts_with(kIfLine)) {
       is_shown.push_back(is_all_shown() && Meets(ConditionsOf(shown)));
-    } else if (shown == kElse) {
+    } else if (shown == kElseLine) {
       is_shown.back() = !is_shown.back();
-    } else if (shown == kEnd) {
+    } else if (shown == kEndLine) {
       is_shown.pop_back();
-    } else if (is_all_shown() && shown == kThrusters) {
+    } else if (is_all_shown() && shown == kThrusterPlace) {
       text += ThrusterText();
     } else if (is_all_shown()) {
-      const std::size_t place = shown.find(kChannel);
+      const std::size_t place = shown.find(kChannelPlace);
       if (place != std::string::npos && !channel_) continue;
       if (channel_ && place != std::string::npos) {
-        shown.replace(place, kChannel.size(), EscapedInYaml(*channel_));
+        shown.replace(place, kChannelPlace.size(), EscapedInYaml(*channel_));
         text += shown + "\n";
       } else {
         text += Filled(shown) + "\n";
@@ -179,14 +179,14 @@ std::string FilledMap::TextOf(const MapLines& lines) {
 void FilledMap::TellWhyNotDriven(SuggestedMap* map) {
   if (!vehicle_ || IsDriven()) return;
   map->why_not_ready = fmt::format("the log drives {} outputs, and the vehicle '{}' has {}",
-                                   found_.Of(kOutputs).num_outputs,
+                                   found_.Of(kOutputRole).num_outputs,
                                    vehicle_->name,
                                    Plural(vehicle_->thrusters.size(), "thruster"));
   map->text += fmt::format("# {}: this map cannot be imported with it.\n", map->why_not_ready);
 }
 
 void FilledMap::TellUnknown(SuggestedMap* map) {
-  TellUnknownOutputs(found_.Of(kOutputs).motors, map);
+  TellUnknownOutputs(found_.Of(kOutputRole).motors, map);
 }
 
 }  // namespace fathom

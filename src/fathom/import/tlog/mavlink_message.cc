@@ -164,11 +164,12 @@ MavlinkMessage MessageOf(const MavlinkDefinition& definition) {
     if (bracket != std::string_view::npos) {
       std::from_chars(type.data() + bracket + 1, type.data() + type.size() - 1, count);
     }
-    const PackedType packed = PackedTypeNamed(type.substr(0, bracket)).value_or(PackedType::kUint8);
+    type = type.substr(0, bracket);
+    const NumberType packed = PackedTypeNamed(type).value_or(NumberType::kUint8);
     for (int i = 0; i < count; ++i) {
       std::string element(name);
       if (bracket != std::string_view::npos) element += fmt::format("[{}]", i);
-      message.numbers.push_back({std::move(element), packed, message.size});
+      message.numbers.push_back({std::move(element), packed, message.size, type == "char"});
       message.units.emplace_back(field);
       message.size += SizeOf(packed);
     }
@@ -190,13 +191,6 @@ constexpr std::array<std::uint16_t, 256> ChecksumsOfBytes() {
 }
 
 }  // namespace
-
-const PackedNumber* MavlinkMessage::Find(std::string_view field) const {
-  for (const PackedNumber& number : numbers) {
-    if (number.name == field) return &number;
-  }
-  return nullptr;
-}
 
 const MavlinkMessage* FindMavlinkMessage(std::uint32_t id) {
   static const auto* const kMessages = [] {

@@ -160,7 +160,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
                        ? message.name
                        : fmt::format("{} ({}/{})", message.name, source.system, source.component);
     for (std::size_t i = 0; i < message.numbers.size(); ++i) {
-      if (message.numbers[i].type == PackedType::kChar) continue;  // of a text
+      if (message.numbers[i].is_text) continue;
       channel.fields.push_back({message.numbers[i].name, message.units[i]});
     }
     channel_stamps.WriteTo(&channel);

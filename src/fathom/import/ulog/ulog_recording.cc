@@ -8,7 +8,7 @@
 #include "fathom/base/quoted.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 #include "fathom/import/ulog/ulog_format.h"
 #include "fathom/import/ulog/ulog_time.h"
 #include "fathom/import/ulog/ulog_walk.h"
@@ -48,7 +48,7 @@ UlogTopic TopicOf(std::string_view payload) {
 }
 
 std::uint16_t IdOf(char type, std::string_view payload) {
-  return LittleEndian<std::uint16_t>(payload, type == 'A' ? 1 : 0);
+  return NumberAt<std::uint16_t>(payload, type == 'A' ? 1 : 0);
 }
 
 // What the walk finds besides data.
@@ -68,7 +68,7 @@ struct UlogCounts {
     if (std::string_view("BFIMPQARDLCSO").find(type) == std::string_view::npos) ++unknown;
     if (type != 'O') return;
     ++dropouts;
-    lost += 1e-3 * LittleEndian<std::uint16_t>(payload, 0);
+    lost += 1e-3 * NumberAt<std::uint16_t>(payload, 0);
   }
 };
 
@@ -189,7 +189,7 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     channel.type = topic.name;
     for (const PackedNumber& number : known.layout.numbers) {
       const bool is_stamp = number.name == "timestamp";
-      const char* unit = number.type == PackedType::kUint8 ? "ms" : "us";
+      const char* unit = number.type == NumberType::kUint8 ? "ms" : "us";
       channel.fields.push_back({number.name, is_stamp ? unit : ""});
     }
     known.stamps.WriteTo(&channel);
