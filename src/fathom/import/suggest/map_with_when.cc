@@ -8,9 +8,9 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
 #include "fathom/import/map/import_map.h"
+#include "fathom/import/recording/data_files.h"
 #include "fathom/import/suggest/channel_facts.h"
 #include "fathom/import/suggest/filled_map.h"
-#include "fathom/import/suggest/map_files.h"
 
 #include <algorithm>
 #include <sstream>
@@ -175,7 +175,7 @@ std::vector<MapWithWhen> ReadMapsWithWhen(const std::filesystem::path& folder) {
 }
 
 std::span<const MapWithWhen> KnownMaps() {
-  using namespace map_files;
+  using namespace data_files;
   static const auto* const kMaps =
       new std::vector<MapWithWhen>{{"ardupilot.yaml", std::string(ardupilot)},
                                    {"moos.yaml", std::string(moos)},
