@@ -163,15 +163,9 @@ MatlabNumbers Mat4File::Numbers(const MatlabArray& array, MatlabVariable* variab
   if (variable->place != array.variable) {
     variable->bytes.reset();
     ByteFile file(path_);
-    const auto size = static_cast<std::size_t>(array.num_bytes());
-    auto bytes = std::make_shared<std::string>();
-    bytes->reserve(size);
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    while (bytes->size() < size) {
-      const std::string_view step =
-          file.View(array.variable + bytes->size(), std::min(kStep, size - bytes->size()));
-      if (step.empty()) throw InputError(path_.string() + ": is shorter than it was when opened.");
-      bytes->append(step);
+    auto bytes = std::make_shared<std::string>(file.Copy(array.variable, array.num_bytes()));
+    if (bytes->size() < array.num_bytes()) {
+      throw InputError(path_.string() + ": is shorter than it was when opened.");
     }
     *variable = {array.variable, std::move(bytes)};
   }

@@ -156,18 +156,6 @@ class NumpyRecording final : public Recording {
   Contents contents_;
 };
 
-std::string BytesFrom(ByteFile* file, std::uint64_t offset, std::uint64_t count) {
-  std::string bytes;
-  while (bytes.size() < count) {
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    const auto left = static_cast<std::size_t>(count - bytes.size());
-    const std::string_view next = file->View(offset + bytes.size(), std::min(kStep, left));
-    if (next.empty()) break;
-    bytes.append(next);
-  }
-  return bytes;
-}
-
 NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) : path_(path) {
   ByteFile file(path);
   contents_.format = is_zip ? "npz" : "npy";
@@ -191,12 +179,12 @@ NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) :
 }
 
 void NumpyRecording::List(ByteFile* file) {
-  const NpyHeader header = ParseNpyHeader(path_.string(), BytesFrom(file, 0, kMostNpyHeader));
+  const NpyHeader header = ParseNpyHeader(path_.string(), file->Copy(0, kMostNpyHeader));
   const std::string name = path_.stem().string();
   if (file->size() - header.size > kMostNumpyBytes) {
     return PassOver(name, "takes more than 200 MB");
   }
-  Add(name, BytesFrom(file, header.size, file->size() - header.size), header, {});
+  Add(name, file->Copy(header.size, file->size() - header.size), header, {});
 }
 
 void NumpyRecording::ListZip(ByteFile* file) {
@@ -355,7 +343,7 @@ std::string NumpyRecording::Load(ByteFile* file, const NumpyArray& array) const 
       bytes.erase(0, array.begin);
     }
   } else {
-    bytes = BytesFrom(file, array.begin, array.num_bytes);
+    bytes = file->Copy(array.begin, array.num_bytes);
   }
   if (bytes.size() < array.num_bytes) {
     throw InputError(path_.string() + ": has changed since it was opened.");

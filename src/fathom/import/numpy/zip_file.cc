@@ -47,19 +47,6 @@ std::string EndRecordOf(ByteFile* file) {
             "written");
 }
 
-std::optional<std::string> Stored(ByteFile* file, std::uint64_t at, std::uint64_t size) {
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(size));
-  while (bytes.size() < size) {
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    const auto left = static_cast<std::size_t>(size - bytes.size());
-    const std::string_view next = file->View(at + bytes.size(), std::min(kStep, left));
-    if (next.empty()) return std::nullopt;
-    bytes.append(next);
-  }
-  return bytes;
-}
-
 }  // namespace
 
 bool LooksLikeZip(std::string_view first_bytes) {
@@ -117,7 +104,7 @@ std::optional<std::string> Unzipped(ByteFile* file, const ZipEntry& entry, std::
   if (begin > file->size() || entry.packed_bytes > file->size() - begin) return std::nullopt;
   std::optional<std::string> bytes;
   if (entry.method == 0 && entry.packed_bytes == entry.whole_bytes) {
-    bytes = Stored(file, begin, entry.packed_bytes);
+    bytes = file->Copy(begin, entry.packed_bytes);
   } else if (entry.method == 8) {
     bytes = Inflated(file,
                      begin,

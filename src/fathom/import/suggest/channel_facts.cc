@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace fathom {
 
@@ -70,16 +71,13 @@ int NumThatReach(const Recording& recording,
   return static_cast<int>(std::find(reaches.begin(), reaches.end(), false) - reaches.begin());
 }
 
-bool IsEverAbove(const Recording& recording,
-                 const std::string& channel,
-                 const std::string& field,
-                 double value) {
+double LargestOf(const Recording& recording, const std::string& channel, const std::string& field) {
   const Selection selection = {channel, {field}};
-  bool is_above = false;
+  double largest = -std::numeric_limits<double>::infinity();
   recording.Read({&selection, 1}, [&](std::size_t, double, std::span<const double> values) {
-    is_above = is_above || values.front() > value;
+    largest = std::max(largest, values.front());  // NaN is not larger
   });
-  return is_above;
+  return largest;
 }
 
 }  // namespace fathom

@@ -41,11 +41,8 @@ int NumThatReach(const Recording& recording,
                  const std::vector<std::string>& fields,
                  double value);
 
-// Whether a field is ever above a value: the voltage of a battery that is measured.
-bool IsEverAbove(const Recording& recording,
-                 const std::string& channel,
-                 const std::string& field,
-                 double value);
+// The largest number of a field, minus infinity where there is none.
+double LargestOf(const Recording& recording, const std::string& channel, const std::string& field);
 
 // "C#" of 3: "C3".
 std::string WithNumber(std::string field, int number);

@@ -59,9 +59,10 @@ FoundChannel FoundChannels::Find(const std::vector<WantedChannel>& ways) const {
 bool FoundChannels::MeetsItsNumbers(FoundChannel* found) const {
   const WantedChannel& wanted = *found->wanted;
   const std::string& name = found->channel->name;
-  if (wanted.above && !IsEverAbove(recording_, name, wanted.field, *wanted.above)) return false;
-  if (wanted.below && NumThatReach(recording_, name, {wanted.field}, *wanted.below) > 0) {
-    return false;
+  if (wanted.above || wanted.below) {
+    const double largest = LargestOf(recording_, name, wanted.field);
+    if (wanted.above && !(largest > *wanted.above)) return false;
+    if (wanted.below && largest >= *wanted.below) return false;
   }
   if (!wanted.outputs.empty()) {
     std::vector<std::string> fields;

@@ -9,6 +9,7 @@
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
 #include "fathom/import/recording/number_type.h"
+#include "fathom/import/recording/wanted_fields.h"
 #include "fathom/import/ulog/ulog_format.h"
 #include "fathom/import/ulog/ulog_time.h"
 #include "fathom/import/ulog/ulog_walk.h"
@@ -251,29 +252,21 @@ void UlogRecording::TellCounts(const UlogCounts& counts) {
 
 std::vector<std::string> UlogRecording::Read(std::span<const Selection> selections,
                                              const SampleSink& sink) const {
-  struct UlogWanted {
-    std::size_t selection;
-    std::vector<const PackedNumber*> fields;
-    std::vector<double> values;
-  };
   // A topic that is subscribed twice has one clock.
   struct UlogStream {
     const UlogLayout* layout = nullptr;
     UlogClock clock;
-    std::vector<UlogWanted> wanted;
+    std::vector<WantedFields<PackedNumber>> wanted;
   };
   std::map<UlogTopic, UlogStream> streams;
   for (std::size_t i = 0; i < selections.size(); ++i) {
     const Channel& channel = FindChannel(contents_, path_, selections[i]);
     for (const auto& [topic, known] : channels_) {
       if (NameOf(topic) != channel.name) continue;
-      UlogWanted wanted = {i, {}, std::vector<double>(selections[i].fields.size())};
-      for (const std::string& field : selections[i].fields) {
-        wanted.fields.push_back(known.layout.Find(field));
-      }
       UlogStream& stream = streams[topic];
       stream.layout = &known.layout;
-      stream.wanted.push_back(std::move(wanted));
+      stream.wanted.emplace_back(
+          i, selections[i], [&](const std::string& field) { return known.layout.Find(field); });
     }
   }
   ByteFile file(path_);
@@ -289,12 +282,7 @@ std::vector<std::string> UlogRecording::Read(std::span<const Selection> selectio
     UlogStream& stream = *found->second;
     const std::string_view data = payload.substr(2);
     const double stamp = stream.clock.StampOf(*stream.layout, data);
-    for (UlogWanted& wanted : stream.wanted) {
-      for (std::size_t k = 0; k < wanted.fields.size(); ++k) {
-        wanted.values[k] = ValueOf(*wanted.fields[k], data);
-      }
-      sink(wanted.selection, stamp, wanted.values);
-    }
+    for (auto& wanted : stream.wanted) wanted.HandOn(stamp, data, sink);
   });
   return {};
 }
