@@ -146,9 +146,7 @@ void DataflashRecording::List(ByteFile* file) {
     channel_stamps.WriteTo(&channel);
     contents_.channels.push_back(std::move(channel));
   }
-  std::stable_sort(contents_.channels.begin(),
-                   contents_.channels.end(),
-                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  std::ranges::stable_sort(contents_.channels, {}, &Channel::type);
   contents_.TellSimulation();
   if (walk.skipped_bytes > 0) {
     contents_.remarks.push_back(

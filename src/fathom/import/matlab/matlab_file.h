@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/matlab/matlab_numbers.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +22,27 @@ inline constexpr std::uint64_t kMostMatlabBytes = 200'000'000;
 
 // Structs and cells lie within each other at most so deep.
 inline constexpr int kDeepestMatlabArray = 20;
+
+// Takes numbers out of the bytes of a .mat.
+struct MatlabByteOrder {
+  bool is_big = false;
+
+  std::uint32_t Uint32At(std::string_view bytes, std::size_t offset) const {
+    return NumberAt<std::uint32_t>(bytes, offset, is_big);
+  }
+};
+
+// The numbers of an array, column by column as MATLAB keeps them.
+struct MatlabNumbers {
+  std::shared_ptr<const std::string> bytes;
+  std::size_t offset = 0;  // of the first number
+  NumberType type = NumberType::kFloat64;
+  MatlabByteOrder order;
+
+  double At(std::size_t index) const {
+    return NumberAt(type, *bytes, offset + index * SizeOf(type), order.is_big);
+  }
+};
 
 // An array of numbers with two dimensions.
 struct MatlabArray {

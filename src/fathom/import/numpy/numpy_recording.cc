@@ -166,9 +166,7 @@ NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) :
   } else {
     List(&file);
   }
-  std::sort(contents_.channels.begin(), contents_.channels.end(), [](const auto& a, const auto& b) {
-    return a.name < b.name;
-  });
+  std::ranges::sort(contents_.channels, {}, &Channel::name);
   if (num_scalars_ + num_empty_ > 0) {
     Remark(fmt::format(
         "no channels: {}, {}.", Plural(num_scalars_, "scalar"), Plural(num_empty_, "empty array")));

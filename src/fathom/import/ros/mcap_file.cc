@@ -6,7 +6,7 @@
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/decompress.h"
 #include "fathom/import/recording/number_type.h"
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/ros/ros_definition.h"
 
 #include <map>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/base/trimmed.h"
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/recording/data_files.h"
 
 #include <algorithm>
 #include <map>
@@ -180,6 +180,21 @@ class Parser {
 
 MessageDefinition ParseRosDefinition(std::string_view type, std::string_view text) {
   return Parser(type, text).Parse();
+}
+
+std::string KnownDefinition(std::string_view type) {
+  const std::string head = fmt::format("MSG: {}\n", WithoutMsg(type));
+  const std::size_t begin = data_files::ros_types.find(head);
+  if (begin == std::string_view::npos) return {};
+  const std::string_view text = data_files::ros_types.substr(begin + head.size());
+  return std::string(text.substr(0, text.find("===\n"))) + std::string(data_files::ros_types);
+}
+
+std::string WithoutMsg(std::string_view type) {
+  std::string name(type);
+  const std::size_t middle = name.find("/msg/");
+  if (middle != std::string::npos) name.erase(middle, 4);
+  return name;
 }
 
 }  // namespace fathom

@@ -3,7 +3,7 @@
 
 #include "fathom/import/suggest/found_channels.h"
 
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/ros/ros_definition.h"
 #include "fathom/import/suggest/channel_facts.h"
 
 #include <algorithm>

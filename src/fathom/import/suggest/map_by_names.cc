@@ -60,7 +60,7 @@ std::string LettersOf(std::string_view text) {
 struct Found {
   std::string column;
   Field field;
-  NamedPlace place;
+  FieldPlace place;
   std::string added = {};  // a second field, whose numbers are added to it; may be empty
 };
 
@@ -224,7 +224,7 @@ SuggestedMap MapByNames(const Contents& contents) {
     if (is_pose) keep_better(channel, std::move(of_pose), &pose);
     keep_better(channel, FindByNames(velocity_names, channel, &taken), &velocity);
     for (std::size_t i = 0; i < channel.places.size(); ++i) {
-      const NamedPlace& place = channel.places[i];
+      const FieldPlace& place = channel.places[i];
       const std::string& name = channel.channel.fields[i].name;
       if (std::find(taken.begin(), taken.end(), name) == taken.end() &&
           place.channel != channel.time_channel) {

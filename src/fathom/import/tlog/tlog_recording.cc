@@ -168,9 +168,7 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
     names_.emplace(source, channel.name);
     contents_.channels.push_back(std::move(channel));
   }
-  std::stable_sort(contents_.channels.begin(),
-                   contents_.channels.end(),
-                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  std::ranges::stable_sort(contents_.channels, {}, &Channel::type);
   contents_.TellSimulation();
   TellWalk(walk);
   TellUnknown(unknown, num_others);

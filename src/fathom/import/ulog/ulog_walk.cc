@@ -39,31 +39,17 @@ bool IsKnown(char type) {
 
 // Whether a message of a type can have so many bytes. Of types that are not known, any.
 bool IsSize(char type, std::size_t size) {
-  switch (type) {
-    case 'B':
-      return size >= kFlags;
-    case 'F':
-    case 'M':
-    case 'Q':
-      return size >= 5;
-    case 'I':
-    case 'P':
-    case 'A':
-      return size >= 4;
-    case 'D':
-      return size >= 3;
-    case 'L':
-      return size >= 9;
-    case 'C':
-      return size >= 11;
-    case 'R':
-    case 'O':
-      return size == 2;
-    case 'S':
-      return size == kSyncMagic.size();
-    default:
-      return IsLetter(type) && size > 0;
-  }
+  const auto is_one_of = [&](std::string_view types) {
+    return types.find(type) != std::string_view::npos;
+  };
+  if (is_one_of("RO")) return size == 2;
+  if (type == 'S') return size == kSyncMagic.size();
+  if (type == 'B') return size >= kFlags;
+  if (type == 'D') return size >= 3;
+  if (is_one_of("IPA")) return size >= 4;
+  if (is_one_of("FMQ")) return size >= 5;
+  if (is_one_of("LC")) return size >= (type == 'L' ? 9 : 11);
+  return IsLetter(type) && size > 0;
 }
 
 bool IsPrintable(std::string_view text) {
