@@ -41,6 +41,9 @@ TEST_P(MavrosBags, AreMappedByTheirPulsesAndBattery) {
   vehicle.thrusters.resize(4);
   const ImportMap map =
       ParseImportMap("map", SuggestMap(ConstantRecording(contents, 1500.0), vehicle).text);
+  // Motors that never ran are thrusters too.
+  EXPECT_THAT(SuggestMap(ConstantRecording(contents, 0.0), vehicle).text,
+              HasSubstr("  thruster_4: \"channels[3]\"\n"));
   ASSERT_TRUE(map.command);
   EXPECT_EQ(map.command->channel, "/mavros/rc/out");
   EXPECT_EQ(map.command->columns.size(), 4U);

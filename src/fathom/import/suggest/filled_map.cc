@@ -90,7 +90,10 @@ FilledMap::FilledMap(FoundChannels found, const std::optional<Vehicle>& vehicle)
     : found_(std::move(found)), vehicle_(vehicle) {}
 
 bool FilledMap::IsDriven() {
-  return vehicle_ && found_.Of(kOutputRole).num_outputs >= std::ssize(vehicle_->thrusters);
+  if (!vehicle_) return false;
+  const FoundChannel& outputs = found_.Of(kOutputRole);
+  return outputs.num_outputs >= std::ssize(vehicle_->thrusters) ||
+         (outputs.channel != nullptr && outputs.wanted->is_idle_too);
 }
 
 bool FilledMap::MeetsOne(std::string_view condition) {

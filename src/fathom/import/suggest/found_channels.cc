@@ -68,7 +68,7 @@ bool FoundChannels::MeetsItsNumbers(FoundChannel* found) const {
     std::vector<std::string> fields;
     for (int i = 0; i < kMostCounted; ++i) fields.push_back(WithNumber(wanted.outputs, i));
     found->num_outputs = NumThatReach(recording_, name, fields, wanted.reach);
-    return found->num_outputs > 0;
+    return wanted.is_idle_too || found->num_outputs > 0;
   }
   if (!wanted.motors.empty()) {
     std::vector<std::string> channels = {name};

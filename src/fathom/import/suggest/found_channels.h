@@ -27,6 +27,7 @@ struct WantedChannel {
   // behind them in channels of the types `also`.
   std::string outputs, motors;
   double reach = 0.0;
+  bool is_idle_too = false;  // none of `outputs` need reach it for a vehicle that is known
   std::vector<std::string> also;
 
   std::string text;  // that the map says of it

@@ -40,6 +40,7 @@ WantedChannel WantedOf(const YamlMap& map) {
   wanted.outputs = map.String("outputs", "");
   wanted.motors = map.String("motors", "");
   wanted.reach = map.Number("reach", 0.0);
+  wanted.is_idle_too = map.Boolean("idle", false);
   wanted.also = StringsOf(map, "also");
   wanted.text = map.String("text", "");
   if (wanted.name.empty() && wanted.type.empty() && wanted.field.empty()) {
