@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "constant_recording.h"
 #include "dataflash_writer.h"
 #include "scratch_file.h"
 #include <fmt/format.h>
@@ -287,18 +288,7 @@ TEST(RockMap, TakesSixEffortsAndTheState) {
                         90,
                         0.0,
                         90.0}};
-  class Empty : public Recording {
-   public:
-    explicit Empty(Contents contents) : contents_(std::move(contents)) {}
-    const Contents& contents() const override { return contents_; }
-    std::vector<std::string> Read(std::span<const Selection>, const SampleSink&) const override {
-      return {};
-    }
-
-   private:
-    Contents contents_;
-  };
-  const SuggestedMap suggested = SuggestMap(Empty(contents), std::nullopt);
+  const SuggestedMap suggested = SuggestMap(ConstantRecording(contents), std::nullopt);
   EXPECT_FALSE(suggested.is_ready);
   const ImportMap map = ParseImportMap("suggested", suggested.text);
   ASSERT_TRUE(map.command && map.pose);

@@ -5,11 +5,10 @@
 #include "fathom/import/suggest/suggest_map.h"
 
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "constant_recording.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,25 +17,6 @@ namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
-
-// Every channel holds one number over and over.
-class ConstantRecording final : public Recording {
- public:
-  ConstantRecording(Contents contents, double value)
-      : contents_(std::move(contents)), value_(value) {}
-  const Contents& contents() const override { return contents_; }
-  std::vector<std::string> Read(std::span<const Selection> selections,
-                                const SampleSink& sink) const override {
-    for (std::size_t i = 0; i < selections.size(); ++i) {
-      sink(i, 0.0, std::vector<double>(selections[i].fields.size(), value_));
-    }
-    return {};
-  }
-
- private:
-  Contents contents_;
-  double value_;
-};
 
 Channel Outputs(const char* type) {
   Channel channel = {"/mavros/rc/out", type, {}, 500, 0.0, 50.0};
@@ -61,6 +41,9 @@ TEST_P(MavrosBags, AreMappedByTheirPulsesAndBattery) {
   vehicle.thrusters.resize(4);
   const ImportMap map =
       ParseImportMap("map", SuggestMap(ConstantRecording(contents, 1500.0), vehicle).text);
+  // Motors that never ran are thrusters too.
+  EXPECT_THAT(SuggestMap(ConstantRecording(contents, 0.0), vehicle).text,
+              HasSubstr("  thruster_4: \"channels[3]\"\n"));
   ASSERT_TRUE(map.command);
   EXPECT_EQ(map.command->channel, "/mavros/rc/out");
   EXPECT_EQ(map.command->columns.size(), 4U);

@@ -11,6 +11,7 @@
 #include "fathom/import/dataflash/message_walk.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
+#include "fathom/import/recording/wanted_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -145,9 +146,7 @@ void DataflashRecording::List(ByteFile* file) {
     channel_stamps.WriteTo(&channel);
     contents_.channels.push_back(std::move(channel));
   }
-  std::stable_sort(contents_.channels.begin(),
-                   contents_.channels.end(),
-                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  std::ranges::stable_sort(contents_.channels, {}, &Channel::type);
   contents_.TellSimulation();
   if (walk.skipped_bytes > 0) {
     contents_.remarks.push_back(
@@ -169,10 +168,8 @@ void DataflashRecording::List(ByteFile* file) {
 std::vector<std::string> DataflashRecording::Read(std::span<const Selection> selections,
                                                   const SampleSink& sink) const {
   struct Wanted {
-    std::size_t selection;
     std::optional<int> instance;
-    std::vector<const MessageField*> fields;
-    std::vector<double> values;
+    WantedFields<MessageField> fields;
   };
   std::array<std::vector<Wanted>, 256> wanted;  // by type
   for (std::size_t i = 0; i < selections.size(); ++i) {
@@ -180,14 +177,12 @@ std::vector<std::string> DataflashRecording::Read(std::span<const Selection> sel
     const auto format = std::find_if(formats_.begin(), formats_.end(), [&](const auto& f) {
       return f.type >= 0 && f.name == channel.type;
     });
-    Wanted entry = {i, std::nullopt, {}, std::vector<double>(selections[i].fields.size())};
+    std::optional<int> instance;
     if (channel.name != channel.type) {
-      entry.instance = std::stoi(channel.name.substr(channel.type.size() + 1));
+      instance = std::stoi(channel.name.substr(channel.type.size() + 1));
     }
-    for (const std::string& field : selections[i].fields) {
-      entry.fields.push_back(format->FindNumber(field));
-    }
-    wanted[format->type].push_back(std::move(entry));
+    const auto find = [&](const std::string& field) { return format->FindNumber(field); };
+    wanted[format->type].push_back({instance, {i, selections[i], find}});
   }
   const std::array<CommonFields, 256> fields = CommonFieldsOf(formats_);
   ByteFile file(path_);
@@ -195,10 +190,7 @@ std::vector<std::string> DataflashRecording::Read(std::span<const Selection> sel
     const CommonFields& common = fields[format.type];
     for (Wanted& entry : wanted[format.type]) {
       if (entry.instance && *entry.instance != InstanceOf(common, message)) continue;
-      for (std::size_t k = 0; k < entry.fields.size(); ++k) {
-        entry.values[k] = ValueOf(*entry.fields[k], message);
-      }
-      sink(entry.selection, StampOf(common, message), entry.values);
+      entry.fields.HandOn(StampOf(common, message), message, sink);
     }
   });
   return {};

@@ -3,7 +3,7 @@
 
 #include "fathom/import/dataflash/message_format.h"
 
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,39 +18,45 @@ constexpr std::size_t kHeader = 3;  // 0xA3 0x95 type
 constexpr std::size_t kFmtLength = 89;
 constexpr std::size_t kArray = 32;  // numbers of an 'a'
 
+// The numbers that have a letter: how they are stored, and what divides them.
+struct Letter {
+  char letter;
+  NumberType type;
+  double divisor = 1.0;
+};
+
+constexpr Letter kLetters[] = {
+    {'b', NumberType::kInt8},
+    {'B', NumberType::kUint8},
+    {'M', NumberType::kUint8},
+    {'h', NumberType::kInt16},
+    {'H', NumberType::kUint16},
+    {'c', NumberType::kInt16, 100.0},
+    {'C', NumberType::kUint16, 100.0},
+    {'g', NumberType::kUint16},  // a half
+    {'i', NumberType::kInt32},
+    {'I', NumberType::kUint32},
+    {'e', NumberType::kInt32, 100.0},
+    {'E', NumberType::kUint32, 100.0},
+    {'L', NumberType::kInt32, 1e7},
+    {'f', NumberType::kFloat32},
+    {'d', NumberType::kFloat64},
+    {'q', NumberType::kInt64},
+    {'Q', NumberType::kUint64},
+};
+
+// Null for a text or an array, and for a letter that nobody knows.
+const Letter* FindLetter(char letter) {
+  const auto* found = std::ranges::find(kLetters, letter, &Letter::letter);
+  return found == std::end(kLetters) ? nullptr : found;
+}
+
 // Bytes of a field; 0 for a letter that nobody knows.
 std::size_t SizeOf(char letter) {
-  switch (letter) {
-    case 'b':
-    case 'B':
-    case 'M':
-      return 1;
-    case 'h':
-    case 'H':
-    case 'c':
-    case 'C':
-    case 'g':
-      return 2;
-    case 'i':
-    case 'I':
-    case 'e':
-    case 'E':
-    case 'f':
-    case 'L':
-    case 'n':
-      return 4;
-    case 'd':
-    case 'q':
-    case 'Q':
-      return 8;
-    case 'N':
-      return 16;
-    case 'Z':
-    case 'a':
-      return 64;
-    default:
-      return 0;
-  }
+  if (const Letter* number = FindLetter(letter)) return SizeOf(number->type);
+  if (letter == 'n') return 4;
+  if (letter == 'N') return 16;
+  return letter == 'Z' || letter == 'a' ? 64 : 0;
 }
 
 bool IsText(char letter) { return letter == 'n' || letter == 'N' || letter == 'Z'; }
@@ -82,16 +88,28 @@ std::vector<std::string> SplitAtCommas(std::string_view text) {
   return names;
 }
 
+MessageField FieldOf(const std::string& name, char letter, std::size_t offset) {
+  MessageField field;
+  field.name = name;
+  field.letter = letter;
+  field.offset = offset;
+  if (const Letter* number = FindLetter(letter)) {
+    field.type = number->type;
+    field.divisor = number->divisor;
+  }
+  return field;
+}
+
 void AddField(const std::string& name, char letter, std::size_t offset, MessageFormat* format) {
   if (letter == 'a') {
     for (std::size_t i = 0; i < kArray; ++i) {
       const std::size_t at = offset + i * SizeOf('h');
       if (at + SizeOf('h') > format->length) return;
-      format->numbers.push_back({fmt::format("{}[{}]", name, i), 'h', at, "", 1.0});
+      format->numbers.push_back(FieldOf(fmt::format("{}[{}]", name, i), 'h', at));
     }
   } else if (offset + SizeOf(letter) <= format->length) {
     auto& fields = IsText(letter) ? format->texts : format->numbers;
-    fields.push_back({name, letter, offset, "", 1.0});
+    fields.push_back(FieldOf(name, letter, offset));
   }
 }
 
@@ -136,53 +154,16 @@ MessageFormat FormatOfFmt() {
 }
 
 MessageFormat ParseFmt(std::string_view message) {
-  return Define(LittleEndian<std::uint8_t>(message, 3),
-                LittleEndian<std::uint8_t>(message, 4),
+  return Define(NumberAt<std::uint8_t>(message, 3),
+                NumberAt<std::uint8_t>(message, 4),
                 UpToNul(message.substr(5, 4)),
                 UpToNul(message.substr(9, 16)),
                 UpToNul(message.substr(25, 64)));
 }
 
 double ValueOf(const MessageField& number, std::string_view message) {
-  const auto scaled = [&](auto value) { return static_cast<double>(value) * number.multiplier; };
-  const std::size_t at = number.offset;
-  switch (number.letter) {
-    case 'b':
-      return scaled(LittleEndian<std::int8_t>(message, at));
-    case 'B':
-    case 'M':
-      return scaled(LittleEndian<std::uint8_t>(message, at));
-    case 'h':
-      return scaled(LittleEndian<std::int16_t>(message, at));
-    case 'H':
-      return scaled(LittleEndian<std::uint16_t>(message, at));
-    case 'c':
-      return LittleEndian<std::int16_t>(message, at) / 100.0;
-    case 'C':
-      return LittleEndian<std::uint16_t>(message, at) / 100.0;
-    case 'i':
-      return scaled(LittleEndian<std::int32_t>(message, at));
-    case 'I':
-      return scaled(LittleEndian<std::uint32_t>(message, at));
-    case 'e':
-      return LittleEndian<std::int32_t>(message, at) / 100.0;
-    case 'E':
-      return LittleEndian<std::uint32_t>(message, at) / 100.0;
-    case 'L':
-      return LittleEndian<std::int32_t>(message, at) / 1e7;
-    case 'q':
-      return scaled(LittleEndian<std::int64_t>(message, at));
-    case 'Q':
-      return scaled(LittleEndian<std::uint64_t>(message, at));
-    case 'f':
-      return LittleEndian<float>(message, at);
-    case 'd':
-      return LittleEndian<double>(message, at);
-    case 'g':
-      return Half(LittleEndian<std::uint16_t>(message, at));
-    default:
-      return NAN;
-  }
+  if (number.letter == 'g') return Half(NumberAt<std::uint16_t>(message, number.offset));
+  return NumberAt(number.type, message, number.offset) / number.divisor * number.multiplier;
 }
 
 std::string_view TextOf(const MessageField& text, std::string_view message) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/import/recording/number_type.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -15,8 +17,10 @@ namespace fathom {
 struct MessageField {
   std::string name;
   char letter = 0;
-  std::size_t offset = 0;   // from the first byte of the message, which is 0xA3
-  std::string unit;         // as UNIT and FMTU state it; may be empty
+  std::size_t offset = 0;                // from the first byte of the message, which is 0xA3
+  std::string unit;                      // as UNIT and FMTU state it; may be empty
+  NumberType type = NumberType::kUint8;  // of a number
+  double divisor = 1.0;
   double multiplier = 1.0;  // of an integer, as MULT and FMTU state it
 };
 

@@ -23,13 +23,13 @@ constexpr std::size_t kMat4Header = 20;  // [bytes]
 constexpr std::uint32_t kLongestMat4Name = 256;
 
 // The types of numbers by the digit P of MOPT.
-constexpr std::array<std::pair<MatlabNumberType, const char*>, 6> kMat4Types = {
-    {{MatlabNumberType::kDouble, "double"},
-     {MatlabNumberType::kSingle, "single"},
-     {MatlabNumberType::kInt32, "int32"},
-     {MatlabNumberType::kInt16, "int16"},
-     {MatlabNumberType::kUint16, "uint16"},
-     {MatlabNumberType::kUint8, "uint8"}}};
+constexpr std::array<std::pair<NumberType, const char*>, 6> kMat4Types = {
+    {{NumberType::kFloat64, "double"},
+     {NumberType::kFloat32, "single"},
+     {NumberType::kInt32, "int32"},
+     {NumberType::kInt16, "int16"},
+     {NumberType::kUint16, "uint16"},
+     {NumberType::kUint8, "uint8"}}};
 
 // What the header of a variable says.
 struct Mat4Header {
@@ -163,15 +163,9 @@ MatlabNumbers Mat4File::Numbers(const MatlabArray& array, MatlabVariable* variab
   if (variable->place != array.variable) {
     variable->bytes.reset();
     ByteFile file(path_);
-    const auto size = static_cast<std::size_t>(array.num_bytes());
-    auto bytes = std::make_shared<std::string>();
-    bytes->reserve(size);
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    while (bytes->size() < size) {
-      const std::string_view step =
-          file.View(array.variable + bytes->size(), std::min(kStep, size - bytes->size()));
-      if (step.empty()) throw InputError(path_.string() + ": is shorter than it was when opened.");
-      bytes->append(step);
+    auto bytes = std::make_shared<std::string>(file.Copy(array.variable, array.num_bytes()));
+    if (bytes->size() < array.num_bytes()) {
+      throw InputError(path_.string() + ": is shorter than it was when opened.");
     }
     *variable = {array.variable, std::move(bytes)};
   }

@@ -35,31 +35,12 @@ constexpr std::array<const char*, 10> kNumericClasses = {
     "double", "single", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"};
 
 // How the numbers of an element of this type are stored; nothing if it holds none.
-std::optional<MatlabNumberType> StoredAs(std::uint32_t type) {
-  switch (type) {
-    case 1:
-      return MatlabNumberType::kInt8;
-    case 2:
-      return MatlabNumberType::kUint8;
-    case 3:
-      return MatlabNumberType::kInt16;
-    case 4:
-      return MatlabNumberType::kUint16;
-    case 5:
-      return MatlabNumberType::kInt32;
-    case 6:
-      return MatlabNumberType::kUint32;
-    case 7:
-      return MatlabNumberType::kSingle;
-    case 9:
-      return MatlabNumberType::kDouble;
-    case 12:
-      return MatlabNumberType::kInt64;
-    case 13:
-      return MatlabNumberType::kUint64;
-    default:
-      return std::nullopt;
-  }
+std::optional<NumberType> StoredAs(std::uint32_t type) {
+  if (type == 7) return NumberType::kFloat32;
+  if (type == 9) return NumberType::kFloat64;
+  if (type == 12 || type == 13) return NumberTypeOf(type == 12 ? 'i' : 'u', 8);
+  if (type < 1 || type > 6) return std::nullopt;
+  return NumberTypeOf(type % 2 == 1 ? 'i' : 'u', std::size_t{1} << ((type - 1) / 2));
 }
 
 // An element, without its tag.

@@ -32,14 +32,7 @@ std::optional<std::string> LoadVariable(ByteFile* file, MatlabByteOrder order, s
     return Inflated(file, at + kMat5Tag, size, kMostMatlabBytes);
   }
   if (size > kMostMatlabBytes) return std::nullopt;
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(kMat5Tag + size));
-  while (bytes.size() < kMat5Tag + size) {
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    const auto left = static_cast<std::size_t>(kMat5Tag + size - bytes.size());
-    bytes.append(file->View(at + bytes.size(), std::min(kStep, left)));
-  }
-  return bytes;
+  return file->Copy(at, kMat5Tag + size);
 }
 
 class Mat5File final : public MatlabFile {

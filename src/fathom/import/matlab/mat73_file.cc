@@ -303,7 +303,7 @@ void Mat73File::ListDataset(hid_t dataset, const Mat73Place& place) {
   array.class_name = class_name.empty() ? "array" : class_name;
   array.rows = shape.dimensions[0];
   array.columns = shape.dimensions[1];
-  array.type = MatlabNumberType::kDouble;  // as the library hands them on
+  array.type = NumberType::kFloat64;  // as the library hands them on
   array.variable = info.addr;
   listing_.Add(std::move(array));
 }
@@ -353,7 +353,7 @@ MatlabNumbers Mat73File::Numbers(const MatlabArray& array, MatlabVariable* varia
     }
     *variable = {array.variable, std::move(bytes)};
   }
-  return {variable->bytes, 0, MatlabNumberType::kDouble, {}};
+  return {variable->bytes, 0, NumberType::kFloat64, {}};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/import/matlab/matlab_numbers.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +23,27 @@ inline constexpr std::uint64_t kMostMatlabBytes = 200'000'000;
 // Structs and cells lie within each other at most so deep.
 inline constexpr int kDeepestMatlabArray = 20;
 
+// Takes numbers out of the bytes of a .mat.
+struct MatlabByteOrder {
+  bool is_big = false;
+
+  std::uint32_t Uint32At(std::string_view bytes, std::size_t offset) const {
+    return NumberAt<std::uint32_t>(bytes, offset, is_big);
+  }
+};
+
+// The numbers of an array, column by column as MATLAB keeps them.
+struct MatlabNumbers {
+  std::shared_ptr<const std::string> bytes;
+  std::size_t offset = 0;  // of the first number
+  NumberType type = NumberType::kFloat64;
+  MatlabByteOrder order;
+
+  double At(std::size_t index) const {
+    return NumberAt(type, *bytes, offset + index * SizeOf(type), order.is_big);
+  }
+};
+
 // An array of numbers with two dimensions.
 struct MatlabArray {
   std::string name;        // "eta", "run.eta", "run[2].eta"
@@ -31,9 +52,9 @@ struct MatlabArray {
   std::string class_name;  // "double"
   std::uint64_t rows = 0;
   std::uint64_t columns = 0;
-  MatlabNumberType type = MatlabNumberType::kDouble;  // as it is stored
-  std::uint64_t variable = 0;                         // where its variable begins in the file
-  std::size_t offset = 0;  // of the numbers within the bytes of the variable
+  NumberType type = NumberType::kFloat64;  // as it is stored
+  std::uint64_t variable = 0;              // where its variable begins in the file
+  std::size_t offset = 0;                  // of the numbers within the bytes of the variable
 
   // The longer dimension is time: the rows, unless there are more columns.
   std::uint64_t num_samples() const { return rows < columns ? columns : rows; }

@@ -85,9 +85,7 @@ MatlabRecording::MatlabRecording(const std::filesystem::path& path,
     }
   }
   for (const auto& [name, fields] : structs) AddStruct(name, fields);
-  std::sort(contents_.channels.begin(),
-            contents_.channels.end(),
-            [](const Channel& a, const Channel& b) { return a.name < b.name; });
+  std::ranges::sort(contents_.channels, {}, &Channel::name);
 }
 
 void MatlabRecording::AddArray(const MatlabArray& array) {

@@ -3,15 +3,12 @@
 
 #include "fathom/import/message/message_decoder.h"
 
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <utility>
@@ -59,11 +56,16 @@ class Cursor {
   T Read() {
     Align(sizeof(T));
     if (!Has(sizeof(T))) return T{};
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
-    if (is_swapped_) std::reverse(raw.begin(), raw.end());
     at_ += sizeof(T);
-    return std::bit_cast<T>(raw);
+    return NumberAt<T>(bytes_, at_ - sizeof(T), is_swapped_);
+  }
+
+  double Read(NumberType type) {
+    const std::size_t size = SizeOf(type);
+    Align(size);
+    if (!Has(size)) return 0.0;
+    at_ += size;
+    return NumberAt(type, bytes_, at_ - size, is_swapped_);
   }
 
   // `count` numbers at once, as ReadNumber() would give them one by one; empty if they are not
@@ -126,29 +128,10 @@ class Cursor {
   std::size_t num_entered_ = 0;
 };
 
-double ReadNumber(MemberKind kind, Cursor* cursor) {
-  switch (kind) {
-    case MemberKind::kBool:
-    case MemberKind::kUint8:
-      return cursor->Read<std::uint8_t>();
-    case MemberKind::kInt8:
-      return cursor->Read<std::int8_t>();
-    case MemberKind::kInt16:
-      return cursor->Read<std::int16_t>();
-    case MemberKind::kUint16:
-      return cursor->Read<std::uint16_t>();
-    case MemberKind::kInt32:
-      return cursor->Read<std::int32_t>();
-    case MemberKind::kUint32:
-      return cursor->Read<std::uint32_t>();
-    case MemberKind::kInt64:
-      return static_cast<double>(cursor->Read<std::int64_t>());
-    case MemberKind::kUint64:
-      return static_cast<double>(cursor->Read<std::uint64_t>());
-    case MemberKind::kFloat32:
-      return cursor->Read<float>();
-    case MemberKind::kFloat64:
-      return cursor->Read<double>();
+double ReadNumber(const MessageMember& member, Cursor* cursor) {
+  switch (member.kind) {
+    case MemberKind::kNumber:
+      return cursor->Read(member.number);
     case MemberKind::kTime: {
       const auto seconds = cursor->Read<std::uint32_t>();
       return seconds + 1e-9 * cursor->Read<std::uint32_t>();
@@ -170,6 +153,12 @@ double ReadNumber(MemberKind kind, Cursor* cursor) {
 
 bool IsTwoNumbers(MemberKind kind) {
   return kind == MemberKind::kTime || kind == MemberKind::kDuration;
+}
+
+// Bytes of a number; 0 of texts and messages. A time is its two halves of 4 bytes each.
+std::size_t SizeOf(const MessageMember& member) {
+  if (member.kind == MemberKind::kNumber) return SizeOf(member.number);
+  return IsTwoNumbers(member.kind) || member.kind == MemberKind::kMicroseconds ? 8 : 0;
 }
 
 bool IsTime(MemberKind kind) { return IsTwoNumbers(kind) || kind == MemberKind::kMicroseconds; }
@@ -197,7 +186,7 @@ void SkipElements(const MessageDefinition& definition,
     cursor->SkipPadding(count);
     return;
   }
-  if (const std::size_t size = SizeOf(member.kind); size > 0) {
+  if (const std::size_t size = SizeOf(member); size > 0) {
     cursor->Skip(count, size, IsTwoNumbers(member.kind) ? 4 : size);
     return;
   }
@@ -242,7 +231,7 @@ void ListMessage(const MessageDefinition& definition,
       if (member.kind == MemberKind::kMessage) {
         ListMessage(definition, member.message, name + ".", cursor, fields);
       } else {
-        ReadNumber(member.kind, cursor);
+        ReadNumber(member, cursor);
         if (!cursor->is_good()) break;
         fields->push_back({name, IsTime(member.kind) ? "s" : "", 0});
       }
@@ -355,13 +344,15 @@ void MessageDecoder::Plan::Decode(const MessageDefinition& definition,
   for (std::size_t i = 0; i < types_members.size() && cursor->is_good(); ++i) {
     const MessageMember& member = types_members[i];
     const std::uint64_t count = CountOf(member, cursor);
+    const bool is_double =
+        member.kind == MemberKind::kNumber && member.number == NumberType::kFloat64;
     std::uint64_t done = 0;
     if (wanted != members.end() && wanted->index == i) {
-      if (member.kind == MemberKind::kFloat64 && wanted->AsksForAll(count)) {
+      if (is_double && wanted->AsksForAll(count)) {
         const std::string_view raw = cursor->TakeDoubles(count);
         for (; done * sizeof(double) < raw.size(); ++done) {
           (*values)[wanted->numbers[done].value] =
-              LittleEndian<double>(raw, static_cast<std::size_t>(done) * sizeof(double));
+              NumberAt<double>(raw, static_cast<std::size_t>(done) * sizeof(double));
         }
       }
       double number = 0.0;
@@ -373,8 +364,7 @@ void MessageDecoder::Plan::Decode(const MessageDefinition& definition,
             SkipElements(definition, member, asked.element - done, cursor);
           }
           // Most numbers are of this kind.
-          number = member.kind == MemberKind::kFloat64 ? cursor->Read<double>()
-                                                       : ReadNumber(member.kind, cursor);
+          number = is_double ? cursor->Read<double>() : ReadNumber(member, cursor);
           if (!cursor->is_good()) return;
           done = asked.element + 1;
         }

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/import/recording/number_type.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,17 +14,7 @@ namespace fathom {
 
 // What a member of a message is, in ROS 1, ROS 2 and Rock alike.
 enum class MemberKind {
-  kBool,
-  kInt8,
-  kUint8,
-  kInt16,
-  kUint16,
-  kInt32,
-  kUint32,
-  kInt64,
-  kUint64,
-  kFloat32,
-  kFloat64,
+  kNumber,
   kString,
   kWideString,    // of ROS 2
   kTime,          // two numbers of 32 bits: seconds, nanoseconds
@@ -32,17 +24,15 @@ enum class MemberKind {
   kMessage,
 };
 
-// Bytes of a number; 0 of strings and messages. A time is its two halves of 4 bytes each.
-std::size_t SizeOf(MemberKind kind);
-
 inline constexpr std::int64_t kNoArray = -1;
 inline constexpr std::int64_t kSequence = -2;  // its length stands before it
 
 struct MessageMember {
   std::string name;
-  MemberKind kind = MemberKind::kBool;
-  std::size_t message = 0;         // index of its type, of a kMessage
-  std::int64_t length = kNoArray;  // of a fixed array, from 0 on, or one of the above
+  MemberKind kind = MemberKind::kNumber;
+  NumberType number = NumberType::kUint8;  // of a kNumber
+  std::size_t message = 0;                 // index of its type, of a kMessage
+  std::int64_t length = kNoArray;          // of a fixed array, from 0 on, or one of the above
 };
 
 struct MessageType {

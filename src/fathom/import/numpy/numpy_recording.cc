@@ -156,18 +156,6 @@ class NumpyRecording final : public Recording {
   Contents contents_;
 };
 
-std::string BytesFrom(ByteFile* file, std::uint64_t offset, std::uint64_t count) {
-  std::string bytes;
-  while (bytes.size() < count) {
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    const auto left = static_cast<std::size_t>(count - bytes.size());
-    const std::string_view next = file->View(offset + bytes.size(), std::min(kStep, left));
-    if (next.empty()) break;
-    bytes.append(next);
-  }
-  return bytes;
-}
-
 NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) : path_(path) {
   ByteFile file(path);
   contents_.format = is_zip ? "npz" : "npy";
@@ -178,9 +166,7 @@ NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) :
   } else {
     List(&file);
   }
-  std::sort(contents_.channels.begin(), contents_.channels.end(), [](const auto& a, const auto& b) {
-    return a.name < b.name;
-  });
+  std::ranges::sort(contents_.channels, {}, &Channel::name);
   if (num_scalars_ + num_empty_ > 0) {
     Remark(fmt::format(
         "no channels: {}, {}.", Plural(num_scalars_, "scalar"), Plural(num_empty_, "empty array")));
@@ -191,12 +177,12 @@ NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) :
 }
 
 void NumpyRecording::List(ByteFile* file) {
-  const NpyHeader header = ParseNpyHeader(path_.string(), BytesFrom(file, 0, kMostNpyHeader));
+  const NpyHeader header = ParseNpyHeader(path_.string(), file->Copy(0, kMostNpyHeader));
   const std::string name = path_.stem().string();
   if (file->size() - header.size > kMostNumpyBytes) {
     return PassOver(name, "takes more than 200 MB");
   }
-  Add(name, BytesFrom(file, header.size, file->size() - header.size), header, {});
+  Add(name, file->Copy(header.size, file->size() - header.size), header, {});
 }
 
 void NumpyRecording::ListZip(ByteFile* file) {
@@ -355,7 +341,7 @@ std::string NumpyRecording::Load(ByteFile* file, const NumpyArray& array) const 
       bytes.erase(0, array.begin);
     }
   } else {
-    bytes = BytesFrom(file, array.begin, array.num_bytes);
+    bytes = file->Copy(array.begin, array.num_bytes);
   }
   if (bytes.size() < array.num_bytes) {
     throw InputError(path_.string() + ": has changed since it was opened.");
@@ -403,8 +389,7 @@ std::vector<std::string> NumpyRecording::Read(std::span<const Selection> selecti
 bool LooksLikeNpz(std::string_view first_bytes) {
   constexpr std::size_t kName = 30;  // behind the header of the first entry
   if (!LooksLikeZip(first_bytes) || first_bytes.size() < kName) return false;
-  const std::size_t size = static_cast<unsigned char>(first_bytes[26]) +
-                           256U * static_cast<unsigned char>(first_bytes[27]);
+  const std::size_t size = NumberAt<std::uint16_t>(first_bytes, 26);
   return first_bytes.substr(kName, size).ends_with(kNpyEnding);
 }
 

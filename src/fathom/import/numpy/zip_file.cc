@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/recording/inflated.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,14 +26,6 @@ constexpr std::size_t kLongestComment = 65535;
 constexpr std::uint64_t kElsewhere = 0xffffffff;  // the number stands in a field of "zip64"
 constexpr std::size_t kMostEntries = 100'000;
 
-std::uint32_t ZipNumber(std::string_view bytes, std::size_t offset, std::size_t size) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    number |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[offset + i])) << (8 * i);
-  }
-  return number;
-}
-
 [[noreturn]] void RefuseZip(const ByteFile& file, const std::string& what) {
   throw InputError(fmt::format("{}: {}.", file.path().string(), what));
 }
@@ -44,7 +37,7 @@ std::string EndRecordOf(ByteFile* file) {
   const std::string tail(file->View(begin, static_cast<std::size_t>(size - begin)));
   for (std::size_t at = tail.rfind(kEndMagic); at != std::string::npos;) {
     const bool is_whole = tail.size() - at >= kEndRecord;
-    if (is_whole && at + kEndRecord + ZipNumber(tail, at + 20, 2) <= tail.size()) {
+    if (is_whole && at + kEndRecord + NumberAt<std::uint16_t>(tail, at + 20) <= tail.size()) {
       return tail.substr(at, kEndRecord);
     }
     at = at == 0 ? std::string::npos : tail.rfind(kEndMagic, at - 1);
@@ -52,19 +45,6 @@ std::string EndRecordOf(ByteFile* file) {
   RefuseZip(*file,
             "has no directory at its end, expected a whole .zip: it is cut, or still being "
             "written");
-}
-
-std::optional<std::string> Stored(ByteFile* file, std::uint64_t at, std::uint64_t size) {
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(size));
-  while (bytes.size() < size) {
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    const auto left = static_cast<std::size_t>(size - bytes.size());
-    const std::string_view next = file->View(at + bytes.size(), std::min(kStep, left));
-    if (next.empty()) return std::nullopt;
-    bytes.append(next);
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -75,8 +55,8 @@ bool LooksLikeZip(std::string_view first_bytes) {
 
 std::vector<ZipEntry> ReadZipDirectory(ByteFile* file) {
   const std::string end = EndRecordOf(file);
-  const std::uint64_t size = ZipNumber(end, 12, 4);
-  std::uint64_t at = ZipNumber(end, 16, 4);
+  const std::uint64_t size = NumberAt<std::uint32_t>(end, 12);
+  std::uint64_t at = NumberAt<std::uint32_t>(end, 16);
   if (at == kElsewhere || size == kElsewhere) {
     RefuseZip(*file, "is a .zip of 4 GB or more, expected a smaller one");
   }
@@ -92,13 +72,13 @@ std::vector<ZipEntry> ReadZipDirectory(ByteFile* file) {
       RefuseZip(*file, fmt::format("its directory is damaged at byte {}", at));
     }
     ZipEntry entry;
-    entry.is_encrypted = (ZipNumber(header, 8, 2) & 1) != 0;
-    entry.method = static_cast<int>(ZipNumber(header, 10, 2));
-    entry.checksum = ZipNumber(header, 16, 4);
-    entry.packed_bytes = ZipNumber(header, 20, 4);
-    entry.whole_bytes = ZipNumber(header, 24, 4);
-    entry.header = ZipNumber(header, 42, 4);
-    const std::size_t name_size = ZipNumber(header, 28, 2);
+    entry.is_encrypted = (NumberAt<std::uint16_t>(header, 8) & 1) != 0;
+    entry.method = static_cast<int>(NumberAt<std::uint16_t>(header, 10));
+    entry.checksum = NumberAt<std::uint32_t>(header, 16);
+    entry.packed_bytes = NumberAt<std::uint32_t>(header, 20);
+    entry.whole_bytes = NumberAt<std::uint32_t>(header, 24);
+    entry.header = NumberAt<std::uint32_t>(header, 42);
+    const std::size_t name_size = NumberAt<std::uint16_t>(header, 28);
     entry.name = file->View(at + kEntryHeader, name_size);
     packed_bytes += entry.packed_bytes;
     if (packed_bytes > file->size() || entry.header > file->size()) {
@@ -108,7 +88,8 @@ std::vector<ZipEntry> ReadZipDirectory(ByteFile* file) {
                             at));
     }
     if (entries.size() == kMostEntries) RefuseZip(*file, "has more than 100000 entries");
-    at += kEntryHeader + name_size + ZipNumber(header, 30, 2) + ZipNumber(header, 32, 2);
+    at += kEntryHeader + name_size + NumberAt<std::uint16_t>(header, 30) +
+          NumberAt<std::uint16_t>(header, 32);
     entries.push_back(std::move(entry));
   }
   return entries;
@@ -118,12 +99,12 @@ std::optional<std::string> Unzipped(ByteFile* file, const ZipEntry& entry, std::
   if (entry.is_encrypted || entry.whole_bytes > most) return std::nullopt;
   const std::string local(file->View(entry.header, kLocalHeader));
   if (local.size() < kLocalHeader || !local.starts_with(kLocalMagic)) return std::nullopt;
-  const std::uint64_t begin =
-      entry.header + kLocalHeader + ZipNumber(local, 26, 2) + ZipNumber(local, 28, 2);
+  const std::uint64_t begin = entry.header + kLocalHeader + NumberAt<std::uint16_t>(local, 26) +
+                              NumberAt<std::uint16_t>(local, 28);
   if (begin > file->size() || entry.packed_bytes > file->size() - begin) return std::nullopt;
   std::optional<std::string> bytes;
   if (entry.method == 0 && entry.packed_bytes == entry.whole_bytes) {
-    bytes = Stored(file, begin, entry.packed_bytes);
+    bytes = file->Copy(begin, entry.packed_bytes);
   } else if (entry.method == 8) {
     bytes = Inflated(file,
                      begin,

@@ -58,4 +58,15 @@ std::string_view ByteFile::View(std::uint64_t offset, std::size_t count) {
   return std::string_view(window_).substr(static_cast<std::size_t>(offset - begin_), count);
 }
 
+std::string ByteFile::Copy(std::uint64_t offset, std::uint64_t count) {
+  count = std::min(count, size_ - std::min(offset, size_));
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(count));
+  while (bytes.size() < count) {
+    const auto left = static_cast<std::size_t>(count - bytes.size());
+    bytes += View(offset + bytes.size(), std::min(kWindow, left));
+  }
+  return bytes;
+}
+
 }  // namespace fathom

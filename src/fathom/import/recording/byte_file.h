@@ -25,6 +25,9 @@ class ByteFile {
   // call. Throws InputError if they cannot be read.
   std::string_view View(std::uint64_t offset, std::size_t count);
 
+  // The same, copied.
+  std::string Copy(std::uint64_t offset, std::uint64_t count);
+
  private:
   std::filesystem::path path_;
   std::ifstream file_;

@@ -3,7 +3,7 @@
 
 #include "fathom/import/recording/decompress.h"
 
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,7 +55,7 @@ std::string_view FromBzip2(std::string_view data, std::size_t size, std::string*
 // The number whose bytes end where these begin.
 XXH32_hash_t SumBefore(std::string_view bytes) {
   constexpr std::size_t kSize = sizeof(XXH32_hash_t);
-  return LittleEndian<XXH32_hash_t>(std::string_view(bytes.data() - kSize, kSize), 0);
+  return NumberAt<XXH32_hash_t>(std::string_view(bytes.data() - kSize, kSize), 0);
 }
 
 // The check sum is XXH32 of all that comes out. It takes most of the time, half of it with xxhash's

@@ -7,7 +7,7 @@
 #include "fathom/base/plural.h"
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/decompress.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ constexpr char kStream = 1, kSample = 2, kControl = 3;
 // The text behind its length at *at, which it moves on; nothing if it is cut.
 std::optional<std::string> TextAt(std::string_view bytes, std::size_t* at) {
   if (bytes.size() - *at < 4) return std::nullopt;
-  const auto length = LittleEndian<std::uint32_t>(bytes, *at);
+  const auto length = NumberAt<std::uint32_t>(bytes, *at);
   if (length > bytes.size() - *at - 4) return std::nullopt;
   std::string text(bytes.substr(*at + 4, length));
   *at += 4 + std::size_t{length};
@@ -55,7 +55,7 @@ std::optional<MessageChannel> StreamIn(std::string_view block) {
 }
 
 double TimeAt(std::string_view block, std::size_t at) {
-  return LittleEndian<std::uint32_t>(block, at) + LittleEndian<std::uint32_t>(block, at + 4) / 1e6;
+  return NumberAt<std::uint32_t>(block, at) + NumberAt<std::uint32_t>(block, at + 4) / 1e6;
 }
 
 class PocologFile final : public MessageContainer {
@@ -66,7 +66,7 @@ class PocologFile final : public MessageContainer {
     if (prologue.size() < kPrologue) {
       throw InputError(path.string() + ": ends within its first 16 bytes, expected a log of Rock.");
     }
-    const auto version = LittleEndian<std::uint32_t>(prologue, 8);
+    const auto version = NumberAt<std::uint32_t>(prologue, 8);
     if (version != 2) {
       throw InputError(fmt::format(
           "{}: has version {} of pocolog, expected 2. Rock's program pocolog turns old logs into "
@@ -74,7 +74,7 @@ class PocologFile final : public MessageContainer {
           path.string(),
           version));
     }
-    if (LittleEndian<std::uint32_t>(prologue, 12) != 0) {
+    if (NumberAt<std::uint32_t>(prologue, 12) != 0) {
       throw InputError(path.string() +
                        ": is of a machine with the most significant byte first, expected one with "
                        "the least.");
@@ -102,8 +102,8 @@ ContainerWalk PocologFile::Walk(std::vector<MessageChannel>* channels,
     const std::string_view header = file.View(at, kBlockHeader);
     if (header.size() < kBlockHeader) break;
     const char kind = header[0];
-    const auto stream = LittleEndian<std::uint16_t>(header, 2);
-    const auto size = LittleEndian<std::uint32_t>(header, 4);
+    const auto stream = NumberAt<std::uint16_t>(header, 2);
+    const auto size = NumberAt<std::uint32_t>(header, 4);
     if (size > file.size() - at - kBlockHeader) break;
     const std::uint64_t end = at + kBlockHeader + size;
     if (kind == kControl || (kind == kSample && size > kLargestBlock)) {

@@ -33,26 +33,8 @@ struct Placed {
   std::int64_t size = 0;
 };
 
-std::optional<MemberKind> KindOfNumber(std::string_view category, std::int64_t size) {
-  if (category == "float") {
-    if (size == 4) return MemberKind::kFloat32;
-    if (size == 8) return MemberKind::kFloat64;
-    return std::nullopt;
-  }
-  const bool is_signed = category == "sint";
-  if (!is_signed && category != "uint") return std::nullopt;
-  switch (size) {
-    case 1:
-      return is_signed ? MemberKind::kInt8 : MemberKind::kUint8;
-    case 2:
-      return is_signed ? MemberKind::kInt16 : MemberKind::kUint16;
-    case 4:
-      return is_signed ? MemberKind::kInt32 : MemberKind::kUint32;
-    case 8:
-      return is_signed ? MemberKind::kInt64 : MemberKind::kUint64;
-    default:
-      return std::nullopt;
-  }
+MessageMember NumberMember(NumberType type) {
+  return {.name = "", .kind = MemberKind::kNumber, .number = type};
 }
 
 MessageMember Padding(std::int64_t size) {
@@ -129,11 +111,14 @@ class TypelibParser {
     if (kind == "alias") return Place(node.attribute("source").value(), depth + 1);
     if (kind == "numeric") {
       const std::int64_t size = NumberIn(node, "size");
-      const auto number = KindOfNumber(node.attribute("category").value(), size);
+      const std::string_view category = node.attribute("category").value();
+      const char first = category == "sint" ? 'i' : category == "uint" ? 'u' : 'f';
+      const bool is_known = first != 'f' || category == "float";
+      const auto number = is_known ? NumberTypeOf(first, size) : std::nullopt;
       if (!number) Fail(fmt::format("{} is no number of a known kind.", Quoted(name)));
-      return {{.name = "", .kind = *number}, size};
+      return {NumberMember(*number), size};
     }
-    if (kind == "enum") return {{.name = "", .kind = MemberKind::kInt32}, 4};
+    if (kind == "enum") return {NumberMember(NumberType::kInt32), 4};
     if (kind == "array") {
       return Repeated(Place(node.attribute("of").value(), depth + 1), NumberIn(node, "dimension"));
     }

@@ -11,7 +11,7 @@ namespace {
 // The first field, which is taken off. Nothing where the bytes do not hold it.
 std::optional<std::string_view> TakeField(std::string_view* bytes) {
   if (bytes->size() < 4) return std::nullopt;
-  const auto length = LittleEndian<std::uint32_t>(*bytes, 0);
+  const auto length = NumberAt<std::uint32_t>(*bytes, 0);
   if (length > bytes->size() - 4) return std::nullopt;
   const std::string_view field = bytes->substr(4, length);
   bytes->remove_prefix(4 + std::size_t{length});
@@ -42,7 +42,7 @@ std::string_view BagFields::Text(std::string_view name) const {
 
 std::optional<BagRecord> BagRecordAt(std::string_view bytes) {
   if (bytes.size() < 4) return std::nullopt;
-  const auto header_size = LittleEndian<std::uint32_t>(bytes, 0);
+  const auto header_size = NumberAt<std::uint32_t>(bytes, 0);
   if (header_size > bytes.size() - 4 || bytes.size() - 4 - header_size < 4) return std::nullopt;
   auto fields = BagFields::Parse(bytes.substr(4, header_size));
   if (!fields) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<BagRecord> BagRecordAt(std::string_view bytes) {
   record.op = op.front();
   record.header = *std::move(fields);
   record.data_offset = 8 + std::uint64_t{header_size};
-  record.data_size = LittleEndian<std::uint32_t>(bytes, 4 + header_size);
+  record.data_size = NumberAt<std::uint32_t>(bytes, 4 + header_size);
   record.data = bytes.substr(record.data_offset, record.data_size);
   return record;
 }
@@ -61,7 +61,7 @@ std::optional<BagRecord> BagRecordIn(ByteFile* file, std::uint64_t at) {
   constexpr std::size_t kUsualHeader = 512;
   const std::string_view begin = file->View(at, kUsualHeader);
   if (begin.size() < 4) return std::nullopt;
-  const std::uint64_t header_size = LittleEndian<std::uint32_t>(begin, 0);
+  const std::uint64_t header_size = NumberAt<std::uint32_t>(begin, 0);
   if (header_size > kLargestBagRecord) return std::nullopt;
   const auto head = BagRecordAt(file->View(at, static_cast<std::size_t>(header_size + 8)));
   if (!head) return std::nullopt;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/import/recording/byte_file.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ class BagFields {
   std::optional<T> Number(std::string_view name) const {
     const std::string_view text = Text(name);
     if (text.size() != sizeof(T)) return std::nullopt;
-    return LittleEndian<T>(text, 0);
+    return NumberAt<T>(text, 0);
   }
 
  private:

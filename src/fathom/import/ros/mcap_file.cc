@@ -5,8 +5,8 @@
 
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/decompress.h"
-#include "fathom/import/recording/little_endian.h"
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/recording/number_type.h"
+#include "fathom/import/ros/ros_definition.h"
 
 #include <map>
 #include <optional>
@@ -34,7 +34,7 @@ class Content {
   template <typename T>
   T Number() {
     const std::string_view raw = Bytes(sizeof(T));
-    return raw.size() == sizeof(T) ? LittleEndian<T>(raw, 0) : T{};
+    return raw.size() == sizeof(T) ? NumberAt<T>(raw, 0) : T{};
   }
 
   std::string_view Text() { return Bytes(Number<std::uint32_t>()); }
@@ -155,7 +155,7 @@ std::optional<Chunk> ChunkOf(std::string_view bytes) {
 bool WalkRecords(std::string_view bytes, Walker* walker) {
   while (!bytes.empty()) {
     if (bytes.size() < kRecordHead) return false;
-    const auto size = LittleEndian<std::uint64_t>(bytes, 1);
+    const auto size = NumberAt<std::uint64_t>(bytes, 1);
     if (size > bytes.size() - kRecordHead) return false;
     const auto length = static_cast<std::size_t>(size);
     if (!walker->Take(bytes[0], bytes.substr(kRecordHead, length))) return false;
@@ -189,7 +189,7 @@ ContainerWalk McapFile::Walk(std::vector<MessageChannel>* channels, const Messag
     const std::string_view head = file.View(at, kRecordHead);
     if (head.size() < kRecordHead) break;
     const char op = head[0];
-    const auto size = LittleEndian<std::uint64_t>(head, 1);
+    const auto size = NumberAt<std::uint64_t>(head, 1);
     const std::uint64_t left = file.size() - at - kRecordHead;
     if (op == kChunk) {
       const auto chunk = ChunkOf(file.View(at + kRecordHead, kLongestChunkHead));

@@ -6,7 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/decompress.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 #include "fathom/import/ros/bag_record.h"
 
 #include <algorithm>
@@ -161,7 +161,7 @@ bool BagWalk::ListChunk(std::uint64_t end) {
     const auto entries = file_->View(data, static_cast<std::size_t>(end - data));
     for (std::size_t i = 0; i < entries.size(); i += kEntry) {
       messages.emplace_back(connection->second.channel,
-                            SecondsOf(LittleEndian<std::uint64_t>(entries, i)));
+                            SecondsOf(NumberAt<std::uint64_t>(entries, i)));
     }
   }
   for (const auto& [channel, time] : messages) (*take_)(channel, time, {});

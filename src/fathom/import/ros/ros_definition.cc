@@ -7,7 +7,7 @@
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/base/trimmed.h"
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/recording/data_files.h"
 
 #include <algorithm>
 #include <map>
@@ -23,26 +23,25 @@ constexpr std::size_t kMostTypes = 1000;
 constexpr int kDeepest = 32;
 constexpr std::int64_t kLongestFixedArray = 1 << 24;
 
-const std::map<std::string_view, MemberKind>& Primitives() {
-  static const std::map<std::string_view, MemberKind> kPrimitives = {
-      {"bool", MemberKind::kBool},
-      {"int8", MemberKind::kInt8},
-      {"byte", MemberKind::kUint8},
-      {"char", MemberKind::kUint8},
-      {"uint8", MemberKind::kUint8},
-      {"int16", MemberKind::kInt16},
-      {"uint16", MemberKind::kUint16},
-      {"int32", MemberKind::kInt32},
-      {"uint32", MemberKind::kUint32},
-      {"int64", MemberKind::kInt64},
-      {"uint64", MemberKind::kUint64},
-      {"float32", MemberKind::kFloat32},
-      {"float64", MemberKind::kFloat64},
-      {"string", MemberKind::kString},
-      {"wstring", MemberKind::kWideString},
-      {"time", MemberKind::kTime},
-      {"duration", MemberKind::kDuration}};
-  return kPrimitives;
+// What a type is that is no message; nothing for the name of one.
+std::optional<MessageMember> Primitive(std::string_view type, bool is_ros2) {
+  MessageMember member;
+  if (type == "string") {
+    member.kind = MemberKind::kString;
+  } else if (type == "wstring") {
+    member.kind = MemberKind::kWideString;
+  } else if (type == "time") {
+    member.kind = MemberKind::kTime;
+  } else if (type == "duration") {
+    member.kind = MemberKind::kDuration;
+  } else if (type == "byte" && !is_ros2) {
+    member.number = NumberType::kInt8;  // in ROS 2 an octet
+  } else if (type != "bool" && type != "byte" && type != "char") {
+    const auto number = NumberTypeNamed(type);
+    if (!number) return std::nullopt;
+    member.number = *number;
+  }
+  return member;
 }
 
 std::string_view TrimmedLine(std::string_view text) { return Trimmed(text, " \t\r"); }
@@ -144,10 +143,9 @@ class Parser {
       type = type.substr(0, open);
     }
     type = type.substr(0, type.find("<="));  // a string of bounded length
-    if (const auto primitive = Primitives().find(type); primitive != Primitives().end()) {
-      member.kind = primitive->second;
-      // In ROS 1 another name of int8, in ROS 2 an octet.
-      if (type == "byte" && !is_ros2_) member.kind = MemberKind::kInt8;
+    if (const auto primitive = Primitive(type, is_ros2_)) {
+      member.kind = primitive->kind;
+      member.number = primitive->number;
     } else {
       member.kind = MemberKind::kMessage;
       const std::string package(PackageOf(definition_[index].name));
@@ -182,6 +180,21 @@ class Parser {
 
 MessageDefinition ParseRosDefinition(std::string_view type, std::string_view text) {
   return Parser(type, text).Parse();
+}
+
+std::string KnownDefinition(std::string_view type) {
+  const std::string head = fmt::format("MSG: {}\n", WithoutMsg(type));
+  const std::size_t begin = data_files::ros_types.find(head);
+  if (begin == std::string_view::npos) return {};
+  const std::string_view text = data_files::ros_types.substr(begin + head.size());
+  return std::string(text.substr(0, text.find("===\n"))) + std::string(data_files::ros_types);
+}
+
+std::string WithoutMsg(std::string_view type) {
+  std::string name(type);
+  const std::size_t middle = name.find("/msg/");
+  if (middle != std::string::npos) name.erase(middle, 4);
+  return name;
 }
 
 }  // namespace fathom

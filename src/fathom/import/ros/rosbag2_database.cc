@@ -5,7 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/import/recording/decompress.h"
-#include "fathom/import/ros/known_types.h"
+#include "fathom/import/ros/ros_definition.h"
 
 #include <cstdint>
 #include <map>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace fathom {
 
@@ -15,12 +16,18 @@ std::string FirstChannelOf(const Contents& contents, std::string_view type) {
   return {};
 }
 
+bool HasField(const Channel& channel, std::string_view field) {
+  return std::ranges::any_of(channel.fields, [&](const Field& f) { return f.name == field; });
+}
+
 bool HasField(const Contents& contents, const std::string& channel, std::string_view field) {
-  return std::any_of(contents.channels.begin(), contents.channels.end(), [&](const Channel& c) {
-    return c.name == channel && std::any_of(c.fields.begin(), c.fields.end(), [&](const Field& f) {
-             return f.name == field;
-           });
-  });
+  return std::ranges::any_of(
+      contents.channels, [&](const Channel& c) { return c.name == channel && HasField(c, field); });
+}
+
+std::string WithNumber(std::string field, int number) {
+  const std::size_t place = field.find('#');
+  return place == std::string::npos ? field : field.replace(place, 1, std::to_string(number));
 }
 
 std::vector<bool> ThatReach(const Recording& recording,
@@ -53,7 +60,7 @@ std::vector<bool> ThatReach(const Recording& recording,
 
 int NumThatReach(const Recording& recording,
                  const std::string& channel,
-                 std::span<const std::string> fields,
+                 const std::vector<std::string>& fields,
                  double value) {
   std::vector<FieldPlace> places;
   for (const std::string& field : fields) {
@@ -64,15 +71,13 @@ int NumThatReach(const Recording& recording,
   return static_cast<int>(std::find(reaches.begin(), reaches.end(), false) - reaches.begin());
 }
 
-bool IsEverAbove0(const Recording& recording,
-                  const std::string& channel,
-                  const std::string& field) {
+double LargestOf(const Recording& recording, const std::string& channel, const std::string& field) {
   const Selection selection = {channel, {field}};
-  bool is_above = false;
+  double largest = -std::numeric_limits<double>::infinity();
   recording.Read({&selection, 1}, [&](std::size_t, double, std::span<const double> values) {
-    is_above = is_above || values.front() > 0.0;
+    largest = std::max(largest, values.front());  // NaN is not larger
   });
-  return is_above;
+  return largest;
 }
 
 }  // namespace fathom

@@ -20,6 +20,7 @@ constexpr double kShortestPulse = 800;
 // The channel of a type, its first instance of two samples or more; empty if there is none.
 std::string FirstChannelOf(const Contents& contents, std::string_view type);
 
+bool HasField(const Channel& channel, std::string_view field);
 bool HasField(const Contents& contents, const std::string& channel, std::string_view field);
 
 // Where a field is.
@@ -37,10 +38,13 @@ std::vector<bool> ThatReach(const Recording& recording,
 // have end the list.
 int NumThatReach(const Recording& recording,
                  const std::string& channel,
-                 std::span<const std::string> fields,
+                 const std::vector<std::string>& fields,
                  double value);
 
-// Whether a field is ever above 0: a battery that is measured.
-bool IsEverAbove0(const Recording& recording, const std::string& channel, const std::string& field);
+// The largest number of a field, minus infinity where there is none.
+double LargestOf(const Recording& recording, const std::string& channel, const std::string& field);
+
+// "C#" of 3: "C3".
+std::string WithNumber(std::string field, int number);
 
 }  // namespace fathom

@@ -3,9 +3,11 @@
 
 #include "fathom/import/suggest/map_by_names.h"
 
+#include "fathom/base/files/yaml_file.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/import/convert/stream_source.h"
+#include "fathom/import/recording/data_files.h"
 #include "fathom/import/suggest/named_channels.h"
 #include "fathom/import/units/unit.h"
 
@@ -22,98 +24,26 @@
 namespace fathom {
 namespace {
 
-// What people call a column, letters and digits only, in lower case; the surest first.
-struct Names {
-  const char* column;
-  std::vector<std::string_view> names;
-};
-
 // Two forces side by side: no columns of a log, but together that of surge.
 constexpr const char* kPort = "force_port";
 constexpr const char* kStarboard = "force_starboard";
 
-const std::vector<Names>& CommandNames() {
-  static const std::vector<Names> kNames = {
-      {"tau_surge",
-       {"tausurge",
-        "taux",
-        "tau",
-        "thrust",
-        "force",
-        "fx",
-        "forcex",
-        "tau1",
-        "surgeforce",
-        "thrustx",
-        "wrenchforcex",
-        "xforce",
-        "schub",
-        "kraft",
-        "cmd",
-        "command"}},
-      {"tau_sway",
-       {"tausway", "tauy", "tau2", "fy", "forcey", "swayforce", "wrenchforcey", "yforce"}},
-      {"tau_heave", {"tauheave", "tauz", "fz", "forcez", "heaveforce", "wrenchforcez", "zforce"}},
-      {"tau_roll", {"tauroll", "tauk"}},
-      {"tau_pitch", {"taupitch", "taum"}},
-      {"tau_yaw",
-       {"tauyaw",
-        "torque",
-        "taun",
-        "tau3",
-        "mz",
-        "torquez",
-        "yawtorque",
-        "yawmoment",
-        "wrenchtorquez"}},
-      {kPort, {"leftforce", "forceleft", "leftthrust", "thrustleft", "portforce", "portthrust"}},
-      {kStarboard,
-       {"rightforce",
-        "forceright",
-        "rightthrust",
-        "thrustright",
-        "starboardforce",
-        "starboardthrust"}}};
-  return kNames;
-}
+// What people call a column, letters and digits only, in lower case; the surest first.
+struct ColumnNames {
+  std::string column;
+  std::vector<std::string> names;
+};
 
-const std::vector<Names>& VelocityNames() {
-  static const std::vector<Names> kNames = {
-      {"u",
-       {"u",
-        "vx",
-        "surge",
-        "velocity",
-        "speed",
-        "surgevelocity",
-        "velx",
-        "velocityx",
-        "surgespeed",
-        "twistlinearx",
-        "linearx",
-        "vel",
-        "v"}},
-      {"v", {"vy", "sway", "swayvelocity", "vely", "velocityy", "twistlineary", "lineary", "v"}},
-      {"w", {"w", "vz", "heave", "heavevelocity", "velz", "velocityz", "twistlinearz", "linearz"}},
-      {"p", {"p", "wx", "rollrate", "gyrx", "gyrox", "angularx", "twistangularx"}},
-      {"q", {"q", "wy", "pitchrate", "gyry", "gyroy", "angulary", "twistangulary"}},
-      {"r", {"r", "wz", "yawrate", "gyrz", "gyroz", "angularz", "twistangularz"}}};
-  return kNames;
-}
-
-const std::vector<Names>& PoseNames() {
-  static const std::vector<Names> kNames = {
-      {"x", {"x", "posx", "positionx", "px", "north", "pn", "poseposex", "poseposepositionx"}},
-      {"y", {"y", "posy", "positiony", "py", "east", "pe", "poseposey", "poseposepositiony"}},
-      {"z", {"z", "posz", "positionz", "pz", "depth", "down", "pd", "poseposepositionz"}},
-      {"qx", {"qx", "orientationx", "poseposeorientationx"}},
-      {"qy", {"qy", "orientationy", "poseposeorientationy"}},
-      {"qz", {"qz", "orientationz", "poseposeorientationz"}},
-      {"qw", {"qw", "orientationw", "poseposeorientationw"}},
-      {"roll", {"roll", "phi"}},
-      {"pitch", {"pitch", "theta"}},
-      {"yaw", {"yaw", "heading", "psi", "hdg"}}};
-  return kNames;
+// Of one stream, from data/import/column_names.yaml.
+std::vector<ColumnNames> NamesOfStream(std::string_view stream) {
+  static const YamlMap kFile =
+      ParseYaml("column_names.yaml", std::string(data_files::column_names));
+  const YamlMap of_stream = kFile.Map(stream);
+  std::vector<ColumnNames> all;
+  for (const std::string& column : of_stream.Keys()) {
+    all.push_back({column, of_stream.Strings(column)});
+  }
+  return all;
 }
 
 std::string LettersOf(std::string_view text) {
@@ -130,20 +60,20 @@ std::string LettersOf(std::string_view text) {
 struct Found {
   std::string column;
   Field field;
-  NamedPlace place;
+  FieldPlace place;
   std::string added = {};  // a second field, whose numbers are added to it; may be empty
 };
 
 // At most one column for each field. A field in a unit of another dimension is not it.
-std::vector<Found> FindByNames(const std::vector<Names>& table,
+std::vector<Found> FindByNames(const std::vector<ColumnNames>& table,
                                const NamedChannel& named,
                                std::vector<std::string>* taken) {
   const Channel& channel = named.channel;
   std::vector<Found> all;
-  for (const Names& entry : table) {
+  for (const ColumnNames& entry : table) {
     const Dimension dimension = DimensionOf(entry.column).value_or(Dimension::kForce);
     std::optional<std::size_t> best;
-    for (const std::string_view name : entry.names) {
+    for (const std::string& name : entry.names) {
       for (std::size_t i = 0; i < channel.fields.size(); ++i) {
         const Field& field = channel.fields[i];
         const bool is_free = std::find(taken->begin(), taken->end(), field.name) == taken->end();
@@ -263,6 +193,9 @@ SuggestedMap MapByNames(const Contents& contents) {
       "# By the names of the fields. Look at each line: units, signs and axes are yours to know.\n";
   const bool names_channel = contents.channels.size() > 1;
   std::vector<std::string> unused;
+  const auto command_names = NamesOfStream("command");
+  const auto velocity_names = NamesOfStream("velocity");
+  const auto pose_names = NamesOfStream("pose");
   StreamGuess command;
   StreamGuess velocity;
   StreamGuess pose;
@@ -275,8 +208,8 @@ SuggestedMap MapByNames(const Contents& contents) {
   for (const NamedChannel& channel : channels) {
     std::vector<std::string> taken;
     if (channel.channel.clock) taken.push_back(channel.channel.clock->name);
-    keep_better(channel, WithSidesAdded(FindByNames(CommandNames(), channel, &taken)), &command);
-    std::vector<Found> of_pose = FindByNames(PoseNames(), channel, &taken);
+    keep_better(channel, WithSidesAdded(FindByNames(command_names, channel, &taken)), &command);
+    std::vector<Found> of_pose = FindByNames(pose_names, channel, &taken);
     const bool has_position = Has(of_pose, "x") && Has(of_pose, "y");
     const bool is_pose = Has(of_pose, "qw") || (has_position && Has(of_pose, "yaw")) ||
                          (Has(of_pose, "roll") && Has(of_pose, "pitch"));
@@ -289,9 +222,9 @@ SuggestedMap MapByNames(const Contents& contents) {
       });
     }
     if (is_pose) keep_better(channel, std::move(of_pose), &pose);
-    keep_better(channel, FindByNames(VelocityNames(), channel, &taken), &velocity);
+    keep_better(channel, FindByNames(velocity_names, channel, &taken), &velocity);
     for (std::size_t i = 0; i < channel.places.size(); ++i) {
-      const NamedPlace& place = channel.places[i];
+      const FieldPlace& place = channel.places[i];
       const std::string& name = channel.channel.fields[i].name;
       if (std::find(taken.begin(), taken.end(), name) == taken.end() &&
           place.channel != channel.time_channel) {

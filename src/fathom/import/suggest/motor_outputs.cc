@@ -56,8 +56,16 @@ void KeepDriven(const Recording& recording, bool are_known, std::vector<MotorOut
 }  // namespace
 
 MotorOutputs MotorOutputsOf(const Recording& recording,
-                            const std::function<std::optional<FieldPlace>(int)>& place_of) {
+                            const std::vector<std::string>& channels,
+                            const std::string& field) {
   const Contents& contents = recording.contents();
+  const auto place_of = [&](int output) -> std::optional<FieldPlace> {
+    const std::string name = WithNumber(field, output);
+    for (const std::string& channel : channels) {
+      if (HasField(contents, channel, name)) return FieldPlace{channel, name};
+    }
+    return std::nullopt;
+  };
   MotorOutputs outputs;
   bool has_settings = false;
   outputs.motors = MotorsBySettings(contents, &has_settings);

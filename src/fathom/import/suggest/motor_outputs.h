@@ -7,7 +7,6 @@
 #include "fathom/import/suggest/channel_facts.h"
 #include "fathom/import/suggest/suggested_map.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +30,11 @@ struct MotorOutputs {
   std::string unknown;
 };
 
-// `place_of`: where the recording holds the pulses of an output; nothing if it does not. Motors
-// behind the last one whose output ever sends a pulse are left out.
+// `field`: of the pulses of an output, '#' for its number, in the first of the channels that has
+// it. Motors behind the last one whose output ever sends a pulse are left out.
 MotorOutputs MotorOutputsOf(const Recording& recording,
-                            const std::function<std::optional<FieldPlace>(int)>& place_of);
+                            const std::vector<std::string>& channels,
+                            const std::string& field);
 
 // The lines of the map for so many of the motors. `channel`: the one that the command names.
 std::string ThrusterLines(const MotorOutputs& outputs,

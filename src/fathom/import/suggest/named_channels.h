@@ -4,22 +4,17 @@
 #pragma once
 
 #include "fathom/import/recording/recording.h"
+#include "fathom/import/suggest/channel_facts.h"
 
 #include <string>
 #include <vector>
 
 namespace fathom {
 
-// Where a field of a NamedChannel is in its recording.
-struct NamedPlace {
-  std::string channel;
-  std::string field;
-};
-
 // Fields of one rate, by names that tell what they are.
 struct NamedChannel {
   Channel channel;
-  std::vector<NamedPlace> places;  // of its fields
+  std::vector<FieldPlace> places;  // of its fields
   std::string time_channel;        // an array with a stamp for each sample; empty: there is none
 };
 

@@ -10,6 +10,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace fathom {
 
@@ -18,5 +20,8 @@ namespace fathom {
 SuggestedMap SuggestMap(const Recording& recording,
                         const std::optional<Vehicle>& vehicle,
                         std::span<const MapWithWhen> own = {});
+
+// What SuggestMap() looks for in a recording of that format, a clause.
+std::string WhatIsLookedFor(std::string_view format);
 
 }  // namespace fathom

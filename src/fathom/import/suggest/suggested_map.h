@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace fathom {
 
@@ -29,9 +28,6 @@ struct SuggestedMap {
   // Whether it lacks only the vehicle whose thrusters the recording's outputs drive.
   bool needs_vehicle = false;
 };
-
-// What SuggestMap() looks for in a recording of that format, a clause.
-std::string WhatIsLookedFor(std::string_view format);
 
 // As JSON, schema "fathom-suggestion-1".
 std::string FormatSuggestion(const SuggestedMap& map);

@@ -22,8 +22,7 @@ struct MavlinkMessage {
   std::vector<PackedNumber> numbers;  // in the order of the payload
   std::vector<std::string> units;     // of the numbers, as the definition states them; may be empty
 
-  // Null if there is none.
-  const PackedNumber* Find(std::string_view field) const;
+  const PackedNumber* Find(std::string_view field) const { return FindNumber(numbers, field); }
 };
 
 // Null if the reader does not know the message of this number.

@@ -7,6 +7,7 @@
 #include "fathom/base/plural.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
+#include "fathom/import/recording/wanted_fields.h"
 #include "fathom/import/tlog/mavlink_message.h"
 #include "fathom/import/tlog/tlog_walk.h"
 
@@ -160,16 +161,14 @@ TlogRecording::TlogRecording(const std::filesystem::path& path) : path_(path) {
                        ? message.name
                        : fmt::format("{} ({}/{})", message.name, source.system, source.component);
     for (std::size_t i = 0; i < message.numbers.size(); ++i) {
-      if (message.numbers[i].type == PackedType::kChar) continue;  // of a text
+      if (message.numbers[i].is_text) continue;
       channel.fields.push_back({message.numbers[i].name, message.units[i]});
     }
     channel_stamps.WriteTo(&channel);
     names_.emplace(source, channel.name);
     contents_.channels.push_back(std::move(channel));
   }
-  std::stable_sort(contents_.channels.begin(),
-                   contents_.channels.end(),
-                   [](const Channel& a, const Channel& b) { return a.type < b.type; });
+  std::ranges::stable_sort(contents_.channels, {}, &Channel::type);
   contents_.TellSimulation();
   TellWalk(walk);
   TellUnknown(unknown, num_others);
@@ -210,21 +209,14 @@ void TlogRecording::TellUnknown(const std::map<std::uint32_t, std::uint64_t>& co
 
 std::vector<std::string> TlogRecording::Read(std::span<const Selection> selections,
                                              const SampleSink& sink) const {
-  struct TlogWanted {
-    std::size_t selection;
-    std::vector<const PackedNumber*> fields;
-    std::vector<double> values;
-  };
-  std::map<TlogSource, std::vector<TlogWanted>> wanted;
+  std::map<TlogSource, std::vector<WantedFields<PackedNumber>>> wanted;
   for (std::size_t i = 0; i < selections.size(); ++i) {
     const Channel& channel = FindChannel(contents_, path_, selections[i]);
     for (const auto& [source, name] : names_) {
       if (name != channel.name) continue;
-      TlogWanted entry = {i, {}, std::vector<double>(selections[i].fields.size())};
-      for (const std::string& field : selections[i].fields) {
-        entry.fields.push_back(FindMavlinkMessage(source.id)->Find(field));
-      }
-      wanted[source].push_back(std::move(entry));
+      wanted[source].emplace_back(i, selections[i], [&](const std::string& field) {
+        return FindMavlinkMessage(source.id)->Find(field);
+      });
     }
   }
   ByteFile file(path_);
@@ -233,12 +225,7 @@ std::vector<std::string> TlogRecording::Read(std::span<const Selection> selectio
     const auto found = wanted.find(SourceOf(packet));
     if (found == wanted.end()) return;
     const std::string_view payload = WholePayload(packet, *FindMavlinkMessage(packet.id), &buffer);
-    for (TlogWanted& entry : found->second) {
-      for (std::size_t k = 0; k < entry.fields.size(); ++k) {
-        entry.values[k] = ValueOf(*entry.fields[k], payload);
-      }
-      sink(entry.selection, packet.time, entry.values);
-    }
+    for (auto& entry : found->second) entry.HandOn(packet.time, payload, sink);
   });
   return {};
 }

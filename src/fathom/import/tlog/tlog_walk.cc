@@ -3,7 +3,7 @@
 
 #include "fathom/import/tlog/tlog_walk.h"
 
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 #include "fathom/import/tlog/mavlink_message.h"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ std::optional<TlogRecord> SoundRecordAt(std::string_view bytes, bool is_end) {
   const std::size_t end = kStamp + record->header + record->packet.payload.size();
   const std::uint16_t checksum =
       MavlinkChecksum(bytes.substr(kStamp + 1, end - kStamp - 1), message->crc_extra);
-  return checksum == LittleEndian<std::uint16_t>(bytes, end) ? record : std::nullopt;
+  return checksum == NumberAt<std::uint16_t>(bytes, end) ? record : std::nullopt;
 }
 
 // The first place from `from` on where a sound record begins; the end of the file if there is none.

@@ -32,13 +32,6 @@ bool IsName(std::string_view text) {
 
 }  // namespace
 
-const PackedNumber* UlogLayout::Find(std::string_view name) const {
-  for (const PackedNumber& number : numbers) {
-    if (number.name == name) return &number;
-  }
-  return nullptr;
-}
-
 // "float x" or "float[4] q".
 bool UlogFormats::ParseUlogField(std::string_view text, UlogField* field) {
   const std::size_t blank = text.find(' ');
@@ -121,9 +114,8 @@ void UlogFormats::AddFields(const std::string& format,
         "{} is nested over {} deep, expected no circle.", Quoted(format), kDeepestNesting));
   }
   for (const UlogField& field : found->second) {
-    const std::optional<PackedType> type = PackedTypeNamed(field.type);
-    const bool is_passed_over =
-        type && (*type == PackedType::kChar || field.name.starts_with(kPadding));
+    const std::optional<NumberType> type = PackedTypeNamed(field.type);
+    const bool is_passed_over = type && (field.type == "char" || field.name.starts_with(kPadding));
     // Those that are passed over are one piece.
     const std::size_t count = is_passed_over ? 1 : field.count;
     for (std::size_t i = 0; i < count; ++i) {
@@ -152,7 +144,7 @@ void UlogFormats::AddFields(const std::string& format,
       if (field.count > kMostBytes || layout->size + size > kMostBytes) {
         throw InputError(fmt::format("{} has over {} bytes.", Quoted(format), kMostBytes));
       }
-      if (!is_passed_over) layout->numbers.push_back({std::move(name), *type, layout->size});
+      if (!is_passed_over) layout->numbers.push_back({std::move(name), *type, layout->size, false});
       layout->size += size;
     }
   }

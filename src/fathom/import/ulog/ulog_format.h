@@ -18,8 +18,7 @@ struct UlogLayout {
   std::vector<PackedNumber> numbers;
   std::size_t size = 0;  // of the data [bytes], without padding at its end, which is not logged
 
-  // Null if there is none.
-  const PackedNumber* Find(std::string_view name) const;
+  const PackedNumber* Find(std::string_view name) const { return FindNumber(numbers, name); }
 };
 
 // The formats of a file, by their names, from its messages 'F'.

@@ -8,7 +8,8 @@
 #include "fathom/base/quoted.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
+#include "fathom/import/recording/wanted_fields.h"
 #include "fathom/import/ulog/ulog_format.h"
 #include "fathom/import/ulog/ulog_time.h"
 #include "fathom/import/ulog/ulog_walk.h"
@@ -48,7 +49,7 @@ UlogTopic TopicOf(std::string_view payload) {
 }
 
 std::uint16_t IdOf(char type, std::string_view payload) {
-  return LittleEndian<std::uint16_t>(payload, type == 'A' ? 1 : 0);
+  return NumberAt<std::uint16_t>(payload, type == 'A' ? 1 : 0);
 }
 
 // What the walk finds besides data.
@@ -68,7 +69,7 @@ struct UlogCounts {
     if (std::string_view("BFIMPQARDLCSO").find(type) == std::string_view::npos) ++unknown;
     if (type != 'O') return;
     ++dropouts;
-    lost += 1e-3 * LittleEndian<std::uint16_t>(payload, 0);
+    lost += 1e-3 * NumberAt<std::uint16_t>(payload, 0);
   }
 };
 
@@ -189,7 +190,7 @@ void UlogRecording::List(ByteFile* file, const UlogFormats& formats) {
     channel.type = topic.name;
     for (const PackedNumber& number : known.layout.numbers) {
       const bool is_stamp = number.name == "timestamp";
-      const char* unit = number.type == PackedType::kUint8 ? "ms" : "us";
+      const char* unit = number.type == NumberType::kUint8 ? "ms" : "us";
       channel.fields.push_back({number.name, is_stamp ? unit : ""});
     }
     known.stamps.WriteTo(&channel);
@@ -251,29 +252,21 @@ void UlogRecording::TellCounts(const UlogCounts& counts) {
 
 std::vector<std::string> UlogRecording::Read(std::span<const Selection> selections,
                                              const SampleSink& sink) const {
-  struct UlogWanted {
-    std::size_t selection;
-    std::vector<const PackedNumber*> fields;
-    std::vector<double> values;
-  };
   // A topic that is subscribed twice has one clock.
   struct UlogStream {
     const UlogLayout* layout = nullptr;
     UlogClock clock;
-    std::vector<UlogWanted> wanted;
+    std::vector<WantedFields<PackedNumber>> wanted;
   };
   std::map<UlogTopic, UlogStream> streams;
   for (std::size_t i = 0; i < selections.size(); ++i) {
     const Channel& channel = FindChannel(contents_, path_, selections[i]);
     for (const auto& [topic, known] : channels_) {
       if (NameOf(topic) != channel.name) continue;
-      UlogWanted wanted = {i, {}, std::vector<double>(selections[i].fields.size())};
-      for (const std::string& field : selections[i].fields) {
-        wanted.fields.push_back(known.layout.Find(field));
-      }
       UlogStream& stream = streams[topic];
       stream.layout = &known.layout;
-      stream.wanted.push_back(std::move(wanted));
+      stream.wanted.emplace_back(
+          i, selections[i], [&](const std::string& field) { return known.layout.Find(field); });
     }
   }
   ByteFile file(path_);
@@ -289,12 +282,7 @@ std::vector<std::string> UlogRecording::Read(std::span<const Selection> selectio
     UlogStream& stream = *found->second;
     const std::string_view data = payload.substr(2);
     const double stamp = stream.clock.StampOf(*stream.layout, data);
-    for (UlogWanted& wanted : stream.wanted) {
-      for (std::size_t k = 0; k < wanted.fields.size(); ++k) {
-        wanted.values[k] = ValueOf(*wanted.fields[k], data);
-      }
-      sink(wanted.selection, stamp, wanted.values);
-    }
+    for (auto& wanted : stream.wanted) wanted.HandOn(stamp, data, sink);
   });
   return {};
 }

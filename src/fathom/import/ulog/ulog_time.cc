@@ -18,10 +18,10 @@ double UlogClock::StampOf(const UlogLayout& layout, std::string_view data) {
   const PackedNumber* field = layout.Find("timestamp");
   if (field == nullptr) return NAN;
   const double number = ValueOf(*field, data);
-  if (field->type == PackedType::kUint64) return number * kMicro;
+  if (field->type == NumberType::kUint64) return number * kMicro;
   if (number < last_) added_ += std::ldexp(1.0, static_cast<int>(8 * SizeOf(field->type)));
   if (!std::isnan(number)) last_ = number;
-  return (added_ + number) * (field->type == PackedType::kUint8 ? 1e-3 : kMicro);
+  return (added_ + number) * (field->type == NumberType::kUint8 ? 1e-3 : kMicro);
 }
 
 void UlogGpsTime::Take(std::string_view topic, const UlogLayout& layout, std::string_view data) {

@@ -4,7 +4,7 @@
 #include "fathom/import/ulog/ulog_walk.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/import/recording/little_endian.h"
+#include "fathom/import/recording/number_type.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,9 +31,7 @@ struct UlogStart {
   char type = 0;
 };
 
-UlogStart StartOf(std::string_view bytes) {
-  return {LittleEndian<std::uint16_t>(bytes, 0), bytes[2]};
-}
+UlogStart StartOf(std::string_view bytes) { return {NumberAt<std::uint16_t>(bytes, 0), bytes[2]}; }
 
 bool IsKnown(char type) {
   return std::string_view("BFIMPQARDLCSO").find(type) != std::string_view::npos;
@@ -41,31 +39,17 @@ bool IsKnown(char type) {
 
 // Whether a message of a type can have so many bytes. Of types that are not known, any.
 bool IsSize(char type, std::size_t size) {
-  switch (type) {
-    case 'B':
-      return size >= kFlags;
-    case 'F':
-    case 'M':
-    case 'Q':
-      return size >= 5;
-    case 'I':
-    case 'P':
-    case 'A':
-      return size >= 4;
-    case 'D':
-      return size >= 3;
-    case 'L':
-      return size >= 9;
-    case 'C':
-      return size >= 11;
-    case 'R':
-    case 'O':
-      return size == 2;
-    case 'S':
-      return size == kSyncMagic.size();
-    default:
-      return IsLetter(type) && size > 0;
-  }
+  const auto is_one_of = [&](std::string_view types) {
+    return types.find(type) != std::string_view::npos;
+  };
+  if (is_one_of("RO")) return size == 2;
+  if (type == 'S') return size == kSyncMagic.size();
+  if (type == 'B') return size >= kFlags;
+  if (type == 'D') return size >= 3;
+  if (is_one_of("IPA")) return size >= 4;
+  if (is_one_of("FMQ")) return size >= 5;
+  if (is_one_of("LC")) return size >= (type == 'L' ? 9 : 11);
+  return IsLetter(type) && size > 0;
 }
 
 bool IsPrintable(std::string_view text) {
@@ -146,7 +130,7 @@ bool UlogWalker::MayBegin(std::string_view bytes) const {
   const UlogStart start = StartOf(bytes);
   if (!IsSize(start.type, start.size)) return false;
   if (start.type != 'D' || bytes.size() < kULogHeader + 2) return true;
-  const int size = sizes_[LittleEndian<std::uint16_t>(bytes, kULogHeader)];
+  const int size = sizes_[NumberAt<std::uint16_t>(bytes, kULogHeader)];
   return size <= kAnySize || static_cast<std::size_t>(size) == start.size;
 }
 
@@ -174,7 +158,7 @@ bool UlogWalker::LooksLikeMessage(std::string_view bytes) const {
     case 'S':
       return payload == kSyncMagic;
     case 'D': {
-      const int size = sizes_[LittleEndian<std::uint16_t>(payload, 0)];
+      const int size = sizes_[NumberAt<std::uint16_t>(payload, 0)];
       return size == kAnySize || static_cast<std::size_t>(std::max(size, 0)) == start.size;
     }
     case 'O':
@@ -193,13 +177,13 @@ bool UlogWalker::IsChain(std::string_view bytes, bool is_end) const {
     const bool is_first_of_topic = subscribed >= 0 && MayBegin(bytes) &&
                                    StartOf(bytes).type == 'D' &&
                                    bytes.size() >= kULogHeader + StartOf(bytes).size &&
-                                   LittleEndian<std::uint16_t>(bytes, kULogHeader) == subscribed;
+                                   NumberAt<std::uint16_t>(bytes, kULogHeader) == subscribed;
     if (!is_first_of_topic && !LooksLikeMessage(bytes)) return false;
     const UlogStart start = StartOf(bytes);
     if (start.type == 'S') return true;
-    is_sure = is_sure || (start.type == 'D' &&
-                          sizes_[LittleEndian<std::uint16_t>(bytes, kULogHeader)] > kAnySize);
-    subscribed = start.type == 'A' ? LittleEndian<std::uint16_t>(bytes, kULogHeader + 1) : -1;
+    is_sure = is_sure ||
+              (start.type == 'D' && sizes_[NumberAt<std::uint16_t>(bytes, kULogHeader)] > kAnySize);
+    subscribed = start.type == 'A' ? NumberAt<std::uint16_t>(bytes, kULogHeader + 1) : -1;
     bytes.remove_prefix(kULogHeader + start.size);
   }
   return true;
@@ -228,9 +212,9 @@ bool UlogWalker::IsZeroTo(std::uint64_t at, std::uint64_t end) {
 
 void UlogWalker::Take(const UlogStart& start, std::string_view payload) {
   if (start.type == 'A') {
-    sizes_[LittleEndian<std::uint16_t>(payload, 1)] = kAnySize;
+    sizes_[NumberAt<std::uint16_t>(payload, 1)] = kAnySize;
   } else if (start.type == 'D') {
-    int& size = sizes_[LittleEndian<std::uint16_t>(payload, 0)];
+    int& size = sizes_[NumberAt<std::uint16_t>(payload, 0)];
     if (size == kAnySize) size = static_cast<int>(start.size);
   }
   take_(start.type, payload);
@@ -303,7 +287,7 @@ UlogHead ReadUlogHead(ByteFile* file) {
       StartOf(message).size >= kFlags) {
     constexpr std::size_t kIncompatible = kULogHeader + 8;
     constexpr std::size_t kOffsets = kIncompatible + 8;
-    const auto flags = LittleEndian<std::uint64_t>(message, kIncompatible);
+    const auto flags = NumberAt<std::uint64_t>(message, kIncompatible);
     if (flags > 1) {
       throw InputError(fmt::format(
           "{}: byte {}: the flags of what an older reader cannot read are {:#x}, expected 0, or 1 "
@@ -313,7 +297,7 @@ UlogHead ReadUlogHead(ByteFile* file) {
           flags));
     }
     for (std::size_t i = 0; i < 3 && flags == 1; ++i) {
-      const auto offset = LittleEndian<std::uint64_t>(message, kOffsets + 8 * i);
+      const auto offset = NumberAt<std::uint64_t>(message, kOffsets + 8 * i);
       if (offset == 0) break;
       if (offset <= begin || offset > file->size()) {
         head.has_bad_offsets = true;

@@ -6,6 +6,7 @@
 #include "fathom/base/quoted.h"
 
 #include <cctype>
+#include <cstddef>
 #include <numbers>
 
 namespace fathom {
@@ -17,6 +18,26 @@ constexpr double kKilogramForce = 9.80665;       // [N], exact
 constexpr double kPoundForce = 4.4482216152605;  // [N], exact
 constexpr double kKnot = 1852.0 / 3600.0;        // [m/s], exact
 constexpr double kFoot = 0.3048;                 // [m], exact
+
+// In the order of Dimension.
+struct NamedDimension {
+  std::string_view name, si_unit;
+};
+
+constexpr NamedDimension kDimensions[] = {
+    {"a time", "s"},
+    {"a length", "m"},
+    {"a speed", "m/s"},
+    {"an angle", "rad"},
+    {"an angular rate", "rad/s"},
+    {"a force", "N"},
+    {"a moment", "N m"},
+    {"a propeller's speed", "Hz"},
+    {"a pulse width", "us"},
+    {"a share of full command", "1"},
+    {"a voltage", "V"},
+    {"a plain number", "1"},
+};
 
 struct NamedUnit {
   std::string_view name;  // without blanks, in lower case unless `has_case`
@@ -137,62 +158,11 @@ std::optional<Unit> Search(std::string_view text, const Predicate& is_wanted) {
 }  // namespace
 
 std::string_view Name(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::kTime:
-      return "a time";
-    case Dimension::kLength:
-      return "a length";
-    case Dimension::kSpeed:
-      return "a speed";
-    case Dimension::kAngle:
-      return "an angle";
-    case Dimension::kAngularRate:
-      return "an angular rate";
-    case Dimension::kForce:
-      return "a force";
-    case Dimension::kMoment:
-      return "a moment";
-    case Dimension::kRotation:
-      return "a propeller's speed";
-    case Dimension::kPulse:
-      return "a pulse width";
-    case Dimension::kShare:
-      return "a share of full command";
-    case Dimension::kVoltage:
-      return "a voltage";
-    case Dimension::kPlain:
-      return "a plain number";
-  }
-  return "";
+  return kDimensions[static_cast<std::size_t>(dimension)].name;
 }
 
 std::string_view SiUnit(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::kTime:
-      return "s";
-    case Dimension::kLength:
-      return "m";
-    case Dimension::kSpeed:
-      return "m/s";
-    case Dimension::kAngle:
-      return "rad";
-    case Dimension::kAngularRate:
-      return "rad/s";
-    case Dimension::kForce:
-      return "N";
-    case Dimension::kMoment:
-      return "N m";
-    case Dimension::kRotation:
-      return "Hz";
-    case Dimension::kPulse:
-      return "us";
-    case Dimension::kVoltage:
-      return "V";
-    case Dimension::kShare:
-    case Dimension::kPlain:
-      return "1";
-  }
-  return "";
+  return kDimensions[static_cast<std::size_t>(dimension)].si_unit;
 }
 
 std::optional<Unit> FindUnit(std::string_view text, Dimension dimension) {
