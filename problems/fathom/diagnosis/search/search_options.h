@@ -13,7 +13,7 @@ struct SearchOptions {
   // wanted.effort = 1: of five minutes of data, and of so many times five minutes by the root of
   // that. Logs that some model fits take a tenth; where none does, every hypothesis gains and each
   // one's fit is slow.
-  double most_work = 8e6;
+  double most_work = 4e7;
 
   // What fits are weighed by.
   Criterion criterion = Criterion::kLearnedNoise;
