@@ -22,7 +22,7 @@ constexpr int kMostTurns = 5;
 
 // What is missing makes neighbouring errors of a free run alike, so that they tell far less than
 // their number: a step that promises less than this share of them is none.
-constexpr double kLeastShareOfFreeRun = 1e-3;
+constexpr double kLeastShareOfFreeRun = 1e-4;
 
 NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,

@@ -17,6 +17,10 @@ enum class Criterion {
                   // error's own
 };
 
+// Of the error of a free run: a step that promises less is none where a fit only ranks or predicts,
+// since what they decide is 5 % of an error.
+inline constexpr double kRoughShareOfFreeRun = 1e-3;
+
 // FitStructure() on from a fit whose residual and Jacobian are those of its model, its noise
 // learned in turns with it.
 StructureFit FitBy(Criterion criterion,

@@ -22,6 +22,7 @@ constexpr int kNumFolds = 4;
 
 // Of refits that only have to predict.
 constexpr FitPrecision kToPredict = {.gain = 0.1, .share = 1e-4, .turn = 0.5};
+constexpr FitPrecision kToPredictFreely = {.gain = 0.1, .share = kRoughShareOfFreeRun, .turn = 0.5};
 
 constexpr std::size_t kMostLogFolds = 8;  // with more logs, several are left out together
 
@@ -137,7 +138,7 @@ Scored Score(const LeftOutParts& parts, const StructureFit& extended, Criterion 
     const ExtendedModel known = KnownFrom(rest, extended.model);
     const StructureFit anew =
         criterion == Criterion::kFreeRun
-            ? FitBy(criterion, rest, known, initial, extended.noise, kToPredict)
+            ? FitBy(criterion, rest, known, initial, extended.noise, kToPredictFreely)
             : FitStructure(
                   rest, known, initial, Whitener(extended.noise, rest.samples()), kToPredict);
     of_parts[i] = Score(left_out, users, anew.model);

@@ -89,6 +89,7 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   SearchOptions options;
   options.criterion = Criterion::kFreeRun;
   options.effective_share = EffectiveShare(thinned, rough.residual);
+  options.precision.share = kRoughShareOfFreeRun;
   options.precision.gain /= options.effective_share;
   options.precision.turn /= options.effective_share;
   options.most_work *= 0.5;
