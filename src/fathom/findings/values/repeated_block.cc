@@ -49,8 +49,8 @@ class RollingHash {
 bool IsVaried(std::span<const double> window) {
   std::vector<double> values(window.begin(), window.end());
   std::ranges::sort(values);
-  const auto others = std::ranges::unique(values);
-  return 2 * (values.size() - others.size()) >= window.size();
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return 2 * values.size() >= window.size();
 }
 
 // The block around two equal windows.

@@ -214,8 +214,8 @@ std::vector<std::string> TlogRecording::Read(std::span<const Selection> selectio
     const Channel& channel = FindChannel(contents_, path_, selections[i]);
     for (const auto& [source, name] : names_) {
       if (name != channel.name) continue;
-      wanted[source].emplace_back(i, selections[i], [&](const std::string& field) {
-        return FindMavlinkMessage(source.id)->Find(field);
+      wanted[source].emplace_back(i, selections[i], [&, id = source.id](const std::string& field) {
+        return FindMavlinkMessage(id)->Find(field);
       });
     }
   }

@@ -266,7 +266,7 @@ std::vector<std::string> UlogRecording::Read(std::span<const Selection> selectio
       UlogStream& stream = streams[topic];
       stream.layout = &known.layout;
       stream.wanted.emplace_back(
-          i, selections[i], [&](const std::string& field) { return known.layout.Find(field); });
+          i, selections[i], [&](const std::string& field) { return stream.layout->Find(field); });
     }
   }
   ByteFile file(path_);
