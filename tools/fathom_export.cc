@@ -7,6 +7,7 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
+#include "fathom/exporting/export_checks.h"
 #include "fathom/exporting/export_format.h"
 #include "fathom/exporting/export_model.h"
 #include "fathom/exporting/export_target.h"
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(model, "", "Model or verdict file (JSON); several of one DOF each.");
@@ -89,10 +91,10 @@ int Run() {
   }
   WriteFile(FLAGS_out, exported.text);
   PrintText(stdout,
-            fmt::format("{} written: {}. Checked: the inertia, {}a free decay.\n",
+            fmt::format("{} written: {}. Checked: {}.\n",
                         FLAGS_out,
                         DescriptionOf(format),
-                        model.model.coriolis ? "the Coriolis forces, " : ""));
+                        fmt::join(NamesOfExportChecks(model.model), ", ")));
   return kExitUsable;
 }
 

@@ -105,6 +105,44 @@ std::string ProblemWithDecay(const CoupledModel& model, Dof dof, double duration
                      duration);
 }
 
+// Weight and buoyancy as they move the vehicle: without an offset, that of the thrust.
+CoupledModel WithoutOffset(CoupledModel model) {
+  model.offset.setZero();
+  return model;
+}
+
+// What is wrong with the motion from rest that weight and buoyancy alone drive; empty: nothing.
+std::string ProblemWithSink(const CoupledModel& model, double duration) {
+  CoupledStamps stamps;
+  stamps.velocity = {duration};
+  CoupledOutputs outputs;
+  if (RunCoupled(model, {}, {}, stamps, &outputs)) return "";
+  return fmt::format(
+      "A free sink from rest, under the net buoyancy of {:.4g} N, diverges: at that speed the "
+      "damping drives the vehicle.",
+      model.net_buoyancy);
+}
+
+// Roll and pitch rest where K sin(angle) + o = 0.
+void AddProblemsWithTrim(const CoupledModel& model, std::vector<std::string>* problems) {
+  for (const Dof dof : {Dof::kRoll, Dof::kPitch}) {
+    const double righting = dof == Dof::kRoll ? model.righting_roll : model.righting_pitch;
+    const double offset = std::abs(model.offset[Index(dof)]);
+    if (righting == 0.0 || righting > offset) continue;
+    problems->push_back(
+        righting < 0.0
+            ? fmt::format("The righting moment of {} is {:.4g} N m, expected above 0: at rest the "
+                          "vehicle turns over.",
+                          Name(dof),
+                          righting)
+            : fmt::format("The offset of {} is {:.4g} N m, above its righting moment of {:.4g} N "
+                          "m: at rest the vehicle turns over.",
+                          Name(dof),
+                          offset,
+                          righting));
+  }
+}
+
 // The model with damping, inertia and Coriolis forces alone.
 CoupledModel WithoutRestoring(CoupledModel model) {
   model.offset.setZero();
@@ -138,7 +176,23 @@ std::vector<std::string> CheckExport(const CoupledModel& model) {
     std::string problem = ProblemWithDecay(free, dof, kTimeConstants * slowest);
     if (!problem.empty()) problems.push_back(std::move(problem));
   }
+  if (model.net_buoyancy != 0.0) {
+    std::string problem = ProblemWithSink(WithoutOffset(model), 2.0 * kTimeConstants * slowest);
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  }
+  AddProblemsWithTrim(model, &problems);
   return problems;
+}
+
+std::vector<std::string> NamesOfExportChecks(const CoupledModel& model) {
+  std::vector<std::string> names = {"the inertia"};
+  if (model.coriolis) names.push_back("the Coriolis forces");
+  names.push_back("a free decay");
+  if (model.net_buoyancy != 0.0) names.push_back("a free sink");
+  if (model.righting_roll != 0.0 || model.righting_pitch != 0.0) {
+    names.push_back("the trim at rest");
+  }
+  return names;
 }
 
 }  // namespace fathom

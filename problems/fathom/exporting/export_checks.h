@@ -17,8 +17,14 @@ namespace fathom {
 //   D   without thrust, offset, buoyancy and righting moments, each DOF let go at 0.5 m/s or
 //       rad/s: 0.5 nu' M nu never grows, and falls below a half within five of the slowest time
 //       constants of the DOFs alone
+//   b   from rest, without thrust and offset, nu stays finite over ten of those time constants
+//   K   above 0 and above the offset of its DOF, where there is one: at rest the vehicle stays up.
+//       That it rests so in the exported file, within 1 degree, HydrostaticsOf() checks.
 //
 // docs/export.md.
 std::vector<std::string> CheckExport(const CoupledModel& model);
+
+// Those that a model has something for: "the inertia", "a free decay".
+std::vector<std::string> NamesOfExportChecks(const CoupledModel& model);
 
 }  // namespace fathom

@@ -63,5 +63,31 @@ TEST(CheckExport, RefusesADofWithoutDamping) {
   EXPECT_THAT(CheckExport(model), ElementsAre(HasSubstr("no damping")));
 }
 
+// Passive below 5 m/s, where a decay is let go: b = 20 N drive it beyond.
+TEST(CheckExport, RefusesASinkThatDampingDrives) {
+  CoupledModel model;
+  model.dofs = {Dof::kHeave};
+  model.inertia(2, 2) = 40.0;
+  model.linear_damping(2, 2) = 5.0;
+  model.quadratic_damping(2, 2) = -1.0;
+  EXPECT_THAT(CheckExport(model), IsEmpty());
+  model.net_buoyancy = 20.0;
+  EXPECT_THAT(
+      CheckExport(model),
+      ElementsAre(HasSubstr("A free sink from rest, under the net buoyancy of 20 N, diverges")));
+  model.quadratic_damping(2, 2) = 1.0;
+  EXPECT_THAT(CheckExport(model), IsEmpty());
+}
+
+TEST(CheckExport, RefusesAVehicleThatTurnsOverAtRest) {
+  CoupledModel model = GenericRov().model;
+  model.righting_roll = -1.0;
+  model.offset[4] = 7.5;
+  EXPECT_THAT(CheckExport(model),
+              ElementsAre(HasSubstr("The righting moment of roll is -1 N m"),
+                          HasSubstr("The offset of pitch is 7.5 N m, above its righting moment of "
+                                    "7 N m")));
+}
+
 }  // namespace
 }  // namespace fathom
