@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A model as a file of another program: a C header, a model of Gazebo, a function of MATLAB.
+// A model as a file of another program: a C header, a model of a simulator, a function of MATLAB.
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
@@ -11,6 +11,8 @@
 #include "fathom/exporting/export_format.h"
 #include "fathom/exporting/export_model.h"
 #include "fathom/exporting/export_target.h"
+#include "fathom/exporting/format_features.h"
+#include "fathom/exporting/model_in_format.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_text.h"
@@ -30,7 +32,9 @@
 
 DEFINE_string(model, "", "Model or verdict file (JSON); several of one DOF each.");
 DEFINE_string(vehicle, "", "Vehicle file (YAML): the body without its water, and thrusters.");
-DEFINE_string(format, "", "c, gazebo or mss.");
+DEFINE_string(format, "", "c, csv, gazebo, mss, stonefish, uuv or vrx.");
+DEFINE_double(speed, 0.5, "Of stonefish: where its drag equals the model's, above 0 [m/s].");
+DEFINE_bool(table, false, "Print what each format holds of a model, and end.");
 DEFINE_string(out, "", "Write the exported model to this file; its name becomes the model's.");
 
 namespace fathom {
@@ -38,14 +42,17 @@ namespace {
 
 const ToolInfo kInfo = {
     "fathom_export",
-    "Writes a model for another program: a C header, Gazebo, MATLAB and Octave.",
-    "--model=FILE [--model=FILE ...] [--vehicle=FILE] --format=c|gazebo|mss --out=FILE",
+    "Writes a model for another program: a C header, simulators, MATLAB and Octave, a table.",
+    "--model=FILE [--model=FILE ...] [--vehicle=FILE] [--speed=0.5] --out=FILE "
+    "--format=c|csv|gazebo|mss|stonefish|uuv|vrx\n"
+    "  fathom_export --table",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
     "  fathom_export --model=surge.json --format=c --out=flatfish.h",
     "A model of several degrees of freedom is exported as it is, models and verdicts of one each "
     "are joined. What a format does not hold is named in the file and on stderr. Before it is "
-    "written, the model is checked: its inertia, its Coriolis forces, a free decay. gazebo needs "
-    "--vehicle with mass and rigid_body. docs/export.md.",
+    "written, the model is checked: its inertia, its Coriolis forces, a free decay, a free sink, "
+    "its "
+    "trim at rest. Simulators of bodies need --vehicle with mass and rigid_body. docs/export.md.",
     {"model"},
     "",
     "0: the file is written; 1: input or flags cannot be used; 2: a check of the model failed"};
@@ -66,8 +73,15 @@ void RequireFunctionFile(const std::filesystem::path& file) {
 }
 
 int Run() {
+  if (FLAGS_table) {
+    PrintText(stdout, FeatureTable());
+    return kExitUsable;
+  }
   RequireFlag("model", FLAGS_model, "a model or verdict file");
-  RequireFlag("format", FLAGS_format, "c, gazebo or mss");
+  RequireFlag("format", FLAGS_format, ExportFormatNames());
+  if (!(FLAGS_speed > 0.0)) {
+    throw InputError(fmt::format("--speed: is {}, expected a speed above 0 m/s.", FLAGS_speed));
+  }
   RequireFlag("out", FLAGS_out, "the file to write");
   RequireOnePath("out", FLAGS_out);
   const ExportFormat format = ParseFlag("format", FLAGS_format, ParseExportFormat);
@@ -79,7 +93,9 @@ int Run() {
 
   const ExportModel model = ReadExportModel({files.begin(), files.end()});
   ExportTarget target = {IdentifierOf(FLAGS_out),
-                         fmt::format("fathom_export {}, {}", VersionWithCommit(), Today())};
+                         fmt::format("fathom_export {}, {}", VersionWithCommit(), Today()),
+                         {},
+                         FLAGS_speed};
   if (!FLAGS_vehicle.empty()) target.vehicle = ReadVehicleFile(FLAGS_vehicle);
   const ExportedFile exported = Export(model, target, format);
   for (const std::string& problem : exported.problems) {

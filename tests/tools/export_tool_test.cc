@@ -51,9 +51,14 @@ TEST(ExportTool, WritesEachFormatAndSaysWhatItChecked) {
   const ExportInputs inputs;
   const struct {
     std::string format, file, begins;
-  } formats[] = {{"c", "small.h", "/* small: a motion model of surge."},
-                 {"gazebo", "small.sdf", "<?xml version=\"1.0\"?>\n<!-- small: a motion model"},
-                 {"mss", "small.m", "function xdot = small(x, ui)\n"}};
+  } formats[] = {
+      {"c", "small.h", "/* small: a motion model of surge."},
+      {"csv", "small.csv", "# small: a motion model of surge.\n"},
+      {"gazebo", "small.sdf", "<?xml version=\"1.0\"?>\n<!-- small: a motion model"},
+      {"mss", "small.m", "function xdot = small(x, ui)\n"},
+      {"stonefish", "small.scn", "<?xml version=\"1.0\"?>\n<!-- small: a motion model"},
+      {"uuv", "small_uuv.sdf", "<?xml version=\"1.0\"?>\n<!-- small_uuv: a motion model"},
+      {"vrx", "small_vrx.sdf", "<?xml version=\"1.0\"?>\n<!-- small_vrx: a motion model"}};
   for (const auto& [format, file, begins] : formats) {
     const std::string out = inputs.Out(file);
     const ToolRun run = RunsWell("fathom_export",
@@ -177,7 +182,19 @@ TEST(ExportTool, RefusesAFormatThatThereIsNot) {
                 "fathom_export",
                 {"--model=" + inputs.model, "--format=urdf", "--out=" + inputs.Out("small.urdf")},
                 inputs.folder),
-            "fathom_export: --format: is 'urdf', expected c, gazebo or mss.\n");
+            "fathom_export: --format: is 'urdf', expected c, csv, gazebo, mss, stonefish, "
+            "uuv or vrx.\n");
+}
+
+TEST(ExportTool, RefusesASpeedThatIsNone) {
+  const ExportInputs inputs;
+  EXPECT_EQ(ExpectRefusal("fathom_export",
+                          {"--model=" + inputs.model,
+                           "--format=stonefish",
+                           "--speed=0",
+                           "--out=" + inputs.Out("small.scn")},
+                          inputs.folder),
+            "fathom_export: --speed: is 0, expected a speed above 0 m/s.\n");
 }
 
 TEST(ExportTool, RefusesToWriteOverItsModel) {

@@ -5,7 +5,7 @@
 
 #include "fathom/exporting/c_functions.h"
 #include "fathom/exporting/comment_text.h"
-#include "fathom/exporting/thrust_remarks.h"
+#include "fathom/exporting/format_features.h"
 #include "fathom/vehicle/thruster.h"
 
 #include <cstddef>
@@ -224,9 +224,7 @@ std::string ForcesOfThrusters(const ExportModel& model, const ExportTarget& targ
 
 ExportedFile CHeader(const ExportModel& model, const ExportTarget& target) {
   ExportedFile file;
-  file.remarks = model.left_out;
-  AddUnitRemark(model, &file.remarks);
-  AddGainRemarks(model, target, &file.remarks);
+  file.remarks = RemarksOn(ExportFormat::kC, model, target);
   const std::string& name = target.name;
   file.text = Head(model, target, file.remarks) + Parameters(model, name) + State(name) +
               CInertia(model, name) + CCoriolis(model, name) + CDamping(model, name) +

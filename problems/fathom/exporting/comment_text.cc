@@ -7,7 +7,6 @@
 #include "fathom/base/names_of_dofs.h"
 #include "fathom/base/quoted.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -46,16 +45,19 @@ std::string LiteralOf(double value) {
   return text;
 }
 
+Interval95 IntervalOf(const ExportNumber& number) {
+  const double half = kStdsOf95 * number.std;
+  const double low = number.value - half;
+  return {IsAtLeast0(number.entry) && low < 0.0 ? 0.0 : low, number.value + half};
+}
+
 std::string CommentOn(const ExportNumber& number) {
   std::string text = number.unit;
   if (!number.is_identified) {
     text += ", held";
   } else if (std::isfinite(number.std)) {
-    const double half = kStdsOf95 * number.std;
-    const double low = number.value - half;
-    text += fmt::format(", 95 % interval {:.4g} to {:.4g}",
-                        IsAtLeast0(number.entry) ? std::max(low, 0.0) : low,
-                        number.value + half);
+    const Interval95 interval = IntervalOf(number);
+    text += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
   } else {
     text += ", interval not known";
   }

@@ -19,8 +19,15 @@ std::string CommentText(std::string_view text);
 // A number as C, XML and MATLAB read it back to the bit, with a point or an exponent: "40.0".
 std::string LiteralOf(double value);
 
-// "kg, 95 % interval 39.6 to 40.8, log tank_07". The interval of an inertia or a damping on the
-// diagonal ends at 0.
+// 95 % of a number, NaN where that is not known. That of an inertia or a damping on the diagonal
+// ends at 0.
+struct Interval95 {
+  double low = 0.0;
+  double high = 0.0;
+};
+Interval95 IntervalOf(const ExportNumber& number);
+
+// "kg, 95 % interval 39.6 to 40.8, log tank_07".
 std::string CommentOn(const ExportNumber& number);
 
 // What heads every file, a line each: the model, who made it, from what, and `remarks`.

@@ -5,10 +5,6 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
-#include "fathom/exporting/c_header.h"
-#include "fathom/exporting/export_checks.h"
-#include "fathom/exporting/gazebo.h"
-#include "fathom/exporting/mss.h"
 
 #include <array>
 #include <cstddef>
@@ -18,49 +14,44 @@
 namespace fathom {
 namespace {
 
-constexpr std::array<std::string_view, 3> kFormatNames = {"c", "gazebo", "mss"};
+struct FormatInfo {
+  std::string_view name, description;
+};
 
-ExportedFile FileIn(const ExportModel& model, const ExportTarget& target, ExportFormat format) {
-  switch (format) {
-    case ExportFormat::kC:
-      return CHeader(model, target);
-    case ExportFormat::kGazebo:
-      return GazeboModel(model, target);
-    case ExportFormat::kMss:
-      return MssFunction(model, target);
-  }
-  return {};
+// In the order of ExportFormat.
+constexpr std::array<FormatInfo, kExportFormats.size()> kFormatInfo = {
+    {{"c", "a header in C99"},
+     {"csv", "a table"},
+     {"gazebo", "a model of SDF 1.10"},
+     {"mss", "a function of MATLAB and Octave"},
+     {"stonefish", "a robot of Stonefish"},
+     {"uuv", "a model for uuv_simulator and Plankton"},
+     {"vrx", "a model for VRX"}}};
+
+const FormatInfo& InfoOf(ExportFormat format) {
+  return kFormatInfo[static_cast<std::size_t>(format)];
 }
 
 }  // namespace
 
-std::string_view Name(ExportFormat format) {
-  return kFormatNames[static_cast<std::size_t>(format)];
-}
+std::string_view Name(ExportFormat format) { return InfoOf(format).name; }
 
-std::string_view DescriptionOf(ExportFormat format) {
-  switch (format) {
-    case ExportFormat::kC:
-      return "a header in C99";
-    case ExportFormat::kGazebo:
-      return "a model of SDF 1.10";
-    case ExportFormat::kMss:
-      return "a function of MATLAB and Octave";
+std::string_view DescriptionOf(ExportFormat format) { return InfoOf(format).description; }
+
+std::string ExportFormatNames() {
+  std::string names;
+  for (const FormatInfo& info : kFormatInfo) {
+    const bool is_last = &info == &kFormatInfo.back();
+    names += fmt::format("{}{}", names.empty() ? "" : is_last ? " or " : ", ", info.name);
   }
-  return "";
+  return names;
 }
 
 ExportFormat ParseExportFormat(std::string_view name) {
-  for (std::size_t i = 0; i < kFormatNames.size(); ++i) {
-    if (kFormatNames[i] == name) return static_cast<ExportFormat>(i);
+  for (const ExportFormat format : kExportFormats) {
+    if (Name(format) == name) return format;
   }
-  throw InputError(fmt::format("is {}, expected c, gazebo or mss.", Quoted(name)));
-}
-
-ExportedFile Export(const ExportModel& model, const ExportTarget& target, ExportFormat format) {
-  std::vector<std::string> problems = CheckExport(model.model);
-  if (!problems.empty()) return {"", {}, std::move(problems)};
-  return FileIn(model, target, format);
+  throw InputError(fmt::format("is {}, expected {}.", Quoted(name), ExportFormatNames()));
 }
 
 }  // namespace fathom

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -98,21 +99,24 @@ std::string SharedUnit(const std::string& force_unit) {
   return force_unit == "N m" ? "N" : force_unit;
 }
 
-// "surge: thruster_lag, time_constant 0.5 s: no format holds effects."
-std::string EffectLeftOut(const ActiveEffect& active, const FittedModel& fitted) {
-  const auto& infos = active.effect->info().parameters;
-  std::vector<std::string> values;
-  for (std::size_t k = 0; k < infos.size(); ++k) {
-    values.push_back(fmt::format("{} {:.6g} {}",
-                                 infos[k].name,
-                                 active.values[k],
-                                 UnitOf(infos[k].quantity, fitted.dof, fitted.force_unit)));
+// Its parameters stand in the covariance from `first` on.
+ExportEffect EffectOf(const ActiveEffect& active,
+                      const FittedModel& fitted,
+                      Eigen::Index first,
+                      const std::string& log) {
+  const EffectInfo& info = active.effect->info();
+  ExportEffect effect = {
+      std::string(info.name), LabelOf(info, active.setting), fitted.dof, {}, log};
+  for (std::size_t k = 0; k < info.parameters.size(); ++k) {
+    const Eigen::Index at = first + static_cast<Eigen::Index>(k);
+    const bool is_known = at < fitted.covariance.rows();
+    effect.values.push_back(
+        {std::string(info.parameters[k].name),
+         active.values[k],
+         is_known ? std::sqrt(fitted.covariance(at, at)) : std::numeric_limits<double>::quiet_NaN(),
+         UnitOf(info.parameters[k].quantity, fitted.dof, fitted.force_unit)});
   }
-  return fmt::format(
-      "The effect {} of {} is left out ({}): the model without it is exported.",
-      LabelOf(active.effect->info(), active.setting),
-      Name(fitted.dof),
-      values.empty() ? "it has no parameters" : fmt::to_string(fmt::join(values, ", ")));
+  return effect;
 }
 
 void AddOneDof(const FittedModel& fitted, const std::string& file, ExportModel* exported) {
@@ -133,8 +137,10 @@ void AddOneDof(const FittedModel& fitted, const std::string& file, ExportModel* 
   for (const std::string& caveat : fitted.caveats) {
     exported->caveats.push_back(fmt::format("{}: {}", Name(fitted.dof), caveat));
   }
+  Eigen::Index first = kNumParameters;
   for (const ActiveEffect& active : fitted.effects) {
-    exported->left_out.push_back(EffectLeftOut(active, fitted));
+    exported->effects.push_back(EffectOf(active, fitted, first, log));
+    first += static_cast<Eigen::Index>(active.values.size());
   }
 }
 
@@ -209,7 +215,7 @@ ExportModel ExportModelOf(const std::vector<FittedModel>& models,
     if (by_dof[dof] != nullptr) AddOneDof(*by_dof[dof], file_of[dof], &exported);
   }
   if (models.size() > 1) {
-    exported.left_out.push_back(
+    exported.notes.push_back(
         "Each degree of freedom was identified alone: what couples them (Coriolis forces, inertia "
         "and damping off the diagonal) is not known and left out.");
   }

@@ -25,18 +25,34 @@ struct ExportNumber {
   std::string log;                                        // that it was identified from, in short
 };
 
+// An effect of a model of one DOF: a lag of the thrusters, a dead zone.
+struct ExportEffectValue {
+  std::string name;
+  double value = 0.0;
+  double std = std::numeric_limits<double>::quiet_NaN();  // NaN: not known
+  std::string unit;
+};
+struct ExportEffect {
+  std::string name;   // "thruster_lag"
+  std::string label;  // LabelOf()
+  Dof dof = Dof::kSurge;
+  std::vector<ExportEffectValue> values;
+  std::string log;
+};
+
 // A model as all formats take it: docs/export.md.
 struct ExportModel {
   CoupledModel model;
   std::vector<ExportNumber> numbers;  // all that act: identified ones, and held ones other than 0
+  std::vector<ExportEffect> effects;
 
   // True of models of one DOF each, joined on the diagonal: what couples the DOFs is not known.
   bool is_joined = false;
 
-  std::string force_unit = "N";       // or the log's command_unit: numbers are then only ratios
-  std::vector<std::string> sources;   // a line for each file that it was read from
-  std::vector<std::string> caveats;   // what was said when it was fitted
-  std::vector<std::string> left_out;  // what no format holds, a sentence each: effects
+  std::string force_unit = "N";      // or the log's command_unit: numbers are then only ratios
+  std::vector<std::string> sources;  // a line for each file that it was read from
+  std::vector<std::string> caveats;  // what was said when it was fitted
+  std::vector<std::string> notes;    // what no format can hold, a sentence each
 };
 
 bool IsModelled(const ExportModel& model, Dof dof);

@@ -11,6 +11,10 @@ bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
+void AddTo(const std::vector<std::string>& more, std::vector<std::string>* sentences) {
+  sentences->insert(sentences->end(), more.begin(), more.end());
+}
+
 std::string IdentifierOf(const std::filesystem::path& file) {
   std::string name = file.stem().string();
   for (char& c : name) {

@@ -17,6 +17,7 @@ struct ExportTarget {
   std::string name;                     // an identifier: IdentifierOf()
   std::string origin;                   // "fathom_export 0.1.0 (abc1234), 2026-05-03"
   std::optional<Vehicle> vehicle = {};  // the vehicle file, where it is given
+  double matched_speed = 0.5;           // where drag of another law equals the model's [m/s]
 };
 
 // A file of another program.
@@ -30,6 +31,9 @@ struct ExportedFile {
   // Checks that failed, a sentence each: the file is then not to be written.
   std::vector<std::string> problems = {};
 };
+
+// Appends sentences to others.
+void AddTo(const std::vector<std::string>& more, std::vector<std::string>* sentences);
 
 // The stem of a file's name as an identifier: letters, digits and _, no digit first. What is
 // something else becomes _.

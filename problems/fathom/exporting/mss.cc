@@ -4,7 +4,7 @@
 #include "fathom/exporting/mss.h"
 
 #include "fathom/exporting/comment_text.h"
-#include "fathom/exporting/thrust_remarks.h"
+#include "fathom/exporting/format_features.h"
 
 #include <string>
 #include <vector>
@@ -64,9 +64,7 @@ std::string RowNumbers(const std::vector<Dof>& dofs) {
 
 ExportedFile MssFunction(const ExportModel& model, const ExportTarget& target) {
   ExportedFile file;
-  file.remarks = model.left_out;
-  AddUnitRemark(model, &file.remarks);
-  AddGainRemarks(model, {}, &file.remarks);
+  file.remarks = RemarksOn(ExportFormat::kMss, model, target);
   file.text = fmt::format(
       "function xdot = {0}(x, ui)\n"
       "% {1}\n"

@@ -234,7 +234,8 @@ TEST(CHeader, SaysOfEachNumberWhereItIsFrom) {
 TEST(CHeader, SaysWhichGainItHasNoThrusterFor) {
   const ExportedFile file = CHeader(ExportModelOf(GenericRov(), "rov.json"), Target("rov"));
   ASSERT_EQ(file.remarks.size(), 1u);
-  EXPECT_THAT(file.remarks[0], HasSubstr("gain 0.8 of the thruster port is left out"));
+  EXPECT_THAT(file.remarks[0],
+              HasSubstr("thrust_gain.port of 0.8 is left out: multiply its thrust by it"));
   EXPECT_THAT(file.text, HasSubstr("Note: " + file.remarks[0]));
   EXPECT_THAT(file.text, Not(HasSubstr("rov_forces")));
 }

@@ -48,7 +48,7 @@ TEST(ExportModel, JoinsModelsOfOneDofInTheOrderOfTheirDofs) {
   EXPECT_EQ(joined.model.offset[2], 0.0);
   EXPECT_TRUE(joined.is_joined);
   EXPECT_FALSE(joined.model.coriolis);
-  EXPECT_THAT(joined.left_out, ElementsAre(HasSubstr("identified alone")));
+  EXPECT_THAT(joined.notes, ElementsAre(HasSubstr("identified alone")));
   EXPECT_EQ(joined.numbers.size(), 8u);
   EXPECT_NEAR(joined.numbers.front().std, 0.2, 1e-15);
   EXPECT_EQ(joined.numbers.front().log, "pool");
@@ -68,7 +68,7 @@ TEST(ExportModel, HoldsEveryNumberOfAModelOfSeveralDofs) {
   EXPECT_EQ(rebuilt.linear_damping, fitted.model.linear_damping);
   EXPECT_EQ(rebuilt.quadratic_damping, fitted.model.quadratic_damping);
   EXPECT_EQ(rebuilt.offset, fitted.model.offset);
-  EXPECT_THAT(exported.left_out, IsEmpty());
+  EXPECT_THAT(exported.notes, IsEmpty());
 }
 
 // The whole paths stand once, in the head.
@@ -81,14 +81,21 @@ TEST(ExportModel, NamesTheLogsOfANumberInShort) {
               ElementsAre("boat.json: log dives/run_01/,dives/run_02,dives/run_03"));
 }
 
-TEST(ExportModel, NamesTheEffectsThatItLeavesOut) {
+TEST(ExportModel, HoldsTheEffects) {
   FittedModel fitted = GenericOneDof(Dof::kSurge);
   const Effect* lag = FindEffect("thruster_lag");
   ASSERT_NE(lag, nullptr);
   fitted.effects = {{lag, {}, {0.5}}};
-  EXPECT_THAT(ExportModelOf({fitted}, {"surge.json"}).left_out,
-              ElementsAre("The effect thruster_lag of surge is left out (time_constant 0.5 s): the "
-                          "model without it is exported."));
+  fitted.covariance = 0.09 * Eigen::MatrixXd::Identity(5, 5);
+  const ExportModel exported = ExportModelOf({fitted}, {"surge.json"});
+  ASSERT_EQ(exported.effects.size(), 1u);
+  const ExportEffect& effect = exported.effects.front();
+  EXPECT_EQ(effect.label, "thruster_lag");
+  ASSERT_EQ(effect.values.size(), 1u);
+  EXPECT_EQ(effect.values[0].name, "time_constant");
+  EXPECT_EQ(effect.values[0].value, 0.5);
+  EXPECT_EQ(effect.values[0].std, 0.3);
+  EXPECT_EQ(effect.values[0].unit, "s");
 }
 
 TEST(ExportModel, RefusesTwoModelsOfOneDof) {

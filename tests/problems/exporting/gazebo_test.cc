@@ -3,13 +3,11 @@
 
 #include "fathom/exporting/gazebo.h"
 
-#include "fathom/vehicle/coupled/coriolis.h"
-
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "error_from.h"
+#include "exported_xml.h"
 #include "generic_models.h"
 #include "written_out_rate.h"
 #include <gmock/gmock.h>
@@ -23,50 +21,9 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-ExportTarget TargetWithBody() {
-  ExportTarget target = {"rov", "a test"};
-  target.vehicle.emplace();
-  RigidBody& body = target.vehicle->body;
-  body.mass = 30.0;
-  body.inertia_tensor.emplace();
-  *body.inertia_tensor << 1.1, 0.05, -0.07, 0.05, 1.7, 0.02, -0.07, 0.02, 2.3;
-  body.centre_of_mass = Eigen::Vector3d(0.03, -0.02, 0.04);
-  return target;
-}
-
-double NumberOf(const pugi::xml_node& parent, const std::string& name) {
-  EXPECT_TRUE(parent.child(name.c_str())) << name;
-  return parent.child(name.c_str()).text().as_double(NAN);
-}
-
-// Symmetric, of elements named by two letters.
-Eigen::MatrixXd SymmetricOf(const pugi::xml_node& parent,
-                            const std::string& prefix,
-                            const std::string& letters) {
-  const auto n = static_cast<Eigen::Index>(letters.size());
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i; j < n; ++j) {
-      const std::string name =
-          prefix + letters[static_cast<std::size_t>(i)] + letters[static_cast<std::size_t>(j)];
-      matrix(i, j) = matrix(j, i) = NumberOf(parent, name);
-    }
-  }
-  return matrix;
-}
-
-// What a physics engine takes for the inertia about the link's origin, from the elements as SDF
-// defines them: sdformat.org, <inertial>.
+// What a physics engine takes for the inertia about the link's origin.
 Matrix6 InertiaIn(const pugi::xml_node& inertial) {
-  const double mass = NumberOf(inertial, "mass");
-  std::istringstream pose(inertial.child("pose").text().as_string());
-  Eigen::Vector3d centre;
-  pose >> centre[0] >> centre[1] >> centre[2];
-  const Eigen::Matrix3d cross = CrossMatrix(centre);
-  Matrix6 inertia;
-  inertia << mass * Eigen::Matrix3d::Identity(), -mass * cross, mass * cross,
-      SymmetricOf(inertial.child("inertia"), "i", "xyz") - mass * cross * cross;
-  return inertia + SymmetricOf(inertial.child("fluid_added_mass"), "", "xyzpqr");
+  return BodyInertiaIn(inertial) + SymmetricOf(inertial.child("fluid_added_mass"), "", "xyzpqr");
 }
 
 // The wrench of the plugin at a velocity, by the law of its documentation: the force along each
@@ -87,9 +44,7 @@ Vector6 WrenchOf(const pugi::xml_node& plugin, const Vector6& nu) {
 }
 
 pugi::xml_node ModelIn(const ExportedFile& file, pugi::xml_document* document) {
-  EXPECT_THAT(file.problems, IsEmpty());
-  const auto parsed = document->load_string(file.text.c_str());
-  EXPECT_TRUE(parsed) << parsed.description() << "\n" << file.text;
+  Parse(file, document);
   EXPECT_STREQ(document->child("sdf").attribute("version").as_string(), "1.10");
   return document->child("sdf").child("model");
 }
@@ -102,7 +57,7 @@ TEST(GazeboModel, HasTheInertiaOfTheModelInItsOwnAxes) {
   const FittedCoupledModel fitted = GenericRov();
   pugi::xml_document document;
   const auto model =
-      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody()), &document);
+      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), GenericTarget()), &document);
   const Matrix6 inertia = InertiaIn(model.child("link").child("inertial"));
   for (const DrawnState& state : DrawnStates(fitted.model, 10, true)) {
     const Vector6 momentum = fitted.model.inertia * state.nu;
@@ -114,7 +69,7 @@ TEST(GazeboModel, DampsAsTheModel) {
   const FittedCoupledModel fitted = GenericRov();
   pugi::xml_document document;
   const auto model =
-      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody()), &document);
+      ModelIn(GazeboModel(ExportModelOf(fitted, "rov.json"), GenericTarget()), &document);
   const auto plugin = model.child("plugin");
   EXPECT_STREQ(plugin.attribute("name").as_string(), "gz::sim::systems::Hydrodynamics");
   EXPECT_STREQ(plugin.child("link_name").text().as_string(),
@@ -130,7 +85,7 @@ TEST(GazeboModel, DampsAsTheModel) {
 TEST(GazeboModel, HasNegativeDampingsAndNoAddedMassInThePlugin) {
   pugi::xml_document document;
   const auto model =
-      ModelIn(GazeboModel(ExportModelOf(GenericRov(), "rov.json"), TargetWithBody()), &document);
+      ModelIn(GazeboModel(ExportModelOf(GenericRov(), "rov.json"), GenericTarget()), &document);
   EXPECT_EQ(NumberOf(model.child("plugin"), "xU"), -5.0);
   EXPECT_EQ(NumberOf(model.child("plugin"), "xUabsU"), -30.0);
   EXPECT_EQ(NumberOf(model.child("plugin"), "nR"), -0.8);
@@ -146,7 +101,7 @@ TEST(GazeboModel, HasNoAddedMassWhereTheModelTellsNone) {
   FittedModel pitch = GenericOneDof(Dof::kPitch);
   pugi::xml_document document;
   const ExportedFile file =
-      GazeboModel(ExportModelOf({surge, pitch}, {"surge.json", "pitch.json"}), TargetWithBody());
+      GazeboModel(ExportModelOf({surge, pitch}, {"surge.json", "pitch.json"}), GenericTarget());
   const auto added =
       ModelIn(file, &document).child("link").child("inertial").child("fluid_added_mass");
   Matrix6 truth = Matrix6::Zero();
@@ -161,35 +116,38 @@ TEST(GazeboModel, HasNoAddedMassWhereTheModelTellsNone) {
 
 // Each stands in the file as it does on stderr.
 TEST(GazeboModel, NamesWhatItCannotHold) {
-  const ExportedFile file = GazeboModel(ExportModelOf(GenericRov(), "rov.json"), TargetWithBody());
+  const ExportedFile file = GazeboModel(ExportModelOf(GenericRov(), "rov.json"), GenericTarget());
   for (const std::string& remark : file.remarks) EXPECT_THAT(file.text, HasSubstr(remark));
   EXPECT_THAT(file.remarks, Contains(HasSubstr("offset.surge of 0.03 N is left out")));
   EXPECT_THAT(file.remarks, Contains(HasSubstr("thrust_gain.port of 0.8 is left out")));
   // (30 + 2/9.8)/1000.
   EXPECT_THAT(file.remarks, Contains(HasSubstr("a volume of 0.0302041 m^3")));
-  // W z_g - B z_b = 6 with W = 294 N, B = 296 N, z_g = 0.04 m: z_b = 5.76/296 m below.
-  EXPECT_THAT(file.remarks, Contains(HasSubstr("at z = -0.01946 m, up")));
+  // B = 296 N, W = 294 N, x_b = (294 x 0.03 - 0.15)/296, y_b = (-294 x 0.02 - 0.12)/296 and, of the
+  // mean of 6 and 7 N m, z_b = (294 x 0.04 - 6.5)/296.
+  EXPECT_THAT(file.remarks,
+              Contains(HasSubstr("its centre at 0.02929, 0.02027, -0.01777 m (x fo")));
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("by 6.5 N m, instead of 6 N m in roll and 7 N m")));
 }
 
 // 30 kg in 1000 kg/m^3.
 TEST(GazeboModel, SaysThatANetBuoyancyIsNotKnown) {
-  const ExportedFile file =
-      GazeboModel(ExportModelOf(GenericBoat(), "boat.json"), TargetWithBody());
+  const ExportedFile file = GazeboModel(ExportModelOf(GenericBoat(), "boat.json"), GenericTarget());
+  EXPECT_THAT(file.remarks, Contains(HasSubstr("a volume of 0.03 m^3")));
   EXPECT_THAT(file.remarks,
-              Contains(HasSubstr("The net buoyancy is not known: to let the vehicle hover give it "
-                                 "a volume of 0.03 m^3")));
+              Contains("The net buoyancy is not known: the volume is that of a vehicle that "
+                       "hovers."));
 }
 
 TEST(GazeboModel, NamesAnInertiaByADofThatIsNotModelled) {
   FittedCoupledModel fitted = GenericBoat();
   SetValue(InertiaEntry(Dof::kSway, Dof::kRoll), 1.25, &fitted.model);
-  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "boat.json"), TargetWithBody());
+  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "boat.json"), GenericTarget());
   EXPECT_THAT(file.remarks,
               Contains("inertia.sway.roll of 1.25 kg m is left out: roll is not modelled."));
 }
 
 TEST(GazeboModel, RefusesAVehicleWhoseBodyIsNotKnown) {
-  ExportTarget target = TargetWithBody();
+  ExportTarget target = GenericTarget();
   target.vehicle->body.centre_of_mass.reset();
   EXPECT_THAT(ErrorFrom([&] { GazeboModel(ExportModelOf(GenericRov(), "rov.json"), target); }),
               HasSubstr("`rigid_body: {centre_of_mass: [0, 0, 0.02]}`"));
@@ -198,7 +156,7 @@ TEST(GazeboModel, RefusesAVehicleWhoseBodyIsNotKnown) {
 TEST(GazeboModel, FailsItsCheckWhereTheAddedMassWouldBeNegative) {
   FittedCoupledModel fitted = GenericRov();
   SetValue(InertiaEntry(Dof::kSurge, Dof::kSurge), 25.0, &fitted.model);
-  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "rov.json"), TargetWithBody());
+  const ExportedFile file = GazeboModel(ExportModelOf(fitted, "rov.json"), GenericTarget());
   EXPECT_EQ(file.text, "");
   EXPECT_THAT(file.problems,
               ElementsAre(HasSubstr("The inertia of surge is 25, below the 30 of the body")));

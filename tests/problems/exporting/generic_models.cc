@@ -87,4 +87,16 @@ FittedModel GenericOneDof(Dof dof) {
   return fitted;
 }
 
+ExportTarget GenericTarget() {
+  ExportTarget target = {"rov", "a test"};
+  target.vehicle.emplace();
+  target.vehicle->size = Eigen::Vector3d(0.7, 0.5, 0.3);
+  RigidBody& body = target.vehicle->body;
+  body.mass = 30.0;
+  body.inertia_tensor.emplace();
+  *body.inertia_tensor << 1.1, 0.05, -0.07, 0.05, 1.7, 0.02, -0.07, 0.02, 2.3;
+  body.centre_of_mass = Eigen::Vector3d(0.03, -0.02, 0.04);
+  return target;
+}
+
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/exporting/export_model.h"
+#include "fathom/exporting/export_target.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
@@ -20,5 +21,8 @@ FittedCoupledModel GenericBoat();
 
 // One DOF.
 FittedModel GenericOneDof(Dof dof);
+
+// Of 30 kg, with its rigid body and its size.
+ExportTarget GenericTarget();
 
 }  // namespace fathom
