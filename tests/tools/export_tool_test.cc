@@ -80,10 +80,12 @@ struct HeldForce {
   bool is_wanted = true;
 };
 
-// The wanted speeds of a program that steps through small.h from one time to the next.
+// The wanted speeds of a program that steps through small.h from one time to the next, with
+// `make_tau` before each step.
 std::vector<double> SpeedsInC(const Path& folder,
                               const std::vector<HeldForce>& forces,
-                              double first_speed) {
+                              double first_speed,
+                              const std::string& make_tau = "tau[0] = command[0]") {
   std::string rows;
   for (const HeldForce& row : forces) {
     rows += fmt::format("{{{}, {}, {}}},\n", row.time, row.force, row.is_wanted ? 1 : 0);
@@ -93,18 +95,25 @@ std::vector<double> SpeedsInC(const Path& folder,
       "static const double held[{0}][3] = {{\n{1}}};\n"
       "int main(void) {{\n"
       "  small_state state = {{{{{2}}}, {{0, 0, 0, 1}}, {{0}}}};\n"
-      "  double tau[6] = {{0}};\n"
+      "  double command[6] = {{0}}, tau[6] = {{0}};\n"
       "  int i;\n"
+      "{3}"
       "  for (i = 0; i < {0}; ++i) {{\n"
+      "    const double h = i + 1 < {0} ? held[i + 1][0] - held[i][0] : 0.0;\n"
       "    if (held[i][2] > 0) printf(\"%.17g\\n\", state.nu[0]);\n"
-      "    tau[0] = held[i][1];\n"
-      "    if (i + 1 < {0}) small_step(&state, tau, held[i + 1][0] - held[i][0]);\n"
+      "    command[0] = held[i][1];\n"
+      "    if (h == 0.0) continue;\n"
+      "    {4};\n"
+      "    small_step(&state, tau, h);\n"
       "  }}\n"
       "  return 0;\n"
       "}}\n",
       forces.size(),
       rows,
-      first_speed);
+      first_speed,
+      make_tau.find("thrusters") == std::string::npos ? ""
+                                                      : "  small_thrusters thrusters = {{0}};\n",
+      make_tau);
   const Path source = WriteTestFile(folder / "main.c", main);
   const std::string program = (folder / "program").string();
   const ChildResult compiled =
@@ -183,28 +192,76 @@ TEST(ExportTool, ScoresInCOnHeldOutDataAsFathomSimulateDoes) {
   EXPECT_NEAR(errors / speeds, in_fathom, 1e-4 * in_fathom);
 }
 
-// A lag that no format holds.
+// One parameter of an effect.
+struct EffectNumber {
+  std::string effect, parameter, unit;
+  double value = 0.0;
+};
+
+// The small model with effects.
+std::string ModelWithEffects(const std::vector<EffectNumber>& numbers) {
+  auto model = nlohmann::json::parse(SmallModelJson());
+  for (const auto& [effect, parameter, unit, value] : numbers) {
+    model["structure"]["effects"].push_back({{"effect", effect}});
+    model["parameters"][effect + "." + parameter] = {
+        {"value", value}, {"std", 0.1}, {"unit", unit}};
+    for (auto& row : model["covariance"]) row.push_back(0.0);
+    model["covariance"].push_back(std::vector<double>(model["covariance"][0].size(), 0.0));
+    model["covariance"].back().back() = 0.01;
+  }
+  return model.dump();
+}
+
+// The thrusters' effects in C, in steps that are the same as fathom_simulate's.
+TEST(ExportTool, PredictsThrustersInCAsFathomSimulateDoes) {
+  const ExportInputs inputs;
+  const Path log = WriteSmallLog(inputs.folder / "log");
+  const Path csv = inputs.folder / "prediction.csv";
+  const Path model = WriteTestFile(inputs.folder / "thrusters.json",
+                                   ModelWithEffects({{"thrust_dead_zone", "width", "N", 1.5},
+                                                     {"thrust_saturation", "limit", "N", 7.0},
+                                                     {"thrust_asymmetry", "reverse_loss", "-", 0.2},
+                                                     {"thruster_lag", "time_constant", "s", 0.7}}));
+  RunsWell("fathom_simulate", {Flag("model", model), Flag("log", log), Flag("out", csv)});
+  const ToolRun run = RunsWell(
+      "fathom_export", {Flag("model", model), "--format=c", "--out=" + inputs.Out("small.h")});
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(TextOf(inputs.Out("small.h")),
+              HasSubstr("#define SMALL_SURGE_THRUSTER_LAG_TIME_CONSTANT (0.7) /* s, 95 % interval "
+                        "0.504 to 0.896, log small */\n"));
+  const std::vector<double> speeds = ReadColumns(csv).Values("u");
+  std::vector<HeldForce> forces;
+  for (const auto& row : ReadColumns(log / "command.csv").rows) forces.push_back({row[0], row[1]});
+  const std::vector<double> in_c =
+      SpeedsInC(inputs.folder, forces, speeds.front(), "small_thrust(command, h, &thrusters, tau)");
+  ASSERT_EQ(in_c.size(), speeds.size());
+  for (std::size_t k = 0; k < speeds.size(); ++k) EXPECT_NEAR(in_c[k], speeds[k], 1e-12);
+}
+
 TEST(ExportTool, SaysOnStderrAndInTheFileWhatItLeavesOut) {
   const ExportInputs inputs;
-  std::string text =
-      ChangedModel("\"effects\": []", "\"effects\": [{\"effect\": \"thruster_lag\"}]");
-  const std::string buoyancy = "\"unit\": \"N\"}}";
-  text.replace(text.find(buoyancy),
-               buoyancy.size(),
-               "\"unit\": \"N\"}, \"thruster_lag.time_constant\": {\"value\": 0.5, \"std\": 0.1, "
-               "\"unit\": \"s\"}}");
-  const std::string covariance =
-      "[[0.16, 0, 0, 0], [0, 0.09, 0, 0], [0, 0, 0.04, 0], [0, 0, 0, 0.01]]";
-  text.replace(text.find(covariance),
-               covariance.size(),
-               "[[0.16, 0, 0, 0, 0], [0, 0.09, 0, 0, 0], [0, 0, 0.04, 0, 0], [0, 0, 0, 0.01, 0], "
-               "[0, 0, 0, 0, 0.01]]");
-  const std::string model = WriteTestFile(inputs.folder / "lag.json", text).string();
-  const std::string out = inputs.Out("lag.h");
-  const ToolRun run = RunsWell("fathom_export", {"--model=" + model, "--format=c", "--out=" + out});
+  const Path model = WriteTestFile(inputs.folder / "lag.json",
+                                   ModelWithEffects({{"thruster_lag", "time_constant", "s", 0.5}}));
+  const std::string out = inputs.Out("lag.m");
+  const ToolRun run =
+      RunsWell("fathom_export", {Flag("model", model), "--format=mss", "--out=" + out});
   const std::string remark = "The effect thruster_lag of surge is left out (time_constant 0.5 s)";
   EXPECT_THAT(run.err, HasSubstr("fathom_export: note: " + remark));
-  EXPECT_THAT(TextOf(out), HasSubstr(" * Note: " + remark));
+  EXPECT_THAT(TextOf(out), HasSubstr("% Note: " + remark));
+}
+
+TEST(ExportTool, SaysHowLateTheCommandIs) {
+  const ExportInputs inputs;
+  const Path model = WriteTestFile(inputs.folder / "late.json",
+                                   ModelWithEffects({{"time_offset", "offset", "s", 0.3}}));
+  const ToolRun run = RunsWell(
+      "fathom_export", {Flag("model", model), "--format=c", "--out=" + inputs.Out("late.h")});
+  EXPECT_EQ(
+      run.err,
+      "fathom_export: note: Give the command of surge 0.3 s late (below 0: early): the effect "
+      "time_offset.\n");
+  EXPECT_THAT(TextOf(inputs.Out("late.h")),
+              HasSubstr("#define LATE_SURGE_TIME_OFFSET_OFFSET (0.3)"));
 }
 
 TEST(ExportTool, SaysWhatGazeboLacksAndHowToWriteIt) {

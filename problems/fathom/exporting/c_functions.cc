@@ -11,14 +11,6 @@
 namespace fathom {
 namespace {
 
-std::string InCapitals(std::string text) {
-  for (char& c : text) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    if (c == '.') c = '_';
-  }
-  return text;
-}
-
 bool Has(const ExportModel& model, const FreeEntry& entry) {
   return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const ExportNumber& number) {
     return number.entry == entry;
@@ -43,6 +35,14 @@ std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const s
 }
 
 }  // namespace
+
+std::string InCapitals(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    if (c == '.') c = '_';
+  }
+  return text;
+}
 
 std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std::string& name) {
   if (entry.kind != FreeEntry::Kind::kThrustGain) {

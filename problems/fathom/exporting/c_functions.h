@@ -12,6 +12,9 @@ namespace fathom {
 
 // The functions of the C header, as C text; `name` begins their names.
 
+// "BOAT_INERTIA" of "boat.inertia".
+std::string InCapitals(std::string text);
+
 // "BOAT_INERTIA_SWAY_YAW", of the gain of a thruster "BOAT_THRUST_GAIN_2" by its place among the
 // numbers.
 std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std::string& name);

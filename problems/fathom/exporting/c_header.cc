@@ -4,6 +4,7 @@
 #include "fathom/exporting/c_header.h"
 
 #include "fathom/exporting/c_functions.h"
+#include "fathom/exporting/c_thrust.h"
 #include "fathom/exporting/comment_text.h"
 #include "fathom/exporting/format_features.h"
 #include "fathom/vehicle/thruster.h"
@@ -229,7 +230,8 @@ ExportedFile CHeader(const ExportModel& model, const ExportTarget& target) {
   file.text = Head(model, target, file.remarks) + Parameters(model, name) + State(name) +
               CInertia(model, name) + CCoriolis(model, name) + CDamping(model, name) +
               CRestoring(model, name) + COffset(model, name) + WrenchAndAcceleration(model, name) +
-              RateAndStep(name) + ForcesOfThrusters(model, target) + "#endif\n";
+              RateAndStep(name) + CThrust(model, name) + ForcesOfThrusters(model, target) +
+              "#endif\n";
   return file;
 }
 

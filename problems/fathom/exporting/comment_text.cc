@@ -23,6 +23,13 @@ bool IsAtLeast0(const FreeEntry& entry) {
   return is_bounded && entry.row == entry.column;
 }
 
+std::string IntervalText(double std, const Interval95& interval) {
+  if (!std::isfinite(std)) return ", interval not known";
+  return fmt::format(", 95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
+}
+
+std::string LogText(const std::string& log) { return log.empty() ? "" : ", log " + log; }
+
 }  // namespace
 
 std::string CommentText(std::string_view text) {
@@ -51,18 +58,19 @@ Interval95 IntervalOf(const ExportNumber& number) {
   return {IsAtLeast0(number.entry) && low < 0.0 ? 0.0 : low, number.value + half};
 }
 
+Interval95 IntervalOf(const ExportEffectValue& value) {
+  const double half = kStdsOf95 * value.std;
+  return {value.value - half, value.value + half};
+}
+
 std::string CommentOn(const ExportNumber& number) {
-  std::string text = number.unit;
-  if (!number.is_identified) {
-    text += ", held";
-  } else if (std::isfinite(number.std)) {
-    const Interval95 interval = IntervalOf(number);
-    text += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval.low, interval.high);
-  } else {
-    text += ", interval not known";
-  }
-  if (!number.log.empty()) text += ", log " + number.log;
-  return CommentText(text);
+  const std::string interval = IntervalText(number.std, IntervalOf(number));
+  return CommentText(number.unit + (number.is_identified ? interval : ", held") +
+                     LogText(number.log));
+}
+
+std::string CommentOn(const ExportEffectValue& value, const std::string& log) {
+  return CommentText(value.unit + IntervalText(value.std, IntervalOf(value)) + LogText(log));
 }
 
 std::vector<std::string> HeadLines(const ExportModel& model,

@@ -26,9 +26,11 @@ struct Interval95 {
   double high = 0.0;
 };
 Interval95 IntervalOf(const ExportNumber& number);
+Interval95 IntervalOf(const ExportEffectValue& value);
 
 // "kg, 95 % interval 39.6 to 40.8, log tank_07".
 std::string CommentOn(const ExportNumber& number);
+std::string CommentOn(const ExportEffectValue& value, const std::string& log);
 
 // What heads every file, a line each: the model, who made it, from what, and `remarks`.
 std::vector<std::string> HeadLines(const ExportModel& model,

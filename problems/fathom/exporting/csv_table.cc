@@ -3,7 +3,6 @@
 
 #include "fathom/exporting/csv_table.h"
 
-#include "fathom/base/interval95.h"
 #include "fathom/exporting/comment_text.h"
 #include "fathom/exporting/format_features.h"
 
@@ -82,11 +81,10 @@ ExportedFile CsvTable(const ExportModel& model, const ExportTarget& target) {
   }
   for (const ExportEffect& effect : model.effects) {
     for (const ExportEffectValue& value : effect.values) {
-      const double half = kStdsOf95 * value.std;
       file.text += Row(fmt::format("{}.{}.{}", effect.label, Name(effect.dof), value.name),
                        value.value,
                        value.std,
-                       {value.value - half, value.value + half},
+                       IntervalOf(value),
                        value.unit,
                        fmt::format("effect on {}", Name(effect.dof)),
                        effect.log,

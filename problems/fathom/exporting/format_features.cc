@@ -34,6 +34,7 @@ constexpr HeldFeature kNoForce =
 constexpr HeldFeature kNoGain =
     LeftOut("multiply the thrust coefficient of that thruster's plugin by it.");
 constexpr HeldFeature kNoEffect = LeftOut("the model without it is exported.");
+constexpr HeldFeature kOnlyLag = LeftOut("the plugin's thrusters have a FirstOrder lag alone.");
 constexpr HeldFeature kDiagonal = LeftOut("the plugin takes the diagonal alone.");
 
 struct FeatureRow {
@@ -42,7 +43,7 @@ struct FeatureRow {
 };
 
 // In the order of ExportFeature. Formats: c, csv, gazebo, mss, stonefish, uuv, vrx.
-constexpr std::array<FeatureRow, 18> kFeatureRows = {{
+constexpr std::array<FeatureRow, 20> kFeatureRows = {{
     {"inertia",
      {kHeld,
       kHeld,
@@ -135,7 +136,7 @@ constexpr std::array<FeatureRow, 18> kFeatureRows = {{
       kNoGain,
       kNoGain}},
     {"lag of thrusters",
-     {kNoEffect,
+     {kHeld,
       kHeld,
       kNoEffect,
       kNoEffect,
@@ -143,14 +144,18 @@ constexpr std::array<FeatureRow, 18> kFeatureRows = {{
       LeftOut("<dynamics> of type FirstOrder takes its <timeConstant>, exactly where <conversion> "
               "is linear."),
       kNoEffect}},
-    {"other effects (a dead zone, a delay)",
-     {kNoEffect,
+    {"dead zone, saturation, asymmetry of thrusters",
+     {kHeld, kHeld, kNoEffect, kNoEffect, kNoEffect, kOnlyLag, kNoEffect}},
+    {"delay of the command (time_offset)",
+     {Noted("a number: give the command so late"),
       kHeld,
       kNoEffect,
       kNoEffect,
       kNoEffect,
-      LeftOut("the plugin's thrusters have a FirstOrder lag alone."),
+      kOnlyLag,
       kNoEffect}},
+    {"other effects (a current, a sensor's lag)",
+     {kNoEffect, kHeld, kNoEffect, kNoEffect, kNoEffect, kOnlyLag, kNoEffect}},
     {"commands in another unit than N",
      {kNotedUnit, kHeld, kRefusedUnit, kNotedUnit, kRefusedUnit, kRefusedUnit, kRefusedUnit}},
     {"DOFs that are not modelled",
@@ -200,8 +205,14 @@ void AddEffectRemarks(ExportFormat format,
                       const ExportModel& model,
                       std::vector<std::string>* remarks) {
   for (const ExportEffect& effect : model.effects) {
-    const HeldFeature held = Held(
-        format, effect.name == "thruster_lag" ? ExportFeature::kLag : ExportFeature::kOtherEffects);
+    const HeldFeature held = Held(format, FeatureOf(effect));
+    if (held.how == How::kNote) {
+      remarks->push_back(
+          fmt::format("Give the command of {} {:.4g} s late (below 0: early): the effect {}.",
+                      Name(effect.dof),
+                      effect.values.front().value,
+                      effect.label));
+    }
     if (held.how != How::kLeftOut) continue;
     std::vector<std::string> values;
     for (const ExportEffectValue& value : effect.values) {
@@ -284,6 +295,15 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
       return ExportFeature::kThrustGain;
   }
   return ExportFeature::kThrustGain;
+}
+
+ExportFeature FeatureOf(const ExportEffect& effect) {
+  if (effect.name == "thruster_lag") return ExportFeature::kLag;
+  if (effect.name == "time_offset") return ExportFeature::kDelay;
+  for (const char* name : {"thrust_dead_zone", "thrust_saturation", "thrust_asymmetry"}) {
+    if (effect.name == name) return ExportFeature::kThrustSize;
+  }
+  return ExportFeature::kOtherEffects;
 }
 
 HeldFeature Held(ExportFormat format, ExportFeature feature) {

@@ -28,6 +28,8 @@ enum class ExportFeature {
   kOffset,  // of the others
   kThrustGain,
   kLag,
+  kThrustSize,  // a dead zone, a saturation, an asymmetry of thrusters
+  kDelay,
   kOtherEffects,
   kOtherUnit,
   kOtherDofs,
@@ -45,6 +47,7 @@ struct HeldFeature {
 };
 
 ExportFeature FeatureOf(const FreeEntry& entry);
+ExportFeature FeatureOf(const ExportEffect& effect);
 HeldFeature Held(ExportFormat format, ExportFeature feature);
 
 // The table format x feature in Markdown, as docs/export.md and `fathom_export --table` show it.

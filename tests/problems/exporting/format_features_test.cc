@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 TEST(FormatFeatures, NamesAllThatItLeavesOut) {
   const ExportModel model = ExportModelOf(GenericRov(), "rov.json");
   const std::string table = FeatureTable();
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 20);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 22);
   for (const ExportFormat format : kExportFormats) {
     EXPECT_THAT(table, HasSubstr("`" + std::string(Name(format)) + "`"));
     if (format == ExportFormat::kC) continue;  // with the vehicle: c_header_test
