@@ -36,6 +36,7 @@ constexpr HeldFeature kNoGain =
 constexpr HeldFeature kNoEffect = LeftOut("the model without it is exported.");
 constexpr HeldFeature kOnlyLag = LeftOut("the plugin's thrusters have a FirstOrder lag alone.");
 constexpr HeldFeature kDiagonal = LeftOut("the plugin takes the diagonal alone.");
+constexpr HeldFeature kOneAnAxis = LeftOut("Stonefish has one coefficient an axis.");
 
 struct FeatureRow {
   const char* name;
@@ -86,22 +87,9 @@ constexpr std::array<FeatureRow, 20> kFeatureRows = {{
       LeftOut("Stonefish makes the drag of turning from that along the axes and the shape."),
       Shown("below 0"),
       Shown("above 0")}},
-    {"linear damping off the diagonal",
-     {kHeld,
-      kHeld,
-      kHeld,
-      kHeld,
-      LeftOut("Stonefish has a coefficient an axis."),
-      kHeld,
-      kDiagonal}},
+    {"linear damping off the diagonal", {kHeld, kHeld, kHeld, kHeld, kOneAnAxis, kHeld, kDiagonal}},
     {"quadratic damping off the diagonal",
-     {kHeld,
-      kHeld,
-      kHeld,
-      kHeld,
-      LeftOut("Stonefish has a coefficient an axis."),
-      kDiagonal,
-      kDiagonal}},
+     {kHeld, kHeld, kHeld, kHeld, kOneAnAxis, kDiagonal, kDiagonal}},
     {"net buoyancy",
      {kHeld,
       kHeld,

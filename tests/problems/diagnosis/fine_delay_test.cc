@@ -31,7 +31,7 @@ Log SteppedRoll() {
   log.pose = Stream{.time = {}, .columns = {"qx", "qy", "qz", "qw"}, .values = {{}, {}, {}, {}}};
   double p = 0.0, roll = 0.0, tau = 0.0;
   int held = 0;
-  for (int k = 0; k < 4500; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const double t = kStep * k;
     if (held-- == 0) {
       tau = 1.6 * (2.0 * random.Uniform() - 1.0);

@@ -117,7 +117,7 @@ FoundSteps FindSteps(const DrawnArchive& archive, int num_archives) {
 }
 
 TEST(ChangeSearch, FindsAStepAtItsDive) {
-  const int num_archives = 150;
+  const int num_archives = 300;
   const FoundSteps steps = FindSteps(TurbulentArchive(), num_archives);
   RecordProperty("found", steps.found);
   RecordProperty("placed", steps.placed);
@@ -127,7 +127,7 @@ TEST(ChangeSearch, FindsAStepAtItsDive) {
 
 // Over thousands of archives nine and eight in ten; here less two standard deviations of the count.
 TEST(ChangeSearch, FindsAStepWherePartnersSayNothing) {
-  const int num_archives = 200;
+  const int num_archives = 400;
   DrawnArchive archive = TurbulentArchive();
   archive.correlation = 0.0;
   const FoundSteps steps = FindSteps(archive, num_archives);
