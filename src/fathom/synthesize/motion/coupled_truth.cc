@@ -94,8 +94,9 @@ std::vector<double> ValuesOf(const std::vector<ActuatorDrive>& drives,
   InputSignal input = drive->input;
   RandomStream random(seed, fmt::format("input.{}.{}", purpose, name));
   DrawRandomParts(input, duration, random);
-  for (std::size_t k = 0; k < time.size(); ++k)
+  for (std::size_t k = 0; k < time.size(); ++k) {
     values[k] = RoundTo(Value(input, time[k]), resolution);
+  }
   return values;
 }
 
@@ -175,17 +176,15 @@ CoupledOutputs RunOf(const CoupledTruth& truth,
   return outputs;
 }
 
-// The command of one row alone.
-CoupledInputs RowOf(const CoupledInputs& inputs, std::size_t row) {
-  CoupledInputs of_row = inputs;
-  const auto keep = [&](auto& values) {
-    if (!values.empty()) values = {values[row]};
-  };
-  keep(of_row.command.time);
-  keep(of_row.command.force);
-  for (CommandedThruster& thruster : of_row.command.thrusters) keep(thruster.thrust);
-  for (CommandedFin& fin : of_row.command.fins) keep(fin.angle);
-  return of_row;
+// One row of forces and fins alone, which holds from its stamp on.
+CoupledInputs RowOf(const CoupledCommand& command, std::size_t row) {
+  CoupledInputs inputs;
+  inputs.command.time = {command.time[row]};
+  inputs.command.force = {command.force[row]};
+  for (const CommandedFin& fin : command.fins) {
+    inputs.command.fins.push_back({fin.name, fin.arms, {fin.angle[row]}, fin.behind, fin.force});
+  }
+  return inputs;
 }
 
 // Fills in the forces. Where a controller is at work the vehicle moves from stamp to stamp.
@@ -203,7 +202,7 @@ void DriveForces(const Experiment& experiment, std::uint64_t seed, CoupledTruth*
     }
     if (!is_controlled || k + 1 == command.time.size()) continue;
     state = RunOf(*truth,
-                  RowOf(truth->inputs, k),
+                  RowOf(command, k),
                   state,
                   {.start = command.time[k], .velocity = {}, .pose = {command.time[k + 1]}})
                 .pose.back();
