@@ -5,8 +5,10 @@
 //
 //   fathom_synthesize --vehicle=VEHICLE.yaml --experiment=EXPERIMENT.yaml --out=LOG
 
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/temporary.h"
+#include "fathom/base/files/yaml_without.h"
 #include "fathom/base/input_error.h"
 #include "fathom/film/film_file.h"
 #include "fathom/film/film_log.h"
@@ -69,6 +71,8 @@ const ToolInfo kInfo = {
         "--effects=thruster_lag:time_constant=0.5,heave.coulomb_friction",
     .details =
         "The files are described in docs/file_formats.md, the method in docs/synthesize.md."};
+
+constexpr char kVehicleCopy[] = "vehicle.yaml";  // in the log of a coupled vehicle
 
 void PrintStream(const char* file, const std::optional<Stream>& stream) {
   if (!stream) return;
@@ -143,12 +147,23 @@ int Run() {
 
   std::vector<ActiveEffect> effects;
   if (!FLAGS_effects.empty()) {
+    if (vehicle.coupled) {
+      throw InputError(
+          fmt::format("--effects: vehicle '{}' has a coupled_model, in which no effect can be "
+                      "hidden, expected `models` of single DOFs.",
+                      vehicle.name));
+    }
     const auto scales = ScalesOf(vehicle, experiment, FLAGS_seed);
     effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
   }
-  const Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
+  Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
+  // What the thrusters and fins of its command are; the truth stays out.
+  if (vehicle.coupled) log.vehicle = kVehicleCopy;
   const Temporary made(folder);
   WriteLog(made.path(), log);
+  if (vehicle.coupled) {
+    WriteFile(made.path() / kVehicleCopy, YamlWithout(ReadFile(FLAGS_vehicle), "coupled_model"));
+  }
   if (film) WriteFilm(made.path(), vehicle, experiment, effects, log, *film);
   made.TakePlace();
   if (!FLAGS_truth.empty()) {
@@ -160,7 +175,7 @@ int Run() {
   fmt::print(", vehicle {}, seed {}\n", vehicle.name, FLAGS_seed);
   for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", UnitText(Describe(effect)));
   if (film) fmt::print("camera log: {}\n", FLAGS_render ? "images" : "detections.csv");
-  PrintStream("command.csv", log.command);
+  PrintStream("command.csv", log.command ? log.command : log.fins);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
   for (const Remark& remark : log.remarks) fmt::print("{}\n", remark.text);

@@ -110,6 +110,17 @@ TEST(SynthesizeRefusals, AVehicleWithoutAModelOfTheDrivenDof) {
                     HasSubstr("'replay' drives it")));
 }
 
+TEST(SynthesizeRefusals, ACoupledModelThatCannotBe) {
+  const SynthesisInputs inputs;
+  WriteTestFile(inputs.vehicle,
+                "name: rov\ncoupled_model:\n  inertia: [40, 50, 60, 1, 2, 3]\n"
+                "  linear_damping: [-4, 6, 7, 1, 1, 1]\n");
+  EXPECT_THAT(inputs.ExpectedRefusal(),
+              AllOf(StartsWith("fathom_synthesize: " + inputs.vehicle.string() +
+                               ":4: key 'coupled_model.linear_damping' gives energy"),
+                    HasSubstr("expected a matrix whose symmetric part is positive")));
+}
+
 TEST(SynthesizeRefusals, AFileThatIsNotThere) {
   const SynthesisInputs inputs;
   for (const Path& file : {inputs.replay, inputs.vehicle}) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "run_tool.h"
@@ -98,6 +99,59 @@ TEST(SynthesizeTool, HidesEffectsAndTellsOnlyTheTruthFile) {
   EXPECT_EQ(Bytes(folder / "hidden/command.csv"), Bytes(folder / "plain/command.csv"));
   EXPECT_NE(Bytes(folder / "hidden/velocity.csv"), Bytes(folder / "plain/velocity.csv"));
   EXPECT_THAT(Entries(folder / "hidden"), testing::SizeIs(3));
+}
+
+// A coupled vehicle under its bundled experiment, for twenty seconds.
+std::vector<std::string> ShortCoupledRun(const std::string& vehicle,
+                                         const std::string& experiment,
+                                         const fs::path& folder) {
+  std::string lines = Bytes(kData + "/experiments/" + experiment + ".yaml");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    lines.replace(lines.find(from), from.size(), to);
+  };
+  replace("duration: 300", "duration: 20");
+  replace("held_out: [240, 300]", "held_out: [15, 20]");
+  return {"--vehicle=" + kData + "/vehicles/" + vehicle + ".yaml",
+          Flag("experiment", WriteTestFile(folder / (vehicle + "_steps.yaml"), lines)),
+          Flag("out", folder / vehicle)};
+}
+
+TEST(SynthesizeTool, PlaysThePublishedCoupledVehicles) {
+  const fs::path folder = EmptyTestFolder();
+  for (const auto& [vehicle, experiment] :
+       std::vector<std::pair<std::string, std::string>>{{"bluerov2", "random_steps_rov"},
+                                                        {"rexrov", "random_steps_work_class"},
+                                                        {"remus100", "random_steps_auv"}}) {
+    auto arguments = ShortCoupledRun(vehicle, experiment, folder);
+    arguments.push_back(Flag("truth", folder / (vehicle + ".json")));
+    const ToolRun run = RunsWell(Synthesize(arguments));
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(run.out, HasSubstr("20 s of surge sway heave roll pitch yaw"));
+    const Log log = ReadLog(folder / vehicle);
+    EXPECT_EQ(log.vehicle, "vehicle.yaml");
+    EXPECT_EQ(log.dofs.size(), 6u);
+    EXPECT_EQ(log.velocity->columns.size(), 6u);
+    EXPECT_EQ(log.command->columns.size(), 6u);
+    EXPECT_EQ(log.fins.has_value(), vehicle == "remus100");
+    EXPECT_EQ(log.pose->time.size(), 200u);
+    // The truth is beside the log, not in it.
+    EXPECT_THAT(Bytes(folder / vehicle / "vehicle.yaml"),
+                AllOf(HasSubstr("mass: "), testing::Not(HasSubstr("coupled_model"))));
+    EXPECT_THAT(Bytes(folder / (vehicle + ".json")), HasSubstr("\"inertia.sway.roll\""));
+  }
+}
+
+TEST(SynthesizeTool, HidesNothingInACoupledVehicle) {
+  const fs::path folder = EmptyTestFolder();
+  auto arguments = ShortCoupledRun("bluerov2", "random_steps_rov", folder);
+  arguments.push_back("--effects=thruster_lag");
+  const ToolRun run = Synthesize(arguments);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err,
+              StartsWith("fathom_synthesize: --effects: vehicle 'BlueROV2' has a coupled_model, in "
+                         "which no effect can be hidden"));
+  EXPECT_FALSE(fs::exists(folder / "bluerov2"));
 }
 
 TEST(SynthesizeTool, RefusesEffectsThatThereAreNot) {

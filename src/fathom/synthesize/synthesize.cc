@@ -5,8 +5,10 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/random_stream.h"
+#include "fathom/synthesize/motion/coupled_truth.h"
 #include "fathom/synthesize/motion/true_run.h"
 #include "fathom/synthesize/motion/vehicle_motion.h"
+#include "fathom/synthesize/sensors/coupled_streams.h"
 #include "fathom/synthesize/sensors/measured_streams.h"
 
 #include <algorithm>
@@ -43,7 +45,28 @@ void RequireAxesThatStay(const Experiment& experiment) {
   }
 }
 
+// Thrusters and fins act on several DOFs at once.
+void RequireForcesAlone(const Vehicle& vehicle, const Experiment& experiment) {
+  if (experiment.thrusters.empty() && experiment.fins.empty()) return;
+  throw InputError(
+      fmt::format("vehicle '{}': has no coupled_model, expected one since experiment '{}' drives "
+                  "thrusters or fins. Drive DOFs instead, as surge: {{...}}.",
+                  vehicle.name,
+                  experiment.name));
+}
+
+// What is hidden is hidden in one DOF.
+void RequireNoEffects(const Vehicle& vehicle, std::span<const ActiveEffect> effects) {
+  if (effects.empty()) return;
+  throw InputError(
+      fmt::format("vehicle '{}': has a coupled_model, in which no effect can be hidden, expected "
+                  "`models` of single DOFs to hide {} in.",
+                  vehicle.name,
+                  effects.front().effect->info().name));
+}
+
 std::vector<Dof> DrivenDofs(const Vehicle& vehicle, const Experiment& experiment) {
+  RequireForcesAlone(vehicle, experiment);
   std::vector<Dof> dofs;
   for (const Drive& drive : experiment.drives) {
     if (!vehicle.models[Index(drive.dof)]) {
@@ -119,6 +142,33 @@ void RequireUsable(const Stream& stream, const char* file, const Experiment& exp
   }
 }
 
+// What an experiment says of its log.
+Log EmptyLog(const Vehicle& vehicle, const Experiment& experiment) {
+  Log log;
+  log.name = experiment.name;
+  log.vehicle = vehicle.name;
+  log.notes = experiment.notes;
+  log.held_out = experiment.held_out;
+  return log;
+}
+
+Log SynthesizeCoupled(const Vehicle& vehicle, const Experiment& experiment, std::uint64_t seed) {
+  Log log = EmptyLog(vehicle, experiment);
+  log.dofs = vehicle.coupled->dofs;
+  const CoupledTruth truth = DriveCoupled(vehicle, experiment, seed);
+  AddCoupledCommand(truth, vehicle, experiment, &log);
+  RequireUsable(log.command ? *log.command : *log.fins, "command.csv", experiment);
+  if (experiment.velocity) {
+    log.velocity = CoupledVelocityStream(truth, experiment, seed, log);
+    RequireUsable(*log.velocity, "velocity.csv", experiment);
+  }
+  if (experiment.pose && experiment.pose->is_logged) {
+    log.pose = CoupledPoseStream(truth, experiment, seed, log);
+    RequireUsable(*log.pose, "pose.csv", experiment);
+  }
+  return log;
+}
+
 }  // namespace
 
 Log Synthesize(const Vehicle& vehicle, const Experiment& experiment, std::uint64_t seed) {
@@ -131,15 +181,15 @@ Log Synthesize(const Vehicle& vehicle,
                std::uint64_t seed) {
   CHECK_GT(experiment.duration, 0.0);
   CHECK_GT(experiment.command_rate, 0.0);
-  CHECK(!experiment.drives.empty());
+  CHECK(!experiment.drives.empty() || !experiment.thrusters.empty() || !experiment.fins.empty());
+  if (vehicle.coupled) {
+    RequireNoEffects(vehicle, effects);
+    return SynthesizeCoupled(vehicle, experiment, seed);
+  }
   RequireAxesThatStay(experiment);
   RequireTraces(experiment, effects);
-  Log log;
-  log.name = experiment.name;
+  Log log = EmptyLog(vehicle, experiment);
   log.dofs = DrivenDofs(vehicle, experiment);
-  log.vehicle = vehicle.name;
-  log.notes = experiment.notes;
-  log.held_out = experiment.held_out;
 
   const VehicleMotion motion(vehicle, log.dofs, effects, TurbulenceOf(experiment, effects, seed));
   const TrueRun truth = DriveThrough(motion, experiment, seed);
@@ -161,14 +211,19 @@ Stream ShownPoses(const Vehicle& vehicle,
                   std::span<const ActiveEffect> effects,
                   std::uint64_t seed,
                   const Sampling& sampling) {
-  RequireAxesThatStay(experiment);
-  const VehicleMotion motion(
-      vehicle, DrivenDofs(vehicle, experiment), effects, TurbulenceOf(experiment, effects, seed));
   // The controllers see the experiment's own sensor; only then is it another one.
-  const TrueRun truth = DriveThrough(motion, experiment, seed);
   Experiment seen_by_camera = experiment;
   seen_by_camera.pose = PoseSensor{.sampling = sampling};
   Log remarks;
+  if (vehicle.coupled) {
+    RequireNoEffects(vehicle, effects);
+    return CoupledPoseStream(
+        DriveCoupled(vehicle, experiment, seed), seen_by_camera, seed, remarks);
+  }
+  RequireAxesThatStay(experiment);
+  const VehicleMotion motion(
+      vehicle, DrivenDofs(vehicle, experiment), effects, TurbulenceOf(experiment, effects, seed));
+  const TrueRun truth = DriveThrough(motion, experiment, seed);
   return PoseStream(motion, truth, seen_by_camera, seed, remarks);
 }
 

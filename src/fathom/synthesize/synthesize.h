@@ -25,9 +25,13 @@ namespace fathom {
 // A pure function: the same vehicle, experiment, effects and seed give the same log. Every source
 // of chance has a stream of random numbers of its own, named after its purpose.
 //
+// A vehicle with a coupled model moves by RunCoupled(); its log holds all DOFs of the model, and
+// the thrusts [N] where the experiment drives thrusters. Other vehicles move by code of their own.
+//
 // Throws InputError if the vehicle has no model of a driven DOF, a controlled DOF's axis would be
 // turned by another one, or an effect is of a DOF that is not driven or of a pose that is not
-// logged.
+// logged. Likewise if thrusters or fins are driven and the vehicle has no coupled model or none of
+// that name, and if an effect or turbulence is to act on a coupled vehicle.
 Log Synthesize(const Vehicle& vehicle,
                const Experiment& experiment,
                std::span<const ActiveEffect> effects,
@@ -45,7 +49,7 @@ Stream ShownPoses(const Vehicle& vehicle,
                   const Sampling& sampling);
 
 // How large things are in each DOF of an experiment in which nothing is hidden, by Index(Dof); 0
-// where it is not driven. Throws as above.
+// where it is not driven. Of a vehicle without a coupled model. Throws as above.
 std::array<Scales, 6> ScalesOf(const Vehicle& vehicle,
                                const Experiment& experiment,
                                std::uint64_t seed);

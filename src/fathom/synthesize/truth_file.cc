@@ -3,6 +3,7 @@
 
 #include "fathom/synthesize/truth_file.h"
 
+#include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -24,6 +25,16 @@ Json ModelOf(Dof dof, const UncoupledModel<double>& model) {
                                     {"unit", ParameterUnit(i, dof, std::string(ForceUnit(dof)))}};
   }
   return json;
+}
+
+// Every number that is not at its null, by its name in docs/coupled.md.
+Json CoupledOfTruth(const CoupledModel& model) {
+  Json dofs = Json::array(), parameters = Json::object();
+  for (const Dof dof : model.dofs) dofs.push_back(Name(dof));
+  for (const FreeEntry& entry : EntriesIn(model)) {
+    parameters[NameOf(entry)] = {{"value", ValueIn(model, entry)}, {"unit", UnitOf(entry)}};
+  }
+  return {{"dofs", dofs}, {"coriolis", model.coriolis}, {"parameters", parameters}};
 }
 
 Json EffectOfTruth(const ActiveEffect& active) {
@@ -54,6 +65,15 @@ std::string FormatTruth(const Vehicle& vehicle,
                         std::uint64_t seed) {
   Json hidden = Json::array();
   for (const ActiveEffect& active : effects) hidden.push_back(EffectOfTruth(active));
+  if (vehicle.coupled) {
+    const Json json = {{"schema", "fathom-truth-1"},
+                       {"vehicle", vehicle.name},
+                       {"experiment", experiment.name},
+                       {"seed", seed},
+                       {"coupled_model", CoupledOfTruth(*vehicle.coupled)},
+                       {"effects", hidden}};
+    return json.dump(2) + "\n";
+  }
   Json models = Json::object();
   for (const Drive& drive : experiment.drives) {
     models[std::string(Name(drive.dof))] =

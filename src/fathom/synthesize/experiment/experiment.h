@@ -32,7 +32,8 @@ struct Sampling {
 
 struct VelocitySensor {
   Sampling sampling;
-  std::array<double, 6> noise{};         // standard deviation, by Index(Dof) [m/s] or [rad/s]
+  std::vector<Dof> dofs = {};     // that it logs; empty: the driven ones, or all of a coupled model
+  std::array<double, 6> noise{};  // standard deviation, by Index(Dof) [m/s] or [rad/s]
   double noise_correlation = 0.0;        // from one sample to the next, in [0, 1); 0: white
   double outlier_probability = 0.0;      // that a sample is one, in [0, 1]
   std::array<double, 6> outlier_size{};  // standard deviation of what is then added
@@ -59,6 +60,12 @@ struct Drive {
   TurbulenceSpec turbulence = {};
 };
 
+// How one thruster or fin is driven.
+struct ActuatorDrive {
+  std::string name;   // as in the vehicle file
+  InputSignal input;  // a thrust [N], or an angle [rad]
+};
+
 // What is done with a vehicle and how it is measured; docs/file_formats.md. The vehicle starts with
 // its body frame in the world frame.
 struct Experiment {
@@ -68,7 +75,9 @@ struct Experiment {
   double duration = 0.0;            // [s], above 0
   double command_rate = 10.0;       // [Hz], of the command and the controllers, above 0
   double command_resolution = 0.0;  // forces are rounded to multiples of it; 0: not rounded
-  std::vector<Drive> drives;        // at least one, in the order of Dof
+  std::vector<Drive> drives;        // in the order of Dof; at least one of these and the next two
+  std::vector<ActuatorDrive> thrusters = {};  // of a coupled vehicle, in place of drives
+  std::vector<ActuatorDrive> fins = {};       // of a coupled vehicle, beside either
   std::optional<VelocitySensor> velocity;
   std::optional<PoseSensor> pose;
   std::vector<TimeInterval> held_out;  // log time [s]

@@ -6,6 +6,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
+#include "fathom/base/quoted.h"
 #include "fathom/log/csv/csv_table.h"
 #include "fathom/synthesize/experiment/input_reader.h"
 
@@ -13,7 +14,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -71,19 +75,51 @@ double OutlierProbability(const YamlMap& outliers) {
   return NumberWithin(outliers, "probability", 0.0, 1.0);
 }
 
+// The DOFs that a velocity sensor is asked to measure; none: what the vehicle decides.
+std::vector<Dof> ReadMeasuredDofs(const YamlMap& map) {
+  std::vector<Dof> dofs;
+  if (!map.Has("dofs")) return dofs;
+  for (const std::string& name : map.Strings("dofs")) {
+    const auto dof = DofFromName(name);
+    if (!dof || std::find(dofs.begin(), dofs.end(), *dof) != dofs.end()) {
+      map.Fail("dofs",
+               fmt::format("holds {}{}, expected surge, sway, heave, roll, pitch, yaw, each once.",
+                           Quoted(name),
+                           dof ? " twice" : ""));
+    }
+    dofs.push_back(*dof);
+  }
+  if (dofs.empty()) map.Fail("dofs", "is empty, expected at least one DOF.");
+  std::sort(dofs.begin(), dofs.end());
+  return dofs;
+}
+
+// Those whose noise an experiment may name.
+std::vector<Dof> DofsWithNoise(const VelocitySensor& sensor, const Experiment& experiment) {
+  if (!sensor.dofs.empty()) return sensor.dofs;
+  // Thrusters and fins may move any.
+  if (!experiment.thrusters.empty() || !experiment.fins.empty()) {
+    return {kAllDofs.begin(), kAllDofs.end()};
+  }
+  std::vector<Dof> dofs;
+  for (const Drive& drive : experiment.drives) dofs.push_back(drive.dof);
+  return dofs;
+}
+
 VelocitySensor ReadVelocitySensor(const YamlMap& map, const Experiment& experiment) {
   VelocitySensor sensor;
   sensor.sampling = ReadSampling(map, experiment.duration);
+  sensor.dofs = ReadMeasuredDofs(map);
+  const std::vector<Dof> dofs = DofsWithNoise(sensor, experiment);
   if (const auto noise = map.OptionalMap("noise")) {
-    for (const Drive& drive : experiment.drives) {
-      sensor.noise[Index(drive.dof)] = NumberWithin(*noise, Name(drive.dof), 0.0, kLargest, 0.0);
+    for (const Dof dof : dofs) {
+      sensor.noise[Index(dof)] = NumberWithin(*noise, Name(dof), 0.0, kLargest, 0.0);
     }
   }
   if (const auto outliers = map.OptionalMap("outliers")) {
     sensor.outlier_probability = OutlierProbability(*outliers);
-    for (const Drive& drive : experiment.drives) {
-      sensor.outlier_size[Index(drive.dof)] =
-          NumberWithin(*outliers, Name(drive.dof), 0.0, kLargest, 0.0);
+    for (const Dof dof : dofs) {
+      sensor.outlier_size[Index(dof)] = NumberWithin(*outliers, Name(dof), 0.0, kLargest, 0.0);
     }
   }
   sensor.noise_correlation = map.Number("noise_correlation", 0.0);
@@ -149,6 +185,23 @@ Drive ReadDrive(const YamlMap& map, Dof dof, double command_rate, double duratio
   return drive;
 }
 
+// Inputs by the name of a thruster or a fin.
+std::vector<ActuatorDrive> ReadActuators(const YamlMap& file,
+                                         std::string_view key,
+                                         double command_rate) {
+  std::vector<ActuatorDrive> drives;
+  const auto map = file.OptionalMap(key);
+  if (!map) return drives;
+  for (const std::string& name : map->Keys()) {
+    const ActuatorDrive& drive =
+        drives.emplace_back(ActuatorDrive{name, ReadInput(map->Map(name), command_rate)});
+    if (std::holds_alternative<ReplayInput>(drive.input.kind)) {
+      map->Map(name).Fail("kind", "is 'file', which replays forces along a DOF alone.");
+    }
+  }
+  return drives;
+}
+
 HeldCommand ReadReplay(const std::filesystem::path& file, Dof dof) {
   const std::string column(ForceColumn(dof));
   CsvSpec spec;
@@ -188,7 +241,15 @@ Experiment ParseExperiment(const std::string& name, const std::string& text) {
           ReadDrive(*map, dof, experiment.command_rate, experiment.duration));
     }
   }
-  if (experiment.drives.empty()) {
+  experiment.thrusters = ReadActuators(file, "thrusters", experiment.command_rate);
+  experiment.fins = ReadActuators(file, "fins", experiment.command_rate);
+  if (!experiment.thrusters.empty() && !experiment.drives.empty()) {
+    file.Fail("thrusters",
+              fmt::format("stands beside '{}', expected thrusters or forces: a command.csv holds "
+                          "one of them.",
+                          Name(experiment.drives.front().dof)));
+  }
+  if (experiment.drives.empty() && experiment.thrusters.empty() && experiment.fins.empty()) {
     file.Fail("drives no DOF, expected at least one of surge, sway, heave, roll, pitch, yaw.");
   }
   if (const auto map = file.OptionalMap("velocity")) {

@@ -44,13 +44,15 @@ class InputReader {
                                .frequency = Frequency(map_.Number("frequency"))};
     } else if (kind == "pilot") {
       input.kind = Pilot();
+    } else if (kind == "random_steps") {
+      input.kind = RandomSteps();
     } else if (kind == "file") {
       input.kind = ReplayInput{.file = map_.String("file"), .command = {}};
     } else {
       map_.Fail("kind",
-                fmt::format(
-                    "is '{}', expected sine, multisine, chirp, steps, prbs, square, pilot or file.",
-                    kind));
+                fmt::format("is '{}', expected sine, multisine, chirp, steps, prbs, square, pilot, "
+                            "random_steps or file.",
+                            kind));
     }
     return input;
   }
@@ -94,6 +96,18 @@ class InputReader {
     return pilot;
   }
 
+  RandomStepsInput RandomSteps() const {
+    RandomStepsInput random_steps;
+    random_steps.amplitude = Amplitude(map_, "amplitude");
+    const std::vector<double> hold = map_.Numbers("hold", 2);
+    if (hold[0] > hold[1]) {
+      map_.Fail("hold", fmt::format("is [{}, {}], expected shortest, longest.", hold[0], hold[1]));
+    }
+    random_steps.shortest = RequireHold("hold", hold[0]);
+    random_steps.longest = RequireHold("hold", hold[1]);
+    return random_steps;
+  }
+
   double Frequency(double frequency) const {
     const double highest = std::numbers::pi * rate_;
     if (frequency > 0.0 && frequency < highest) return frequency;
@@ -104,8 +118,9 @@ class InputReader {
                           highest));
   }
 
-  double Hold(std::string_view key) const {
-    const double hold = map_.Number(key);
+  double Hold(std::string_view key) const { return RequireHold(key, map_.Number(key)); }
+
+  double RequireHold(std::string_view key, double hold) const {
     if (hold * rate_ >= 1.0 - 1e-9 && hold <= kLargest) return hold;
     map_.Fail(key,
               fmt::format("is {} s, expected at least one period of the command_rate, {:.4g} s.",

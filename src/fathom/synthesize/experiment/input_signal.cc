@@ -89,6 +89,15 @@ struct ValueAt {
     return pilot.amplitude * std::round(stick * pilot.num_levels) / pilot.num_levels;
   }
 
+  double operator()(const RandomStepsInput& random) const {
+    CHECK(!random.steps.empty());
+    const auto step = std::upper_bound(
+        random.steps.begin(), std::prev(random.steps.end()), t, [](double at, const auto& other) {
+          return at < other.end;
+        });
+    return random.amplitude * step->level;
+  }
+
   double operator()(const ReplayInput& replay) const {
     CHECK(!replay.command.time.empty());
     return replay.command.At(replay.command.time.front() + t);
@@ -114,6 +123,18 @@ void DrawMoves(PilotInput& pilot, double duration, RandomStream& random) {
   }
 }
 
+// Levels and lengths, both even between their bounds.
+void DrawSteps(RandomStepsInput& random_steps, double duration, RandomStream& random) {
+  random_steps.steps.clear();
+  double end = 0.0;
+  while (end <= duration) {
+    const double level = 2.0 * random.Uniform() - 1.0;
+    end +=
+        random_steps.shortest + (random_steps.longest - random_steps.shortest) * random.Uniform();
+    random_steps.steps.push_back({end, level});
+  }
+}
+
 }  // namespace
 
 void DrawRandomParts(InputSignal& input, double duration, RandomStream& random) {
@@ -126,6 +147,8 @@ void DrawRandomParts(InputSignal& input, double duration, RandomStream& random) 
     prbs->start = static_cast<int>(kPrbsLength * random.Uniform());
   } else if (auto* pilot = std::get_if<PilotInput>(&input.kind)) {
     DrawMoves(*pilot, duration, random);
+  } else if (auto* random_steps = std::get_if<RandomStepsInput>(&input.kind)) {
+    DrawSteps(*random_steps, duration, random);
   }
 }
 

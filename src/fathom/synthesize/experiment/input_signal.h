@@ -15,7 +15,7 @@ namespace fathom {
 
 // What drives a DOF, over the time t since the start of the experiment [s]: a force in open loop, a
 // position in closed loop. Amplitudes are in its unit: [N], [N m], [m] or [rad]; docs/synthesize.md
-// (1) to (6) and (11).
+// (1) to (6), (11) and (12).
 
 // amplitude * sin(frequency * t + phase)
 struct SineInput {
@@ -76,6 +76,19 @@ struct PilotInput {
   std::vector<Move> moves;  // drawn by DrawRandomParts
 };
 
+// One level after the other, each for a time of its own.
+struct RandomStepsInput {
+  struct Step {
+    double end = 0.0;    // when it is over [s]
+    double level = 0.0;  // of the amplitude, -1 to 1
+  };
+
+  double amplitude = 0.0;        // of the largest level
+  double shortest = 1.0;         // [s], above 0
+  double longest = 1.0;          // [s], at least shortest
+  std::vector<Step> steps = {};  // drawn by DrawRandomParts
+};
+
 // A recorded command, its first stamp at t = 0.
 struct ReplayInput {
   std::filesystem::path file;
@@ -91,12 +104,13 @@ struct InputSignal {
                PrbsInput,
                SquareInput,
                PilotInput,
-               ReplayInput>
+               ReplayInput,
+               RandomStepsInput>
       kind;
 };
 
-// Draws what the seed decides: the phases of a multisine, the start of a PRBS, a pilot's moves from
-// 0 to `duration` [s].
+// Draws what the seed decides: the phases of a multisine, the start of a PRBS, a pilot's moves and
+// random steps from 0 to `duration` [s].
 void DrawRandomParts(InputSignal& input, double duration, RandomStream& random);
 
 // Value at time t since the start of the experiment [s], t >= 0.

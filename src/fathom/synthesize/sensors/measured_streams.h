@@ -13,7 +13,7 @@
 namespace fathom {
 
 // The streams of a log, from the truth: command.csv, velocity.csv and pose.csv in log time, of the
-// driven DOFs. Drop-outs are remarked on in `log`.
+// driven DOFs, or those that the velocity sensor is to log. Drop-outs are remarked on in `log`.
 
 Stream CommandStream(const TrueRun& truth, const Experiment& experiment);
 

@@ -212,6 +212,41 @@ std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
   return fmt::format("{} {}/N", unit, force_unit);
 }
 
+namespace {
+
+// Every entry that a model of all six DOFs could have, but for those of thrusters and fins.
+std::vector<FreeEntry> AllEntries() {
+  std::vector<FreeEntry> all;
+  for (const Dof row : kAllDofs) {
+    for (const Dof column : kAllDofs) {
+      if (row <= column) all.push_back(InertiaEntry(row, column));
+      all.push_back(LinearDampingEntry(row, column));
+      all.push_back(QuadraticDampingEntry(row, column));
+      all.push_back(LiftEntry(row, column));
+    }
+    all.push_back(OffsetEntry(row));
+  }
+  all.push_back(RightingMomentEntry(Dof::kRoll));
+  all.push_back(RightingMomentEntry(Dof::kPitch));
+  all.push_back(NetBuoyancyEntry());
+  return all;
+}
+
+}  // namespace
+
+std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
+  std::vector<FreeEntry> entries;
+  const auto add = [&](const FreeEntry& entry, double without) {
+    if (ValueIn(model, entry) != without) entries.push_back(entry);
+  };
+  for (const FreeEntry& entry : AllEntries()) add(entry, 0.0);
+  for (const auto& [thruster, gain] : model.thrust_gain) add(ThrustGainEntry(thruster), 1.0);
+  for (const auto& [fin, force] : model.fin_force) add(FinForceEntry(fin), 0.0);
+  for (const auto& [fin, race] : model.fin_race) add(FinRaceEntry(fin), 0.0);
+  for (const auto& [fin, neutral] : model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
+  return entries;
+}
+
 double ValueIn(const CoupledModel& model, const FreeEntry& entry) {
   CoupledModel copy = model;
   return *PlaceIn(&copy, entry);

@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fathom {
 
@@ -73,6 +74,9 @@ FreeEntry ParseFreeEntry(std::string_view name);
 // "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's neutral angle. Of commands in another unit
 // than N and N m, "kg A/N".
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
+
+// Those that the model holds beside its nulls: 1 of a thrust gain, 0 of any other.
+std::vector<FreeEntry> EntriesIn(const CoupledModel& model);
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry);
 void SetValue(const FreeEntry& entry, double value, CoupledModel* model);

@@ -50,38 +50,14 @@ Json FormatByDof(const std::array<FitFigures, 6>& figures, const std::vector<Dof
   return json;
 }
 
-// Every entry that a model of all six DOFs could have, but for those of thrusters and fins.
-std::vector<FreeEntry> AllEntries() {
-  std::vector<FreeEntry> all;
-  for (const Dof row : kAllDofs) {
-    for (const Dof column : kAllDofs) {
-      if (row <= column) all.push_back(InertiaEntry(row, column));
-      all.push_back(LinearDampingEntry(row, column));
-      all.push_back(QuadraticDampingEntry(row, column));
-      all.push_back(LiftEntry(row, column));
-    }
-    all.push_back(OffsetEntry(row));
-  }
-  all.push_back(RightingMomentEntry(Dof::kRoll));
-  all.push_back(RightingMomentEntry(Dof::kPitch));
-  all.push_back(NetBuoyancyEntry());
-  return all;
-}
-
 // What a model holds beside its identified numbers.
 Json FormatHeld(const FittedCoupledModel& fitted) {
   Json held = Json::object();
-  const auto add = [&](const FreeEntry& entry, double without) {
-    const double value = ValueIn(fitted.model, entry);
+  for (const FreeEntry& entry : EntriesIn(fitted.model)) {
     const bool is_free =
         std::find(fitted.entries.begin(), fitted.entries.end(), entry) != fitted.entries.end();
-    if (value != without && !is_free) held[NameOf(entry)] = value;
-  };
-  for (const FreeEntry& entry : AllEntries()) add(entry, 0.0);
-  for (const auto& [thruster, gain] : fitted.model.thrust_gain) add(ThrustGainEntry(thruster), 1.0);
-  for (const auto& [fin, force] : fitted.model.fin_force) add(FinForceEntry(fin), 0.0);
-  for (const auto& [fin, race] : fitted.model.fin_race) add(FinRaceEntry(fin), 0.0);
-  for (const auto& [fin, neutral] : fitted.model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
+    if (!is_free) held[NameOf(entry)] = ValueIn(fitted.model, entry);
+  }
   return held;
 }
 

@@ -7,6 +7,7 @@
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/files/coupled_yaml.h"
 
 #include <algorithm>
 #include <cmath>
@@ -215,6 +216,12 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
         vehicle.models[Index(dof)] = ReadModel(*map);
       }
     }
+  }
+  if (const auto map = file.OptionalMap("coupled_model")) {
+    if (file.Has("models")) {
+      file.Fail("coupled_model", "stands beside 'models', expected one of them.");
+    }
+    vehicle.coupled = ReadCoupledYaml(*map, vehicle.body, vehicle.thrusters, vehicle.fins);
   }
   file.Finish();
   return vehicle;

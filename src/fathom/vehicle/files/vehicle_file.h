@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
 #include "fathom/vehicle/fin.h"
 #include "fathom/vehicle/thrust_table.h"
@@ -34,6 +35,9 @@ struct Vehicle {
 
   // Its motion where that is known, by Index(Dof); what fathom_synthesize makes logs from.
   std::array<std::optional<UncoupledModel<double>>, 6> models;
+
+  // The same of several DOFs that act on each other, in place of `models`.
+  std::optional<CoupledModel> coupled;
 };
 
 // Throws InputError, naming file, line and key, for whatever breaks the format.

@@ -208,6 +208,49 @@ TEST(ExperimentFile, RefusesAPilotThatCannotSteer) {
               HasSubstr("'surge.input.amplitude' is missing"));
 }
 
+TEST(ExperimentFile, ReadsThrustersFinsAndWhatIsMeasured) {
+  const Experiment e = ParseExperiment(
+      "e.yaml",
+      "name: fins\nduration: 60\ncommand_rate: 5\n"
+      "thrusters: {port: {kind: random_steps, amplitude: 30, hold: [2, 6], offset: 4}}\n"
+      "fins: {rudder: {kind: sine, amplitude: 0.2, frequency: 0.3}}\n"
+      "velocity: {rate: 10, noise: {yaw: 0.02}, dofs: [yaw, surge]}\n");
+  EXPECT_TRUE(e.drives.empty());
+  ASSERT_EQ(e.thrusters.size(), 1u);
+  EXPECT_EQ(e.thrusters[0].name, "port");
+  const auto& steps = std::get<RandomStepsInput>(e.thrusters[0].input.kind);
+  EXPECT_EQ(steps.amplitude, 30.0);
+  EXPECT_EQ(steps.shortest, 2.0);
+  EXPECT_EQ(steps.longest, 6.0);
+  EXPECT_EQ(e.thrusters[0].input.offset, 4.0);
+  ASSERT_EQ(e.fins.size(), 1u);
+  EXPECT_EQ(e.fins[0].name, "rudder");
+  EXPECT_THAT(e.velocity->dofs, testing::ElementsAre(Dof::kSurge, Dof::kYaw));
+  EXPECT_EQ(e.velocity->noise[5], 0.02);
+}
+
+TEST(ExperimentFile, RefusesThrustersAndFinsThatNoLogHolds) {
+  const auto error = [](const std::string& lines) {
+    return ErrorFrom([&] {
+      ParseExperiment("e.yaml",
+                      "name: fins\nduration: 60\ncommand_rate: 5\nvelocity: {rate: 10}\n" + lines);
+    });
+  };
+  const std::string port = "thrusters: {port: {kind: random_steps, amplitude: 3, hold: [2, 6]}}\n";
+  EXPECT_EQ(
+      error(port + "heave: {control: open_loop, input: {kind: steps, levels: [1], hold: 1}}\n"),
+      "e.yaml:5: key 'thrusters' stands beside 'heave', expected thrusters or forces: a "
+      "command.csv holds one of them.");
+  EXPECT_THAT(error("fins: {rudder: {kind: file, file: a.csv}}\n"),
+              HasSubstr("e.yaml:5: key 'fins.rudder.kind' is 'file'"));
+  EXPECT_THAT(error("fins: {rudder: {kind: random_steps, amplitude: 3, hold: [6, 2]}}\n"),
+              HasSubstr("key 'fins.rudder.hold' is [6, 2], expected shortest, longest"));
+  EXPECT_THAT(error("fins: {rudder: {kind: random_steps, amplitude: 3, hold: [0.1, 2]}}\n"),
+              HasSubstr("key 'fins.rudder.hold' is 0.1 s, expected at least one period"));
+  EXPECT_THAT(MessageWith("rate: 20", "rate: 20\n  dofs: [surge, up]"),
+              HasSubstr("key 'velocity.dofs' holds 'up', expected surge, sway"));
+}
+
 TEST(ExperimentFile, RefusesAnExperimentWithoutDriveOrMotion) {
   EXPECT_THAT([] { ParseExperiment("e.yaml", "name: a\nduration: 9\ncommand_rate: 5\n"); },
               testing::ThrowsMessage<InputError>(HasSubstr("drives no DOF")));

@@ -176,6 +176,32 @@ TEST(InputSignal, LetsAPilotRestHoldAndPushBothWaysAsOftenAsItsLawSays) {
   EXPECT_NEAR(sum2 / num_samples, 0.25 * (2.0 / 3.0 * S + S + even), 0.4 * five_sigma);
 }
 
+TEST(InputSignal, StepsAtRandomWithinItsBounds) {
+  InputSignal input{2.0, RandomStepsInput{.amplitude = 8.0, .shortest = 1.0, .longest = 3.0}};
+  RandomStream random(5, "input.surge");
+  const double duration = 8000.0;
+  DrawRandomParts(input, duration, random);
+  const auto& steps = std::get<RandomStepsInput>(input.kind).steps;
+  EXPECT_GT(steps.back().end, duration);
+  double last_end = 0.0, sum = 0.0, sum_of_squares = 0.0;
+  for (const RandomStepsInput::Step& step : steps) {
+    EXPECT_GE(step.end - last_end, 1.0 - 1e-9);
+    EXPECT_LE(step.end - last_end, 3.0 + 1e-9);
+    const double middle = 0.5 * (last_end + step.end);
+    if (middle < duration) {
+      EXPECT_EQ(Value(input, middle), 2.0 + 8.0 * step.level);
+    }
+    last_end = step.end;
+    sum += step.level;
+    sum_of_squares += step.level * step.level;
+  }
+  // Even in -1 to 1: mean 0, mean square 1/3, of about 4000; four standard deviations.
+  const auto n = static_cast<double>(steps.size());
+  EXPECT_NEAR(n, 4000.0, 4.0 * 4000.0 * 0.29 / std::sqrt(4000.0));
+  EXPECT_NEAR(sum / n, 0.0, 4.0 * std::sqrt(1.0 / 3.0 / n));
+  EXPECT_NEAR(sum_of_squares / n, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0 / n));
+}
+
 TEST(InputSignal, ReplaysACommandFromItsFirstStamp) {
   const InputSignal input{1.0, ReplayInput{.file = {}, .command = {{100.0, 100.5}, {3.0, -2.0}}}};
   EXPECT_EQ(Value(input, 0.0), 4.0);

@@ -136,7 +136,7 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
             "inertia, rigid_body, thrust_tables, thrusters, fins, "
-            "models. Correct or remove it.");
+            "models, coupled_model. Correct or remove it.");
 }
 
 TEST(VehicleFile, RefusesAThrusterThatCannotBe) {
