@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Installs what Fathom needs on Debian 12: the packages of apt-packages.txt, then the JavaScript of
-# the report and of the tests. Where all of it is there already, it does nothing and needs no
-# network.
+# Installs what Fathom needs on Debian 12: the packages of apt-packages.txt, then the JavaScript of a
+# test. Where all of it is there already, it does nothing and needs no network.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,9 +26,8 @@ if [ ${#missing[@]} -gt 0 ]; then
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 fi
 
-for folder in src/fathom/report/web tests/src/import/writers; do
-  # npm notes in node_modules what it installed.
-  if ! [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
-    (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund)
-  fi
-done
+folder=tests/src/import/writers
+# npm notes in node_modules what it installed.
+if ! [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+  (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund)
+fi
