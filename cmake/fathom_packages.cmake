@@ -92,7 +92,7 @@ foreach(pair IN ITEMS programs=share development=development python=python)
 endforeach()
 # Messages and man pages name pages of docs/.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${fathom_package_of_programs} COMPONENT share
-        FILES_MATCHING PATTERN "*.md")
+        FILES_MATCHING PATTERN "*.md" PATTERN images EXCLUDE)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${fathom_package_of_programs}
         COMPONENT share)
 
