@@ -30,10 +30,11 @@ function(fathom_add_library name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(fathom_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
 
-  install(TARGETS fathom_${name} EXPORT FathomTargets)
+  install(TARGETS fathom_${name} EXPORT FathomTargets COMPONENT development)
   foreach(header IN LISTS arg_HEADERS)
     cmake_path(GET header PARENT_PATH sub_folder)
-    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom/${name}/${sub_folder})
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom/${name}/${sub_folder}
+            COMPONENT development)
   endforeach()
 
   foreach(what IN ITEMS FLOORS HEADERS DEPENDS PRIVATE_DEPENDS)

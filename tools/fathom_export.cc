@@ -45,7 +45,7 @@ const ToolInfo kInfo = {
     "Writes a model for another program: a C header, simulators, MATLAB and Octave, a table.",
     "--model=FILE [--model=FILE ...] [--vehicle=FILE] [--speed=0.5] --out=FILE "
     "--format=c|csv|gazebo|mss|stonefish|uuv|vrx\n"
-    "  fathom_export --table",
+    "--table",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
     "  fathom_export --model=surge.json --format=c --out=flatfish.h",
     "A model of several degrees of freedom is exported as it is, models and verdicts of one each "

@@ -12,7 +12,7 @@ file(GLOB_RECURSE files
   ${SOURCE_DIR}/tests/*.h ${SOURCE_DIR}/tests/*.cc ${SOURCE_DIR}/bench/*.cc
   ${SOURCE_DIR}/fuzz/*.cc ${SOURCE_DIR}/data/*.yaml ${SOURCE_DIR}/scripts/*.sh
   ${SOURCE_DIR}/docs/*.md ${SOURCE_DIR}/README.md ${SOURCE_DIR}/CONTRIBUTING.md)
-list(FILTER files EXCLUDE REGEX "node_modules")
+list(FILTER files EXCLUDE REGEX "node_modules|^${SOURCE_DIR}/build/")
 
 # The numbers of a page's equations: at the end of an indented line, or behind two spaces in one; a few
 # stand in the text, as ". (11), (12)" behind a sentence.

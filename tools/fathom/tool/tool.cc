@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <new>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -163,8 +164,19 @@ std::string DefaultOf(const Flag& flag) {
                                : flag.default_value;
 }
 
+// Each line of the usage is one way to call the program; help2man reads "or:".
+void PrintUsage(const ToolInfo& info) {
+  std::istringstream lines(info.usage);
+  const char* before = "Usage:";
+  for (std::string line; std::getline(lines, line); before = "   or:") {
+    fmt::print("{} {} {}\n", before, info.name, line);
+  }
+}
+
 void PrintHelp(const ToolInfo& info) {
-  fmt::print("{}\n\nUsage: {} {}\n\n", info.summary, info.name, info.usage);
+  fmt::print("{}\n\n", info.summary);
+  PrintUsage(info);
+  fmt::print("\n");
   for (const Flag& flag : OwnFlags()) {
     fmt::print("  --{}", flag.name);
     if (flag.type != "string") {
