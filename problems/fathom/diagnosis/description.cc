@@ -177,6 +177,7 @@ Diagnosis Described(const MeasuredSegments& segments,
   diagnosis.is_only_red = is_noise && is_red;
   if (diagnosis.is_only_red) diagnosis.verdict = Verdict::kUnexplained;
   diagnosis.noise_nmae = NmaeOfScatter(unseen.after);
+  diagnosis.is_only_cut = judgement.is_only_cut;
   diagnosis.coincidence = judgement.coincidence;
   diagnosis.remaining_p_value = judgement.remaining.p_value;
   diagnosis.held_out_gain = gain.value;

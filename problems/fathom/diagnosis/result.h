@@ -205,6 +205,10 @@ struct Diagnosis {
   // It is `unexplained` for the red findings alone: the model has no error beyond noise.
   bool is_only_red = false;
 
+  // It is `unexplained` since the search was ended before it was through: the causes leave nothing,
+  // but others that were not tried may do so too.
+  bool is_only_cut = false;
+
   // Why it is `unexplained` where nothing else is left.
   std::optional<Coincidence> coincidence;
 

@@ -90,6 +90,22 @@ TEST(Diagnose, SaysThatItsSearchWasEnded) {
   EXPECT_THAT(Diagnose(logs, Dof::kSurge).remarks, Not(Contains(HasSubstr("--effort"))));
 }
 
+// The cause is found at once, and whether another does as well is what the rest of the search is
+// for.
+TEST(Diagnose, IsSureOfNoCauseThatASearchCameToWhichWasEnded) {
+  SurgeRun run;
+  run.input = Multisine(30.0);
+  run.effects = "thrust_dead_zone:width=10";
+  const std::vector<Log> logs = {LogOf(run, 1)};
+  const Diagnosis whole = Diagnose(logs, Dof::kSurge);
+  EXPECT_EQ(TextOf(whole), "explained: thrust_dead_zone");
+  DiagnosisOptions options;
+  options.effort = 0.001;
+  const Diagnosis ended = Diagnose(logs, Dof::kSurge, options);
+  EXPECT_EQ(TextOf(ended), "unexplained: thrust_dead_zone");
+  EXPECT_TRUE(ended.is_only_cut);
+}
+
 // A simulation without noise, of a vehicle that the catalogue knows all of.
 TEST(Diagnose, LooksForNoStructureInRounding) {
   SurgeRun run;

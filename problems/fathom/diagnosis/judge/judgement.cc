@@ -129,7 +129,8 @@ Judgement Concluded(const Prepared& prepared,
   Verdict verdict = VerdictOf(remains || refusal || is_suspected, chosen != 0, !rivals.empty());
   std::optional<Coincidence> coincidence;
   if (verdict == Verdict::kExplained) coincidence = CoincidenceIn(search, chosen, separation);
-  if (coincidence) verdict = Verdict::kUnexplained;
+  const bool is_only_cut = verdict == Verdict::kExplained && !coincidence && search.found.is_cut;
+  if (coincidence || is_only_cut) verdict = Verdict::kUnexplained;
   return {verdict,
           std::move(search),
           std::move(sifted.choice),
@@ -138,7 +139,8 @@ Judgement Concluded(const Prepared& prepared,
           evidence,
           std::move(runs),
           remaining,
-          std::move(coincidence)};
+          std::move(coincidence),
+          is_only_cut};
 }
 
 Judgement JudgedByLikelihood(const Prepared& prepared,

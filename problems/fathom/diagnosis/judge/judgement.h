@@ -27,6 +27,7 @@ struct Judgement {
   FreeRunComparison runs;
   RemainingStructure remaining;  // that what is named leaves
   std::optional<Coincidence> coincidence;
+  bool is_only_cut = false;  // unexplained since the search was ended before it was through
 
   const HypothesisBook& book() const { return search.found.book; }
 

@@ -100,6 +100,8 @@ std::vector<std::string> NextSteps(const Diagnosis& diagnosis) {
   }
   if (diagnosis.is_only_red) {
     steps.push_back("Mend what the red findings name, and diagnose the log again.");
+  } else if (diagnosis.is_only_cut) {
+    steps.push_back("Let the search go on: fathom_diagnose --effort=4.");
   } else if (diagnosis.verdict == Verdict::kUnexplained) {
     steps.push_back(
         "Check which signal the missing force follows. The cause may be a quantity that was not "

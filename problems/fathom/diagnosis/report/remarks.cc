@@ -182,8 +182,8 @@ std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has
   }
   if (judgement.search.found.is_cut) {
     remarks.push_back(
-        "The search was ended before it was through: no model that was tried fits these data, and "
-        "such a search takes very long. --effort=4 lets it go on for four times as long.");
+        "The search was ended before it was through. --effort=4 lets it go on for four times as "
+        "long.");
   }
   if (IsWithoutNoise(judgement)) {
     remarks.push_back(

@@ -220,6 +220,10 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
                     "may be one that the catalogue does not have.",
                     diagnosis.coincidence->input,
                     diagnosis.coincidence->label));
+  } else if (diagnosis.is_only_cut) {
+    sentences.push_back(
+        "The rest of the error is noise, but the search was ended before it was through: other "
+        "causes may do as well.");
   } else if (diagnosis.verdict == Verdict::kUnexplained) {
     sentences.push_back(
         "The remaining error is still more than noise, and no effect in the catalogue explains "

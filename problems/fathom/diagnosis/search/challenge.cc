@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/search/challenge.h"
 
 #include "fathom/diagnosis/search/refinement.h"
+#include "fathom/diagnosis/search/work_limit.h"
 
 #include <algorithm>
 #include <iterator>
@@ -53,7 +54,7 @@ HypothesisBook WithRivals(const SearchTask& task,
   for (const int suspect : InOrder(screens.scores)) {
     const double score = screens.scores[suspect];
     if (score < least || score < options.worth_refining) break;
-    if (std::ssize(suspects) == options.most_refined) break;
+    if (std::ssize(suspects) == options.most_rivals) break;
     if (!challenged.Has(suspect)) suspects.push_back(suspect);
   }
   return Refined(task, screens, base, suspects, std::move(book));
@@ -90,7 +91,7 @@ Standing Challenged(const SearchTask& task,
     const int challenged = standing.best;
     const std::vector<int> causes = standing.book[challenged].suspects;
     for (const int cause : causes) {
-      if (task.IsSpent()) break;
+      if (IsSpent(task, standing.book)) break;
       const Hypothesis hypothesis = standing.book[challenged];
       standing.book =
           WithCauseReplaced(task, baseline, hypothesis, cause, std::move(standing.book));

@@ -91,14 +91,14 @@ HypothesisBook WithSinglesByMomentum(const SearchTask& task, HypothesisBook book
   if (std::ssize(starts) > task.options.most_from_momentum) {
     starts.resize(task.options.most_from_momentum);
   }
-  const double least_gain = task.options.hope * book.MostGain();
+  const double most_gain = book.MostGain();
   std::vector<std::optional<Hypothesis>> found(starts.size());
   ParallelFor(static_cast<int>(starts.size()), [&](int i) {
     const StructureFit in_pieces = RoughFit(pieces, starts[i].fit.model, task.options.rough);
     if (!in_pieces.IsSimulated()) return;
     const StructureFit rough = RoughFit(task.data, in_pieces.model, task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = HypothesisFrom(task, book.baseline(), {starts[i].suspect}, rough, least_gain);
+    found[i] = HypothesisFrom(task, book.baseline(), {starts[i].suspect}, rough, most_gain);
   });
   for (std::size_t i = 0; i < starts.size(); ++i) {
     book.AddAttempt({starts[i].suspect});

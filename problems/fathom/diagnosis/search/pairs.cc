@@ -25,6 +25,7 @@ struct Pair {
 std::vector<int> BestTrials(const SearchTask& task, const Screens& screens, int suspect) {
   std::vector<int> best;
   for (const auto* starts : {&screens.own, &screens.sharp}) {
+    if (!*starts) continue;
     const std::vector<int>& own = (*starts)->TrialsOf(suspect);
     const auto count = std::min<size_t>(own.size(), task.options.trials_in_pairs);
     best.insert(best.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
@@ -89,7 +90,7 @@ HypothesisBook WithPairs(const SearchTask& task,
   pairs.resize(std::min<size_t>(pairs.size(), task.options.most_pairs));
   const auto& calibration = book.calibration();
   // None knows of another's gain, whatever the number of threads.
-  const double least_gain = task.options.hope * book.MostGain();
+  const double most_gain = book.MostGain();
   std::vector<std::optional<Hypothesis>> found(pairs.size());
   ParallelFor(static_cast<int>(pairs.size()), [&](int i) {
     const Pair& pair = pairs[i];
@@ -106,7 +107,7 @@ HypothesisBook WithPairs(const SearchTask& task,
                                             screens.own->whitener(),
                                             task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = HypothesisFrom(task, book.baseline(), {pair.a, pair.b}, rough, least_gain);
+    found[i] = HypothesisFrom(task, book.baseline(), {pair.a, pair.b}, rough, most_gain);
   });
   for (auto& hypothesis : found) {
     if (hypothesis) book.Add(*std::move(hypothesis));

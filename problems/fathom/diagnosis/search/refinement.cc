@@ -6,6 +6,7 @@
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/start_price.h"
+#include "fathom/diagnosis/search/work_limit.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ bool ShowsElsewhere(const SearchTask& task,
   return IsElsewhere(effect, starts.front().effect, task.data.longest_duration());
 }
 
-// True if two fits differ by less than the noise lets one see.
+// True if two rough fits differ by less than the noise lets one see, or than how near to their ends
+// they are.
 bool AreAlike(const SearchTask& task,
               const Whitener& whitener,
               const StructureFit& a,
@@ -74,7 +76,8 @@ bool AreAlike(const SearchTask& task,
   Eigen::VectorXd difference = a.residual - b.residual;
   const std::span<double> values(difference.data(), difference.size());
   whitener.Apply(values, values);
-  return difference.squaredNorm() < task.options.alike;
+  const double off = 2.0 * task.options.rough.share * std::min(a.chi_squared, b.chi_squared);
+  return difference.squaredNorm() < std::max(task.options.alike, off);
 }
 
 std::vector<int> With(std::vector<int> suspects, int more) {
@@ -89,18 +92,19 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
                                          const Hypothesis& baseline,
                                          const std::vector<int>& suspects,
                                          const StructureFit& rough,
-                                         double least_gain) {
+                                         double most_gain) {
   Hypothesis hypothesis;
   hypothesis.suspects = suspects;
   const Criterion criterion = task.options.criterion;
   FitPrecision precision = task.options.precision;
-  precision.least = baseline.fit.log_likelihood + 0.5 * least_gain / task.options.effective_share;
+  precision.least = baseline.fit.log_likelihood +
+                    0.5 * task.options.hope * most_gain / task.options.effective_share;
   hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise, precision);
-  // What is worth its price so may rest on a noise that was begun wrongly, on either side: then it
-  // is learned from nothing, as the baseline's was.
+  // What is worth its price so may rest on a noise that was begun wrongly, on either side: where it
+  // may lead, the noise is learned from nothing, as the baseline's was.
   const double cheap_gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
   if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining &&
-      hypothesis.fit.log_likelihood >= precision.least) {
+      cheap_gain > task.options.contends * most_gain) {
     hypothesis.fit = FitStructureAndNoise(task.data, rough, precision);
   }
   // Worse than with less: the search went astray under the noise it began with.
@@ -123,25 +127,51 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
 
 namespace {
 
-// `base` and one suspect more, from where each screen shows it best; nothing where that is known.
+double MostGainOfSize(const HypothesisBook& book, std::size_t size) {
+  double most = 0.0;
+  for (int i = 0; i < book.size(); ++i) {
+    if (book[i].suspects.size() == size) most = std::max(most, book[i].gain);
+  }
+  return most;
+}
+
+// Whether `base` and one suspect more would not count even if it gained more than the screens
+// promise: one cause alone is worth a look if others may be added to it, several if they lead.
+bool IsHopeless(const SearchTask& task,
+                const Screens& screens,
+                const Hypothesis& base,
+                int suspect,
+                const HypothesisBook& book) {
+  const SearchOptions& options = task.options;
+  const double share = base.suspects.empty() ? options.least_share : 1.0;
+  return base.gain + options.optimism * screens.scores[suspect] <
+         share * MostGainOfSize(book, base.suspects.size() + 1);
+}
+
+// `base` and one suspect more, from where the screens show it best; nothing where that is known.
 std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
                                        const Screens& screens,
                                        const Hypothesis& base,
                                        int suspect,
                                        const HypothesisBook& book) {
   const std::vector<int> suspects = With(base.suspects, suspect);
+  if (IsHopeless(task, screens, base, suspect, book)) return {};
   const int known = book.IndexOf(suspects);
   if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return {};
   std::vector<Hypothesis> hypotheses;
   const auto add = [&](const StructureFit& rough) {
-    auto hypothesis =
-        HypothesisFrom(task, book.baseline(), suspects, rough, task.options.hope * book.MostGain());
+    auto hypothesis = HypothesisFrom(task, book.baseline(), suspects, rough, book.MostGain());
     if (hypothesis) hypotheses.push_back(*std::move(hypothesis));
   };
-  std::optional<StructureFit> sharp, own = RoughFit(task, *screens.own, base, suspect);
-  if (screens.sharp) sharp = RoughFit(task, *screens.sharp, base, suspect);
-  if (sharp) add(*sharp);
-  if (own && !(sharp && AreAlike(task, screens.own->whitener(), *own, *sharp))) add(*own);
+  const auto own = RoughFit(task, *screens.own, base, suspect);
+  if (own) add(*own);
+  // One that gains less than the screens promised went astray, or its noise has swallowed it.
+  const double promised = base.gain + task.options.kept * screens.scores[suspect];
+  if (!screens.sharp || (!hypotheses.empty() && hypotheses.front().gain > promised)) {
+    return hypotheses;
+  }
+  const auto sharp = RoughFit(task, *screens.sharp, base, suspect);
+  if (sharp && !(own && AreAlike(task, screens.own->whitener(), *own, *sharp))) add(*sharp);
   return hypotheses;
 }
 
@@ -154,7 +184,7 @@ HypothesisBook Refined(const SearchTask& task,
                        HypothesisBook book) {
   // Those of one group do not know of each other's gains, whatever the number of threads.
   constexpr std::size_t kGroup = 4;
-  for (std::size_t begin = 0; begin < suspects.size() && !task.IsSpent(); begin += kGroup) {
+  for (std::size_t begin = 0; begin < suspects.size() && !IsSpent(task, book); begin += kGroup) {
     const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
     std::vector<std::vector<Hypothesis>> found(group.size());
     ParallelFor(static_cast<int>(group.size()),

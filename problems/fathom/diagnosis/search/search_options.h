@@ -15,6 +15,12 @@ struct SearchOptions {
   // one's fit is slow.
   double most_work = 4e7;
 
+  // The share of it that is granted while no hypothesis gains `much_per_bin`: by 0.7, half of the
+  // variance of an error of prediction is gone. What the rest of the work finds on real logs whose
+  // error no cause makes up for is seldom named.
+  double share_of_work = 0.2;
+  double much_per_bin = 0.7;
+
   // What fits are weighed by.
   Criterion criterion = Criterion::kLearnedNoise;
 
@@ -48,6 +54,14 @@ struct SearchOptions {
   // Of the greatest gain so far: a hypothesis that gains less under its first noise is left at
   // that.
   double hope = 0.5;
+
+  // Of the same: what gains more has its noise learned from nothing too.
+  double contends = 0.9;
+
+  // What a refit may gain at most, of its score, where it is weighed before it is made; and what it
+  // gains at least where it did not go astray.
+  double optimism = 2.0;
+  double kept = 0.8;
 
   // Of the best hypothesis's gain, below which one of a single cause, or of several, gets no more
   // causes: those that are missing beside it would have to gain the rest.
@@ -97,6 +111,7 @@ struct SearchOptions {
   // which is for screens being linear.
   double rival_share = 0.6;
   double rival_slack = 40.0;
+  int most_rivals = 6;
 };
 
 }  // namespace fathom

@@ -87,6 +87,15 @@ TEST(VerdictSentence, SaysThatRedDataMakeAWrongModel) {
       HasSubstr("But the red findings say that the data are wrong, and then so is the model."));
 }
 
+TEST(VerdictSentence, SaysThatASearchWhichWasCutMayHaveMissedCauses) {
+  Diagnosis diagnosis = ExplainedDiagnosis();
+  diagnosis.verdict = Verdict::kUnexplained;
+  diagnosis.is_only_cut = true;
+  EXPECT_THAT(VerdictSentence(diagnosis),
+              EndsWith("The rest of the error is noise, but the search was ended before it was "
+                       "through: other causes may do as well."));
+}
+
 TEST(VerdictSentence, SaysWhatFitsBestAndWhyItIsNotNamed) {
   Diagnosis diagnosis = UnexplainedDiagnosis();
   diagnosis.not_named = {"coulomb_friction", "the error on held-out data grows by 12 %"};

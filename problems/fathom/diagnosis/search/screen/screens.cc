@@ -35,7 +35,8 @@ Screens ScreensAbout(const SearchTask& task,
   if (!about->trials.trials.empty()) {
     const auto& samples = task.data.samples();
     screens.own.emplace(task.data, task.suspects, about, Whitener(noise, samples));
-    if (sharpness == Sharpness::kWithSensor) {
+    // The noise of free runs is white already: nothing passes for a disturbance.
+    if (sharpness == Sharpness::kWithSensor && task.options.criterion == Criterion::kLearnedNoise) {
       const NoiseModel sensor = SensorNoiseOnly(task.data, about->fit.residual);
       screens.sharp.emplace(task.data, task.suspects, about, Whitener(sensor, samples));
     }
