@@ -8,11 +8,14 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/findings/log_check.h"
+#include "fathom/manoeuvres/manoeuvre_page.h"
 #include "fathom/manoeuvres/manoeuvre_prediction.h"
+#include "fathom/report/page.h"
 #include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/log_scores.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
@@ -54,6 +57,7 @@ DEFINE_double(
     std::numeric_limits<double>::quiet_NaN(),
     "Of --manoeuvre=zigzag: from the heading's reaching the order to the rudder's answer [s]; "
     "otherwise as in the log.");
+DEFINE_string(report, "", "Of --manoeuvre: write a page to this HTML file.");
 DEFINE_string(table,
               "",
               "Of the same: the derivatives about a straight track and Nomoto's K and T, in si or "
@@ -69,7 +73,8 @@ const ToolInfo kInfo = {
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
     "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]\n"
-    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] [--rudder_delay=SECONDS] | "
+    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] [--report=FILE] "
+    "[--rudder_delay=SECONDS] | "
     "--table=si|prime",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
@@ -166,6 +171,11 @@ int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
   if (const std::string gear = GearSentence(report); !gear.empty()) PrintText(stdout, gear + "\n");
   for (const std::string& sentence : report.sentences) PrintText(stdout, sentence + "\n");
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, ManoeuvreCsv(report));
+  if (!FLAGS_report.empty()) {
+    Page page = ManoeuvrePage(report, FLAGS_manoeuvre, log.name);
+    page.origin = OriginOfPage({log});
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
   return kExitUsable;
 }
 
@@ -226,7 +236,10 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   std::vector<std::string> inputs = InputsFromFlags();
   inputs.push_back(FLAGS_model);
-  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}}, inputs);
+  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}, {"report", FLAGS_report}}, inputs);
+  if (!FLAGS_report.empty() && FLAGS_manoeuvre.empty()) {
+    throw InputError("--report: is a page of --manoeuvre, expected one beside it.");
+  }
   if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
     return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/base/input_error.h"
+#include "fathom/manoeuvres/manoeuvre_page.h"
 #include "fathom/manoeuvres/manoeuvre_prediction.h"
 
 #include <algorithm>
@@ -96,6 +97,23 @@ TEST(PredictManoeuvre, TakesTheRuddersDelayThatIsGiven) {
     return report.figures.front().figure.value;
   };
   EXPECT_GT(overshoot(0.5), overshoot(0.0));
+}
+
+TEST(ManoeuvrePage, ShowsTrackFiguresAndLimits) {
+  const ManoeuvrePrediction report = PredictManoeuvre(BoatModel(),
+                                                      DrivenLog("size: [4, 1, 0.5]\n", 40.0),
+                                                      ParseManoeuvre("turning_circle:35"),
+                                                      {40, 1});
+  const Page page = ManoeuvrePage(report, "turning_circle:35", "run");
+  ASSERT_EQ(page.sections.size(), 2u);
+  const PlanPanel& plan = page.sections.front().plan_panels.at(0);
+  EXPECT_EQ(plan.curve.ahead.size(), report.track.time.size());
+  EXPECT_NEAR(static_cast<double>(plan.others.size()), 38.0, 1.0);
+  ASSERT_EQ(plan.limits.size(), 2u);
+  EXPECT_EQ(plan.limits[0].at, 18.0);
+  EXPECT_EQ(plan.limits[1].at, 20.0);
+  EXPECT_THAT(page.lead.front(), testing::HasSubstr("tactical diameter"));
+  EXPECT_EQ(page.sections.back().tables.front().rows.size(), report.figures.size());
 }
 
 }  // namespace
