@@ -240,6 +240,9 @@ int Run() {
   if (!FLAGS_report.empty() && FLAGS_manoeuvre.empty()) {
     throw InputError("--report: is a page of --manoeuvre, expected one beside it.");
   }
+  if (!std::isnan(FLAGS_rudder_delay) && FLAGS_manoeuvre.empty()) {
+    throw InputError("--rudder_delay: goes with --manoeuvre=zigzag:10/10, expected none.");
+  }
   if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
     return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
   }

@@ -240,7 +240,8 @@ std::string FigureText(const PredictedFigure& figure) {
 }
 
 std::string LeadOf(const ManoeuvrePrediction& report) {
-  if (!report.sentences.empty()) return report.sentences.front();
+  const bool is_stop = report.manoeuvre.kind == Manoeuvre::Kind::kStop;
+  if (!is_stop && !report.sentences.empty()) return report.sentences.front();
   std::string text;
   for (const PredictedFigure& figure : report.figures) {
     const std::string& name = figure.figure.name;
@@ -271,6 +272,9 @@ Page ManoeuvrePage(const ManoeuvrePrediction& report,
         fmt::format("{} of {} drawn models cannot be or diverge; the intervals are of the rest.",
                     report.num_astray,
                     report.num_draws));
+  }
+  if (report.manoeuvre.kind == Manoeuvre::Kind::kStop) {
+    page.warnings.insert(page.warnings.end(), report.sentences.begin(), report.sentences.end());
   }
   PageSection motion;
   motion.heading = "The manoeuvre";

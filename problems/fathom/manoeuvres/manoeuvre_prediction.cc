@@ -54,6 +54,20 @@ void RequireThrust(const FittedCoupledModel& fitted, const Helm& helm, const Log
                   helm.driven.force[0]));
 }
 
+// A warning where the model's offset acts like thrust: logs that never slow down do not tell it
+// from resistance.
+std::vector<std::string> OffsetSentences(const CoupledModel& model, const Helm& helm) {
+  constexpr double kMuch = 0.1;  // of the thrust
+  const double offset = -model.offset[0], thrust = helm.driven.force[0];
+  if (std::abs(offset) < kMuch * thrust) return {};
+  return {fmt::format(
+      "The model's offset pushes {} with {:.2g} N throughout, beside a thrust of {:.2g} N. Do not "
+      "believe this stop: only logs that speed up and slow down tell the offset from resistance.",
+      offset > 0.0 ? "ahead" : "astern",
+      std::abs(offset),
+      thrust)};
+}
+
 // What the log measured of this manoeuvre, beside the figures.
 void AddMeasured(const Helm& helm, ManoeuvrePrediction* report) {
   if (!helm.logged) return;
@@ -105,6 +119,9 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   const auto figures = FiguresOf(manoeuvre, *track);
   report.figures = WithIntervals(figures, drawn);
   report.sentences = StraightTrackSentences(manoeuvre, figures, drawn);
+  if (manoeuvre.kind == Manoeuvre::Kind::kStop) {
+    report.sentences = OffsetSentences(fitted.model, helm);
+  }
   report.track = std::move(*track);
   report.drawn = std::move(tracks);
   report.gear = helm.gear;

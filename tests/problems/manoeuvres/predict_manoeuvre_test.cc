@@ -58,6 +58,13 @@ TEST(PredictManoeuvre, StopsWithTheIntervalOfTheMass) {
   EXPECT_EQ(found.limit, 60.0);
   EXPECT_EQ(report.drawn.size(), 400u);
   EXPECT_EQ(GearSentence(report), "");
+  EXPECT_TRUE(report.sentences.empty());
+  FittedCoupledModel pushed = BoatModel();
+  pushed.model.offset[0] = -12.0;
+  const ManoeuvrePrediction doubted =
+      PredictManoeuvre(pushed, DrivenLog("", 40.0), ParseManoeuvre("stop"), {});
+  ASSERT_EQ(doubted.sentences.size(), 1u);
+  EXPECT_THAT(doubted.sentences.front(), testing::HasSubstr("pushes ahead with 12 N"));
 }
 
 TEST(PredictManoeuvre, RefusesAStopThatNothingDrives) {
