@@ -8,11 +8,14 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/findings/log_check.h"
+#include "fathom/manoeuvres/manoeuvre_page.h"
 #include "fathom/manoeuvres/manoeuvre_prediction.h"
+#include "fathom/report/page.h"
 #include "fathom/tool/coupled_scores.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/log_scores.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
@@ -43,10 +46,18 @@ DEFINE_double(horizon,
               std::numeric_limits<double>::infinity(),
               "Of a model of several DOFs: begin anew from the measured state after so long [s].");
 
-DEFINE_string(manoeuvre,
-              "",
-              "Of a model of several DOFs that steers with a rudder: turning_circle:35 or "
-              "zigzag:10/10, in degrees.");
+DEFINE_string(
+    manoeuvre,
+    "",
+    "Of a model of several DOFs: turning_circle:35, zigzag:10/10, spiral:25 or pull_out:20, "
+    "in degrees of the rudder, a minus first for port; or stop, the thrust reversed, stop:50 "
+    "by half of it, stop:0 off.");
+DEFINE_double(
+    rudder_delay,
+    std::numeric_limits<double>::quiet_NaN(),
+    "Of --manoeuvre=zigzag: from the heading's reaching the order to the rudder's answer [s]; "
+    "otherwise as in the log.");
+DEFINE_string(report, "", "Of --manoeuvre: write a page to this HTML file.");
 DEFINE_string(table,
               "",
               "Of the same: the derivatives about a straight track and Nomoto's K and T, in si or "
@@ -62,7 +73,9 @@ const ToolInfo kInfo = {
     "Predicts a log's velocity by simulating from its command alone, and scores the prediction.",
     "--model=FILE --log=LOG [--log=LOG ...] [--dof=DOF] [--velocity=FILE] [--out=FILE] "
     "[--json=FILE] [--keep_run_effects] [--horizon=SECONDS]\n"
-    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] | --table=si|prime",
+    "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] [--report=FILE] "
+    "[--rudder_delay=SECONDS] | "
+    "--table=si|prime",
     "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts where the model fits the first two seconds best, and anew after a gap of "
@@ -71,8 +84,11 @@ const ToolInfo kInfo = {
     "other DOFs is taken from the log. Causes of a run are left out on any other log. "
     "Several logs, as --log=A --log=B or --log=A,B, are scored one by one. A model of several "
     "degrees of freedom (fathom_identify --dofs) is simulated as one; --horizon begins its runs "
-    "anew: docs/coupled.md. --manoeuvre plays a turning circle or a zigzag, from the log's first "
-    "speed under its mean force, and --table lists the derivatives there: docs/fins.md.",
+    "anew: docs/coupled.md. --manoeuvre plays a turning circle, a zigzag, a spiral, a pull-out or "
+    "a "
+    "stop, from the log's first speed under its mean force, and --table lists the derivatives "
+    "there: "
+    "docs/fins.md.",
     {"log"}};
 
 void PrintRemarks(const std::vector<std::string>& remarks) {
@@ -120,30 +136,46 @@ void PrintPrediction(const ManoeuvrePrediction& report) {
   }
 }
 
+std::optional<double> RudderDelayFromFlag(const Manoeuvre& manoeuvre) {
+  if (std::isnan(FLAGS_rudder_delay)) return std::nullopt;
+  if (manoeuvre.kind != Manoeuvre::Kind::kZigzag) {
+    throw InputError("--rudder_delay: goes with --manoeuvre=zigzag:10/10, expected none.");
+  }
+  if (!(FLAGS_rudder_delay >= 0.0 && std::isfinite(FLAGS_rudder_delay))) {
+    throw InputError(
+        fmt::format("--rudder_delay: is {}, expected 0 s or more.", FLAGS_rudder_delay));
+  }
+  return FLAGS_rudder_delay;
+}
+
+int RunSteeringOf(const FittedCoupledModel& fitted, const Log& log) {
+  const ManoeuvrePrediction report =
+      PredictSteering(fitted, log, ParseSteeringUnits(FLAGS_table), {FLAGS_draws, FLAGS_seed});
+  fmt::print("Small motions about a straight track at {:.3g} m/s, as in {}; angles to starboard:\n",
+             report.ahead,
+             log.name);
+  PrintPrediction(report);
+  return kExitUsable;
+}
+
 int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
   if (FLAGS_draws < 0) {
     throw InputError(fmt::format("--draws: is {}, expected 0 or more.", FLAGS_draws));
   }
-  if (!FLAGS_table.empty()) {
-    const SteeringUnits units = ParseSteeringUnits(FLAGS_table);
-    const ManoeuvrePrediction report = PredictSteering(fitted, log, units, FLAGS_draws, FLAGS_seed);
-    fmt::print(
-        "Small motions about a straight track at {:.3g} m/s, as in {}; angles to starboard:\n",
-        report.ahead,
-        log.name);
-    PrintPrediction(report);
-    return kExitUsable;
-  }
+  if (!FLAGS_table.empty()) return RunSteeringOf(fitted, log);
   const Manoeuvre manoeuvre = ParseManoeuvre(FLAGS_manoeuvre);
-  const ManoeuvrePrediction report =
-      PredictManoeuvre(fitted, log, manoeuvre, FLAGS_draws, FLAGS_seed);
-  fmt::print("{} from {:.3g} m/s, the rudder at most at {:.3g} rad/s, as in {}:\n",
-             FLAGS_manoeuvre,
-             report.ahead,
-             report.rudder_rate,
-             log.name);
+  const ManoeuvrePrediction report = PredictManoeuvre(
+      fitted, log, manoeuvre, {FLAGS_draws, FLAGS_seed}, RudderDelayFromFlag(manoeuvre));
+  fmt::print("{} from {:.3g} m/s, as in {}:\n", FLAGS_manoeuvre, report.ahead, log.name);
   PrintPrediction(report);
+  if (const std::string gear = GearSentence(report); !gear.empty()) PrintText(stdout, gear + "\n");
+  for (const std::string& sentence : report.sentences) PrintText(stdout, sentence + "\n");
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, ManoeuvreCsv(report));
+  if (!FLAGS_report.empty()) {
+    Page page = ManoeuvrePage(report, FLAGS_manoeuvre, log.name);
+    page.origin = OriginOfPage({log});
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
   return kExitUsable;
 }
 
@@ -204,7 +236,13 @@ int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   std::vector<std::string> inputs = InputsFromFlags();
   inputs.push_back(FLAGS_model);
-  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}}, inputs);
+  RequireOutputs({{"out", FLAGS_out}, {"json", FLAGS_json}, {"report", FLAGS_report}}, inputs);
+  if (!FLAGS_report.empty() && FLAGS_manoeuvre.empty()) {
+    throw InputError("--report: is a page of --manoeuvre, expected one beside it.");
+  }
+  if (!std::isnan(FLAGS_rudder_delay) && FLAGS_manoeuvre.empty()) {
+    throw InputError("--rudder_delay: goes with --manoeuvre=zigzag:10/10, expected none.");
+  }
   if (const std::string text = ReadFile(FLAGS_model); IsCoupledModel(text)) {
     return RunCoupledModel(ParseCoupledModel(FLAGS_model, text));
   }

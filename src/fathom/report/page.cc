@@ -8,6 +8,7 @@
 #include "fathom/report/page_frame.h"
 #include "fathom/report/palette.h"
 #include "fathom/report/parameter_chart.h"
+#include "fathom/report/plan_chart.h"
 #include "fathom/report/scatter_chart.h"
 #include "fathom/report/table_html.h"
 #include "fathom/report/time_chart_json.h"
@@ -106,6 +107,7 @@ std::string SectionHtml(const PageSection& section, std::size_t index, Palette& 
   if (!section.heading.empty()) html += "<h2>" + HtmlText(section.heading) + "</h2>\n";
   html += Paragraphs(section.text, "text");
   html += Paragraphs(section.warnings, "warning");
+  for (const PlanPanel& panel : section.plan_panels) html += PlanChartHtml(panel);
   for (std::size_t i = 0; i < section.time_panels.size(); ++i) {
     html += TimeChartHtml(section.time_panels[i], index, i);
   }

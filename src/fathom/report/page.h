@@ -34,6 +34,7 @@ struct PageSection {
   std::vector<TimePanel> time_panels;
   std::vector<ParameterPanel> parameter_panels;
   std::vector<Table> tables;
+  std::vector<PlanPanel> plan_panels = {};        // above the charts over time
   std::vector<CurvePanel> curve_panels = {};      // below the charts over time
   std::vector<PageFold> folds = {};               // below these
   std::vector<ScatterPanel> scatter_panels = {};  // below these

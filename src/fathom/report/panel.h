@@ -100,4 +100,28 @@ struct CurvePanel {
   std::string note = {};  // beside the name of y
 };
 
+// A path over the ground.
+struct PlanCurve {
+  std::string name;
+  std::vector<double> ahead;      // along the first course [m]
+  std::vector<double> starboard;  // across it [m], one for each
+};
+
+// A limit as a straight line, across the way ahead or along it.
+struct PlanLimit {
+  std::string name;
+  bool is_along = false;  // at so much to starboard; else at so much ahead
+  double at = 0.0;        // [m]
+};
+
+// Paths seen from above, ahead to the right and starboard down, a metre as long in both directions.
+struct PlanPanel {
+  std::string title;
+  PlanCurve curve;
+  std::optional<PlanCurve> measured = {};
+  std::vector<PlanCurve> others = {};  // pale, behind the rest: their names are not shown
+  std::string others_name = {};        // "95 % of the drawn models"
+  std::vector<PlanLimit> limits = {};
+};
+
 }  // namespace fathom

@@ -97,7 +97,7 @@ TEST(NomotoOfZigzags, IsCoveredByItsIntervals) {
     const CoupledIdentification found = IdentifyCoupled({log}, options);
     if (!found.is_usable) return;
     const ManoeuvrePrediction report =
-        PredictSteering(found.fitted, log, SteeringUnits::kSi, 200, 1);
+        PredictSteering(found.fitted, log, SteeringUnits::kSi, {200, 1});
     const Vessel truth = Linear(vessel);
     const PredictedFigure K = PredictedOf(report, "K"), T = PredictedOf(report, "T");
     num_covered[i] =

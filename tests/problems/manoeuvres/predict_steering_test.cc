@@ -10,13 +10,15 @@
 #include <fstream>
 #include <string>
 
+#include "steered_log.h"
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
-constexpr double kInertia = 200.0, kDamping = 80.0, kForce = 30.0, kAft = -2.0, kAhead = 1.5;
+constexpr double kInertia = 200.0, kDamping = 80.0, kForce = 30.0;
+constexpr double kAft = kAftOfSteeredLog, kAhead = kAheadOfSteeredLog;
 constexpr double kLength = 4.0;
 
 // Yaw alone, its damping and its rudder's force known to 5 %.
@@ -31,35 +33,6 @@ FittedCoupledModel YawModel() {
   return fitted;
 }
 
-Log SteeredLog(const std::string& size) {
-  Log log;
-  log.path = std::filesystem::path(FATHOM_SCRATCH_DIR) / "predict_steering" /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::filesystem::create_directories(log.path);
-  log.dofs = {Dof::kYaw};
-  log.vehicle = "boat.yaml";
-  std::ofstream(log.path / log.vehicle)
-      << "name: boat\n"
-      << size << "fins:\n  - {name: rudder, position: [" << kAft << ", 0, 0], axis: [0, 0, 1]}\n";
-  for (int k = 0; k < 50; ++k) {
-    const double t = 0.1 * k;
-    if (k == 0) {
-      log.command = Stream{.time = {}, .columns = {"tau_surge", "tau_yaw"}, .values = {{}, {}}};
-      log.fins = Stream{.time = {}, .columns = {"fin_rudder"}, .values = {{}}};
-      log.velocity = Stream{.time = {}, .columns = {"u", "r"}, .values = {{}, {}}};
-    }
-    log.command->time.push_back(t);
-    log.command->values[0].push_back(5.0);
-    log.command->values[1].push_back(0.0);
-    log.fins->time.push_back(t);
-    log.fins->values[0].push_back(0.1 * std::sin(t));
-    log.velocity->time.push_back(t);
-    log.velocity->values[0].push_back(kAhead);
-    log.velocity->values[1].push_back(0.02 * std::sin(t));
-  }
-  return log;
-}
-
 PredictedFigure FigureOf(const ManoeuvrePrediction& report, const std::string& name) {
   const auto found = std::ranges::find_if(
       report.figures, [&](const PredictedFigure& figure) { return figure.figure.name == name; });
@@ -69,7 +42,7 @@ PredictedFigure FigureOf(const ManoeuvrePrediction& report, const std::string& n
 // K = -f u^2 x / (d + f u x^2) and T = J / (d + f u x^2), their deviations to first order.
 TEST(PredictSteering, GivesNomotosKAndTWithTheirIntervals) {
   const ManoeuvrePrediction report =
-      PredictSteering(YawModel(), SteeredLog(""), SteeringUnits::kSi, 2000, 1);
+      PredictSteering(YawModel(), SteeredLog(""), SteeringUnits::kSi, {2000, 1});
   const double arm = kAft * kAft;
   const double damping = kDamping + kForce * kAhead * arm;
   const double K = -kForce * kAhead * kAhead * kAft / damping, T = kInertia / damping;
@@ -85,8 +58,9 @@ TEST(PredictSteering, GivesNomotosKAndTWithTheirIntervals) {
 
 TEST(PredictSteering, DividesByTheLengthWhereAsked) {
   const Log log = SteeredLog("size: [4, 1, 0.5]\n");
-  const ManoeuvrePrediction si = PredictSteering(YawModel(), log, SteeringUnits::kSi, 10, 1);
-  const ManoeuvrePrediction prime = PredictSteering(YawModel(), log, SteeringUnits::kPrime, 10, 1);
+  const ManoeuvrePrediction si = PredictSteering(YawModel(), log, SteeringUnits::kSi, {10, 1});
+  const ManoeuvrePrediction prime =
+      PredictSteering(YawModel(), log, SteeringUnits::kPrime, {10, 1});
   const auto ratio = [&](const char* name, const std::string& primed) {
     return FigureOf(si, name).figure.value / FigureOf(prime, primed).figure.value;
   };
@@ -98,7 +72,7 @@ TEST(PredictSteering, DividesByTheLengthWhereAsked) {
 }
 
 TEST(PredictSteering, NeedsALengthForThat) {
-  EXPECT_THROW(PredictSteering(YawModel(), SteeredLog(""), SteeringUnits::kPrime, 10, 1),
+  EXPECT_THROW(PredictSteering(YawModel(), SteeredLog(""), SteeringUnits::kPrime, {10, 1}),
                InputError);
   EXPECT_THROW(ParseSteeringUnits("feet"), InputError);
 }

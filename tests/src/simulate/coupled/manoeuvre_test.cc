@@ -4,6 +4,9 @@
 #include "fathom/simulate/coupled/manoeuvre.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/simulate/coupled/imo_limit.h"
+#include "fathom/simulate/coupled/manoeuvre_figures.h"
+#include "fathom/simulate/coupled/manoeuvre_run.h"
 #include "fathom/simulate/coupled/steering.h"
 
 #include <algorithm>
@@ -47,7 +50,21 @@ TEST(ParseManoeuvre, ReadsDegrees) {
   EXPECT_NEAR(ParseManoeuvre("turning_circle:35").angle, 35.0 * std::numbers::pi / 180.0, 1e-12);
   const Manoeuvre zigzag = ParseManoeuvre("zigzag:20/10");
   EXPECT_NEAR(zigzag.heading, 10.0 * std::numbers::pi / 180.0, 1e-12);
-  for (const char* wrong : {"zigzag:20", "zigzag:20/0", "turning_circle", "loop:3", ""}) {
+  EXPECT_EQ(ParseManoeuvre("zigzag:-20/10").first_side, -1.0);
+  EXPECT_EQ(ParseManoeuvre("zigzag:-20/10").angle, zigzag.angle);
+  EXPECT_EQ(ParseManoeuvre("stop").astern, 1.0);
+  EXPECT_EQ(ParseManoeuvre("stop:0").astern, 0.0);
+  EXPECT_NEAR(ParseManoeuvre("spiral").angle, 25.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_NEAR(ParseManoeuvre("pull_out:15").angle, 15.0 * std::numbers::pi / 180.0, 1e-12);
+  for (const char* wrong : {"zigzag:20",
+                            "zigzag:20/0",
+                            "turning_circle",
+                            "loop:3",
+                            "stop:-5",
+                            "spiral:",
+                            "pull_out:-20",
+                            "stopp",
+                            ""}) {
     EXPECT_THROW(ParseManoeuvre(wrong), InputError) << wrong;
   }
 }
@@ -169,6 +186,135 @@ TEST(SteeringOf, NeedsARudderAndAYaw) {
   EXPECT_FALSE(SteeringOf(surge, OneRudder(), 1.0, 0.0));
 }
 
+// A rudder that answers later: the heading goes on for so long, at about the same rate.
+TEST(RunManoeuvre, OvershootsMoreTheLaterTheRudderAnswers) {
+  const Manoeuvre zigzag = ParseManoeuvre("zigzag:1/1");
+  const auto overshoot = [&](double delay) {
+    ManoeuvreOptions options;
+    options.rudder_delay = delay;
+    const auto track = RunManoeuvre(YawOnly(), OneRudder(), zigzag, options);
+    return Figure(FiguresOf(zigzag, *track), "first_overshoot") * std::numbers::pi / 180.0;
+  };
+  // By hand from the order on, with r at the order and T, K d as above; the rudder at once.
+  const double damping = kDamping + kForce * kAft * kAft;
+  const double T = kInertia / damping, Kd = kForce * -kAft / damping * zigzag.angle;
+  double low = 0.0, high = 100.0;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (Kd * (middle - T * (1.0 - std::exp(-middle / T))) < zigzag.heading ? low : high) = middle;
+  }
+  for (const double delay : {0.25, 0.73, 2.0}) {
+    const double t1 = low + delay, r1 = Kd * (1.0 - std::exp(-t1 / T));
+    const double beyond = Kd * (t1 - T * (1.0 - std::exp(-t1 / T))) - zigzag.heading;
+    const double by_hand = beyond + T * r1 - Kd * T * std::log((r1 + Kd) / Kd);
+    EXPECT_NEAR(overshoot(delay), by_hand, 2e-3 * by_hand) << delay;
+  }
+}
+
+// A turn to port is one to starboard in a mirror.
+TEST(RunManoeuvre, GivesTheSameFiguresToPort) {
+  for (const char* name : {"turning_circle:20", "zigzag:10/10"}) {
+    Manoeuvre manoeuvre = ParseManoeuvre(name);
+    const auto starboard =
+        FiguresOf(manoeuvre, *RunManoeuvre(YawOnly(), OneRudder(), manoeuvre, {}));
+    manoeuvre.first_side = -1.0;
+    const auto port = FiguresOf(manoeuvre, *RunManoeuvre(YawOnly(), OneRudder(), manoeuvre, {}));
+    for (std::size_t k = 0; k < port.size(); ++k) {
+      EXPECT_NEAR(port[k].value, starboard[k].value, 1e-6 * starboard[k].value) << port[k].name;
+    }
+  }
+}
+
+// Of Nomoto's equation the yaw rate is K angle on both ways: no loop, nothing left at midships.
+TEST(RunManoeuvre, GoesThroughASpiralWithoutALoop) {
+  const Manoeuvre spiral = ParseManoeuvre("spiral:6");
+  const auto track = RunManoeuvre(YawOnly(), OneRudder(), spiral, {});
+  ASSERT_TRUE(track);
+  const double K = kForce * -kAft / (kDamping + kForce * kAft * kAft);
+  ASSERT_EQ(track->steady.size(), 25u);  // 6, 5, ... -6 and back
+  const double largest = K * spiral.angle;
+  for (const SteadyTurn& turn : track->steady) {
+    // The fin's force goes with sin(angle), 0.2 % less at 6 degrees.
+    EXPECT_NEAR(turn.rate, K * turn.angle, 5e-3 * largest) << turn.angle;
+  }
+  const auto figures = FiguresOf(spiral, *track);
+  EXPECT_NEAR(Figure(figures, "loop_width"), 0.0, 0.1);
+  EXPECT_NEAR(
+      Figure(figures, "rate_after_starboard"), 0.0, 5e-3 * largest * 180.0 / std::numbers::pi);
+}
+
+// J dr/dt = a r - b r |r| + c angle: left alone it turns at a / b, and the loop ends where the
+// parabola a r - b r^2 has its top: at an angle of a^2 / (4 b c).
+CoupledModel Unstable(double a, double b) {
+  CoupledModel model = YawOnly();
+  const double of_fin = kForce * kAft * kAft;
+  model.linear_damping(5, 5) = -a - of_fin;
+  model.quadratic_damping(5, 5) = b;
+  return model;
+}
+
+TEST(RunManoeuvre, FindsTheLoopOfAnUnstableVehicle) {
+  const double a = 60.0, c = kForce * -kAft, width_by_hand = 5.0 * std::numbers::pi / 180.0;
+  const double b = a * a / (4.0 * c * 0.5 * width_by_hand);
+  const Manoeuvre spiral = ParseManoeuvre("spiral:8");
+  const auto track = RunManoeuvre(Unstable(a, b), OneRudder(), spiral, {});
+  ASSERT_TRUE(track);
+  const auto figures = FiguresOf(spiral, *track);
+  EXPECT_NEAR(Figure(figures, "loop_width"), 5.0, 1.01);  // to the step of a degree
+  const double left = a / b * 180.0 / std::numbers::pi;
+  EXPECT_NEAR(Figure(figures, "rate_after_starboard"), left, 0.02 * left);
+  EXPECT_NEAR(Figure(figures, "rate_after_port"), -left, 0.02 * left);
+}
+
+TEST(RunManoeuvre, PullsOutOfATurn) {
+  const Manoeuvre pull_out = ParseManoeuvre("pull_out:3");
+  const auto stable = FiguresOf(pull_out, *RunManoeuvre(YawOnly(), OneRudder(), pull_out, {}));
+  const double K = kForce * -kAft / (kDamping + kForce * kAft * kAft);
+  EXPECT_NEAR(Figure(stable, "rate_to_starboard"), 3.0 * K, 5e-3 * 3.0 * K);
+  EXPECT_NEAR(Figure(stable, "rate_after_starboard"), 0.0, 5e-3 * 3.0 * K);
+  EXPECT_NEAR(Figure(stable, "rate_to_port"), -3.0 * K, 5e-3 * 3.0 * K);
+  const auto unstable =
+      FiguresOf(pull_out, *RunManoeuvre(Unstable(10.0, 200.0), OneRudder(), pull_out, {}));
+  const double left = 10.0 / 200.0 * 180.0 / std::numbers::pi;
+  EXPECT_NEAR(Figure(unstable, "rate_after_starboard"), left, 0.02 * left);
+  EXPECT_NEAR(Figure(unstable, "rate_after_port"), -left, 0.02 * left);
+}
+
+// m du/dt = -F - D u^2 from U on: the track is m / (2 D) log(1 + D U^2 / F), the time
+// sqrt(m^2 / (D F)) atan(U sqrt(D / F)). No rudder is needed.
+TEST(RunManoeuvre, StopsAsTheEquationByHandDoes) {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge, Dof::kYaw};
+  model.inertia(0, 0) = 300.0;
+  model.inertia(5, 5) = kInertia;
+  model.linear_damping(5, 5) = kDamping;
+  model.quadratic_damping(0, 0) = 20.0;
+  ManoeuvreOptions options;
+  options.ahead = 1.5;
+  options.force[0] = 40.0;
+  options.thrust = 40.0;
+  for (const double share : {1.0, 0.5}) {
+    Manoeuvre stop = ParseManoeuvre("stop");
+    stop.astern = share;
+    const auto track = RunManoeuvre(model, {}, stop, options);
+    ASSERT_TRUE(track);
+    const auto figures = FiguresOf(stop, *track);
+    const double F = share * 40.0, D = 20.0, m = 300.0, U = 1.5;
+    EXPECT_NEAR(
+        Figure(figures, "track_reach"), m / (2.0 * D) * std::log(1.0 + D * U * U / F), 0.01);
+    EXPECT_NEAR(Figure(figures, "head_reach"), Figure(figures, "track_reach"), 1e-3);
+    EXPECT_NEAR(Figure(figures, "lateral_deviation"), 0.0, 1e-9);
+    EXPECT_NEAR(Figure(figures, "stop_time"),
+                m / std::sqrt(D * F) * std::atan(U * std::sqrt(D / F)),
+                options.step);
+  }
+  // Off: to 5 % of the speed in m / D (1 / u - 1 / U), over m / D log(20).
+  const Manoeuvre off = ParseManoeuvre("stop:0");
+  const auto figures = FiguresOf(off, *RunManoeuvre(model, {}, off, options));
+  EXPECT_NEAR(Figure(figures, "stop_time"), 15.0 * (19.0 / 1.5), 1.01 * options.step);
+  EXPECT_NEAR(Figure(figures, "track_reach"), 15.0 * std::log(20.0), 0.01);
+}
+
 // MSC.137(76), 5.3: of a ship of 100 m at 8 m/s, at 4 m/s and at 2 m/s; L/V is 12.5, 25 and 50 s.
 TEST(ImoLimit, IsThatOfTheStandard) {
   const Manoeuvre circle = ParseManoeuvre("turning_circle:35"),
@@ -180,6 +326,8 @@ TEST(ImoLimit, IsThatOfTheStandard) {
   EXPECT_DOUBLE_EQ(*ImoLimit(small, "second_overshoot", 100.0, 4.0), 36.25);
   EXPECT_DOUBLE_EQ(*ImoLimit(small, "second_overshoot", 100.0, 50.0), 25.0);
   EXPECT_DOUBLE_EQ(*ImoLimit(large, "first_overshoot", 100.0, 8.0), 25.0);
+  EXPECT_DOUBLE_EQ(*ImoLimit(ParseManoeuvre("stop"), "track_reach", 100.0, 8.0), 1500.0);
+  EXPECT_FALSE(ImoLimit(ParseManoeuvre("stop:50"), "track_reach", 100.0, 8.0));
   EXPECT_FALSE(ImoLimit(large, "second_overshoot", 100.0, 8.0));
   EXPECT_FALSE(ImoLimit(ParseManoeuvre("turning_circle:20"), "advance", 100.0, 8.0));
 }

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/manoeuvres/drawn_figures.h"
+
+#include "fathom/base/quantile.h"
+#include "fathom/base/random_stream.h"
+#include "fathom/solve/covariance_factor.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace fathom {
+namespace {
+
+constexpr double kEnoughDraws = 0.8;  // of all, for an interval
+
+}  // namespace
+
+std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
+                                     int count,
+                                     std::uint64_t seed) {
+  const Eigen::MatrixXd root = CovarianceFactor(fitted.covariance);
+  RandomStream random(seed, "manoeuvre");
+  std::vector<CoupledModel> models;
+  for (int i = 0; i < count; ++i) {
+    Eigen::VectorXd normal(root.cols());
+    for (double& value : normal) value = random.Normal();
+    const Eigen::VectorXd move = root * normal;
+    CoupledModel& model = models.emplace_back(fitted.model);
+    for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+      const FreeEntry& entry = fitted.entries[k];
+      SetValue(entry, ValueIn(model, entry) + move[static_cast<Eigen::Index>(k)], &model);
+    }
+  }
+  return models;
+}
+
+std::vector<FigureInterval> IntervalsOf(const std::vector<ManoeuvreFigures>& drawn,
+                                        std::size_t num_figures) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<FigureInterval> intervals;
+  for (std::size_t f = 0; f < num_figures; ++f) {
+    std::vector<double> values;
+    for (const ManoeuvreFigures& figures : drawn) {
+      if (figures && std::isfinite((*figures)[f].value)) values.push_back((*figures)[f].value);
+    }
+    const double enough = kEnoughDraws * static_cast<double>(drawn.size());
+    if (values.empty() || static_cast<double>(values.size()) < enough) {
+      intervals.push_back({kUnknown, kUnknown});
+    } else {
+      intervals.push_back({Quantile(values, 0.025), Quantile(values, 0.975)});
+    }
+  }
+  return intervals;
+}
+
+}  // namespace fathom

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/coupled/manoeuvre_run.h"
+
+#include "fathom/simulate/coupled/steering.h"
+#include "fathom/simulate/coupled/steering_gear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fathom {
+namespace {
+
+constexpr double kSettleSteps = 100.0;  // over which a steady yaw rate stays
+constexpr double kHeldShare = 1.0 / 3.0;
+
+// What drives the vehicle throughout.
+CoupledInputs InputsOf(const CoupledModel& model,
+                       const std::vector<CommandedFin>& fins,
+                       const Manoeuvre& manoeuvre,
+                       const ManoeuvreOptions& options) {
+  const bool is_stop = manoeuvre.kind == Manoeuvre::Kind::kStop;
+  CoupledInputs inputs;
+  CoupledCommand& command = inputs.command;
+  command.time = {0.0};
+  Vector6 wrench = options.force;
+  wrench[0] = is_stop ? -manoeuvre.astern * options.force[0] : options.force[0] - options.thrust;
+  command.force = {wrench};
+  // All that makes a race, as one thruster of that name.
+  command.thrusters = {{"race", Vector6::Unit(0), {is_stop ? 0.0 : options.thrust}}};
+  command.fins = fins;
+  for (CommandedFin& fin : command.fins) {
+    fin.angle = {0.0};
+    if (!fin.behind.empty()) fin.behind = "race";
+  }
+  const bool has_surge = std::ranges::find(model.dofs, Dof::kSurge) != model.dofs.end();
+  if (!has_surge) inputs.measured[0] = {{0.0}, {options.ahead}};
+  return inputs;
+}
+
+}  // namespace
+
+double UnwrappedHeading(const CoupledState& state, double before) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const Eigen::Vector4d& q = state.attitude;
+  const double heading =
+      std::atan2(2.0 * (q[3] * q[2] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]));
+  return heading - kTurn * std::round((heading - before) / kTurn);
+}
+
+std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
+                                           const std::vector<CommandedFin>& fins,
+                                           const Manoeuvre& manoeuvre,
+                                           const ManoeuvreOptions& options) {
+  const bool is_stop = manoeuvre.kind == Manoeuvre::Kind::kStop;
+  const auto rudder = RudderOf(fins);
+  if (!rudder && !is_stop) return std::nullopt;
+  // A positive angle turns to the side that the arm says.
+  const double to_starboard =
+      rudder && fins[*rudder].arms.across[Index(Dof::kYaw)] < 0.0 ? -1.0 : 1.0;
+  CoupledInputs inputs = InputsOf(model, fins, manoeuvre, options);
+  CoupledModel driven = model;
+  driven.thrust_gain.clear();  // in options.force
+  CoupledState state;
+  state.nu[0] = options.ahead;
+  ManoeuvreTrack track;
+  track.fin_sign = to_starboard;
+  Helmsman helmsman(
+      manoeuvre, options.rudder_delay, kSettleSteps * options.step, kHeldShare * options.longest);
+  const bool is_held = !HeldOrders(manoeuvre).empty();
+  double angle = 0.0, heading = 0.0;
+  CoupledStamps stamps;
+  stamps.pose = {options.step};
+  CoupledOutputs outputs;
+  for (int k = 0;; ++k) {
+    const double t = options.step * k;
+    track.time.push_back(t);
+    track.angle.push_back(to_starboard * angle);
+    track.heading.push_back(heading);
+    track.state.push_back(state);
+    helmsman.See({t, state.nu[0], heading, state.nu[5]});
+    if (helmsman.IsDone() || (!is_held && t >= options.longest)) break;
+    if (!is_stop) {
+      const double wait = std::clamp(helmsman.NextTime() - t, 0.0, options.step);
+      const bool turns_within = helmsman.NextTime() < t + options.step;
+      GearStep gear = TurnRudder(angle,
+                                 turns_within ? helmsman.NextOrder() : helmsman.Order(),
+                                 options.rudder_rate,
+                                 turns_within ? wait : 0.0,
+                                 options.step);
+      inputs.command.fins[*rudder].angle = {to_starboard * gear.mean};
+      angle = gear.end;
+    }
+    if (!RunCoupled(driven, inputs, state, stamps, &outputs)) return std::nullopt;
+    state = outputs.pose.front();
+    heading = UnwrappedHeading(state, heading);
+  }
+  track.steady = helmsman.steady();
+  return track;
+}
+
+}  // namespace fathom
