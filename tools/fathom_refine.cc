@@ -4,17 +4,25 @@
 // Model and camera trajectory together, from the corners of markers.
 //
 //   fathom_refine --log=LOG --dof=DOF [--json=FILE --model=FILE --trajectory=FILE --report=FILE]
+//   fathom_refine --log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE --window=SECONDS --model=FILE
+//                 --trajectory=FILE --true_poses=FILE]
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/comparison/image_comparison.h"
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
+#include "fathom/coupled_refinement/film_refinement.h"
+#include "fathom/coupled_refinement/film_text.h"
+#include "fathom/findings/log_check.h"
 #include "fathom/geometry/stamped_pose.h"
 #include "fathom/identification/identification_text.h"
+#include "fathom/log/csv/csv_table.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/write_log.h"
 #include "fathom/signal/sources/dof_of_log.h"
+#include "fathom/tool/coupled_flags.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/identifier_flags.h"
 #include "fathom/tool/origin_of_page.h"
@@ -24,6 +32,7 @@
 #include "fathom/tool/progress.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <cstdio>
@@ -64,6 +73,10 @@ DEFINE_string(trajectory,
               "",
               "Write the refined poses with their standard deviations to this CSV file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
+DEFINE_string(true_poses,
+              "",
+              "Of --dofs: where the vehicle truly was, a CSV as pose.csv. Prints how far the poses "
+              "are off it before and after.");
 
 namespace fathom {
 namespace {
@@ -71,14 +84,20 @@ namespace {
 const ToolInfo kInfo = {
     .name = "fathom_refine",
     .summary = "Estimates model and camera trajectory together from the corners of markers.",
-    .usage = "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]",
-    .example = "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html",
+    .usage =
+        "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]\n"
+        "--log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] [--model=FILE] "
+        "[--trajectory=FILE] [--true_poses=FILE]",
+    .example =
+        "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html\n"
+        "  fathom_refine --log=dive --dofs=surge,sway,yaw --structure=coriolis --model=plane.json",
     .details =
         "Several --log are fitted together. A log needs detections.csv (from fathom_track), "
         "camera.yaml, tags.yaml, mount.yaml and command.csv. The table compares the families on "
         "the same images. Exit code 2: no family has a usable model, or there are no refined "
         "poses for --trajectory. See "
-        "docs/joint_refinement.md.",
+        "docs/joint_refinement.md. --dofs refines a model of several degrees of freedom: "
+        "docs/coupled.md.",
     .repeatable_flags = {"log"}};
 
 ImageComparisonOptions OptionsFromFlags() {
@@ -110,6 +129,19 @@ void Print(const ImageComparison& images) {
   for (const std::string& line : CommentsOn(dof)) PrintText(stdout, line + "\n");
 }
 
+void WriteFilmTrajectory(const FilmRefinement& refinement) {
+  std::vector<StampedPose> poses;
+  for (size_t w = 0; w < refinement.joint.windows.size(); ++w) {
+    const RefinedWindow& window = refinement.joint.windows[w];
+    for (size_t k = 0; k < window.world_from_body.size(); ++k) {
+      poses.push_back({.time = refinement.film.windows[w].time[k],
+                       .pose = window.world_from_body[k],
+                       .covariance = window.pose_covariance[k]});
+    }
+  }
+  WriteStream(FLAGS_trajectory, PoseStreamOf(poses));
+}
+
 void WriteTrajectory(const MarkerLogs& logs, const ImageComparison& images) {
   std::vector<StampedPose> poses;
   for (size_t r = 0; r < images.joint.segments.size(); ++r) {
@@ -135,8 +167,79 @@ std::map<std::string, std::string> Provenance() {
           {"version", FATHOM_VERSION}};
 }
 
+std::optional<Stream> TruePoses() {
+  if (FLAGS_true_poses.empty()) return std::nullopt;
+  const CsvSpec spec = {{"x", "y", "z", "qx", "qy", "qz", "qw"}, {}, ""};
+  return ReadCsvTable(FLAGS_true_poses, spec).stream;
+}
+
+int RunCoupledRefinement() {
+  FilmRefinementOptions options;
+  options.identification = CoupledOptionsFromFlags();
+  std::vector<std::string> inputs = InputsFromFlags();
+  if (!FLAGS_true_poses.empty()) inputs.push_back(FLAGS_true_poses);
+  RequireOutputs({{"model", FLAGS_model}, {"trajectory", FLAGS_trajectory}}, inputs);
+  const std::optional<Stream> truth = TruePoses();
+  std::vector<Log> logs = ReadLogsFromFlags({}, /*may_lack_motion=*/true);
+  RequireTrainingData(logs);
+  if ((!FLAGS_trajectory.empty() || truth) && logs.size() > 1) {
+    throw InputError(
+        fmt::format("--{}: holds the poses of one log, expected a single --log with it.",
+                    truth ? "true_poses" : "trajectory"));
+  }
+  std::vector<std::string> fingerprints = FingerprintsOf(logs);
+  const MarkerLogs markers = PrepareCoupledMarkerLogs(std::move(logs));
+  const std::vector<Finding> findings = CheckLogs(markers.logs, options.identification.dofs);
+  PrintWarnings(findings);
+  PrintNotes(findings);
+  std::fflush(stdout);
+  std::optional<Progress> progress(std::in_place, "round");
+  options.fit.on_round = [&](int round, int most) { progress->Show(round, most); };
+  FilmRefinement refinement = RefineCoupled(markers, options);
+  progress.reset();
+  for (const std::string& remark : refinement.remarks) PrintText(stdout, "note: " + remark + "\n");
+  if (!refinement.is_usable) {
+    PrintText(stderr, "fathom_refine: no usable model: " + refinement.message + "\n");
+    return kExitNoFit;
+  }
+  PrintText(stdout, FormatFilmRefinement(refinement));
+  if (truth) PrintText(stdout, FormatPathErrors(PathErrorsOf(refinement, *truth)));
+  refinement.fitted.log_fingerprints = std::move(fingerprints);
+  refinement.fitted.provenance = {{"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
+                                  {"family", std::string(Name(Family::kJoint))},
+                                  {"source", std::string(Name(Source::kCamera))},
+                                  {"structure", FLAGS_structure},
+                                  {"window", fmt::format("{}", FLAGS_window)},
+                                  {"version", FATHOM_VERSION}};
+  if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatCoupledModel(refinement.fitted));
+  if (!FLAGS_trajectory.empty()) WriteFilmTrajectory(refinement);
+  return kExitUsable;
+}
+
+// Flags that only the refinement of one DOF heeds.
+std::vector<const char*> FlagsOfOneDof() {
+  return {"dof",
+          "json",
+          "report",
+          "initial_guess",
+          "clock_offset_std",
+          "size_scale_std",
+          "mount_position_std",
+          "mount_angle_std",
+          "gains",
+          "integrator",
+          "huber",
+          "shooting_window",
+          "weighting"};
+}
+
 int RunRefine() {
   RequireFlag("log", FLAGS_log, "a log folder with detections.csv");
+  RequireFlagsOfOneKind(FlagsOfOneDof());
+  if (IsCoupledAsked()) return RunCoupledRefinement();
+  if (!FLAGS_true_poses.empty()) {
+    throw InputError("--true_poses: goes with --dofs, expected none without it.");
+  }
   ImageComparisonOptions options = OptionsFromFlags();
   RequireOutputs({{"json", FLAGS_json},
                   {"model", FLAGS_model},

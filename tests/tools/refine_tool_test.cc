@@ -214,6 +214,80 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
               HasSubstr("camera.yaml: differs from the first log's"));
 }
 
+// Surge, sway and yaw of data/vehicles/planar_rov.yaml at once, 40 s.
+fs::path SynthesizePlane(const fs::path& log) {
+  std::string text = TextOf(fs::path(kData) / "experiments/film_planar.yaml");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  replace("duration: 120", "duration: 40");
+  replace("[100, 120]", "[30, 40]");
+  replace("logged: false", "logged: true");
+  const fs::path experiment = WriteTestFile(log.string() + ".yaml", text);
+  RunsWell("fathom_synthesize",
+           {"--vehicle=" + kData + "/vehicles/planar_rov.yaml",
+            Flag("experiment", experiment),
+            "--film=" + kData + "/films/wall_four_still.yaml",
+            Flag("out", log)});
+  return log;
+}
+
+TEST(RefineTool, RefinesSeveralDofsTogether) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path log = SynthesizePlane(folder / "log");
+  const std::vector<std::string> arguments = {Flag("log", log),
+                                              "--dofs=surge,sway,yaw",
+                                              "--structure=symmetric",
+                                              Flag("true_poses", log / "pose.csv"),
+                                              Flag("model", folder / "model.json"),
+                                              Flag("trajectory", folder / "path.csv")};
+  const ToolRun run = RunsWell("fathom_refine", arguments);
+  EXPECT_THAT(run.out, HasSubstr("inertia.sway.yaw"));
+  EXPECT_THAT(run.out, HasSubstr("No DOF leaves the simulated motion."));
+  EXPECT_THAT(run.out, HasSubstr("Path error over 300 frames: "));
+  const nlohmann::json model = JsonOf(folder / "model.json");
+  EXPECT_EQ(model["schema"], "fathom-model-2");
+  EXPECT_EQ(model["provenance"]["family"], "joint");
+  EXPECT_NEAR(model["parameters"]["inertia.surge"]["value"].get<double>(), 34.0, 0.34);
+  EXPECT_NEAR(model["parameters"]["inertia.sway.yaw"]["value"].get<double>(), 1.6, 0.016);
+  EXPECT_GT(model["parameters"]["inertia.surge"]["std"].get<double>(), 0.0);
+  EXPECT_THAT(TextOf(folder / "path.csv"),
+              HasSubstr("t,x,y,z,qx,qy,qz,qw,sx,sy,sz,sroll,spitch,syaw"));
+  // As every other model file.
+  RunsWell("fathom_simulate", {Flag("model", folder / "model.json"), Flag("log", log)});
+
+  const auto refusal = [&](std::vector<std::string> wrong) {
+    wrong.push_back(Flag("log", log));
+    wrong.push_back(Flag("model", folder / "none.json"));
+    return ExpectRefusal("fathom_refine", wrong, folder);
+  };
+  EXPECT_THAT(refusal({"--dofs=surge,sway", "--dof=surge"}),
+              HasSubstr("--dof: goes with a model of one DOF, expected none beside --dofs"));
+  EXPECT_THAT(refusal({"--dofs=surge,sway", "--clock_offset_std=0.1"}),
+              HasSubstr("--clock_offset_std: goes with a model of one DOF"));
+  EXPECT_THAT(refusal({"--dof=surge", "--structure=full"}),
+              HasSubstr("--structure: goes with --dofs"));
+  EXPECT_THAT(refusal({"--dof=surge", Flag("true_poses", log / "pose.csv")}),
+              HasSubstr("--true_poses: goes with --dofs, expected none without it"));
+  EXPECT_THAT(refusal({"--dofs=surge,sway,yaw", Flag("true_poses", log / "velocity.csv")}),
+              HasSubstr("velocity.csv"));
+}
+
+TEST(RefineTool, HasNoCoupledModelOfAVehicleThatHardlyTurns) {
+  const fs::path folder = EmptyTestFolder();
+  // Surge alone is driven.
+  const ToolRun run = RunToolBinary("fathom_refine",
+                                    {"--log=" + OneMarkerLog().string(),
+                                     "--dofs=surge,yaw",
+                                     "--structure=diagonal",
+                                     Flag("model", folder / "model.json")});
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("fathom_refine: no usable model: "));
+  EXPECT_FALSE(fs::exists(folder / "model.json"));
+}
+
 TEST(RefineTool, HasNoModelOfAVehicleThatStaysPut) {
   const fs::path folder = EmptyTestFolder();
   const fs::path log = SynthesizeMinute(folder / "log", "wall_four.yaml", 0.0, 3);

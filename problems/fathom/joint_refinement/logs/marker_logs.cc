@@ -120,10 +120,23 @@ struct LeftOut {
   std::vector<std::string> remarks;  // a sentence each, as in MarkerLogs
 };
 
+// When each row of a log's command begins to hold, and nothing of what it is.
+HeldCommand StampsOfCommand(const Log& log) {
+  if (!log.command || log.command->time.empty()) {
+    throw InputError(fmt::format(
+        "{}: holds no command.csv, expected the forces or thrusters that drove the vehicle.",
+        log.path.string()));
+  }
+  return {log.command->time, std::vector<double>(log.command->time.size(), 0.0)};
+}
+
 // Tracks one log and adds its segments.
-void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
+void Add(Log log,
+         const HeldCommand& command,
+         const CameraRig& rig,
+         MarkerLogs* result,
+         LeftOut* left_out) {
   std::vector<std::string> remarks = rig.remarks;
-  const HeldCommand command = CommandOf(log, result->dof);
   const std::vector<Detection> detections = DetectionsIn(log);
   MarkerTrajectoryOptions options;
   options.pose_track.name = FileOf(log, "detections.csv");
@@ -193,11 +206,10 @@ void Add(Log log, const CameraRig& rig, MarkerLogs* result, LeftOut* left_out) {
       fmt::join(left_out.remarks, " ")));
 }
 
-}  // namespace
-
-MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
+// `dof`: nothing where several move together, each by forces of its own.
+MarkerLogs Prepare(std::vector<Log> logs, std::optional<Dof> dof) {
   MarkerLogs result;
-  result.dof = result.input.dof = dof;
+  if (dof) result.dof = result.input.dof = *dof;
   std::optional<CameraRig> first;
   LeftOut left_out;
   const std::string unit = logs.empty() ? "" : logs.front().command_unit;
@@ -227,10 +239,21 @@ MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
             "known. The intervals do not include their error.");
       }
     }
-    Add(std::move(log), rig, &result, &left_out);
+    const HeldCommand command = dof ? CommandOf(log, *dof) : StampsOfCommand(log);
+    Add(std::move(log), command, rig, &result, &left_out);
   }
   if (result.input.segments.empty()) ThrowNothingIsLeft(result, left_out);
   return result;
+}
+
+}  // namespace
+
+MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof) {
+  return Prepare(std::move(logs), dof);
+}
+
+MarkerLogs PrepareCoupledMarkerLogs(std::vector<Log> logs) {
+  return Prepare(std::move(logs), std::nullopt);
 }
 
 }  // namespace fathom

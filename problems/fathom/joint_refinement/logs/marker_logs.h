@@ -42,4 +42,7 @@ struct MarkerLogs {
 // camera, mount, markers or units, or if nothing is left to train on.
 MarkerLogs PrepareMarkerLogs(std::vector<Log> logs, Dof dof);
 
+// The same for a model of several DOFs: the segments have the stamps of the command, but no force.
+MarkerLogs PrepareCoupledMarkerLogs(std::vector<Log> logs);
+
 }  // namespace fathom
