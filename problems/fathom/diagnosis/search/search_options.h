@@ -58,8 +58,9 @@ struct SearchOptions {
   // Of the same: what gains more has its noise learned from nothing too.
   double contends = 0.9;
 
-  // What a refit may gain at most, of its score, where it is weighed before it is made; and what it
-  // gains at least where it did not go astray.
+  // What a refit may gain, in scores and in what those before it gained of theirs, where it is
+  // weighed before it is made; and what it gains at least, of its score, where it did not go
+  // astray.
   double optimism = 2.0;
   double kept = 0.8;
 
