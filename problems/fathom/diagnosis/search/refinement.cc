@@ -6,7 +6,6 @@
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/start_price.h"
-#include "fathom/diagnosis/search/work_limit.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -196,7 +195,7 @@ HypothesisBook Refined(const SearchTask& task,
   // Those of one group do not know of each other's gains, whatever the number of threads.
   constexpr std::size_t kGroup = 4;
   double most_kept = 1.0;  // of a score: far more where `base` is no model of these data
-  for (std::size_t begin = 0; begin < suspects.size() && !IsSpent(task, book); begin += kGroup) {
+  for (std::size_t begin = 0; begin < suspects.size() && !task.IsSpent(); begin += kGroup) {
     const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
     std::vector<std::vector<Hypothesis>> found(group.size());
     ParallelFor(static_cast<int>(group.size()), [&](int i) {

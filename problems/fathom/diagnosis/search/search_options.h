@@ -15,12 +15,6 @@ struct SearchOptions {
   // one's fit is slow.
   double most_work = 4e7;
 
-  // The share of it that is granted while no hypothesis gains `much_per_bin`: by 0.7, half of the
-  // variance of an error of prediction is gone. What the rest of the work finds on real logs whose
-  // error no cause makes up for is seldom named.
-  double share_of_work = 0.2;
-  double much_per_bin = 0.7;
-
   // What fits are weighed by.
   Criterion criterion = Criterion::kLearnedNoise;
 
