@@ -47,9 +47,9 @@ CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs
   if (structure != "auto") {
     options.structure = StandardStructureFromName(structure);
     if (!options.structure) {
-      throw InputError(
-          fmt::format("structure: is {}, expected diagonal, coriolis, symmetric, full or auto.",
-                      Quoted(structure)));
+      throw InputError(fmt::format(
+          "structure: is {}, expected diagonal, coriolis, lift, symmetric, full, lopsided or auto.",
+          Quoted(structure)));
     }
   }
   options.fit.window = window;
