@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/base/quoted.h"
 #include "fathom/coupled/cause_words.h"
 #include "fathom/coupled/coupled_page.h"
 #include "fathom/coupled/coupled_text.h"
@@ -9,11 +8,9 @@
 #include "fathom/findings/log_check.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
-#include <algorithm>
-
-#include "module/arguments.h"
 #include "module/arrays.h"
 #include "module/bindings.h"
+#include "module/coupled_options.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
 #include "module/tell.h"
@@ -36,28 +33,6 @@ struct DiagnosedTogether {
   CoupledInPython fit;
   CoupledDiagnosis diagnosis;
 };
-
-CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs,
-                                            const std::string& structure,
-                                            double window) {
-  CoupledIdentificationOptions options;
-  options.dofs = ParseList("dofs", dofs, ParseDof);
-  if (options.dofs.empty()) throw InputError("dofs: is empty, expected several.");
-  std::sort(options.dofs.begin(), options.dofs.end());
-  if (structure != "auto") {
-    options.structure = StandardStructureFromName(structure);
-    if (!options.structure) {
-      throw InputError(
-          fmt::format("structure: is {}, expected diagonal, coriolis, symmetric, full or auto.",
-                      Quoted(structure)));
-    }
-  }
-  options.fit.window = window;
-  if (const auto problems = options.fit.Problems(); !problems.empty()) {
-    throw InputError(problems.front() + ".");
-  }
-  return options;
-}
 
 // Warns of red findings before the fit, which takes a while.
 CoupledInPython FitTogether(const py::object& log,
