@@ -356,7 +356,7 @@ class Filmed(unittest.TestCase):
         self.refuses("is of arrays, expected a log folder", refine, arrays)
         self.refuses("is of arrays, expected a log folder", fathom.track, arrays)
         # Beyond reason, but numbers.
-        refine(minute, clock_offset_std=1e300, mount_position_std=1e300)
+        refine(minute, clock_offset_std=1e300)
 
     def test_results_show_themselves(self):
         track = fathom.track(self.minute)
