@@ -11,12 +11,16 @@
 #include "fathom/base/input_error.h"
 #include "fathom/tool/adaptive_flags.h"
 #include "fathom/tool/dof_flag.h"
+#include "fathom/tool/estimate_history.h"
 #include "fathom/tool/estimate_lines.h"
+#include "fathom/tool/follow_page.h"
+#include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/sample_lines.h"
 #include "fathom/tool/tool.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -37,6 +41,13 @@ DEFINE_string(
 DEFINE_int32(state_every, 1000, "Write the state behind every so many samples.");
 DEFINE_bool(json, false, "Print lines of JSON, an object each, instead of CSV.");
 
+DEFINE_string(
+    page,
+    "",
+    "Write the estimates over time to this HTML file, anew every --page_every seconds. An "
+    "open page loads itself again.");
+DEFINE_double(page_every, 2.0, "Write the page so often at most [s].");
+
 DECLARE_string(dof);
 
 namespace fathom {
@@ -46,7 +57,7 @@ const ToolInfo kInfo = {
     "fathom_follow",
     "Follows a stream by the adaptive law: lines t,tau,v on stdin, an estimate each on stdout.",
     "--dof=DOF --gains=a_m,l1,l2,l3,l4 [--integrator=runge_kutta|euler] [--state=FILE] "
-    "[--state_every=SAMPLES] [--json]",
+    "[--state_every=SAMPLES] [--json] [--page=FILE.html]",
     "awk -F, 'FNR > 1 { k = int(10 * $1 + 1e-6) }\n"
     "         FNR > 1 && NR == FNR { tau[k] = $2 }\n"
     "         FNR > 1 && NR != FNR { print $1 \",\" tau[k] \",\" $2 }' \\\n"
@@ -134,6 +145,52 @@ class FollowedStream {
   long num_samples_ = 0;  // of this run
 };
 
+// The page of a stream, while it goes on.
+class GrowingPage {
+ public:
+  GrowingPage(Dof dof, const AdaptiveOptions& options)
+      : dof_(dof), options_(options), origin_(OriginOfPage({})) {}
+
+  void Add(const FollowedEstimate& estimate) {
+    if (FLAGS_page.empty()) return;
+    history_.Add(estimate);
+    const auto now = std::chrono::steady_clock::now();
+    if (now < due_) return;
+    Write(FLAGS_page_every);
+    due_ = now + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                     std::chrono::duration<double>(FLAGS_page_every));
+  }
+
+  // The stream has ended: the page stands still from now on.
+  void Finish() const {
+    if (!FLAGS_page.empty() && !history_.IsEmpty()) Write(0.0);
+  }
+
+ private:
+  void Write(double reload_after) const {
+    Page page = FollowPage(history_, dof_, options_);
+    page.origin = origin_;
+    page.reload_after = reload_after;
+    WriteFile(FLAGS_page, RenderPage(page));
+  }
+
+  Dof dof_;
+  AdaptiveOptions options_;
+  PageOrigin origin_;
+  EstimateHistory history_;
+  std::chrono::steady_clock::time_point due_ = {};
+};
+
+// The next estimate. Where a line is refused, the page too tells what came before it.
+std::optional<FollowedEstimate> NextOf(FollowedStream* stream, const GrowingPage& page) {
+  try {
+    return stream->Next();
+  } catch (const InputError&) {
+    page.Finish();
+    throw;
+  }
+}
+
 // False where nobody reads any more.
 bool Print(const std::string& line) {
   std::fputs(line.c_str(), stdout);
@@ -152,13 +209,21 @@ int Run() {
     throw InputError(
         fmt::format("--state_every: is {}, expected at least 1 sample.", FLAGS_state_every));
   }
-  RequireOutputs({{"state", FLAGS_state}}, {});
+  constexpr double kLongestWait = 86400.0;  // [s]
+  if (!(FLAGS_page_every > 0.0 && FLAGS_page_every <= kLongestWait)) {
+    throw InputError(fmt::format("--page_every: is {}, expected more than 0 s, up to {:g} s.",
+                                 FLAGS_page_every,
+                                 kLongestWait));
+  }
+  RequireOutputs({{"state", FLAGS_state}, {"page", FLAGS_page}}, {});
   FollowedStream stream(dof, options);
+  GrowingPage page(dof, options);
   if (!FLAGS_json) Print(EstimateCsvHeader());
   FollowedEstimate last;
-  while (const auto estimate = stream.Next()) {
+  while (const auto estimate = NextOf(&stream, page)) {
     last = *estimate;
     if (std::isnan(last.model.inertia)) {
+      page.Finish();
       PrintText(stderr,
                 fmt::format("fathom_follow: no usable model: The adaptive law diverged at t = {}: "
                             "the step is too long for these gains.\n",
@@ -167,9 +232,11 @@ int Run() {
     }
     if (!Print(FLAGS_json ? EstimateJsonLine(last, dof) : EstimateCsvLine(last))) break;
     stream.SaveIfDue();
+    page.Add(last);
   }
   if (!stream.has_samples()) throw InputError("stdin: holds no sample, expected lines t,tau,v.");
   stream.Save();
+  page.Finish();
   if (last.usable) return kExitUsable;
   PrintText(stderr, "fathom_follow: no usable model: " + WhyLastIsUnusable(last) + "\n");
   return kExitNoFit;

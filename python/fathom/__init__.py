@@ -17,6 +17,7 @@ from fathom._fathom import (
     CoupledIdentification,
     CoupledModel,
     CoupledPrediction,
+    CoupledRefinement,
     Decay,
     Diagnosis,
     Figures,
@@ -27,12 +28,16 @@ from fathom._fathom import (
     Model,
     Parameter,
     Prediction,
+    Refinement,
+    Track,
+    Trajectory,
     __version__,
     check,
     compare,
     free_decay,
     open_log,
     read_model,
+    track,
 )
 from fathom import _fathom
 
@@ -45,6 +50,7 @@ __all__ = [
     "CoupledIdentification",
     "CoupledModel",
     "CoupledPrediction",
+    "CoupledRefinement",
     "Decay",
     "Diagnosis",
     "Figures",
@@ -55,6 +61,9 @@ __all__ = [
     "Model",
     "Parameter",
     "Prediction",
+    "Refinement",
+    "Track",
+    "Trajectory",
     "__version__",
     "check",
     "compare",
@@ -63,7 +72,9 @@ __all__ = [
     "identify",
     "open_log",
     "read_model",
+    "refine",
     "simulate",
+    "track",
 ]
 
 
@@ -111,7 +122,7 @@ def identify(
     shooting_window  longer segments are cut [s]; 0: never. Default 600
     weighting        "plain" (default) or "learned"
     dofs             several, as ["surge", "sway", "yaw"]: docs/coupled.md
-    structure        of dofs: "auto" (default), "diagonal", "coriolis", "symmetric", "full"
+    structure        of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full"
     window           of dofs: the simulation begins anew after so long [s]. Default 20
 
     An Identification, or with dofs a CoupledIdentification. A fit that does not work does not raise:
@@ -175,6 +186,70 @@ def diagnose(
         "seed": 1,
     }
     return _fathom.diagnose_one(log, **_with_defaults(given, defaults, _OF_SEVERAL))
+
+
+def refine(
+    log,
+    *,
+    dof=None,
+    initial_guess=None,
+    clock_offset_std=None,
+    size_scale_std=None,
+    mount_position_std=None,
+    mount_angle_std=None,
+    gains=None,
+    integrator=None,
+    huber=None,
+    shooting_window=None,
+    weighting=None,
+    dofs=None,
+    structure=None,
+    window=None,
+    true_poses=None,
+):
+    """Model and camera path together, from the corners of markers: docs/joint_refinement.md.
+
+    log                 a Log with detections, a path, or a list of either, refined together
+    dof                 default: the only one that the log names
+    initial_guess       "least_squares", "adaptive", "output_error"; default: output error on poses
+                        without flips
+    clock_offset_std    estimate the camera's clock offset, with this prior deviation [s]. Default 0: exact
+    size_scale_std      the same of the markers' scale [-]
+    mount_position_std  the same of the camera's position on the vehicle [m]
+    mount_angle_std     the same of the camera's direction [rad]
+    gains, integrator, huber, shooting_window, weighting
+                        of the families beside it, as identify() has them
+    dofs                several, as ["surge", "sway", "yaw"]: docs/coupled.md
+    structure           of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full"
+    window              of dofs: the simulation begins anew after so long [s]. Default 20
+    true_poses          of dofs: the path of a CSV as pose.csv, for path_errors
+
+    A Refinement, or with dofs a CoupledRefinement. A fit that does not work does not raise:
+    is_usable and message say so.
+    """
+    given = {name: value for name, value in locals().items() if name != "log"}
+    if dofs is not None:
+        defaults = {
+            "dofs": dofs,
+            "structure": "auto",
+            "window": 20.0,
+            "true_poses": None,
+        }
+        return _fathom.refine_coupled(log, **_with_defaults(given, defaults, _OF_ONE))
+    defaults = {
+        "dof": None,
+        "initial_guess": None,
+        "clock_offset_std": 0.0,
+        "size_scale_std": 0.0,
+        "mount_position_std": 0.0,
+        "mount_angle_std": 0.0,
+        "gains": None,
+        "integrator": "runge_kutta",
+        "huber": 3.0,
+        "shooting_window": 600.0,
+        "weighting": "plain",
+    }
+    return _fathom.refine_one(log, **_with_defaults(given, defaults, _OF_SEVERAL))
 
 
 def simulate(model, log, *, keep_run_effects=False, horizon=None):

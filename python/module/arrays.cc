@@ -33,6 +33,15 @@ py::array_t<bool> ArrayOf(const std::vector<bool>& values) {
   return array;
 }
 
+py::dict DictOfStream(const Stream& stream) {
+  py::dict columns;
+  columns["t"] = ArrayOf(stream.time);
+  for (std::size_t i = 0; i < stream.columns.size(); ++i) {
+    columns[py::str(stream.columns[i])] = ArrayOf(stream.values[i]);
+  }
+  return columns;
+}
+
 std::vector<double> FiniteNumbers(const std::string& what, const py::handle& values) {
   using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
   const Array array = Array::ensure(py::reinterpret_borrow<py::object>(values));

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/log/log.h"
+
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace fathom {
 pybind11::array_t<double> ArrayOf(const std::vector<double>& values);
 pybind11::array_t<double> ArrayOf(const Eigen::MatrixXd& matrix);
 pybind11::array_t<bool> ArrayOf(const std::vector<bool>& values);
+
+// {"t": array, column: array}.
+pybind11::dict DictOfStream(const Stream& stream);
 
 // One dimension of finite numbers. Throws InputError, naming `what`, for anything else.
 std::vector<double> FiniteNumbers(const std::string& what, const pybind11::handle& values);

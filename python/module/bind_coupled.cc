@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/base/quoted.h"
 #include "fathom/coupled/cause_words.h"
 #include "fathom/coupled/coupled_page.h"
 #include "fathom/coupled/coupled_text.h"
@@ -9,11 +8,9 @@
 #include "fathom/findings/log_check.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
-#include <algorithm>
-
-#include "module/arguments.h"
 #include "module/arrays.h"
 #include "module/bindings.h"
+#include "module/coupled_options.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
 #include "module/tell.h"
@@ -37,6 +34,7 @@ struct DiagnosedTogether {
   CoupledDiagnosis diagnosis;
 };
 
+<<<<<<< HEAD
 CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs,
                                             const std::string& structure,
                                             double window) {
@@ -59,6 +57,8 @@ CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs
   return options;
 }
 
+=======
+>>>>>>> py
 // Warns of red findings before the fit, which takes a while.
 CoupledInPython FitTogether(const py::object& log,
                             const CoupledIdentificationOptions& options,

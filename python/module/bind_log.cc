@@ -25,12 +25,7 @@ std::vector<std::string> DofNames(const Log& log) {
 
 py::object StreamDict(const std::optional<Stream>& stream) {
   if (!stream) return py::none();
-  py::dict columns;
-  columns["t"] = ArrayOf(stream->time);
-  for (std::size_t i = 0; i < stream->columns.size(); ++i) {
-    columns[py::str(stream->columns[i])] = ArrayOf(stream->values[i]);
-  }
-  return columns;
+  return DictOfStream(*stream);
 }
 
 std::string StreamLine(const char* name, const std::optional<Stream>& stream) {

@@ -19,5 +19,8 @@ void BindCompare(pybind11::module_& module);
 void BindSimulate(pybind11::module_& module);
 void BindDiagnose(pybind11::module_& module);
 void BindFreeDecay(pybind11::module_& module);
+void BindTrajectory(pybind11::module_& module);
+void BindTrack(pybind11::module_& module);
+void BindRefine(pybind11::module_& module);
 
 }  // namespace fathom

@@ -127,7 +127,7 @@ OpenedLog LogFromArrays(const py::object& command,
   text.pose = FileOf("pose", pose);
   text.held_out = HeldOutOf(info.held_out);
   const py::gil_scoped_release release;
-  return {OpenLogText(text), info.name, "", HeldOutText(info.held_out)};
+  return {OpenLogText(text), info.name, "", HeldOutText(info.held_out), true};
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include "module/logs_argument.h"
 
+#include "fathom/base/files/exists.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/open_log/open_log.h"
@@ -18,11 +19,11 @@ namespace py = pybind11;
 
 namespace {
 
-OpenedLog OneLog(const py::handle& argument, std::optional<Dof> dof) {
+OpenedLog OneLog(const py::handle& argument, const OpenLogArguments& arguments) {
   if (py::isinstance<OpenedLog>(argument)) return argument.cast<const OpenedLog&>();
   const std::string path = PathOf(argument);
   const py::gil_scoped_release release;
-  return OpenPath(path, {.dof = dof});
+  return OpenPath(path, arguments);
 }
 
 void RequireOtherData(const std::vector<OpenedLog>& logs) {
@@ -36,6 +37,17 @@ void RequireOtherData(const std::vector<OpenedLog>& logs) {
   }
 }
 
+std::vector<OpenedLog> EachLog(const py::object& argument, const OpenLogArguments& arguments) {
+  std::vector<OpenedLog> logs;
+  if (py::isinstance<py::list>(argument) || py::isinstance<py::tuple>(argument)) {
+    for (const py::handle& one : argument) logs.push_back(OneLog(one, arguments));
+  } else {
+    logs.push_back(OneLog(argument, arguments));
+  }
+  if (logs.empty()) throw InputError("log: is an empty list, expected a log or several.");
+  return logs;
+}
+
 }  // namespace
 
 OpenedLog OpenPath(const std::string& path, const OpenLogArguments& arguments) {
@@ -47,18 +59,28 @@ OpenedLog OpenPath(const std::string& path, const OpenLogArguments& arguments) {
   options.may_lack_command = true;
   Log log = OpenLog(path, options);
   // A motion in detections alone becomes poses, where the calibration serves.
-  if (!log.velocity && !log.pose && log.detections) TrackDetectionsIfUsable(&log);
-  return {std::move(log), path, arguments.velocity, arguments.held_out};
+  if (arguments.is_tracked && !log.velocity && !log.pose && log.detections) {
+    TrackDetectionsIfUsable(&log);
+  }
+  return {std::move(log), path, arguments.velocity, arguments.held_out, false};
 }
 
 std::vector<OpenedLog> LogsOfArgument(const py::object& argument, std::optional<Dof> dof) {
-  std::vector<OpenedLog> logs;
-  if (py::isinstance<py::list>(argument) || py::isinstance<py::tuple>(argument)) {
-    for (const py::handle& one : argument) logs.push_back(OneLog(one, dof));
-  } else {
-    logs.push_back(OneLog(argument, dof));
+  std::vector<OpenedLog> logs = EachLog(argument, {.dof = dof});
+  RequireOtherData(logs);
+  return logs;
+}
+
+std::vector<OpenedLog> FilmedLogsOfArgument(const py::object& argument, std::optional<Dof> dof) {
+  std::vector<OpenedLog> logs = EachLog(argument, {.dof = dof, .is_tracked = false});
+  for (OpenedLog& opened : logs) {
+    Log& log = opened.log;
+    if (opened.is_of_arrays) {
+      throw InputError("log: is of arrays, expected a log folder with detections.csv.");
+    }
+    // A Log that was tracked when it was opened.
+    if (log.pose && !Exists(log.path / "pose.csv")) log.pose.reset();
   }
-  if (logs.empty()) throw InputError("log: is an empty list, expected a log or several.");
   RequireOtherData(logs);
   return logs;
 }

@@ -19,6 +19,7 @@ struct OpenLogArguments {
   std::string velocity = {};
   std::string held_out = {};
   std::vector<TimeInterval> held_out_times = {};
+  bool is_tracked = true;  // detections become poses where the log has no motion but them
 };
 
 // Opens a path as every tool does. A log may lack the command or the motion: who needs them says
@@ -28,6 +29,10 @@ OpenedLog OpenPath(const std::string& path, const OpenLogArguments& arguments);
 // A Log, a path, or a list of either. Paths are opened with `dof`. Throws InputError if there is
 // none, or if two hold the same data.
 std::vector<OpenedLog> LogsOfArgument(const pybind11::object& argument, std::optional<Dof> dof);
+
+// The same of logs whose corners are refined: their detections are not tracked on the way in.
+std::vector<OpenedLog> FilmedLogsOfArgument(const pybind11::object& argument,
+                                            std::optional<Dof> dof);
 
 std::vector<Log> PlainLogs(const std::vector<OpenedLog>& opened);
 

@@ -52,4 +52,7 @@ PYBIND11_MODULE(_fathom, module) {
   fathom::BindSimulate(module);
   fathom::BindDiagnose(module);
   fathom::BindFreeDecay(module);
+  fathom::BindTrajectory(module);
+  fathom::BindTrack(module);
+  fathom::BindRefine(module);
 }

@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import threading
@@ -179,6 +180,223 @@ class EqualsTheTools(Scratch):
         self.assertEqual(prediction.to_dict(), theirs)
         self.assertEqual(prediction.velocity["yaw"].shape, prediction.time.shape)
         self.assertIsInstance(fathom.read_model(file), fathom.CoupledModel)
+
+
+def synthesize(log, experiment, film, vehicle="flatfish", *more):
+    """A log of a camera that films markers; the experiment is the text of its file."""
+    file = log.with_suffix(".yaml")
+    file.write_text(experiment)
+    run = run_tool(
+        "synthesize",
+        f"--vehicle={VEHICLES / vehicle}.yaml",
+        f"--experiment={file}",
+        f"--film={film}",
+        f"--out={log}",
+        *more,
+    )
+    assert run.returncode == 0, run.stderr
+    return log
+
+
+class Filmed(unittest.TestCase):
+    """fathom.track and fathom.refine on corners, against fathom_track and fathom_refine."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        films = VEHICLES.parent / "films"
+        cls.minute = synthesize(
+            cls.folder / "minute",
+            "name: minute\nduration: 60\ncommand_rate: 10\nsurge: {control: open_loop, "
+            "initial_speed: 0, input: {kind: square, amplitude: 40, frequency: 0.5, offset: -0.81}}\n"
+            "velocity: {rate: 10, noise: {surge: 0.01}}\nheld_out: [48, 60]\n",
+            films / "wall.yaml",
+        )
+        film = cls.folder / "film.yaml"
+        film.write_text(
+            f"camera: {films}/wall_camera.yaml\ntags: {films}/wall_four_tags.yaml\n"
+            f"mount: {films}/wall_mount.yaml\nwater: {{attenuation: 0.1, noise: 2}}\n"
+        )
+        cls.images = synthesize(
+            cls.folder / "images",
+            "name: images\nduration: 1.2\ncommand_rate: 10\nsurge: {control: open_loop, "
+            "initial_speed: 0.3, input: {kind: sine, amplitude: 50, frequency: 1}}\npose: {rate: 10}\n",
+            film,
+            "flatfish",
+            "--render",
+        )
+
+    def tool(self, name, *arguments):
+        run = run_tool(name, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def json_in(self, name):
+        return json.loads((self.folder / name).read_text())
+
+    def refuses(self, pattern, call, *arguments, **options):
+        with self.assertRaisesRegex(ValueError, pattern):
+            call(*arguments, **options)
+
+    def test_track_gives_the_summary_and_the_log_of_the_tool(self):
+        for log, more, options in [
+            (self.images, [], {}),
+            (self.images, ["--quad_decimate=2", "--threads=2"], dict(quad_decimate=2.0, threads=2)),
+            (self.images, ["--from=images", "--gate=3"], dict(from_="images", gate=3.0)),
+            (self.images, ["--estimate_markers"], dict(estimate_markers=True)),
+            (self.minute, [], {}),
+        ]:
+            with self.subTest(log=log.name, more=more), tempfile.TemporaryDirectory() as folder:
+                theirs, ours = pathlib.Path(folder) / "theirs", pathlib.Path(folder) / "ours"
+                self.tool(
+                    "track",
+                    f"--log={log}",
+                    f"--out={theirs}",
+                    f"--summary={self.folder / 'track.json'}",
+                    *more,
+                )
+                track = fathom.track(log, **options)
+                self.assertEqual(track.to_dict(), self.json_in("track.json"))
+                track.save(ours)
+                for file in ["pose.csv", "detections.csv", "log.yaml", "tags.yaml"]:
+                    self.assertEqual((ours / file).read_text(), (theirs / file).read_text(), file)
+                self.refuses("is there already", track.save, ours)
+
+    def test_a_trajectory_is_arrays(self):
+        track = fathom.track(fathom.open_log(self.minute))
+        path = track.trajectory
+        n = len(path)
+        self.assertGreater(n, 500)
+        self.assertEqual(path.time.shape, (n,))
+        self.assertEqual(path.position.shape, (n, 3))
+        self.assertEqual(path.quaternion.shape, (n, 4))
+        self.assertEqual(path.covariance.shape, (n, 6, 6))
+        np.testing.assert_allclose(np.linalg.norm(path.quaternion, axis=1), 1.0)
+        np.testing.assert_array_equal(path.position[:, 2], path.pose["z"])
+        np.testing.assert_array_equal(np.sqrt(path.covariance[:, 1, 1]), path.pose["sy"])
+        np.testing.assert_allclose(path.covariance, path.covariance.transpose(0, 2, 1), atol=1e-12)
+        self.assertEqual(path.to_dict()["x"], path.position[:, 0].tolist())
+        self.assertEqual(track.camera.position.shape, (n, 3))
+        self.assertEqual(track.detections["u0"].shape, track.detections["t"].shape)
+        self.assertGreater(track.corner_sigma, 0.1)
+        # The poses serve as a log from arrays.
+        log = fathom.open_log(self.minute)
+        again = fathom.Log.from_arrays(log.command, None, path.pose, dof="surge")
+        np.testing.assert_array_equal(again.pose["x"], path.position[:, 0])
+
+    def test_refine_gives_the_files_of_the_tool(self):
+        path = self.folder / "path.csv"
+        for more, options in [
+            ([], {}),
+            (["--initial_guess=least_squares"], dict(initial_guess="least_squares")),
+            (["--size_scale_std=0.03"], dict(size_scale_std=0.03)),
+        ]:
+            with self.subTest(more=more):
+                self.tool(
+                    "refine",
+                    f"--log={self.minute}",
+                    "--dof=surge",
+                    f"--json={self.folder / 'rows.json'}",
+                    f"--model={self.folder / 'model.json'}",
+                    f"--trajectory={path}",
+                    *more,
+                )
+                ours = fathom.refine(self.minute, dof="surge", **options)
+                self.assertTrue(ours.is_usable, ours.message)
+                self.assertEqual(ours.to_dict(), self.json_in("rows.json"))
+                self.assertEqual(ours.model.to_dict(), self.json_in("model.json"))
+                ours.trajectory.save(self.folder / "ours.csv")
+                self.assertEqual((self.folder / "ours.csv").read_text(), path.read_text())
+        self.assertIn("<iframe", ours._repr_html_())
+        self.assertIn("Joint", repr(ours))
+        low, high = ours.parameters["inertia"].interval
+        self.assertTrue(low < ours.parameters["inertia"].value < high)
+
+    def test_a_log_whose_poses_are_of_its_detections_is_refined_alike(self):
+        bare = self.folder / "bare"
+        shutil.copytree(self.minute, bare)
+        (bare / "velocity.csv").unlink()
+        opened = fathom.open_log(bare)
+        self.assertIsNotNone(opened.pose)
+        by_path = fathom.refine(bare)
+        self.assertEqual(fathom.refine(opened).to_dict(), by_path.to_dict())
+        self.assertFalse(any("pose.csv is not read" in remark for remark in by_path.remarks))
+
+    def test_what_cannot_be_tracked_is_a_value_error(self):
+        track = fathom.track
+        self.refuses("is no folder, expected a log folder", track, self.folder / "nowhere")
+        self.refuses("from_: is 'video', expected images", track, self.minute, from_="video")
+        self.refuses("expected from_=.images. too", track, self.minute, threads=2)
+        self.refuses("gate: is nan", track, self.minute, gate=float("nan"))
+        self.refuses("threads: is 0, expected 1 to 256", track, self.images, threads=0)
+        self.refuses("quad_decimate is nan", track, self.images, quad_decimate=float("nan"))
+        self.refuses("max_hamming is -1", track, self.images, max_hamming=-1)
+        self.refuses("without estimate_markers", track, self.minute, reference=4)
+        self.refuses("expected one of 4", track, self.minute, reference=9, estimate_markers=True)
+        lost = track(self.minute, gate=1e-300)
+        self.assertFalse(lost.is_usable)
+        self.refuses("no usable trajectory", lambda: lost.trajectory)
+        self.refuses("no usable trajectory", lost.save, self.folder / "lost")
+        self.assertIn("no usable trajectory", repr(lost))
+
+    def test_what_cannot_be_refined_is_a_value_error(self):
+        refine, minute = fathom.refine, self.minute
+        self.refuses("clock_offset_std is nan", refine, minute, clock_offset_std=float("nan"))
+        self.refuses("mount_angle_std is -1", refine, minute, mount_angle_std=-1.0)
+        self.refuses("initial_guess: is 'joint'", refine, minute, initial_guess="joint")
+        self.refuses("structure: goes with dofs", refine, minute, structure="full")
+        self.refuses("true_poses: goes with dofs", refine, minute, true_poses="pose.csv")
+        self.refuses("dof: goes with a model of one", refine, minute, dofs=["yaw"], dof="yaw")
+        self.refuses("window is -1", refine, minute, dofs=["surge"], window=-1.0)
+        self.refuses("holds no detections.csv", refine, self.images)
+        self.refuses("hold the same data", refine, [minute, minute])
+        t, v = coasting()
+        arrays = fathom.Log.from_arrays(None, {"t": t, "u": v}, dof="surge")
+        self.refuses("is of arrays, expected a log folder", refine, arrays)
+        self.refuses("is of arrays, expected a log folder", fathom.track, arrays)
+        # Beyond reason, but numbers.
+        refine(minute, clock_offset_std=1e300)
+
+    def test_results_show_themselves(self):
+        track = fathom.track(self.minute)
+        for result in [track, track.trajectory]:
+            self.assertGreater(len(repr(result).splitlines()), 2)
+            self.assertTrue(result._repr_html_().lstrip().startswith("<"))
+
+
+class FilmedTogether(Scratch):
+    def test_refine_takes_several_degrees_of_freedom(self):
+        data = VEHICLES.parent
+        text = (data / "experiments" / "film_planar.yaml").read_text()
+        text = text.replace("duration: 120", "duration: 40").replace("[100, 120]", "[30, 40]")
+        log = synthesize(
+            self.folder / "plane",
+            text.replace("logged: false", "logged: true"),
+            data / "films" / "wall_four_still.yaml",
+            "planar_rov",
+        )
+        path = self.folder / "plane.csv"
+        theirs = self.json_of_tool(
+            "refine",
+            "model",
+            f"--log={log}",
+            "--dofs=surge,sway,yaw",
+            "--structure=symmetric",
+            f"--trajectory={path}",
+        )
+        ours = fathom.refine(
+            log,
+            dofs=["surge", "sway", "yaw"],
+            structure="symmetric",
+            true_poses=log / "pose.csv",
+        )
+        self.assertEqual(ours.to_dict(), theirs)
+        ours.trajectory.save(self.folder / "ours.csv")
+        self.assertEqual((self.folder / "ours.csv").read_text(), path.read_text())
+        self.assertEqual(ours.model.inertia.shape, (6, 6))
+        self.assertLess(ours.path_errors["refined"][0], ours.path_errors["pnp"][0])
+        self.assertIn("Path error", repr(ours))
 
 
 class Arrays(Scratch):

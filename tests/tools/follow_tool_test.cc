@@ -209,6 +209,50 @@ TEST(FollowTool, WritesItsStateOnTheWay) {
   EXPECT_GE(JsonOf(state)["num_samples"].get<int>(), 1);
 }
 
+// While the stream goes on, the page loads itself again; behind its end it stands still.
+TEST(FollowTool, WritesAPageThatGrows) {
+  const Path folder = EmptyTestFolder();
+  const Path csv = WriteTestFile(folder / "run.csv", SmallSingleCsv());
+  const Path page = folder / "follow.html";
+  ChildCommand bash;
+  bash.program = "bash";
+  bash.arguments = {"-c",
+                    "csv=$1; page=$2; shift 2; (cat $csv; for i in $(seq 100); do [ -e $page ] && "
+                    "break; sleep 0.1; done; cp $page $page.growing) | \"$@\"",
+                    "bash",
+                    csv.string(),
+                    page.string(),
+                    std::string(FATHOM_TOOLS_DIR) + "/fathom_follow",
+                    "--page=" + page.string(),
+                    "--page_every=0.5"};
+  bash.arguments.insert(bash.arguments.end(), kSmallFlags.begin(), kSmallFlags.end());
+  RunChild(bash);
+  EXPECT_THAT(TextOf(page.string() + ".growing"), HasSubstr("<main data-reload=\"0.5\">"));
+  const std::string text = TextOf(page);
+  EXPECT_THAT(text, HasSubstr("<main>"));
+  EXPECT_THAT(text, HasSubstr("601 samples, t = 0 s to 60 s"));
+  EXPECT_THAT(text, HasSubstr("The last estimate is usable."));
+  EXPECT_THAT(text, HasSubstr("\"low\":["));
+}
+
+// A line that is refused ends the stream as well.
+TEST(FollowTool, ShowsOnItsPageWhatCameBeforeABadLine) {
+  const Path folder = EmptyTestFolder();
+  const Path page = folder / "follow.html";
+  const ToolRun bad =
+      RunToolBinaryOn(WriteTestFile(folder / "bad.csv", "t,tau,v\n0,1,0\n0.1,1,0.02\n0.2,1,nan\n"),
+                      "fathom_follow",
+                      And(kSmallFlags, Flag("page", page)));
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(TextOf(page), HasSubstr("2 samples, t = 0 s to 0.1 s"));
+  EXPECT_THAT(TextOf(page), HasSubstr("there are fewer than ten samples"));
+  EXPECT_THAT(TextOf(page), HasSubstr("<main>"));
+  const ToolRun never =
+      RunToolBinaryOn(folder / "bad.csv", "fathom_follow", And(kSmallFlags, "--page_every=0"));
+  EXPECT_EQ(never.exit_code, 1);
+  EXPECT_THAT(never.err, HasSubstr("--page_every: is 0, expected more than 0 s"));
+}
+
 TEST(FollowTool, RefusesWhatItCannotUse) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "run.csv", "0,1,0\n");

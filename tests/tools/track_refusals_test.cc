@@ -198,7 +198,7 @@ TEST(TrackTool, RefusesWhatItCannotUse) {
       "fathom_track: " + (log / "pose.csv").string() +
           ": is there already, expected --overwrite to replace it, or --out for a new log.\n");
   EXPECT_EQ(refusal(folder / "nowhere", {out}),
-            "fathom_track: --log=" + (folder / "nowhere").string() +
+            "fathom_track: " + (folder / "nowhere").string() +
                 ": is no folder, expected a log folder.\n");
   EXPECT_EQ(refusal(log, {out, "--from=video"}),
             "fathom_track: --from: is 'video', expected images or detections.\n");

@@ -146,6 +146,7 @@ std::string RenderPage(const Page& page) {
       std::string(web::chart_keys_js),
       std::string(web::chart_touch_js),
       std::string(web::csv_js),
+      std::string(web::reload_js),
       std::string(web::page_selftest_js),
       std::string(web::page_js)};
 
@@ -157,7 +158,9 @@ std::string RenderPage(const Page& page) {
   html += Paragraphs(page.warnings, "warning");
   html += OriginHtml(page.origin);
   html += ContentsHtml(page.sections);
-  html += "</header>\n<main>\n";
+  html += "</header>\n";
+  html += page.reload_after > 0.0 ? fmt::format("<main data-reload=\"{}\">\n", page.reload_after)
+                                  : "<main>\n";
   html +=
       "<noscript><p class=\"warning\">The charts over time need JavaScript; all else is "
       "here.</p></noscript>\n";

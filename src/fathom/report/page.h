@@ -50,6 +50,10 @@ struct Page {
   std::vector<PageSection> sections;
   std::string footer;      // how to read it
   PageOrigin origin = {};  // in the header
+
+  // Of a page that is written anew while its data grow: it loads itself again behind so long [s],
+  // unless a reader zooms. 0: never.
+  double reload_after = 0.0;
 };
 
 // One HTML file with everything in it: no network, no other file. All texts are plain text and are

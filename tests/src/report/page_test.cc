@@ -58,6 +58,13 @@ TEST(Page, ReferencesNothingOutsideItself) {
   EXPECT_GT(Count(html, "Copyright (c) 2022 Leon Sorokin"), 0);
 }
 
+TEST(Page, LoadsItselfAgainOnlyWhereItGrows) {
+  Page page = ExamplePage();
+  EXPECT_EQ(Count(RenderPage(page), "<main>"), 1);
+  page.reload_after = 2.5;
+  EXPECT_EQ(Count(RenderPage(page), "<main data-reload=\"2.5\">"), 1);
+}
+
 TEST(Page, NoTextBreaksOutOfItsPlace) {
   const int num_scripts = Count(RenderPage(PageOf("harmless")), "<script");
   const std::string html = RenderPage(PageOf("</script><script>alert(1)</script>\"' onload='x"));

@@ -51,8 +51,7 @@ void RequireLogYaml(const fs::path& folder, bool from_images) {
 TrackInput ReadTrackInput(const fs::path& folder, bool from_images) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    throw InputError(
-        fmt::format("--log={}: is no folder, expected a log folder.", folder.string()));
+    throw InputError(fmt::format("{}: is no folder, expected a log folder.", folder.string()));
   }
   RequireLogYaml(folder, from_images);
   TrackInput input;

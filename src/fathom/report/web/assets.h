@@ -18,6 +18,7 @@ extern const std::string_view legend_js;
 extern const std::string_view chart_keys_js;
 extern const std::string_view chart_touch_js;
 extern const std::string_view csv_js;
+extern const std::string_view reload_js;
 extern const std::string_view page_selftest_js;
 extern const std::string_view page_js;
 extern const std::string_view page_css;

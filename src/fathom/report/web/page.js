@@ -124,6 +124,7 @@ const drawn = [];
     report.id = "selftest";
     document.body.append(report);
   });
+  reloadWhileItGrows(groups);
   // "#zoom=20,40" opens the page with every chart zoomed to these times.
   const zoom = /^#zoom=([-0-9.]+),([-0-9.]+)$/.exec(location.hash);
   if (zoom) for (const group of groups) group.zoom(placeOf(group.cuts, Number(zoom[1])), placeOf(group.cuts, Number(zoom[2])));
