@@ -135,7 +135,8 @@ Ladder ClimbLadder(const CoupledLogs& logs,
       named = search.named;
     }
   }
-  for (const auto standard : {StandardStructure::kSymmetric, StandardStructure::kFull}) {
+  for (const auto standard :
+       {StandardStructure::kSymmetric, StandardStructure::kLopsided, StandardStructure::kFull}) {
     const MotionStructure& stands = climb.standing().structure;
     const MotionStructure structure = Joined(stands, StructureOf(standard, dofs, options.fins));
     if (structure.entries.size() > stands.entries.size()) {

@@ -20,6 +20,7 @@ namespace {
 struct PublishedVehicle {
   std::string vehicle;
   std::string experiment;
+  StandardStructure structure;
 };
 
 class PublishedVehicles : public ::testing::TestWithParam<PublishedVehicle> {};
@@ -42,7 +43,7 @@ TEST_P(PublishedVehicles, AreFoundAgain) {
   CoupledFitOptions options;
   options.body = vehicle.body;
   const CoupledSummary fit =
-      FitBlocks(logs, StructureOf(StandardStructure::kSymmetric, truth.dofs, fins), options);
+      FitBlocks(logs, StructureOf(GetParam().structure, truth.dofs, fins), options);
   ASSERT_TRUE(fit.IsUsable()) << fit.message;
   for (int i = 0; i < 6; ++i) {
     EXPECT_NEAR(fit.model.inertia(i, i) / truth.inertia(i, i), 1.0, 0.02) << i;
@@ -56,11 +57,14 @@ TEST_P(PublishedVehicles, AreFoundAgain) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bundled,
-                         PublishedVehicles,
-                         ::testing::Values(PublishedVehicle{"bluerov2", "random_steps_rov"},
-                                           PublishedVehicle{"remus100", "random_steps_auv"}),
-                         [](const auto& info) { return info.param.vehicle; });
+INSTANTIATE_TEST_SUITE_P(
+    Bundled,
+    PublishedVehicles,
+    ::testing::Values(
+        PublishedVehicle{"bluerov2", "random_steps_rov", StandardStructure::kSymmetric},
+        PublishedVehicle{"remus100", "random_steps_auv", StandardStructure::kSymmetric},
+        PublishedVehicle{"rexrov", "random_steps_work_class", StandardStructure::kLopsided}),
+    [](const auto& info) { return info.param.vehicle; });
 
 }  // namespace
 }  // namespace fathom

@@ -16,11 +16,11 @@
 DEFINE_string(dofs,
               "",
               "Several degrees of freedom as one coupled model: surge,sway,yaw. Instead of --dof.");
-DEFINE_string(
-    structure,
-    "auto",
-    "Of --dofs, what is free: diagonal, coriolis, lift, symmetric, full, or auto: as the data "
-    "show.");
+DEFINE_string(structure,
+              "auto",
+              "Of --dofs, what is free: diagonal, coriolis, lift, symmetric, full, lopsided, or "
+              "auto: as the data "
+              "show.");
 DEFINE_double(window, 20.0, "Of --dofs: the simulation begins anew after so long [s].");
 
 namespace fathom {
@@ -62,9 +62,10 @@ CoupledIdentificationOptions CoupledOptionsFromFlags() {
   if (FLAGS_structure != "auto") {
     options.structure = StandardStructureFromName(FLAGS_structure);
     if (!options.structure) {
-      throw InputError(fmt::format(
-          "--structure: is {}, expected diagonal, coriolis, lift, symmetric, full or auto.",
-          Quoted(FLAGS_structure)));
+      throw InputError(
+          fmt::format("--structure: is {}, expected diagonal, coriolis, lift, symmetric, full, "
+                      "lopsided or auto.",
+                      Quoted(FLAGS_structure)));
     }
   }
   options.fit.window = FLAGS_window;

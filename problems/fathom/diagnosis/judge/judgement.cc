@@ -143,10 +143,16 @@ Judgement Concluded(const Prepared& prepared,
           is_only_cut};
 }
 
-Judgement JudgedByLikelihood(const Prepared& prepared,
-                             const std::vector<Suspect>& suspects,
-                             const Evidence& evidence,
-                             const DiagnosisOptions& options) {
+DiagnosisOptions AtFirst(DiagnosisOptions options) {
+  options.effort *= VerdictRules::kShareOfWorkAtFirst;
+  return options;
+}
+
+// Of one search by likelihood.
+Judgement JudgedOnce(const Prepared& prepared,
+                     const std::vector<Suspect>& suspects,
+                     const Evidence& evidence,
+                     const DiagnosisOptions& options) {
   WeighedSearch search = SearchByLikelihood(prepared, suspects, options);
   std::optional<LeftOutParts> logs;
   if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
@@ -165,6 +171,18 @@ Judgement JudgedByLikelihood(const Prepared& prepared,
   if (causes.empty()) runs = OfUsersAlone(std::move(runs));
   return Concluded(
       prepared, std::move(search), std::move(sifted), std::move(runs), evidence, options);
+}
+
+// A search that was ended has its whole work where what it found leaves nothing but noise: only
+// there can more of it change what is said.
+Judgement JudgedByLikelihood(const Prepared& prepared,
+                             const std::vector<Suspect>& suspects,
+                             const Evidence& evidence,
+                             const DiagnosisOptions& options) {
+  Judgement at_first = JudgedOnce(prepared, suspects, evidence, AtFirst(options));
+  const bool is_open = at_first.verdict == Verdict::kUnexplained && !at_first.is_only_cut;
+  if (is_open || !at_first.search.found.is_cut) return at_first;
+  return JudgedOnce(prepared, suspects, evidence, options);
 }
 
 // True if the free run of what is named leaves more than the sensors' scatter: something may be
@@ -211,7 +229,8 @@ Judgement Judge(const Prepared& prepared,
       return *std::move(by_likelihood);
     }
   }
-  WeighedSearch search = SearchByFreeRuns(prepared, suspects, options);
+  WeighedSearch search =
+      SearchByFreeRuns(prepared, suspects, by_likelihood ? AtFirst(options) : options);
   Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes);
   if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung)) {
     return *std::move(by_likelihood);

@@ -12,6 +12,9 @@ struct VerdictRules {
   // matter.
   static constexpr double kMaterialRest = 0.05;
 
+  // Of the work that a search may take: what it gets before it is known whether more is worth it.
+  static constexpr double kShareOfWorkAtFirst = 0.2;
+
   // RMS error of a free run over what scatters from sample to sample [1], above which the noise may
   // have taken up what is missing.
   static constexpr double kMoreThanScatter = 2.0;

@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/search/challenge.h"
 
 #include "fathom/diagnosis/search/refinement.h"
-#include "fathom/diagnosis/search/work_limit.h"
 
 #include <algorithm>
 #include <iterator>
@@ -91,7 +90,7 @@ Standing Challenged(const SearchTask& task,
     const int challenged = standing.best;
     const std::vector<int> causes = standing.book[challenged].suspects;
     for (const int cause : causes) {
-      if (IsSpent(task, standing.book)) break;
+      if (task.IsSpent()) break;
       const Hypothesis hypothesis = standing.book[challenged];
       standing.book =
           WithCauseReplaced(task, baseline, hypothesis, cause, std::move(standing.book));

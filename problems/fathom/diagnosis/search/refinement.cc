@@ -6,7 +6,6 @@
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/start_price.h"
-#include "fathom/diagnosis/search/work_limit.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -65,6 +64,14 @@ bool ShowsElsewhere(const SearchTask& task,
   const ExtendedModel& model = known.fit.model;
   const ActiveEffect& effect = model.effects[EffectPlace(task, model, suspect)];
   return IsElsewhere(effect, starts.front().effect, task.data.longest_duration());
+}
+
+// Whether the sharper screen shows a suspect at another time or frequency.
+bool ShowsElsewhereOnTheSharper(const SearchTask& task, const Screens& screens, int suspect) {
+  if (screens.own->TrialsOf(suspect).empty()) return false;
+  return IsElsewhere(screens.own->BestTrialOf(suspect),
+                     screens.sharp->BestTrialOf(suspect),
+                     task.data.longest_duration());
 }
 
 // True if two rough fits differ by less than the noise lets one see, or than how near to their ends
@@ -135,16 +142,18 @@ double MostGainOfSize(const HypothesisBook& book, std::size_t size) {
   return most;
 }
 
-// Whether `base` and one suspect more would not count even if it gained more than the screens
-// promise: one cause alone is worth a look if others may be added to it, several if they lead.
+// Whether `base` and one suspect more would not count even if it gained twice as much of its score
+// as any before it, `most_kept`: one cause alone is worth a look if others may be added to it,
+// several if they lead.
 bool IsHopeless(const SearchTask& task,
                 const Screens& screens,
                 const Hypothesis& base,
                 int suspect,
-                const HypothesisBook& book) {
+                const HypothesisBook& book,
+                double most_kept) {
   const SearchOptions& options = task.options;
   const double share = base.suspects.empty() ? options.least_share : 1.0;
-  return base.gain + options.optimism * screens.scores[suspect] <
+  return base.gain + options.optimism * most_kept * screens.scores[suspect] <
          share * MostGainOfSize(book, base.suspects.size() + 1);
 }
 
@@ -153,9 +162,10 @@ std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
                                        const Screens& screens,
                                        const Hypothesis& base,
                                        int suspect,
-                                       const HypothesisBook& book) {
+                                       const HypothesisBook& book,
+                                       double most_kept) {
   const std::vector<int> suspects = With(base.suspects, suspect);
-  if (IsHopeless(task, screens, base, suspect, book)) return {};
+  if (IsHopeless(task, screens, base, suspect, book, most_kept)) return {};
   const int known = book.IndexOf(suspects);
   if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return {};
   std::vector<Hypothesis> hypotheses;
@@ -165,11 +175,11 @@ std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
   };
   const auto own = RoughFit(task, *screens.own, base, suspect);
   if (own) add(*own);
+  if (!screens.sharp) return hypotheses;
   // One that gains less than the screens promised went astray, or its noise has swallowed it.
   const double promised = base.gain + task.options.kept * screens.scores[suspect];
-  if (!screens.sharp || (!hypotheses.empty() && hypotheses.front().gain > promised)) {
-    return hypotheses;
-  }
+  const bool is_kept = !hypotheses.empty() && hypotheses.front().gain > promised;
+  if (is_kept && !ShowsElsewhereOnTheSharper(task, screens, suspect)) return hypotheses;
   const auto sharp = RoughFit(task, *screens.sharp, base, suspect);
   if (sharp && !(own && AreAlike(task, screens.own->whitener(), *own, *sharp))) add(*sharp);
   return hypotheses;
@@ -184,14 +194,19 @@ HypothesisBook Refined(const SearchTask& task,
                        HypothesisBook book) {
   // Those of one group do not know of each other's gains, whatever the number of threads.
   constexpr std::size_t kGroup = 4;
-  for (std::size_t begin = 0; begin < suspects.size() && !IsSpent(task, book); begin += kGroup) {
+  double most_kept = 1.0;  // of a score: far more where `base` is no model of these data
+  for (std::size_t begin = 0; begin < suspects.size() && !task.IsSpent(); begin += kGroup) {
     const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
     std::vector<std::vector<Hypothesis>> found(group.size());
-    ParallelFor(static_cast<int>(group.size()),
-                [&](int i) { found[i] = HypothesesWith(task, screens, base, group[i], book); });
+    ParallelFor(static_cast<int>(group.size()), [&](int i) {
+      found[i] = HypothesesWith(task, screens, base, group[i], book, most_kept);
+    });
     for (std::size_t i = 0; i < group.size(); ++i) {
       book.AddAttempt(With(base.suspects, group[i]));
-      for (Hypothesis& hypothesis : found[i]) book.Add(std::move(hypothesis));
+      for (Hypothesis& hypothesis : found[i]) {
+        most_kept = std::max(most_kept, (hypothesis.gain - base.gain) / screens.scores[group[i]]);
+        book.Add(std::move(hypothesis));
+      }
     }
   }
   return book;

@@ -6,7 +6,6 @@
 #include "fathom/diagnosis/search/momentum_starts.h"
 #include "fathom/diagnosis/search/pairs.h"
 #include "fathom/diagnosis/search/refinement.h"
-#include "fathom/diagnosis/search/work_limit.h"
 
 #include <algorithm>
 #include <iterator>
@@ -81,7 +80,7 @@ HypothesisBook WithOneMoreEach(const SearchTask& task,
                                int best,
                                HypothesisBook book) {
   for (const int from : beam) {
-    if (IsSpent(task, book)) break;
+    if (task.IsSpent()) break;
     Widened widened = WithOneMore(task, from, best, std::move(book));
     book = std::move(widened.book);
     if (from == beam.front() && !widened.shows) break;
@@ -136,7 +135,7 @@ SearchResult SearchCauses(const TrainingData& data,
       book = WithSinglesByMomentum(task, std::move(book));
     }
     book = WithOneMoreEach(task, beam, standing.best, std::move(book));
-    if (size == 2 && !IsSpent(task, book)) book = WithPairs(task, about_baseline, std::move(book));
+    if (size == 2 && !task.IsSpent()) book = WithPairs(task, about_baseline, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);
     const bool is_better =
         !ranked.empty() && book.Worth(ranked.front()) > book.Worth(standing.best);
@@ -145,7 +144,7 @@ SearchResult SearchCauses(const TrainingData& data,
       standing.best = ranked.front();
       standing = Challenged(task, about_baseline, std::move(standing));
     }
-    is_cut = is_cut || IsSpent(task, book);
+    is_cut = is_cut || task.IsSpent();
     if (!is_better && size >= 2) break;
     beam = CarriedOn(task, book, size);
   }

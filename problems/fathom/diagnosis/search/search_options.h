@@ -15,12 +15,6 @@ struct SearchOptions {
   // one's fit is slow.
   double most_work = 4e7;
 
-  // The share of it that is granted while no hypothesis gains `much_per_bin`: by 0.7, half of the
-  // variance of an error of prediction is gone. What the rest of the work finds on real logs whose
-  // error no cause makes up for is seldom named.
-  double share_of_work = 0.2;
-  double much_per_bin = 0.7;
-
   // What fits are weighed by.
   Criterion criterion = Criterion::kLearnedNoise;
 
@@ -58,8 +52,9 @@ struct SearchOptions {
   // Of the same: what gains more has its noise learned from nothing too.
   double contends = 0.9;
 
-  // What a refit may gain at most, of its score, where it is weighed before it is made; and what it
-  // gains at least where it did not go astray.
+  // What a refit may gain, in scores and in what those before it gained of theirs, where it is
+  // weighed before it is made; and what it gains at least, of its score, where it did not go
+  // astray.
   double optimism = 2.0;
   double kept = 0.8;
 

@@ -8,6 +8,8 @@
 #include "fathom/diagnosis/search/search_options.h"
 #include "fathom/diagnosis/search/suspect.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +24,13 @@ struct SearchTask {
 
   // TrainingData::work() when the search for one cause more began.
   std::int64_t begun = 0;
+
+  // Whether that search has to end.
+  bool IsSpent() const {
+    constexpr double kUsual = 300.0;  // [s]
+    const double length = std::max(1.0, std::sqrt(data.duration() / kUsual));
+    return static_cast<double>(data.work() - begun) > wanted.effort * options.most_work * length;
+  }
 
   int num_suspects() const { return static_cast<int>(suspects.size()); }
 };

@@ -14,8 +14,8 @@
 namespace fathom {
 namespace {
 
-constexpr std::array<std::string_view, 5> kStructureNames = {
-    "diagonal", "coriolis", "lift", "symmetric", "full"};
+constexpr std::array<std::string_view, 6> kStructureNames = {
+    "diagonal", "coriolis", "lift", "symmetric", "full", "lopsided"};
 
 // Surge, heave and pitch do not change sides in a mirror from port to starboard; the others do.
 bool IsEven(Dof dof) { return dof == Dof::kSurge || dof == Dof::kHeave || dof == Dof::kPitch; }
@@ -117,7 +117,8 @@ MotionStructure StructureOf(StandardStructure standard,
   const auto add_pairs = [&](auto entry, bool both_ways) {
     for (const Dof row : dofs) {
       for (const Dof column : dofs) {
-        if (row == column || IsEven(row) != IsEven(column)) continue;
+        const bool is_like = IsEven(row) == IsEven(column);
+        if (row == column || !(is_like || standard == StandardStructure::kLopsided)) continue;
         if (row < column || both_ways) entries.push_back(entry(row, column));
       }
     }
@@ -144,7 +145,7 @@ MotionStructure StructureOf(StandardStructure standard,
     }
   }
   if (standard >= StandardStructure::kSymmetric) add_pairs(InertiaEntry, false);
-  if (standard >= StandardStructure::kFull) add_pairs(LinearDampingEntry, true);
+  if (standard == StandardStructure::kFull) add_pairs(LinearDampingEntry, true);
   return structure;
 }
 

@@ -21,9 +21,9 @@ struct MotionStructure {
   bool coriolis = false;           // whether C(nu) acts; it has no numbers of its own
 };
 
-// The standard structures, each with all of the one before. Off the diagonal they free what a
-// vehicle with a port and a starboard side alike has: surge, heave and pitch couple, and sway, roll
-// and yaw; docs/coupled.md.
+// The standard structures, each but the last with all of the one before. Off the diagonal they free
+// what a vehicle with a port and a starboard side alike has: surge, heave and pitch couple, and
+// sway, roll and yaw; docs/coupled.md. kLopsided is kSymmetric with all other pairs.
 enum class StandardStructure {
   kDiagonal,   // inertia and both dampings of each DOF, righting moments of roll and pitch, net
                // buoyancy in heave, an offset in all others
@@ -32,9 +32,10 @@ enum class StandardStructure {
                // and u q, and quadratic damping off the diagonal
   kSymmetric,  // inertia off the diagonal
   kFull,       // linear damping off the diagonal, i.j and j.i each with a number of its own
+  kLopsided,   // all of the inertia and no such damping: of a vehicle whose two sides differ
 };
 
-// "diagonal", "coriolis", "lift", "symmetric", "full".
+// "diagonal", "coriolis", "lift", "symmetric", "full", "lopsided".
 std::string_view Name(StandardStructure structure);
 std::optional<StandardStructure> StandardStructureFromName(std::string_view name);
 

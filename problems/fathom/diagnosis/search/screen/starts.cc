@@ -41,6 +41,11 @@ double Starts::BestScore() const {
   return scores.empty() ? 0.0 : *std::max_element(scores.begin(), scores.end());
 }
 
+ActiveEffect Starts::BestTrialOf(int suspect) const {
+  const Suspect& tried = (*suspects_)[suspect];
+  return {tried.effect, tried.setting, about_->trials.trials[by_suspect_[suspect].front()].values};
+}
+
 std::vector<Start> Starts::Of(int suspect, int most) const {
   std::vector<int> chosen;
   for (const int trial : by_suspect_[suspect]) {

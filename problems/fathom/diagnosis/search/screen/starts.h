@@ -44,6 +44,9 @@ class Starts {
   // The suspect's trials, best score first.
   const std::vector<int>& TrialsOf(int suspect) const { return by_suspect_[suspect]; }
 
+  // What the best of them tries; the suspect has one.
+  ActiveEffect BestTrialOf(int suspect) const;
+
   // At most `most` starts from trials that do not lie side by side, best first. A time of the run
   // is narrowed down from the grid of the trials: under coloured noise a sudden change is seen only
   // where it happened.
