@@ -122,7 +122,8 @@ def identify(
     shooting_window  longer segments are cut [s]; 0: never. Default 600
     weighting        "plain" (default) or "learned"
     dofs             several, as ["surge", "sway", "yaw"]: docs/coupled.md
-    structure        of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full"
+    structure        of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full",
+                     "lopsided"
     window           of dofs: the simulation begins anew after so long [s]. Default 20
 
     An Identification, or with dofs a CoupledIdentification. A fit that does not work does not raise:
@@ -220,7 +221,8 @@ def refine(
     gains, integrator, huber, shooting_window, weighting
                         of the families beside it, as identify() has them
     dofs                several, as ["surge", "sway", "yaw"]: docs/coupled.md
-    structure           of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full"
+    structure           of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full",
+                        "lopsided"
     window              of dofs: the simulation begins anew after so long [s]. Default 20
     true_poses          of dofs: the path of a CSV as pose.csv, for path_errors
 

@@ -34,31 +34,6 @@ struct DiagnosedTogether {
   CoupledDiagnosis diagnosis;
 };
 
-<<<<<<< HEAD
-CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs,
-                                            const std::string& structure,
-                                            double window) {
-  CoupledIdentificationOptions options;
-  options.dofs = ParseList("dofs", dofs, ParseDof);
-  if (options.dofs.empty()) throw InputError("dofs: is empty, expected several.");
-  std::sort(options.dofs.begin(), options.dofs.end());
-  if (structure != "auto") {
-    options.structure = StandardStructureFromName(structure);
-    if (!options.structure) {
-      throw InputError(fmt::format(
-          "structure: is {}, expected diagonal, coriolis, lift, symmetric, full, lopsided or auto.",
-          Quoted(structure)));
-    }
-  }
-  options.fit.window = window;
-  if (const auto problems = options.fit.Problems(); !problems.empty()) {
-    throw InputError(problems.front() + ".");
-  }
-  return options;
-}
-
-=======
->>>>>>> py
 // Warns of red findings before the fit, which takes a while.
 CoupledInPython FitTogether(const py::object& log,
                             const CoupledIdentificationOptions& options,

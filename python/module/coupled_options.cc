@@ -23,7 +23,7 @@ CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs
     options.structure = StandardStructureFromName(structure);
     if (!options.structure) {
       throw InputError(fmt::format(
-          "structure: is {}, expected diagonal, coriolis, lift, symmetric, full or auto.",
+          "structure: is {}, expected diagonal, coriolis, lift, symmetric, full, lopsided or auto.",
           Quoted(structure)));
     }
   }
