@@ -281,13 +281,10 @@ TEST(Refusals, TheDamagesAreDifferent) {
 }
 
 // The other tools that take a DOF.
-TEST(Refusals, CheckAndRefineSuggestDofForDofs) {
-  const Path folder = EmptyTestFolder();
-  for (const std::string tool : {"fathom_check", "fathom_refine"}) {
-    EXPECT_EQ(
-        ExpectRefusal(tool, {"--dofs=surge"}, folder),
-        tool + ": --dofs: there is no such flag, did you mean --dof? See " + tool + " --help.\n");
-  }
+TEST(Refusals, CheckSuggestsDofForDofs) {
+  EXPECT_EQ(ExpectRefusal("fathom_check", {"--dofs=surge"}, EmptyTestFolder()),
+            "fathom_check: --dofs: there is no such flag, did you mean --dof? See fathom_check "
+            "--help.\n");
 }
 
 // The program that takes one log ignores no second one, however it is named.
