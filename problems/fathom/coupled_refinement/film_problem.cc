@@ -7,8 +7,8 @@
 #include "fathom/coupled_refinement/film_corner_cost.h"
 #include "fathom/coupled_refinement/film_motions.h"
 #include "fathom/joint_refinement/motion/linear_segment.h"
-#include "fathom/joint_refinement/problem/clipped_loss.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
+#include "fathom/joint_refinement/problem/make_clipped_loss.h"
 
 #include <cmath>
 #include <cstddef>
@@ -41,20 +41,6 @@ class FilmCallback final : public ceres::EvaluationCallback {
   const FilmUnknowns* const unknowns_;
   FilmMotions* const motions_;
   bool has_jacobians_ = false, is_prepared_ = false;
-};
-
-class FilmLoss final : public ceres::LossFunction {
- public:
-  explicit FilmLoss(double limit) : limit_(limit) {}
-  void Evaluate(double s, double rho[3]) const override {
-    const ClippedLoss loss = ClippedLoss::Of(s, limit_);
-    rho[0] = loss.value;
-    rho[1] = loss.weight;
-    rho[2] = loss.second_derivative;
-  }
-
- private:
-  const double limit_;
 };
 
 // The deviations that Ceres moves, the moving DOFs side by side, by window.
@@ -150,9 +136,9 @@ FilmSolve SolveFilm(const CoupledFilm& film,
   problem_options.evaluation_callback = &callback;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::HuberLoss far(std::sqrt(options.loss_limit));
-  FilmLoss near(options.loss_limit);
+  const auto near = MakeClippedLoss(options.loss_limit);
   ceres::LossFunction* const loss =
-      options.is_far ? static_cast<ceres::LossFunction*>(&far) : &near;
+      options.is_far ? static_cast<ceres::LossFunction*>(&far) : near.get();
   ceres::Problem problem(problem_options);
   for (std::size_t w = 0; w < film.windows.size(); ++w) {
     const FilmWindow& window = film.windows[w];

@@ -5,6 +5,7 @@
 
 #include "fathom/report/format_value.h"
 #include "fathom/report/html_text.h"
+#include "fathom/report/line_svg.h"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +18,6 @@ namespace fathom {
 namespace {
 
 constexpr double kMargin = 0.04;  // of the range, at either end
-
-std::string Line(std::string_view kind, double x1, double y1, double x2, double y2) {
-  return fmt::format(R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}"/>)",
-                     kind,
-                     x1,
-                     y1,
-                     x2,
-                     y2);
-}
 
 std::string Label(double x, double y, std::string_view anchor, std::string_view text) {
   return fmt::format(
@@ -57,19 +49,19 @@ std::string AxesSvg(const ChartFrame& frame) {
   std::string svg;
   for (const auto& [value, label] : LabelledTicks(frame.x)) {
     const double at = frame.Left(value);
-    svg += Line("grid", at, ChartFrame::kTop, at, bottom);
+    svg += LineSvg("grid", at, ChartFrame::kTop, at, bottom);
     svg += Label(at, bottom + 15.0, "middle", label);
   }
   for (const auto& [value, label] : LabelledTicks(frame.y)) {
     const double at = frame.Top(value);
-    svg += Line("grid", ChartFrame::kLeft, at, right, at);
+    svg += LineSvg("grid", ChartFrame::kLeft, at, right, at);
     svg += Label(ChartFrame::kLeft - 6.0, at + 4.0, "end", label);
   }
   if (ShowsZero(frame.x)) {
-    svg += Line("zero", frame.Left(0.0), ChartFrame::kTop, frame.Left(0.0), bottom);
+    svg += LineSvg("zero", frame.Left(0.0), ChartFrame::kTop, frame.Left(0.0), bottom);
   }
   if (ShowsZero(frame.y)) {
-    svg += Line("zero", ChartFrame::kLeft, frame.Top(0.0), right, frame.Top(0.0));
+    svg += LineSvg("zero", ChartFrame::kLeft, frame.Top(0.0), right, frame.Top(0.0));
   }
   return svg;
 }

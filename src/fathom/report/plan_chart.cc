@@ -5,6 +5,7 @@
 
 #include "fathom/report/chart_columns.h"
 #include "fathom/report/html_text.h"
+#include "fathom/report/line_svg.h"
 #include "fathom/report/parameter_chart.h"
 
 #include <algorithm>
@@ -74,15 +75,6 @@ PlanFrame FrameOf(const PlanPanel& panel) {
   return frame;
 }
 
-std::string Line(std::string_view kind, double x1, double y1, double x2, double y2) {
-  return fmt::format(R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}"/>)",
-                     kind,
-                     x1,
-                     y1,
-                     x2,
-                     y2);
-}
-
 std::string Text(
     std::string_view kind, double x, double y, std::string_view anchor, std::string_view text) {
   return fmt::format(R"(<text class="{}" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)",
@@ -104,13 +96,13 @@ std::string PlanAxesSvg(const PlanFrame& frame) {
   std::string svg;
   for (double at = std::ceil(frame.ahead.from / step) * step; at <= frame.ahead.to; at += step) {
     const double shown = std::abs(at) < 1e-9 * step ? 0.0 : at;
-    svg += Line("grid", frame.Left(at), kPlanTop, frame.Left(at), bottom);
+    svg += LineSvg("grid", frame.Left(at), kPlanTop, frame.Left(at), bottom);
     svg += Text("", frame.Left(at), bottom + 15.0, "middle", TickLabel(shown, step));
   }
   const double first = std::ceil(frame.starboard.from / step) * step;
   for (double at = first; at <= frame.starboard.to; at += step) {
     const double shown = std::abs(at) < 1e-9 * step ? 0.0 : at;
-    svg += Line("grid", kPlanLeft, frame.Top(at), right, frame.Top(at));
+    svg += LineSvg("grid", kPlanLeft, frame.Top(at), right, frame.Top(at));
     svg += Text("", kPlanLeft - 6.0, frame.Top(at) + 4.0, "end", TickLabel(shown, step));
   }
   svg += Text("", 0.5 * (kPlanLeft + right), bottom + 33.0, "middle", "ahead [m]");
@@ -139,11 +131,11 @@ std::string LimitSvg(const PlanFrame& frame, const PlanLimit& limit) {
   const double right = kPlanWidth - kPlanRight, bottom = kPlanTop + frame.Height();
   if (limit.is_along) {
     const double at = frame.Top(limit.at);
-    return Line("limit", kPlanLeft, at, right, at) +
+    return LineSvg("limit", kPlanLeft, at, right, at) +
            Text("limit-name", right - 4.0, at - 5.0, "end", limit.name);
   }
   const double at = frame.Left(limit.at);
-  return Line("limit", at, kPlanTop, at, bottom) +
+  return LineSvg("limit", at, kPlanTop, at, bottom) +
          Text("limit-name", at - 5.0, kPlanTop + 13.0, "end", limit.name);
 }
 

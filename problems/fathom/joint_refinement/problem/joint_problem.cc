@@ -3,10 +3,10 @@
 
 #include "fathom/joint_refinement/problem/joint_problem.h"
 
-#include "fathom/joint_refinement/problem/clipped_loss.h"
 #include "fathom/joint_refinement/problem/corner_cost.h"
 #include "fathom/joint_refinement/problem/deviation_blocks.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
+#include "fathom/joint_refinement/problem/make_clipped_loss.h"
 #include "fathom/joint_refinement/problem/motion_callback.h"
 
 #include <algorithm>
@@ -20,20 +20,6 @@
 
 namespace fathom {
 namespace {
-
-class Loss final : public ceres::LossFunction {
- public:
-  explicit Loss(double limit) : limit_(limit) {}
-  void Evaluate(double s, double rho[3]) const override {
-    const ClippedLoss loss = ClippedLoss::Of(s, limit_);
-    rho[0] = loss.value;
-    rho[1] = loss.weight;
-    rho[2] = loss.second_derivative;
-  }
-
- private:
-  const double limit_;
-};
 
 // Which coordinates have deviations of their own.
 std::vector<int> MovingCoordinates(const ProcessSet& processes, int excited) {
@@ -168,11 +154,11 @@ BoundedSolve SolveJoint(JointData* data,
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &motions;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  Loss loss(data->loss_limit);
+  const auto loss = MakeClippedLoss(data->loss_limit);
   ceres::Problem problem(problem_options);
   const Assembly assembly = {*data, processes, moving, unknowns, &blocks, &problem};
   for (size_t r = 0; r < data->segments.size(); ++r) {
-    AddCorners(assembly, r, priors[r].std[kClockColumn] > 0.0, motions, &loss);
+    AddCorners(assembly, r, priors[r].std[kClockColumn] > 0.0, motions, loss.get());
     if (options.without_model) {
       problem.SetParameterBlockConstant(unknowns->segments[r].start.data());
       problem.SetParameterBlockConstant(unknowns->segments[r].response.data());
