@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-12;
-constexpr int kMostTries = 12;           // of one step, with ever more damping
-constexpr double kStartPrecision = 0.1;  // of each start, in standard deviations
-constexpr double kSmallestGain = 1e-10;  // of the cost
+constexpr int kMostTries = 12;             // of one step, with ever more damping
+constexpr double kStartPrecision = 0.1;    // of each start, in standard deviations
+constexpr double kSmallestGain = 1e-10;    // of the cost
+constexpr double kWorthAnotherLook = 0.3;  // by so much another share than the whole step
 
 // Normal equations of one window: entries t, start s.
 struct WindowNormal {
@@ -148,17 +149,50 @@ bool IsSmall(const Step& step, const Linearised& lines, double precision) {
          step.decrement < kSmallestGain * lines.cost;
 }
 
-WindowPoint Stepped(const WindowProblem& problem, const WindowPoint& from, const Step& step) {
+// A share of a step from where it was taken.
+WindowPoint Stepped(const WindowProblem& problem,
+                    const WindowPoint& from,
+                    const Step& step,
+                    double share) {
   WindowPoint to = from;
   for (std::size_t k = 0; k < problem.entries.size(); ++k) {
     const FreeEntry& entry = problem.entries[k];
-    SetValue(
-        entry, ValueIn(from.model, entry) + step.entries[static_cast<Eigen::Index>(k)], &to.model);
+    const double move = share * step.entries[static_cast<Eigen::Index>(k)];
+    SetValue(entry, ValueIn(from.model, entry) + move, &to.model);
   }
   for (std::size_t w = 0; w < to.starts.size(); ++w) {
-    to.starts[w] = Moved(from.starts[w], problem.free, step.starts[w]);
+    to.starts[w] = Moved(from.starts[w], problem.free, share * step.starts[w]);
   }
   return to;
+}
+
+// Where a step ends.
+struct StepEnd {
+  WindowPoint point;
+  PhysicalBarrier barrier;
+  double gain = -std::numeric_limits<double>::infinity();  // of cost and barrier
+};
+
+StepEnd EndOf(const WindowProblem& problem,
+              const std::vector<ChannelWeight>& weights,
+              const WindowPoint& from,
+              const Step& step,
+              double share,
+              double before) {
+  StepEnd end = {Stepped(problem, from, step, share), {}};
+  end.barrier = BarrierAt(end.point.model, problem.entries, problem.body);
+  if (!std::isfinite(end.barrier.cost)) return end;
+  const double limit = before - end.barrier.cost;
+  end.gain = limit - CostAt(problem, weights, end.point, limit);
+  return end;
+}
+
+// Where the parabola through a step's slope and its gain has its least, as a share of the step. The
+// squares know nothing of how the residuals bend: with large ones a step may go twice too far, time
+// and again.
+double BestShare(const Step& step, double gain) {
+  const double bend = step.decrement - gain;
+  return bend > 0.0 ? std::clamp(step.decrement / (2.0 * bend), 0.2, 3.0) : 3.0;
 }
 
 }  // namespace
@@ -182,39 +216,37 @@ WindowSearch SearchWindows(const WindowProblem& problem,
   while (search.num_iterations < max_iterations) {
     ++search.num_iterations;
     Step step;
-    WindowPoint trial;
-    double gain = -1.0, growth = 2.0;
+    StepEnd end;
+    double growth = 2.0;
     bool is_small = false;
-    for (int tries = 0; tries < kMostTries && !(gain > 0.0) && !is_small; ++tries) {
-      PhysicalBarrier there;
+    const double before = lines.cost + barrier.cost;
+    for (int tries = 0; tries < kMostTries && !is_small; ++tries) {
       if (StepOf(lines, barrier, damping, &step)) {
         is_small = IsSmall(step, lines, precision);
-        trial = Stepped(problem, search.point, step);
-        there = BarrierAt(trial.model, problem.entries, problem.body);
-        const double before = lines.cost + barrier.cost;
-        if (std::isfinite(there.cost)) {
-          gain = before - there.cost - CostAt(problem, weights, trial, before - there.cost);
-        }
+        end = EndOf(problem, weights, search.point, step, 1.0, before);
       }
-      if (gain > 0.0) {
-        // Less damping the better the squares foretold the gain.
-        const double quality = std::min(gain / std::max(0.5 * step.decrement, 1e-300), 1.0);
-        damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));
-        damping = std::max(damping, kLeastDamping);
-        barrier = there;
-      } else {
-        damping *= growth;
-        growth *= 2.0;
-      }
+      if (end.gain > 0.0) break;
+      damping *= growth;
+      growth *= 2.0;
     }
-    if (gain > 0.0) {
-      search.point = std::move(trial);
+    if (end.gain > 0.0) {
+      const double share = BestShare(step, end.gain);
+      if (!is_small && std::abs(share - 1.0) > kWorthAnotherLook) {
+        StepEnd nearer = EndOf(problem, weights, search.point, step, share, before);
+        if (nearer.gain > end.gain) end = std::move(nearer);
+      }
+      // Less damping the better the squares foretold the gain.
+      const double quality = std::min(end.gain / std::max(0.5 * step.decrement, 1e-300), 1.0);
+      damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * quality - 1.0, 3.0));
+      damping = std::max(damping, kLeastDamping);
+      barrier = std::move(end.barrier);
+      search.point = std::move(end.point);
       if (!Linearise(problem, weights, search.point, &lines)) {
         search.message = "the simulation diverges";
         return search;
       }
     }
-    if (!is_small && gain > 0.0) continue;
+    if (!is_small && end.gain > 0.0) continue;
     // At the end, or where rounding lets no step lower the error any more.
     search.converged = true;
     search.message = "converged";
