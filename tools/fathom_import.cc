@@ -423,7 +423,9 @@ int Run() {
   const Log before = LogBefore(folder);
   if (!before.corrections.empty()) {
     imported.remarks.emplace_back(
-        "correct of the log.yaml before is not kept: a `scale` in the map does the same.");
+        "correct and late of the log.yaml before are not kept: `scale` and `delay` in the map do "
+        "the "
+        "same.");
   }
   if (log.held_out.empty()) {
     log.held_out = before.held_out;

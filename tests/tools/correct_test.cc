@@ -101,7 +101,8 @@ TEST(Correct, RefusesWhatIsNoFactorOfAColumn) {
     EXPECT_THAT(
         refusal(value),
         HasSubstr("--correct: holds '" + std::string(value) +
-                  "', expected column:factor, a factor that is finite and not 0, as p:-1."));
+                  "', expected column:factor, a factor that is finite and not 0, as p:-1, or "
+                  "column:seconds, as u:0.25s."));
   }
   EXPECT_THAT(refusal("u:-1,u:2"), HasSubstr("--correct: names 'u' twice"));
   EXPECT_THAT(refusal("p:-1"), HasSubstr("--correct: corrects 'p', which is no column of"));

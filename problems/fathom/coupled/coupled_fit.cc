@@ -9,6 +9,7 @@
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_scores.h"
 #include "fathom/coupled/window_search.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@
 #include <utility>
 
 #include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -143,13 +143,12 @@ std::vector<FreeEntry> UndeterminedIn(const Eigen::MatrixXd& normal,
   }
   if (!found.empty() || diagonal.size() == 0) return found;
   const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * normal *
-                                                             scale.asDiagonal());
+  const SymmetricEigen eigen = EigenOf(scale.asDiagonal() * normal * scale.asDiagonal());
   for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
-    if (eigen.eigenvalues()[i] > kSingular) continue;
+    if (eigen.values[i] > kSingular) continue;
     for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
       const FreeEntry& entry = entries[static_cast<std::size_t>(k)];
-      if (std::abs(eigen.eigenvectors()(k, i)) > 0.2 &&
+      if (std::abs(eigen.vectors(k, i)) > 0.2 &&
           std::find(found.begin(), found.end(), entry) == found.end()) {
         found.push_back(entry);
       }

@@ -4,10 +4,10 @@
 #include "fathom/coupled_refinement/barrier_cost.h"
 
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/solve/decompositions.h"
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <ceres/cost_function.h>
 
 namespace fathom {
@@ -41,13 +41,13 @@ class BarrierCost final : public ceres::CostFunction {
     const Eigen::VectorXd diagonal = barrier.hessian.diagonal();
     const Eigen::VectorXd scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt(), 1.0);
     const Eigen::VectorXd unscale = scale.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        unscale.asDiagonal() * barrier.hessian * unscale.asDiagonal());
+    const SymmetricEigen eigen =
+        EigenOf(unscale.asDiagonal() * barrier.hessian * unscale.asDiagonal());
     const Eigen::VectorXd along =
-        eigen.eigenvectors().transpose() * (unscale.asDiagonal() * barrier.gradient);
+        eigen.vectors.transpose() * (unscale.asDiagonal() * barrier.gradient);
     double squares = 0.0;
     for (int i = 0; i < size_; ++i) {
-      const double curvature = eigen.eigenvalues()[i];
+      const double curvature = eigen.values[i];
       residuals[i] = curvature > kFlat ? along[i] / std::sqrt(curvature) : 0.0;
       squares += residuals[i] * residuals[i];
     }
@@ -59,10 +59,10 @@ class BarrierCost final : public ceres::CostFunction {
         jacobians[0], size_ + 1, num_shared_);
     J.setZero();
     for (int i = 0; i < size_; ++i) {
-      const double curvature = eigen.eigenvalues()[i];
+      const double curvature = eigen.values[i];
       if (!(curvature > kFlat)) continue;
       J.row(i).head(size_) =
-          std::sqrt(curvature) * eigen.eigenvectors().col(i).transpose() * scale.asDiagonal();
+          std::sqrt(curvature) * eigen.vectors.col(i).transpose() * scale.asDiagonal();
     }
     return true;
   }

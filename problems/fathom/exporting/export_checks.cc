@@ -4,13 +4,13 @@
 #include "fathom/exporting/export_checks.h"
 
 #include "fathom/simulate/coupled/coupled_simulation.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -29,8 +29,7 @@ double SmallestEigenvalue(const CoupledModel& model) {
                                  Index(model.dofs[static_cast<std::size_t>(j)]));
     }
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(part, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
+  return LeastEigenvalue(part);
 }
 
 // Velocities of the modelled DOFs that no symmetry hides anything at.

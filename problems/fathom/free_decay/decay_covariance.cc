@@ -5,14 +5,13 @@
 
 #include "fathom/noise/fit_noise.h"
 #include "fathom/signal/filters/autoregression.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
-
-#include <Eigen/Eigenvalues>
 
 namespace fathom {
 namespace {
@@ -128,11 +127,10 @@ Eigen::Matrix4d DecayCovariance(std::span<const DecayStretch> stretches,
     coloured.Add(J.middleRows(residuals.begin[s], residuals.begin[s + 1] - residuals.begin[s]));
     B += coloured.EndPiece();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> A(J.transpose() * inside.asDiagonal() * J);
-  const double floor = kSmallestEigenvalue * A.eigenvalues().maxCoeff();
-  Eigen::VectorXd inverse = A.eigenvalues().cwiseMax(floor).cwiseInverse();
-  const Eigen::MatrixXd A_inverse =
-      A.eigenvectors() * inverse.asDiagonal() * A.eigenvectors().transpose();
+  const SymmetricEigen A = EigenOf(J.transpose() * inside.asDiagonal() * J);
+  const double floor = kSmallestEigenvalue * A.values.maxCoeff();
+  const Eigen::VectorXd inverse = A.values.cwiseMax(floor).cwiseInverse();
+  const Eigen::MatrixXd A_inverse = A.vectors * inverse.asDiagonal() * A.vectors.transpose();
   Eigen::MatrixXd C =
       FactorOfFreedom(noise, psi, static_cast<double>(num_columns)) * A_inverse * B * A_inverse;
   if (const auto restricted = RestrictedNoise(stretches, psi, J)) {
@@ -149,10 +147,10 @@ Eigen::Matrix4d DecayCovariance(std::span<const DecayStretch> stretches,
     }
   }
   for (Eigen::Index e = 0; e < num_columns; ++e) {
-    if (A.eigenvalues()[e] > floor) continue;
+    if (A.values[e] > floor) continue;
     for (Eigen::Index k = 0; k < num_columns; ++k) {
       const auto i = columns[static_cast<std::size_t>(k)];
-      if (i < kNumDecayRates && std::abs(A.eigenvectors()(k, e)) > 1e-3) {
+      if (i < kNumDecayRates && std::abs(A.vectors(k, e)) > 1e-3) {
         covariance(i, i) = std::numeric_limits<double>::infinity();
       }
     }

@@ -4,12 +4,11 @@
 #include "fathom/free_decay/decay_guess.h"
 
 #include "fathom/free_decay/decay_search.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -63,7 +62,7 @@ Eigen::VectorXd DecayGuess(std::span<const DecayStretch> stretches,
     row += m;
   }
   // Of displacements c stands at the double integral, too: its column is the same.
-  const Eigen::VectorXd solved = F.completeOrthogonalDecomposition().solve(y);
+  const Eigen::VectorXd solved = LeastSquares(F, y);
 
   const DecayUnknowns unknowns(stretches.size(), options);
   Eigen::VectorXd guess = Eigen::VectorXd::Zero(unknowns.size());

@@ -3,6 +3,8 @@
 
 #include "fathom/output_error/reduced_normal.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <cmath>
 #include <vector>
 
@@ -37,11 +39,9 @@ void AddSegment(const Matrix& A, const Matrix& B, Eigen::Index offset, ReducedNo
   const Matrix A_ps = A.topRightCorner(kSharedColumns, num_states);
   // Where (nearly) all samples are clipped, an initial state leaves no trace in A, and nothing of
   // the parameters' can be laid at its door: the pseudoinverse.
-  Eigen::CompleteOrthogonalDecomposition<Matrix> A_ss;
-  A_ss.setThreshold(1e-13);
-  A_ss.compute(A.bottomRightCorner(num_states, num_states));
+  const Matrix A_ss = PseudoInverse(A.bottomRightCorner(num_states, num_states), 1e-13);
   Matrix eliminate(kSharedColumns, A.cols());
-  eliminate << Matrix::Identity(kSharedColumns, kSharedColumns), -A_ps * A_ss.pseudoInverse();
+  eliminate << Matrix::Identity(kSharedColumns, kSharedColumns), -A_ps * A_ss;
   std::vector<Eigen::Index> at = {kInertia, kQuadraticDamping, kLinearDamping};
   at.push_back(kBuoyancy + offset);
   at.push_back(normal->A.cols() - 1);
@@ -66,10 +66,10 @@ SolvedNormal Solve(const ReducedNormal& normal, bool with_time_offset) {
   solved.change_per_second_of_offset =
       -to *
       normal.A.topLeftCorner(num_own, num_own).ldlt().solve(normal.A.topRightCorner(num_own, 1));
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(A);
-  const double smallest = eigen.eigenvalues().minCoeff();
-  if (!(smallest > 1e-13 * eigen.eigenvalues().maxCoeff())) return solved;
-  solved.condition_number = std::sqrt(eigen.eigenvalues().maxCoeff() / smallest);
+  const Vector eigenvalues = EigenOf(A).values;
+  const double smallest = eigenvalues.minCoeff(), largest = eigenvalues.maxCoeff();
+  if (!(smallest > 1e-13 * largest)) return solved;
+  solved.condition_number = std::sqrt(largest / smallest);
   const Matrix A_inverse = A.inverse();
   const Matrix covariance =
       unscale.asDiagonal() * (A_inverse * B * A_inverse) * unscale.asDiagonal();

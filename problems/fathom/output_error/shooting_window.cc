@@ -4,6 +4,7 @@
 #include "fathom/output_error/shooting_window.h"
 
 #include "fathom/output_error/root_huber.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <ceres/cost_function.h>
 #include <glog/logging.h>
 
@@ -190,10 +190,9 @@ class WindowCost final : public ceres::CostFunction {
     const Eigen::VectorXd scale =
         JtJ.diagonal().cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     const Eigen::VectorXd unscale = scale.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unscale.asDiagonal() * JtJ *
-                                                               unscale.asDiagonal());
-    const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-    const Eigen::VectorXd projected = eigen.eigenvectors().transpose() * unscale.asDiagonal() * Jtr;
+    const SymmetricEigen eigen = EigenOf(unscale.asDiagonal() * JtJ * unscale.asDiagonal());
+    const Eigen::VectorXd root = eigen.values.cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd projected = eigen.vectors.transpose() * unscale.asDiagonal() * Jtr;
     residuals_.setZero(n + 1);
     for (int k = 0; k < n; ++k) {
       if (root[k] > 1e-8) residuals_[k] = projected[k] / root[k];
@@ -201,7 +200,7 @@ class WindowCost final : public ceres::CostFunction {
     residuals_[n] = std::sqrt(std::max(0.0, rtr - residuals_.squaredNorm()));
     jacobian_.setZero(num_residuals(), kMostColumns);
     jacobian_.topLeftCorner(n, n) =
-        root.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
+        root.asDiagonal() * eigen.vectors.transpose() * scale.asDiagonal();
   }
 
   const ShootingWindow window_;

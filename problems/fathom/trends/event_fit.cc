@@ -3,8 +3,9 @@
 
 #include "fathom/trends/event_fit.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -20,9 +21,7 @@ struct Part {
 };
 
 bool HasFullRank(const Eigen::MatrixXd& design) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(design);
-  qr.setThreshold(kLeastShareOfItsOwn);
-  return qr.rank() == design.cols() && design.rows() > design.cols();
+  return RankOf(design, kLeastShareOfItsOwn) == design.cols() && design.rows() > design.cols();
 }
 
 Part PartOf(const DiveSeries& series,

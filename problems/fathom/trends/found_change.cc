@@ -3,9 +3,9 @@
 
 #include "fathom/trends/found_change.h"
 
-#include <cmath>
+#include "fathom/solve/decompositions.h"
 
-#include <Eigen/QR>
+#include <cmath>
 
 namespace fathom {
 namespace {
@@ -33,8 +33,7 @@ Change ChangeOf(const SeriesModel& model,
   const Eigen::VectorXd root_weight = (series.variance.array() + tau_squared).rsqrt();
   const Eigen::MatrixXd design =
       root_weight.asDiagonal() * DesignMatrix(series, columns, num_dives);
-  const auto factor = design.completeOrthogonalDecomposition();
-  const Eigen::MatrixXd inverse = factor.pseudoInverse();
+  const Eigen::MatrixXd inverse = PseudoInverse(design);
   const Eigen::VectorXd coefficients = inverse * root_weight.cwiseProduct(series.value);
 
   const bool is_step = column.kind == ChangeKind::kStep;

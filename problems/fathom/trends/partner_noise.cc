@@ -3,8 +3,9 @@
 
 #include "fathom/trends/partner_noise.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -48,10 +49,7 @@ PartnerNoise PartnerNoiseOf(std::span<const DiveSeries> series,
     const Eigen::VectorXd root_weight = (series[s].variance.array() + tau_squared[s]).rsqrt();
     const Eigen::MatrixXd weighted =
         root_weight.asDiagonal() * DesignMatrix(series[s], columns[s], num_dives);
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-    qr.setThreshold(1e-9);
-    const Eigen::MatrixXd orthonormal =
-        qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), qr.rank());
+    const Eigen::MatrixXd orthonormal = ColumnSpaceOf(weighted, 1e-9).basis;
     noise.basis.push_back(root_weight.cwiseInverse().asDiagonal() * orthonormal);
     noise.weighted_basis.push_back(root_weight.asDiagonal() * orthonormal);
   }

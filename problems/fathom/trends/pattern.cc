@@ -3,11 +3,11 @@
 
 #include "fathom/trends/pattern.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-
-#include <Eigen/Eigenvalues>
 
 namespace fathom {
 namespace {
@@ -182,11 +182,11 @@ void AddExcitation(std::span<const DiveSeries> series,
       if (series[s].dof == dof) rows.push_back(s);
     }
     const Eigen::MatrixXd correlation = mean_correlation(rows, rows);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation);
-    if (eigen.eigenvalues().tail(1)(0) < kLeastEigenvalue) continue;
+    const SymmetricEigen eigen = EigenOf(correlation);
+    if (eigen.values.tail(1)(0) < kLeastEigenvalue) continue;
     Eigen::VectorXd direction = Eigen::VectorXd::Zero(mean_correlation.rows());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double part = eigen.eigenvectors()(i, rows.size() - 1);
+      const double part = eigen.vectors(i, rows.size() - 1);
       if (std::abs(part) >= kLeastPartInDirection) direction(rows[i]) = part;
     }
     Pattern pattern = Empty("excitation", series);

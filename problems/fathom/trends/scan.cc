@@ -3,12 +3,13 @@
 
 #include "fathom/trends/scan.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -86,11 +87,9 @@ ScanAtTau AtTau(const DiveSeries& series,
   at.log_det = variance.log().sum();
   at.root_weight = variance.rsqrt();
   const Eigen::MatrixXd weighted = at.root_weight.asDiagonal() * design;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-  qr.setThreshold(1e-9);
-  const Eigen::Index rank = qr.rank();
-  at.log_det_information = 2.0 * qr.matrixR().diagonal().head(rank).array().abs().log().sum();
-  at.basis = qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), rank);
+  ColumnSpace space = ColumnSpaceOf(weighted, 1e-9);
+  at.log_det_information = 2.0 * space.pivots.array().abs().log().sum();
+  at.basis = std::move(space.basis);
   at.gain = Gains(at, trend);
   return at;
 }

@@ -117,7 +117,8 @@ constexpr Entry kAdvice[] = {
       "Check which column is which axis, in both files."}},
     {"pose_twist_delay",
      {"Models from the two sources differ in their dynamics.",
-      "Put the clocks of both sensors together."}},
+      "Put the clocks of both sensors together. A late column of velocity.csv is read off later "
+      "with `late: {COLUMN: 0.25}` in log.yaml, or --correct=COLUMN:0.25s, in seconds."}},
     {"pose_twist_frame",
      {"A vehicle that turns gets the velocity of another axis.",
       "Turn velocity.csv by the attitude in pose.csv into the axes of the vehicle, or leave it "

@@ -5,6 +5,7 @@
 
 #include "fathom/findings/batch_means.h"
 #include "fathom/simulate/partner_signals.h"
+#include "fathom/solve/decompositions.h"
 
 #include <array>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -102,13 +102,13 @@ struct Gain {
 
 // Nothing where the product cannot be told from nothing.
 std::optional<Gain> GainOf(const Means& means) {
+  constexpr double kLeastPivot = 1e-14;
   if (means.acceleration.size() <= 32) return std::nullopt;
   const Eigen::VectorXd scale = means.regressors.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixX4d X = means.regressors * scale.cwiseInverse().asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> solver(X);
-  if (solver.rank() < 4) return std::nullopt;
-  const Eigen::Vector4d alone = solver.solve(means.acceleration);
-  const Eigen::Vector4d of_product = solver.solve(means.product);
+  if (RankOf(X, kLeastPivot) < 4) return std::nullopt;
+  const Eigen::Vector4d alone = LeastSquares(X, means.acceleration);
+  const Eigen::Vector4d of_product = LeastSquares(X, means.product);
   const Eigen::VectorXd missed = means.acceleration - X * alone;
   const Eigen::VectorXd product = means.product - X * of_product;
   const double size = product.squaredNorm();

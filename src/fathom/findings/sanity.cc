@@ -10,6 +10,7 @@
 #include "fathom/findings/pulse_widths.h"
 #include "fathom/signal/filters/autoregression.h"
 #include "fathom/signal/filters/integral.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,6 @@
 #include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -106,7 +106,7 @@ Eigen::VectorXd WithoutVelocity(const Eigen::VectorXd& v, const Eigen::VectorXd&
     gram += row * row.transpose();
     right += values[i] * row;
   }
-  const Eigen::Vector3d solution = gram.completeOrthogonalDecomposition().solve(right);
+  const Eigen::Vector3d solution = LeastSquares(gram, right);
   Eigen::VectorXd rest = values;
   for (Eigen::Index i = 0; i < v.size(); ++i) rest[i] -= columns(i).dot(solution);
   return rest;

@@ -11,12 +11,13 @@
 
 namespace fathom {
 
-// Multiplies columns of the log's velocities by log->corrections, which log.yaml holds, and by
-// `asked`, which --correct holds and which stands in for log.yaml's of the same column. Tells each
-// in a remark, and leaves in log->corrections what was done. `log_yaml` and `velocity` are the
-// names of the files, as in messages.
+// Puts columns of the log's velocities right as log->corrections say, which log.yaml holds, and
+// `asked`, which --correct holds and which stands in for log.yaml's of the same column. A late
+// column is read off so much later, between its samples on a straight line; rows for which that
+// tells nothing are left out. Tells each in a remark, and leaves in log->corrections what was done.
+// `log_yaml` and `velocity` are the names of the files, as in messages.
 //
-// Throws InputError if a column is not there.
+// Throws InputError if a column is not there, or no row is left.
 void CorrectVelocity(const std::string& log_yaml,
                      const std::string& velocity,
                      const std::vector<Correction>& asked,

@@ -7,10 +7,11 @@
 
 namespace fathom {
 
-// A factor of one column of velocity.csv: -1 turns its sign round.
+// What puts one column of velocity.csv right.
 struct Correction {
   std::string column;   // "p"
-  double factor = 1.0;  // finite and not 0
+  double factor = 1.0;  // finite and not 0; -1 turns its sign round
+  double late = 0.0;    // by how long its values come too late [s]; below 0: too early
 };
 
 }  // namespace fathom

@@ -50,13 +50,16 @@ std::vector<TimeInterval> HeldOutOf(const YamlMap& file) {
 std::vector<Correction> CorrectionsOf(const YamlMap& file) {
   std::vector<Correction> corrections;
   const auto factors = file.OptionalMap("correct");
-  if (!factors) return corrections;
+  const auto late = file.OptionalMap("late");
   for (const Dof dof : kAllDofs) {
-    const std::string column(VelocityColumn(dof));
-    if (!factors->Has(column)) continue;
-    const double factor = factors->Number(column);
-    if (factor == 0.0) factors->Fail(column, "is 0, expected a factor that is not 0.");
-    corrections.push_back({column, factor});
+    Correction correction = {std::string(VelocityColumn(dof))};
+    const std::string& column = correction.column;
+    const bool has_factor = factors && factors->Has(column);
+    const bool is_late = late && late->Has(column);
+    if (has_factor) correction.factor = factors->Number(column);
+    if (correction.factor == 0.0) factors->Fail(column, "is 0, expected a factor that is not 0.");
+    if (is_late) correction.late = late->Number(column);
+    if (has_factor || is_late) corrections.push_back(std::move(correction));
   }
   return corrections;
 }

@@ -7,6 +7,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/utc_time.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -66,13 +67,19 @@ std::string FormatYaml(const Log& log, const std::vector<Correction>& correction
     }
     yaml << YAML::EndSeq;
   }
-  if (!corrections.empty()) {
-    yaml << YAML::Key << "correct" << YAML::Value << YAML::Flow << YAML::BeginMap;
+  const auto emit_corrections = [&](const char* key, double Correction::*number, double none) {
+    const auto is_one = [&](const Correction& correction) { return correction.*number != none; };
+    if (!std::ranges::any_of(corrections, is_one)) return;
+    yaml << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginMap;
     for (const Correction& correction : corrections) {
-      yaml << YAML::Key << correction.column << YAML::Value << fmt::format("{}", correction.factor);
+      if (!is_one(correction)) continue;
+      yaml << YAML::Key << correction.column << YAML::Value
+           << fmt::format("{}", correction.*number);
     }
     yaml << YAML::EndMap;
-  }
+  };
+  emit_corrections("correct", &Correction::factor, 1.0);
+  emit_corrections("late", &Correction::late, 0.0);
   emit_text("command_unit", log.command_unit);
   emit_text("thruster_unit", log.thrusters ? "N" : log.thruster_unit);
   emit_text("video", log.video);

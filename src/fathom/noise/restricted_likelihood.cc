@@ -3,11 +3,12 @@
 
 #include "fathom/noise/restricted_likelihood.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <glog/logging.h>
 
 namespace fathom {
@@ -28,10 +29,8 @@ RestrictedLikelihood::RestrictedLikelihood(std::span<const NoiseSample> samples,
       const double length = column.norm();
       if (length > 0.0) column /= length;
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-    qr.setThreshold(1e-9);
-    rank_ = static_cast<int>(qr.rank());
-    base = qr.householderQ() * Eigen::MatrixXd::Identity(n, rank_);
+    base = ColumnSpaceOf(scaled, 1e-9).basis;
+    rank_ = static_cast<int>(base.cols());
     e -= base * (base.transpose() * e);
   }
   columns_ = RowMajorMatrix::Zero(n, (rank_ + 4) / 4 * 4);

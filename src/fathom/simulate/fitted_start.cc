@@ -6,6 +6,7 @@
 #include "fathom/base/median.h"
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/simulate/run_start.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -137,7 +138,7 @@ StartStep StepTowards(const FirstSeconds& first,
     rows.bottomRows(num_displacements) *= kWeightOfPlace;
     miss.tail(num_displacements) *= kWeightOfPlace;
   }
-  return {rows.completeOrthogonalDecomposition().solve(miss), miss.squaredNorm()};
+  return {LeastSquares(rows, miss), miss.squaredNorm()};
 }
 
 InitialState Moved(InitialState state,

@@ -3,7 +3,7 @@
 
 #include "fathom/solve/covariance_factor.h"
 
-#include <Eigen/Eigenvalues>
+#include "fathom/solve/decompositions.h"
 
 namespace fathom {
 
@@ -12,9 +12,9 @@ Eigen::MatrixXd CovarianceFactor(const Eigen::MatrixXd& covariance) {
   const Eigen::VectorXd safe = stds.cwiseMax(1e-300);
   const Eigen::MatrixXd correlation =
       safe.cwiseInverse().asDiagonal() * covariance * safe.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(correlation);
-  const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  return stds.asDiagonal() * solver.eigenvectors() * roots.asDiagonal();
+  const SymmetricEigen eigen = EigenOf(correlation);
+  const Eigen::VectorXd roots = eigen.values.cwiseMax(0.0).cwiseSqrt();
+  return stds.asDiagonal() * eigen.vectors * roots.asDiagonal();
 }
 
 }  // namespace fathom

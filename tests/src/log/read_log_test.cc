@@ -18,6 +18,7 @@ namespace fathom {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -133,6 +134,24 @@ TEST(ReadLog, MultipliesAColumnAsAskedInPlaceOfWhatLogYamlSays) {
   EXPECT_THAT(TextsOf(log.remarks),
               ElementsAre("velocity.csv: p times -1, as log.yaml says.",
                           "velocity.csv: q times 3, r times -1, as --correct says."));
+}
+
+// Of u = 10 t and w = 3, u late by 0.25 s: at 0.3 s it is what was written at 0.55 s.
+TEST(ReadLog, ReadsALateColumnOffLater) {
+  Files files = With({{"log.yaml", "name: a\ndof: surge\nlate: {u: 0.25}\ncorrect: {u: -1}\n"}});
+  files["velocity.csv"] = "t,u,w\n0.3,3,3\n0.4,4,3\n0.5,5,3\n0.6,6,3\n0.7,7,3\n";
+  const Log log = ReadLog(Folder(files));
+  EXPECT_THAT(log.velocity->time, ElementsAre(0.3, 0.4));
+  EXPECT_THAT(*log.velocity->Find("u"),
+              ElementsAre(DoubleNear(-5.5, 1e-12), DoubleNear(-6.5, 1e-12)));
+  EXPECT_THAT(*log.velocity->Find("w"), ElementsAre(3, 3));
+  EXPECT_THAT(TextsOf(log.remarks),
+              ElementsAre("velocity.csv: u times -1 and 0.25 s earlier, as log.yaml says."));
+  const Log early = ReadLog(Folder(files), {.corrections = {{.column = "u", .late = -0.1}}});
+  EXPECT_THAT(early.velocity->time, ElementsAre(0.4, 0.5, 0.6, 0.7));
+  EXPECT_THAT(early.velocity->Find("u")->front(), DoubleNear(3.0, 1e-12));
+  EXPECT_EQ(Error(files, {.corrections = {{.column = "u", .late = 9.0}}}),
+            "--correct: velocity.csv is shorter than its columns are late.");
 }
 
 TEST(ReadLog, LeavesAnotherVelocityFileAsItIs) {
@@ -342,7 +361,8 @@ TEST(ReadLog, RefusesWhatLogYamlMayNotHold) {
   EXPECT_EQ(
       error("name: a\ndof: yaw\nvehicel: b\n"),
       "log.yaml:3: key 'vehicel' is not known here, expected one of: name, dof, vehicle, notes, "
-      "dive, start, held_out, correct, mass, command_unit, thruster_unit, video, video_start, "
+      "dive, start, held_out, correct, late, mass, command_unit, thruster_unit, video, "
+      "video_start, "
       "imported. "
       "Correct or remove "
       "it.");

@@ -9,7 +9,6 @@
 #include "fathom/tool/flag_values.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,18 +17,34 @@
 
 DEFINE_string(correct,
               "",
-              "Multiply columns of velocity.csv, as p:-1 or p:-1,u:0.5; in place of log.yaml's "
-              "correct of the same column.");
+              "Put columns of velocity.csv right: multiply them, as p:-1, or read them off later, "
+              "as u:0.25s where they come 0.25 s late; in place of log.yaml's correct and late of "
+              "the same column.");
 
 namespace fathom {
 namespace {
 
-std::optional<Correction> ParseCorrection(std::string_view text) {
+// Takes "p:-1" or "u:0.25s" in. False if the text is neither.
+bool TakeIn(std::string_view text, std::vector<Correction>* corrections) {
   const std::size_t colon = text.find(':');
-  if (colon == 0 || colon == std::string_view::npos) return std::nullopt;
-  const auto factor = ParseFiniteNumber(text.substr(colon + 1));
-  if (!factor || *factor == 0.0) return std::nullopt;
-  return Correction{std::string(text.substr(0, colon)), *factor};
+  if (colon == 0 || colon == std::string_view::npos) return false;
+  const std::string column(text.substr(0, colon));
+  std::string_view amount = text.substr(colon + 1);
+  const bool is_time = amount.ends_with('s');
+  if (is_time) amount.remove_suffix(1);
+  const auto number = ParseFiniteNumber(amount);
+  if (!number || *number == 0.0) return false;
+  auto correction = std::ranges::find(*corrections, column, &Correction::column);
+  if (correction == corrections->end()) {
+    correction = corrections->insert(corrections->end(), Correction{column});
+  }
+  double& value = is_time ? correction->late : correction->factor;
+  if (value != (is_time ? 0.0 : 1.0)) {
+    throw InputError(
+        fmt::format("--correct: names {} twice, expected each column once.", Quoted(column)));
+  }
+  value = *number;
+  return true;
 }
 
 }  // namespace
@@ -37,19 +52,11 @@ std::optional<Correction> ParseCorrection(std::string_view text) {
 std::vector<Correction> CorrectionsFromFlag() {
   std::vector<Correction> corrections;
   for (const std::string& text : SplitAtCommas(FLAGS_correct)) {
-    const std::optional<Correction> correction = ParseCorrection(text);
-    if (!correction) {
-      throw InputError(
-          fmt::format("--correct: holds {}, expected column:factor, a factor that is finite and "
-                      "not 0, as p:-1.",
-                      Quoted(text)));
-    }
-    if (std::ranges::find(corrections, correction->column, &Correction::column) !=
-        corrections.end()) {
-      throw InputError(fmt::format("--correct: names {} twice, expected each column once.",
-                                   Quoted(correction->column)));
-    }
-    corrections.push_back(*correction);
+    if (TakeIn(text, &corrections)) continue;
+    throw InputError(
+        fmt::format("--correct: holds {}, expected column:factor, a factor that is finite and not "
+                    "0, as p:-1, or column:seconds, as u:0.25s.",
+                    Quoted(text)));
   }
   return corrections;
 }

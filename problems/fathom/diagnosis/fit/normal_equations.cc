@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/fit/normal_equations.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,7 +34,7 @@ Inverse InverseOf(const Normal& normal, const std::vector<int>& some) {
       A(i, j) = scale[i] * scale[j] * normal.A(some[i], some[j]);
     }
   }
-  const Eigen::MatrixXd inverse = A.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = PseudoInverse(A);
   return {(scale * scale.transpose()).cwiseProduct(inverse), (inverse * A).diagonal()};
 }
 

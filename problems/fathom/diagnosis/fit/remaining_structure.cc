@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/fit/force_response.h"
 #include "fathom/noise/fit_noise.h"
 #include "fathom/noise/whitener.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <unsupported/Eigen/SpecialFunctions>
 
 namespace fathom {
@@ -137,9 +138,7 @@ Eigen::VectorXd ResidualAfter(const RowMajorMatrix& columns,
   block.rightCols(1) = residual;
   whitener.Apply(block, block);
   const Eigen::MatrixXd J = block.leftCols(columns.cols());
-  const Eigen::VectorXd solution =
-      J.completeOrthogonalDecomposition().solve(Eigen::VectorXd(block.rightCols(1)));
-  return residual - columns * solution;
+  return residual - columns * LeastSquares(J, block.rightCols(1));
 }
 
 // What forces of one kind would gain.
@@ -155,12 +154,11 @@ RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
     design.col(num_fitted + static_cast<Eigen::Index>(k)) = response.Outputs(forces[k]);
   }
   for (auto column : design.colwise()) column /= std::max(column.norm(), 1e-300);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> all{Eigen::MatrixXd(design)};
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> own{Eigen::MatrixXd(design.leftCols(num_fitted))};
-  all.setThreshold(1e-5);
-  own.setThreshold(1e-5);
+  constexpr double kLeastPivot = 1e-5;
+  const Eigen::Index rank = RankOf(design, kLeastPivot);
+  const Eigen::Index own_rank = RankOf(design.leftCols(num_fitted), kLeastPivot);
   constexpr Eigen::Index kSamplesPerColumn = 5;
-  if (all.rank() <= own.rank() || design.rows() < kSamplesPerColumn * all.rank()) return remaining;
+  if (rank <= own_rank || design.rows() < kSamplesPerColumn * rank) return remaining;
 
   Whitener whitener(fit.noise, data.samples());
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
@@ -172,7 +170,7 @@ RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
   whitener = Whitener(noise.model, data.samples());
   residual = ResidualAfter(design, fit.residual, whitener);
   const double log_likelihood = whitener.LogLikelihood(std::span(residual.data(), residual.size()));
-  remaining.num_columns = static_cast<int>(all.rank() - own.rank());
+  remaining.num_columns = static_cast<int>(rank - own_rank);
   remaining.gain = std::max(0.0, 2.0 * (log_likelihood - fit.log_likelihood));
   remaining.p_value = Eigen::numext::igammac(0.5 * remaining.num_columns, 0.5 * remaining.gain);
   return remaining;

@@ -3,12 +3,14 @@
 
 #include "fathom/joint_refinement/search/marker_size_and_mount.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -122,11 +124,11 @@ struct NewtonMove {
 };
 
 NewtonMove MoveFrom(const Expansion& expansion) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(expansion.information);
-  const Eigen::VectorXd floored = eigen.eigenvalues().cwiseMax(kLeastInformation);
-  return {eigen.eigenvectors() * floored.cwiseInverse().asDiagonal() *
-              eigen.eigenvectors().transpose() * expansion.slope,
-          eigen.eigenvalues().minCoeff()};
+  const SymmetricEigen eigen = EigenOf(expansion.information);
+  const Eigen::VectorXd floored = eigen.values.cwiseMax(kLeastInformation);
+  return {eigen.vectors * floored.cwiseInverse().asDiagonal() * eigen.vectors.transpose() *
+              expansion.slope,
+          eigen.values.minCoeff()};
 }
 
 // A point that is better than the likelihood's centre, and the move that leads there, in steps.

@@ -4,6 +4,7 @@
 #include "fathom/joint_refinement/search/process_fit.h"
 
 #include "fathom/joint_refinement/search/process_likelihood.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,9 @@ namespace {
 
 // The symmetric matrix with its eigenvalues at least `least`, inverted.
 Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& information, double least) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
-  const Eigen::VectorXd inverse = eigen.eigenvalues().cwiseMax(least).cwiseInverse();
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  const SymmetricEigen eigen = EigenOf(information);
+  const Eigen::VectorXd inverse = eigen.values.cwiseMax(least).cwiseInverse();
+  return eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
 }
 
 // Quasi-Newton ascent (BFGS) in the metric of the complete information, which is an upper bound of

@@ -3,13 +3,14 @@
 
 #include "fathom/marker_trajectory/bundle/bundle_covariance.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <ceres/autodiff_cost_function.h>
 #include <fmt/format.h>
 
@@ -127,12 +128,11 @@ std::optional<Eigen::MatrixXd> MarkerCovariance(const Eigen::MatrixXd& markers) 
   if (markers.size() == 0) return Eigen::MatrixXd();
   const Eigen::VectorXd scale = markers.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * markers * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  const SymmetricEigen eigen = EigenOf(scaled);
   constexpr double kSmallest = 1e-10;
-  if (!(eigen.eigenvalues().minCoeff() > kSmallest)) return std::nullopt;
-  return scale.asDiagonal() * eigen.eigenvectors() *
-         eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose() *
-         scale.asDiagonal();
+  if (!(eigen.values.minCoeff() > kSmallest)) return std::nullopt;
+  return scale.asDiagonal() * eigen.vectors * eigen.values.cwiseInverse().asDiagonal() *
+         eigen.vectors.transpose() * scale.asDiagonal();
 }
 
 // Of a frame's pose, with what is not known of the markers that it shows.

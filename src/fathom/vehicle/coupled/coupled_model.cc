@@ -3,10 +3,11 @@
 
 #include "fathom/vehicle/coupled/coupled_model.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <cstddef>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 namespace fathom {
 namespace {
@@ -33,9 +34,8 @@ bool IsPassive(const CoupledModel& model) {
   }
   const Eigen::MatrixXd linear = PartOf(model.linear_damping, model.dofs);
   const Eigen::MatrixXd symmetric = 0.5 * (linear + linear.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
   const double rounding = 1e-12 * symmetric.cwiseAbs().maxCoeff();
-  return solver.eigenvalues()[0] >= -rounding;
+  return LeastEigenvalue(symmetric) >= -rounding;
 }
 
 }  // namespace fathom

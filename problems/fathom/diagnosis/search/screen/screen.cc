@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/search/screen/screen.h"
 
 #include "fathom/base/random_stream.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +42,7 @@ Cleared Clear(const StructureFit& fit, const RowMajorMatrix& signatures, const W
     cleared.columns = block.rightCols(num_columns);
   }  // a long log's block takes as much memory as all else
   for (auto column : fitted.colwise()) column /= std::max(column.norm(), 1e-300);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(fitted);
-  qr.setThreshold(1e-9);
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(n, qr.rank());
+  const Eigen::MatrixXd Q = ColumnSpaceOf(fitted, 1e-9).basis;
   cleared.norms = cleared.columns.colwise().norm();
   const Eigen::MatrixXd imitated = Q.transpose() * cleared.columns;
   cleared.columns.noalias() -= Q * imitated;
@@ -91,7 +90,7 @@ Screen::Screen(const StructureFit& fit, const Trials* trials, const Whitener& wh
     const Eigen::MatrixXd basis = UnitColumns(own, norms);
     unit_.middleCols(first, count) = basis;
     if (count == 1) responses_[t] = {own.col(0).dot(cleared.residual), own.col(0).squaredNorm()};
-    const Eigen::VectorXd amounts = own.colPivHouseholderQr().solve(cleared.residual);
+    const Eigen::VectorXd amounts = LeastSquares(own, cleared.residual);
     if (!trial.any_sign && count == 1 && amounts[0] <= 0.0) continue;
     for (int k = 0; k < count; ++k) amounts_[t][k] = amounts[k];
     scores_[t] = (basis.transpose() * cleared.residual).squaredNorm();

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/solve/decompositions.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+namespace fathom {
+
+SymmetricEigen EigenOf(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
+  return {eigen.eigenvalues(), eigen.eigenvectors()};
+}
+
+double LeastEigenvalue(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+ColumnSpace ColumnSpaceOf(const Eigen::MatrixXd& matrix, double threshold) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  qr.setThreshold(threshold);
+  const Eigen::Index rank = qr.rank();
+  return {qr.householderQ() * Eigen::MatrixXd::Identity(matrix.rows(), rank),
+          qr.matrixR().diagonal().head(rank)};
+}
+
+Eigen::Index RankOf(const Eigen::MatrixXd& matrix, double threshold) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  qr.setThreshold(threshold);
+  return qr.rank();
+}
+
+Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return matrix.completeOrthogonalDecomposition().solve(right);
+}
+
+Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& matrix, double threshold) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  if (threshold > 0.0) decomposition.setThreshold(threshold);
+  decomposition.compute(matrix);
+  return decomposition.pseudoInverse();
+}
+
+}  // namespace fathom

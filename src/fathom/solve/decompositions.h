@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+// Decompositions of dense matrices, by Eigen and compiled once: its templates take seconds in each
+// file that uses one.
+
+namespace fathom {
+
+// A symmetric matrix is vectors diag(values) vectors'; the values rise.
+struct SymmetricEigen {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+SymmetricEigen EigenOf(const Eigen::MatrixXd& symmetric);
+
+double LeastEigenvalue(const Eigen::MatrixXd& symmetric);
+
+// What the columns of a matrix span, by pivoted Householder reflections. A pivot below `threshold`
+// of the greatest is none.
+struct ColumnSpace {
+  Eigen::MatrixXd basis;   // orthonormal, as many columns as the rank
+  Eigen::VectorXd pivots;  // as many, of either sign
+};
+ColumnSpace ColumnSpaceOf(const Eigen::MatrixXd& matrix, double threshold);
+
+Eigen::Index RankOf(const Eigen::MatrixXd& matrix, double threshold);
+
+// The shortest x with the least |matrix x - right|, column by column.
+Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+
+// Directions below `threshold` of the greatest pivot are none; 0: below rounding.
+Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& matrix, double threshold = 0.0);
+
+}  // namespace fathom
