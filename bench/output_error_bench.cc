@@ -12,12 +12,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <random>
 #include <string>
-#include <tuple>
 #include <vector>
 
+#include "best_times.h"
 #include "gauss_newton.h"
 #include <benchmark/benchmark.h>
 #include <ceres/cost_function.h>
@@ -123,7 +122,6 @@ void PeerFit(benchmark::State& state) {
 constexpr int kLengths[] = {300, 3000, 30000};  // [s]
 constexpr double kMostOfPeer = 1.6;             // times its CPU time
 constexpr double kMostGrowth = 11.5;  // for ten times the data, in the mean of two decades
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 void Repeat(benchmark::internal::Benchmark* benchmark) {
   benchmark->Unit(benchmark::kMillisecond)->Repetitions(7)->MinTime(0.2);
@@ -136,44 +134,6 @@ BENCHMARK(FathomJacobian)->Apply(Repeat);
 BENCHMARK(PeerJacobian)->Apply(Repeat);
 BENCHMARK(FathomFit)->Apply(RepeatAllLengths);
 BENCHMARK(PeerFit)->Apply(RepeatAllLengths);
-
-// Keeps the best CPU time of each benchmark.
-class BestTimes : public benchmark::ConsoleReporter {
- public:
-  BestTimes() : ConsoleReporter(OO_Tabular) {}
-
-  // All repetitions of one benchmark, of which the best is shown.
-  void ReportRuns(const std::vector<Run>& runs) override {
-    const Run* best = nullptr;
-    for (const Run& run : runs) {
-      has_failed_ = has_failed_ || run.error_occurred;
-      if (run.run_type != Run::RT_Iteration) continue;
-      if (!best || run.GetAdjustedCPUTime() < best->GetAdjustedCPUTime()) best = &run;
-    }
-    if (!best) return;
-    ConsoleReporter::ReportRuns({*best});
-    const auto& [name, args] = std::tie(best->run_name.function_name, best->run_name.args);
-    if (!has_failed_) best_[args.empty() ? name : name + "/" + args] = best->GetAdjustedCPUTime();
-  }
-
-  // Prints the ratio of two times. False if it is above `limit`; one that was not measured (as with
-  // --benchmark_filter) breaks none.
-  bool PrintRatio(const std::string& above, const std::string& below, double limit) const {
-    if (!best_.count(above) || !best_.count(below)) return true;
-    const double ratio = best_.at(above) / best_.at(below);
-    const bool is_kept = ratio <= limit;
-    std::printf("%-36s %6.2f", (above + " / " + below).c_str(), ratio);
-    if (limit < kNoLimit) std::printf("  %s %g", is_kept ? "at most" : "BROKEN: at most", limit);
-    std::printf("\n");
-    return is_kept;
-  }
-
-  bool has_failed() const { return has_failed_; }
-
- private:
-  std::map<std::string, double> best_;  // [ms]
-  bool has_failed_ = false;
-};
 
 // Peak memory [MB] of a process that makes a segment and, if asked, fits it.
 double PeakMemory(int length, bool with_fit) {

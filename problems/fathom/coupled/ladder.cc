@@ -53,10 +53,13 @@ class Climb {
     return true;
   }
 
-  // The same of a fit from what stands.
+  // The same of a fit from what stands, with its noise.
   bool Try(std::string name, const MotionStructure& structure) {
     CoupledFitOptions fit = options_;
-    if (stands_.is_known) fit.start = standing().fit.model;
+    if (stands_.is_known) {
+      fit.start = standing().fit.model;
+      fit.noise = standing().fit.noise;
+    }
     return Try(std::move(name), structure, FitBlocks(logs_, structure, fit));
   }
 
@@ -111,11 +114,13 @@ Ladder ClimbLadder(const CoupledLogs& logs,
                    const std::vector<Dof>& dofs,
                    const EntrySearchOptions& options) {
   Climb climb(logs, dofs, options.fit);
-  std::vector<StandardStructure> first = {StandardStructure::kDiagonal,
-                                          StandardStructure::kCoriolis};
-  if (!options.fins.empty()) first.push_back(StandardStructure::kLift);
-  for (const auto standard : first) {
-    climb.Try(std::string(Name(standard)), StructureOf(standard, dofs, options.fins));
+  // Both from their own starts: what a model took for C(nu) leads astray.
+  for (const auto standard : {StandardStructure::kDiagonal, StandardStructure::kCoriolis}) {
+    const MotionStructure structure = StructureOf(standard, dofs, options.fins);
+    climb.Try(std::string(Name(standard)), structure, FitBlocks(logs, structure, options.fit));
+  }
+  if (!options.fins.empty()) {
+    climb.Try("lift", StructureOf(StandardStructure::kLift, dofs, options.fins));
   }
   std::vector<NamedEntry> named;
   const MotionStructure coriolis = StructureOf(StandardStructure::kCoriolis, dofs, options.fins);

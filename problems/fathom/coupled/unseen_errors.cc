@@ -3,12 +3,14 @@
 
 #include "fathom/coupled/unseen_errors.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace fathom {
 namespace {
@@ -112,12 +114,17 @@ UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
   options.start = fit.model;
   options.noise = fit.noise;
   options.learns_noise = false;
-  for (const Fold& fold : folds) {
-    const CoupledSummary part = FitCoupled(fold.train, structure, options);
-    if (!part.converged) return errors;
-    const auto prediction = PredictCoupled(part.model, fold.unseen, kUnseenHorizon);
-    if (!prediction) return errors;
-    AddErrors(fold.unseen, *prediction, &errors);
+  std::vector<std::optional<CoupledPrediction>> predictions(folds.size());
+  ParallelFor(static_cast<int>(folds.size()), [&](int f) {
+    const auto at = static_cast<std::size_t>(f);
+    const CoupledSummary part = FitCoupled(folds[at].train, structure, options);
+    if (part.converged) {
+      predictions[at] = PredictCoupled(part.model, folds[at].unseen, kUnseenHorizon);
+    }
+  });
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    if (!predictions[f]) return errors;
+    AddErrors(folds[f].unseen, *predictions[f], &errors);
   }
   errors.is_known = !errors.by_window.empty();
   return errors;

@@ -3,11 +3,14 @@
 
 #include "fathom/coupled/window_search.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/coupled/physical_barrier.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -60,18 +63,23 @@ double CostAt(const WindowProblem& problem,
               const std::vector<ChannelWeight>& weights,
               const WindowPoint& point,
               double limit) {
-  double cost = 0.0;
-  WindowResiduals residuals;
-  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!ResidualsIn(problem, point, w, false, &residuals)) {
-      return std::numeric_limits<double>::infinity();
+  std::vector<double> costs(problem.windows.size(), 0.0);
+  std::atomic<double> sum = 0.0;
+  ParallelFor(static_cast<int>(costs.size()), [&](int w) {
+    if (sum > limit) return;
+    double& cost = costs[static_cast<std::size_t>(w)];
+    WindowResiduals residuals;
+    if (!ResidualsIn(problem, point, static_cast<std::size_t>(w), false, &residuals)) {
+      cost = std::numeric_limits<double>::infinity();
     }
     for (const WindowResiduals::Piece& piece : residuals.pieces) {
       WeighedRows(piece, weights[piece.channel], &cost);
     }
-    if (cost > limit) return std::numeric_limits<double>::infinity();
-  }
-  return cost;
+    sum += cost;
+  });
+  // Not `sum`, which depends on who was first.
+  const double cost = std::accumulate(costs.begin(), costs.end(), 0.0);
+  return cost > limit ? std::numeric_limits<double>::infinity() : cost;
 }
 
 struct Linearised {
@@ -87,12 +95,16 @@ bool Linearise(const WindowProblem& problem,
   out->windows.assign(problem.windows.size(), {});
   out->cost = 0.0;
   out->num_rows = 0;
-  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!NormalOf(problem, weights, point, w, &out->windows[w])) return false;
-    out->cost += out->windows[w].cost;
-    out->num_rows += out->windows[w].num_rows;
+  std::atomic<bool> runs = true;
+  ParallelFor(static_cast<int>(out->windows.size()), [&](int w) {
+    const auto window = static_cast<std::size_t>(w);
+    if (runs && !NormalOf(problem, weights, point, window, &out->windows[window])) runs = false;
+  });
+  for (const WindowNormal& window : out->windows) {
+    out->cost += window.cost;
+    out->num_rows += window.num_rows;
   }
-  return true;
+  return runs;
 }
 
 ReducedWindows Reduce(const Linearised& lines, Eigen::Index num_entries, double damping) {

@@ -35,15 +35,38 @@ Log LogOf(const CoupledData& data) {
   return log;
 }
 
+// Six DOFs that nothing joins: no Coriolis forces, and no forces by the attitude.
+CoupledModel DrawnDiagonalVehicle(std::mt19937* random) {
+  CoupledModel truth = DrawnPlanarVehicle(random);
+  truth.dofs.assign(kAllDofs.begin(), kAllDofs.end());
+  truth.inertia.diagonal().segment<3>(2) << 70.0, 4.0, 5.0;
+  truth.linear_damping.diagonal().segment<3>(2) << 12.0, 2.0, 3.0;
+  truth.quadratic_damping.diagonal().segment<3>(2) << 60.0, 3.0, 4.0;
+  truth.offset.segment<3>(2) << 0.5, 0.1, -0.1;
+  truth.coriolis = false;
+  return truth;
+}
+
+MotionStructure DiagonalStructure(const std::vector<Dof>& dofs) {
+  MotionStructure structure = {dofs, {}, false};
+  for (const Dof dof : dofs) {
+    for (const FreeEntry& entry : {InertiaEntry(dof, dof),
+                                   QuadraticDampingEntry(dof, dof),
+                                   LinearDampingEntry(dof, dof),
+                                   OffsetEntry(dof)}) {
+      structure.entries.push_back(entry);
+    }
+  }
+  return structure;
+}
+
 TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
   std::mt19937 random(11);
-  CoupledModel truth = DrawnPlanarVehicle(&random);
-  truth.coriolis = false;
+  const CoupledModel truth = DrawnDiagonalVehicle(&random);
   CoupledLogs logs;
   logs.logs = {LogOf(DrawnLog(truth, {}, &random))};
   logs.data = {CoupledDataOf(logs.logs.front(), truth.dofs)};
-  const CoupledSummary blocks =
-      FitBlocks(logs, StructureOf(StandardStructure::kDiagonal, truth.dofs), {});
+  const CoupledSummary blocks = FitBlocks(logs, DiagonalStructure(truth.dofs), {});
   ASSERT_TRUE(blocks.IsUsable()) << blocks.message;
   for (const Dof dof : truth.dofs) {
     const JoinedSignals signals = JoinSignals(logs.logs, dof, std::nullopt);
@@ -55,6 +78,8 @@ TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
     EXPECT_EQ(blocks.model.linear_damping(i, i), one.model.linear_damping);
     EXPECT_EQ(blocks.model.quadratic_damping(i, i), one.model.quadratic_damping);
     EXPECT_EQ(blocks.model.offset[i], one.model.buoyancy);
+    const auto inertia = kNumParameters * Index(dof);
+    EXPECT_EQ(blocks.covariance(inertia, inertia), one.covariance(kInertia, kInertia));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "drawn_vehicle.h"
@@ -58,27 +59,36 @@ TEST(FitCoupled, IntervalsOf95PerCentCoverTheTruthAsOftenAndModelsAreThoseOfBodi
   EXPECT_LT(covered, 0.99 * num);
 }
 
+// Two standard deviations of a difference; chance alone may take one number beyond,
+// none beyond three. Of 40 further vehicles all 480 numbers were within 1.7.
 TEST(FitCoupled, WindowsOfAnyLengthTellTheSameVehicle) {
-  std::mt19937 random(7);
-  const CoupledModel truth = DrawnPlanarVehicle(&random);
-  const std::vector<CoupledData> logs = {DrawnLog(truth, {}, &random)};
-  const MotionStructure structure = StructureOf(StandardStructure::kCoriolis, truth.dofs);
-  CoupledFitOptions options;
-  const CoupledSummary usual = FitCoupled(logs, structure, options);
-  ASSERT_TRUE(usual.IsUsable()) << usual.message;
-  for (const double window : {5.0, 100.0}) {
-    options.window = window;
-    const CoupledSummary other = FitCoupled(logs, structure, options);
-    ASSERT_TRUE(other.IsUsable()) << other.message;
+  int num_beyond = 0;
+  for (const unsigned seed : {7u, 8u, 9u}) {
+    std::mt19937 random(seed);
+    const CoupledModel truth = DrawnPlanarVehicle(&random);
+    const std::vector<CoupledData> logs = {DrawnLog(truth, {}, &random)};
+    const MotionStructure structure = StructureOf(StandardStructure::kCoriolis, truth.dofs);
+    std::vector<CoupledSummary> fits;
+    for (const double window : {5.0, 20.0, 100.0}) {
+      CoupledFitOptions options;
+      options.window = window;
+      fits.push_back(FitCoupled(logs, structure, options));
+      ASSERT_TRUE(fits.back().IsUsable()) << fits.back().message;
+    }
     for (std::size_t k = 0; k < structure.entries.size(); ++k) {
       const FreeEntry& entry = structure.entries[k];
       const auto at = static_cast<Eigen::Index>(k);
-      // Three standard deviations of a difference, of which there are 24.
-      const double std = std::sqrt(usual.covariance(at, at) + other.covariance(at, at));
-      EXPECT_NEAR(ValueIn(other.model, entry), ValueIn(usual.model, entry), 3.0 * std)
-          << NameOf(entry) << " with windows of " << window << " s";
+      double farthest = 0.0;
+      for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+        const double apart = ValueIn(fits[a].model, entry) - ValueIn(fits[b].model, entry);
+        const double variance = fits[a].covariance(at, at) + fits[b].covariance(at, at);
+        farthest = std::max(farthest, std::abs(apart) / std::sqrt(variance));
+      }
+      EXPECT_LT(farthest, 3.0) << NameOf(entry) << ", seed " << seed;
+      num_beyond += farthest < 2.0 ? 0 : 1;
     }
   }
+  EXPECT_LE(num_beyond, 1);
 }
 
 // A vehicle that rolls and pitches, its attitude measured beside its rates.
