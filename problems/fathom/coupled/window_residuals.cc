@@ -179,9 +179,7 @@ bool ResidualsOf(const CoupledWindow& window,
   if (!std::all_of(channels.begin(), channels.end(), is_of_velocity)) {
     stamps.pose = cut(segment.pose_time, window.poses);
   }
-  // Their sensitivities are large: memory that each window asked for anew takes a fifth of the
-  // time.
-  thread_local CoupledOutputs outputs;
+  CoupledOutputs outputs;
   const bool runs =
       with_derivatives
           ? RunCoupledWithSensitivities(model, entries, window.log->inputs, start, stamps, &outputs)

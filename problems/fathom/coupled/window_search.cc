@@ -63,10 +63,12 @@ double CostAt(const WindowProblem& problem,
               const std::vector<ChannelWeight>& weights,
               const WindowPoint& point,
               double limit) {
+  // What is summed in the order of who is first decides nothing but to stop, well above the limit.
+  const double far = limit + 1e-9 * std::abs(limit);
   std::vector<double> costs(problem.windows.size(), 0.0);
   std::atomic<double> sum = 0.0;
   ParallelFor(static_cast<int>(costs.size()), [&](int w) {
-    if (sum > limit) return;
+    if (sum > far) return;
     double& cost = costs[static_cast<std::size_t>(w)];
     WindowResiduals residuals;
     if (!ResidualsIn(problem, point, static_cast<std::size_t>(w), false, &residuals)) {
@@ -77,7 +79,6 @@ double CostAt(const WindowProblem& problem,
     }
     sum += cost;
   });
-  // Not `sum`, which depends on who was first.
   const double cost = std::accumulate(costs.begin(), costs.end(), 0.0);
   return cost > limit ? std::numeric_limits<double>::infinity() : cost;
 }
