@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -24,10 +25,12 @@ namespace fathom {
 namespace {
 
 constexpr int kMostPasses = 5;
+constexpr double kShortRun = 0.25;  // of the window's length
 constexpr int kMostOrder = 12;      // of a channel's noise
 constexpr double kQuietest = 1e-4;  // the least noise of a channel, of what it shows in a second
 constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
 constexpr double kFinePrecision = 0.02;
+constexpr double kAstray = 2.0;          // times the squares that white noise leaves
 constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
 constexpr double kSingular = 1e-11;      // of the scaled normal equations
 constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
@@ -229,6 +232,43 @@ double LargestMove(const CoupledModel& from,
   return std::sqrt(std::max(move.dot(normal * move), 0.0));
 }
 
+double CostUnder(const std::vector<ChannelWeight>& weights,
+                 const std::vector<WindowResiduals>& residuals) {
+  double cost = 0.0;
+  for (const WindowResiduals& window : residuals) {
+    for (const WindowResiduals::Piece& piece : window.pieces) {
+      WeighedRows(piece, weights[piece.channel], &cost);
+    }
+  }
+  return cost;
+}
+
+// A model, and the starts that were measured.
+WindowPoint StartOf(const WindowProblem& problem, const CoupledModel& model) {
+  WindowPoint point = {model, {}};
+  for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
+  return point;
+}
+
+// The guess brought nearer by runs of a quarter of the window's length, under white noise: long
+// runs of a poor guess have many valleys. As it was where that leads nowhere.
+CoupledModel BroughtNearer(const CoupledModel& guess,
+                           std::span<const CoupledData> logs,
+                           const CoupledFitOptions& options,
+                           WindowProblem problem) {
+  problem.windows = CoupledWindowsOf(logs, kShortRun * options.window);
+  WindowPoint point = StartOf(problem, guess);
+  std::vector<WindowResiduals> residuals;
+  if (!AllResiduals(problem, point, &residuals)) return guess;
+  const auto noise = NoiseOf(residuals, problem.channels, QuietestSensors(problem), true);
+  return SearchWindows(problem,
+                       WeightsOf(noise, options.huber_k),
+                       point,
+                       options.max_iterations,
+                       kRoughPrecision)
+      .point.model;
+}
+
 }  // namespace
 
 std::vector<std::string> CoupledFitOptions::Problems() const {
@@ -264,17 +304,18 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     summary.message = "nothing is left to train on: the held-out intervals take all of the data";
     return summary;
   }
-  WindowPoint point;
+  CoupledModel guess;
   if (options.start) {
-    point.model = *options.start;
-    point.model.dofs = structure.dofs;
-    point.model.coriolis = structure.coriolis;
+    guess = *options.start;
+    guess.dofs = structure.dofs;
+    guess.coriolis = structure.coriolis;
     const Vector6 least = Vector6::Constant(1e-9);
-    point.model = MovedInside(point.model, structure.entries, options.body, least, least, least);
+    guess = MovedInside(guess, structure.entries, options.body, least, least, least);
   } else {
-    point.model = MomentumStart(logs, structure, options.held, options.body);
+    guess = MomentumStart(logs, structure, options.held, options.body);
+    guess = BroughtNearer(guess, logs, options, problem);
   }
-  for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
+  WindowPoint point = StartOf(problem, guess);
 
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) {
@@ -283,11 +324,13 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     return summary;
   }
   // White noise first, unless its colour is known; then the colour of what is left, until the
-  // numbers stay. A colour with which the search goes astray, as that of a model that misses most
-  // of the motion, is given up for what came before it.
+  // numbers stay. A colour with which the search goes astray is given up for what came before it:
+  // that of a model that misses much of the motion takes what is missed for noise.
   const std::vector<double> quietest = QuietestSensors(problem);
   const bool is_given = IsOf(options.noise, problem.channels);
   const int num_white = is_given ? 0 : 2;
+  std::vector<ChannelWeight> white;
+  double white_cost = std::numeric_limits<double>::infinity();
   WindowSearch best;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const bool is_white = pass < num_white;
@@ -303,6 +346,12 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     if (!search.converged || !AllResiduals(problem, search.point, &residuals)) {
       summary.message = search.message;
       if (!best.converged) summary.model = search.point.model;
+      break;
+    }
+    if (is_white) {
+      white = WeightsOf(noise, options.huber_k);
+      white_cost = search.at.cost;
+    } else if (!white.empty() && CostUnder(white, residuals) > kAstray * white_cost) {
       break;
     }
     const double move =
