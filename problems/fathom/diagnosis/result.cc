@@ -29,4 +29,13 @@ std::string WhyOfNoUse(const Diagnosis& diagnosis) {
       UnitText(ParameterUnit(kInertia, diagnosis.dof, diagnosis.force_unit)));
 }
 
+bool AreUnconfirmed(const Diagnosis& diagnosis) {
+  return !diagnosis.causes.empty() &&
+         (diagnosis.held_out_gain_low <= 0.0 || diagnosis.held_out_gain < 0.0);
+}
+
+bool AreContradicted(const Diagnosis& diagnosis) {
+  return !diagnosis.causes.empty() && diagnosis.held_out_gain < 0.0;
+}
+
 }  // namespace fathom

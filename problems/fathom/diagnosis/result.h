@@ -237,6 +237,12 @@ struct Diagnosis {
   bool ComparesTwoModels() const { return has_baseline && !causes.empty(); }
 };
 
+// Whether causes are named that the unseen data do not confirm: their gain may be none.
+bool AreUnconfirmed(const Diagnosis& diagnosis);
+
+// Whether causes are named that make the prediction of unseen data worse.
+bool AreContradicted(const Diagnosis& diagnosis);
+
 // Why a diagnosis is of no use to anyone: its message; or nothing is missing from a baseline that
 // leaves the inertia open, by fathom_identify's measure. Empty where it is of use.
 std::string WhyOfNoUse(const Diagnosis& diagnosis);

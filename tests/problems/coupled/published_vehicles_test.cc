@@ -9,6 +9,7 @@
 #include "fathom/synthesize/synthesize.h"
 
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct PublishedVehicle {
   std::string experiment;
   StandardStructure structure;
 };
+
+void PrintTo(const PublishedVehicle& published, std::ostream* out) { *out << published.vehicle; }
 
 class PublishedVehicles : public ::testing::TestWithParam<PublishedVehicle> {};
 

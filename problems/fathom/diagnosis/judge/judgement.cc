@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/judge/judgement.h"
 
 #include "fathom/diagnosis/fit/residual_noise.h"
-#include "fathom/diagnosis/judge/ladder.h"
+#include "fathom/diagnosis/judge/free_run_ladder.h"
 #include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/left_out_blocks.h"
 #include "fathom/diagnosis/search/suspects.h"

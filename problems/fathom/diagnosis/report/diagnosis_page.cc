@@ -5,7 +5,6 @@
 
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/diagnosis/report/confirmation.h"
 #include "fathom/diagnosis/report/diagnosis_panels.h"
 #include "fathom/diagnosis/report/diagnosis_tables.h"
 #include "fathom/diagnosis/report/limit_text.h"

@@ -5,7 +5,6 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/diagnosis/report/confirmation.h"
 #include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/files/model_file.h"

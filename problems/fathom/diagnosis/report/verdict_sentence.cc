@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/report/verdict_sentence.h"
 
 #include "fathom/diagnosis/report/cause_text.h"
-#include "fathom/diagnosis/report/confirmation.h"
 #include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/diagnosis/report/moved_parameter.h"
 #include "fathom/diagnosis/report/suspect_signals.h"

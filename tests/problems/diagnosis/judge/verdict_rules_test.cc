@@ -5,7 +5,7 @@
 
 #include "fathom/diagnosis/judge/verdict_rules.h"
 
-#include "fathom/diagnosis/judge/ladder.h"
+#include "fathom/diagnosis/judge/free_run_ladder.h"
 #include "fathom/diagnosis/judge/refutation.h"
 
 #include <cstddef>
