@@ -4,6 +4,7 @@
 // The figures of docs/fins.md on drawn survey AUVs: survey_scores fits|none|dead|stuck|neutral 30.
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -43,16 +44,17 @@ void PrintNamings(FinFault fault, const char* name, std::size_t count) {
   std::vector<SurveyNaming> namings(count);
   SideBySide(count, kThreads, [&](std::size_t k) {
     namings[k] = NameFault(static_cast<unsigned>(k + 1), fault);
-  });
-  int num_right = 0, num_false = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (namings[k].is_right) ++num_right;
-    if (namings[k].num_false > 0) ++num_false;
     fmt::print("  {} {}: {} (or {})\n",
                name,
                k + 1,
                fmt::join(namings[k].named, ", "),
                fmt::join(namings[k].not_told_apart, ", "));
+    std::fflush(stdout);
+  });
+  int num_right = 0, num_false = 0;
+  for (const SurveyNaming& naming : namings) {
+    if (naming.is_right) ++num_right;
+    if (naming.num_false > 0) ++num_false;
   }
   fmt::print("{}: named in {} of {}, something false in {}\n", name, num_right, count, num_false);
 }
