@@ -19,11 +19,18 @@ namespace {
 using Kind = FreeEntry::Kind;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kHardly = 0.15;  // of its thrust, below which a thruster is as good as dead
+constexpr double kHardly = 0.15;  // of what it gives, below which an actuator is as good as dead
+
+// "12 +- 3 %", of what the entry is where it has no effect.
+std::string ShareWords(const NamedEntry& cause) {
+  return WithInterval(100.0 * cause.value / cause.without,
+                      100.0 * cause.std / cause.without,
+                      "%",
+                      -kInfinite,
+                      kInfinite);
+}
 
 std::string ThrusterWords(const NamedEntry& cause) {
-  const std::string share =
-      WithInterval(100.0 * cause.value, 100.0 * cause.std, "%", -kInfinite, kInfinite);
   const char* meaning = "it is weak";
   if (cause.value < -kHardly)
     meaning = "it pushes the wrong way";
@@ -33,7 +40,22 @@ std::string ThrusterWords(const NamedEntry& cause) {
     meaning = "it pushes harder than stated";
   return fmt::format("Thruster {} gives {} of the thrust that the vehicle file states: {}.",
                      cause.entry.actuator,
-                     share,
+                     ShareWords(cause),
+                     meaning);
+}
+
+std::string FinForceWords(const NamedEntry& cause) {
+  const double share = cause.value / cause.without;
+  const char* meaning = "it does less";
+  if (share < -kHardly)
+    meaning = "it turns the wrong way";
+  else if (share < kHardly)
+    meaning = "it is gone, or does hardly anything";
+  else if (share > 1.0)
+    meaning = "it does more than stated";
+  return fmt::format("Fin {} gives {} of the force that the vehicle file states: {}.",
+                     cause.entry.actuator,
+                     ShareWords(cause),
                      meaning);
 }
 
@@ -46,6 +68,9 @@ std::string Acts(Dof row) {
 std::string Meaning(const FreeEntry& entry) {
   if (entry.kind == Kind::kFinNeutral) {
     return fmt::format("Fin {} is straight at another angle than 0", entry.actuator);
+  }
+  if (entry.kind == Kind::kFinStuck) {
+    return fmt::format("Fin {} is stuck at one angle, whatever is commanded", entry.actuator);
   }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
@@ -84,15 +109,20 @@ std::string MissedWords(const CoupledDiagnosis& diagnosis,
 }  // namespace
 
 std::string CauseSentence(const NamedEntry& cause, const std::string& force_unit) {
-  std::string text = cause.entry.kind == Kind::kThrustGain
-                         ? ThrusterWords(cause)
-                         : fmt::format("{}: {}.",
-                                       Meaning(cause.entry),
-                                       WithInterval(cause.value,
-                                                    cause.std,
-                                                    UnitText(UnitOf(cause.entry, force_unit)),
-                                                    -kInfinite,
-                                                    kInfinite));
+  std::string text;
+  if (cause.entry.kind == Kind::kThrustGain) {
+    text = ThrusterWords(cause);
+  } else if (cause.entry.kind == Kind::kFinForce) {
+    text = FinForceWords(cause);
+  } else {
+    text = fmt::format("{}: {}.",
+                       Meaning(cause.entry),
+                       WithInterval(cause.value,
+                                    cause.std,
+                                    UnitText(UnitOf(cause.entry, force_unit)),
+                                    -kInfinite,
+                                    kInfinite));
+  }
   if (cause.not_told_apart.empty()) return text;
   std::vector<std::string> others;
   for (const FreeEntry& entry : cause.not_told_apart) others.push_back(NameOf(entry));
@@ -121,10 +151,11 @@ std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
       break;
   }
   if (missed.empty()) {
-    return "No coupling and no weak thruster is in the data, but a red finding speaks against "
+    return "No coupling and no fault of a thruster or a fin is in the data, but a red finding "
+           "speaks against "
            "them.";
   }
-  return "No coupling and no weak thruster explains what is missing." + missed;
+  return "No coupling and no fault of a thruster or a fin explains what is missing." + missed;
 }
 
 std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
@@ -135,6 +166,16 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
           "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
           "the vehicle file.",
           cause.entry.actuator));
+    }
+    if (cause.entry.kind == Kind::kFinForce || cause.entry.kind == Kind::kFinStuck) {
+      steps.push_back(
+          fmt::format("Look at fin {}: the fin itself, its servo, its linkage, and its area and "
+                      "axis in the vehicle file.",
+                      cause.entry.actuator));
+    }
+    if (cause.entry.kind == Kind::kFinNeutral) {
+      steps.push_back(fmt::format("Set fin {} straight, or trim its servo by this angle.",
+                                  cause.entry.actuator));
     }
     if (!cause.not_told_apart.empty()) {
       steps.push_back(fmt::format(

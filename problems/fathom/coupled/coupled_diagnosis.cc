@@ -50,9 +50,9 @@ std::vector<NamedEntry> CausesIn(const CoupledSummary& fit, const Ladder& ladder
     const double value = ValueIn(fit.model, entry), std = StdOf(fit, entry);
     const auto named = std::ranges::find(ladder.named, entry, &NamedEntry::entry);
     if (named != ladder.named.end()) {
-      causes.push_back({entry, value, std, named->not_told_apart});
-    } else if (IsOffDiagonal(entry) && StrengthOf(fit, entry) > kStillThere) {
-      causes.push_back({entry, value, std, {}});
+      causes.push_back({entry, value, std, named->not_told_apart, named->without});
+    } else if (IsOffDiagonal(entry) && StrengthOf(fit, entry, {}) > kStillThere) {
+      causes.push_back({entry, value, std, {}, 0.0});
     }
   }
   return causes;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -32,6 +33,11 @@ bool Holds(const MotionStructure& structure, const FreeEntry& entry) {
          structure.entries.end();
 }
 
+// Whether an entry is of a fin that no command turns.
+bool IsOfStuckFin(const FreeEntry& entry, const MotionStructure& structure) {
+  return IsOfActuator(entry) && Holds(structure, FinStuckEntry(entry.actuator));
+}
+
 // Everything off the diagonal, the thrusters and the fins.
 std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
                                         const EntrySearchOptions& options) {
@@ -44,14 +50,14 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
     }
   }
   for (const std::string& thruster : options.thrusters) all.push_back(ThrustGainEntry(thruster));
-  for (const StructureFin& fin : options.fins) all.push_back(FinNeutralEntry(fin.name));
-  std::erase_if(all, [&](const FreeEntry& entry) { return Holds(structure, entry); });
+  for (const StructureFin& fin : options.fins) {
+    all.push_back(FinNeutralEntry(fin.name));
+    if (fin.is_force_known) all.push_back(FinForceEntry(fin.name));
+  }
+  std::erase_if(all, [&](const FreeEntry& entry) {
+    return Holds(structure, entry) || IsOfStuckFin(entry, structure);
+  });
   return all;
-}
-
-// What an entry is where it has no effect.
-double WithoutEffect(const FreeEntry& entry) {
-  return entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
 }
 
 // A start for one entry more, where its test puts it.
@@ -78,7 +84,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
                      EntrySearch* search,
                      std::vector<FreeEntry>* banned) {
   const auto needless = std::ranges::find_if(search->named, [&](const NamedEntry& named) {
-    return StrengthOf(search->fit, named.entry) < kStillThere;
+    return StrengthOf(search->fit, named.entry, options.held) < kStillThere;
   });
   if (needless == search->named.end()) return false;
   const FreeEntry gone = needless->entry;
@@ -88,7 +94,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
   CoupledFitOptions again = options;
   again.start = search->fit.model;
   again.noise = search->fit.noise;
-  SetValue(gone, WithoutEffect(gone), &*again.start);
+  SetValue(gone, WithoutEffect(gone, options.held), &*again.start);
   search->fit = FitCoupled(logs, search->structure, again);
   return search->fit.IsUsable();
 }
@@ -100,8 +106,14 @@ double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
   return std::sqrt(fit.covariance(at, at));
 }
 
-double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry) {
-  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry)) / StdOf(fit, entry);
+double WithoutEffect(const FreeEntry& entry, const CoupledModel& held) {
+  if (entry.kind == FreeEntry::Kind::kThrustGain) return 1.0;
+  return entry.kind == FreeEntry::Kind::kFinForce ? ValueIn(held, entry) : 0.0;
+}
+
+double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const CoupledModel& held) {
+  if (entry.kind == FreeEntry::Kind::kFinStuck) return std::numeric_limits<double>::infinity();
+  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry, held)) / StdOf(fit, entry);
 }
 
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
@@ -135,13 +147,13 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
     next.start = StartedAt(search.fit.model, *best);
     next.noise = search.fit.noise;
     CoupledSummary found = FitCoupled(logs, longer, next);
-    if (!found.IsUsable() || StrengthOf(found, best->entry) < kStillThere) {
+    if (!found.IsUsable() || StrengthOf(found, best->entry, options.fit.held) < kStillThere) {
       banned.push_back(best->entry);
       continue;
     }
     search.structure = std::move(longer);
     search.fit = std::move(found);
-    search.named.push_back({best->entry, 0.0, 0.0, Alike(*best, candidates)});
+    search.named.push_back({best->entry, 0.0, 0.0, Alike(*best, candidates), 0.0});
     while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
     }
   }

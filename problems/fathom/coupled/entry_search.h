@@ -20,7 +20,7 @@ struct EntrySearchOptions {
   double false_alarm = 0.01;
 
   std::vector<std::string> thrusters;  // whose gain may be off
-  std::vector<StructureFin> fins;      // whose neutral angle may be
+  std::vector<StructureFin> fins;      // whose neutral angle, or known force, may be
 };
 
 // A number beyond a structure that the data show.
@@ -29,13 +29,18 @@ struct NamedEntry {
   double value = 0.0;  // and its standard deviation [unit of the entry]
   double std = 0.0;
   std::vector<FreeEntry> not_told_apart;  // candidates that would do nearly as well
+  double without = 0.0;                   // its value where it has no effect
 };
 
 // The standard deviation of an entry of a fit.
 double StdOf(const CoupledSummary& fit, const FreeEntry& entry);
 
-// How far an entry is from where it has no effect, in standard deviations.
-double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry);
+// What an entry is where it has no effect. `held`: the known forces of fins.
+double WithoutEffect(const FreeEntry& entry, const CoupledModel& held);
+
+// How far an entry is from where it has no effect, in standard deviations. Infinite of a stuck fin:
+// no angle is without effect.
+double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const CoupledModel& held);
 
 inline constexpr double kStillThere = 3.0;  // of these an entry that is named keeps
 
@@ -47,7 +52,8 @@ struct EntrySearch {
 
 // Adds the entry that the data ask for most until they ask for none; an entry that a later one
 // makes needless goes. Candidates: all off the diagonal of the inertia and of the linear damping,
-// the gain of each thruster, and the neutral angle of each fin; docs/coupled.md. `begun`: a usable
+// the gain of each thruster, the neutral angle of each fin and its force where that is known;
+// docs/coupled.md. `begun`: a usable
 // fit, and what another search has named in it.
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
                           EntrySearch begun,

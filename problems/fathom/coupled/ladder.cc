@@ -75,34 +75,50 @@ class Climb {
   UnseenErrors stands_;
 };
 
-// A thruster whose gain may be off.
-struct SuspectThruster {
-  MotionStructure structure;  // with its gain
+// A thruster or a fin that may be off.
+struct SuspectActuator {
+  MotionStructure structure;  // with its number
   NamedEntry named;
 };
 
-// The one whose gain brings (6) nearest, if that is much nearer. Before a fit, since that of a
-// model whose thruster is dead may end anywhere.
-std::optional<SuspectThruster> WeakestThruster(const CoupledLogs& logs,
-                                               const MotionStructure& structure,
-                                               const EntrySearchOptions& options) {
-  const double without = MomentumMisfit(logs.data, structure, options.fit.held);
-  std::vector<double> misfits;
+// What may be off with each: the gain of a thruster; of a fin of a known force that force, its
+// neutral angle, or that it is stuck.
+std::vector<FreeEntry> SuspectEntries(const EntrySearchOptions& options) {
+  std::vector<FreeEntry> entries;
   for (const std::string& thruster : options.thrusters) {
+    entries.push_back(ThrustGainEntry(thruster));
+  }
+  for (const StructureFin& fin : options.fins) {
+    if (!fin.is_force_known) continue;
+    entries.push_back(FinForceEntry(fin.name));
+    entries.push_back(FinNeutralEntry(fin.name));
+    entries.push_back(FinStuckEntry(fin.name));
+  }
+  return entries;
+}
+
+// The one whose number brings (6) nearest, if that is much nearer. Before a fit, since that of a
+// model whose thruster is dead may end anywhere.
+std::optional<SuspectActuator> MostSuspect(const CoupledLogs& logs,
+                                           const MotionStructure& structure,
+                                           const EntrySearchOptions& options) {
+  const double without = MomentumMisfit(logs.data, structure, options.fit.held);
+  const std::vector<FreeEntry> entries = SuspectEntries(options);
+  std::vector<double> misfits;
+  for (const FreeEntry& entry : entries) {
     MotionStructure longer = structure;
-    longer.entries.push_back(ThrustGainEntry(thruster));
+    longer.entries.push_back(entry);
     misfits.push_back(MomentumMisfit(logs.data, longer, options.fit.held));
   }
   const auto least = std::ranges::min_element(misfits);
   if (least == misfits.end() || !(*least < without - kMuchNearer)) return std::nullopt;
-  SuspectThruster suspect = {structure, {}};
+  SuspectActuator suspect = {structure, {}};
   for (std::size_t k = 0; k < misfits.size(); ++k) {
-    const FreeEntry gain = ThrustGainEntry(options.thrusters[k]);
     if (misfits[k] == *least) {
-      suspect.structure.entries.push_back(gain);
-      suspect.named.entry = gain;
+      suspect.structure.entries.push_back(entries[k]);
+      suspect.named.entry = entries[k];
     } else if (misfits[k] < *least + kMuchNearer) {
-      suspect.named.not_told_apart.push_back(gain);
+      suspect.named.not_told_apart.push_back(entries[k]);
     }
   }
   return suspect;
@@ -123,12 +139,15 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     climb.Try("lift", StructureOf(StandardStructure::kLift, dofs, options.fins));
   }
   std::vector<NamedEntry> named;
-  const MotionStructure coriolis = StructureOf(StandardStructure::kCoriolis, dofs, options.fins);
-  if (const auto weak = WeakestThruster(logs, coriolis, options)) {
-    CoupledSummary fit = FitBlocks(logs, weak->structure, options.fit);  // from its own start
-    if (fit.IsUsable() && StrengthOf(fit, weak->named.entry) > kStillThere &&
-        climb.Try("thruster", weak->structure, std::move(fit))) {
-      named.push_back(weak->named);
+  const MotionStructure highest = StructureOf(first.back(), dofs, options.fins);
+  if (const auto suspect = MostSuspect(logs, highest, options)) {
+    const FreeEntry& entry = suspect->named.entry;
+    CoupledSummary fit = FitBlocks(logs, suspect->structure, options.fit);  // from its own start
+    if (fit.IsUsable() && StrengthOf(fit, entry, options.fit.held) > kStillThere &&
+        climb.Try(entry.kind == FreeEntry::Kind::kThrustGain ? "thruster" : "fin",
+                  suspect->structure,
+                  std::move(fit))) {
+      named.push_back(suspect->named);
     }
   }
   if (climb.standing().fit.IsUsable()) {
@@ -152,6 +171,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   for (NamedEntry& entry : named) {
     entry.value = ValueIn(last.model, entry.entry);
     entry.std = StdOf(last, entry.entry);
+    entry.without = WithoutEffect(entry.entry, options.fit.held);
   }
   Ladder ladder = climb.Take();
   ladder.named = std::move(named);

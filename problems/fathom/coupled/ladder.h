@@ -15,7 +15,7 @@ namespace fathom {
 
 // One structure that was tried.
 struct LadderRung {
-  // "diagonal", "coriolis", "lift", "thruster", "entries", "symmetric", "full"
+  // "diagonal", "coriolis", "lift", "thruster", "fin", "entries", "symmetric", "full"
   std::string name;
   MotionStructure structure;
   CoupledSummary fit;  // of all training data

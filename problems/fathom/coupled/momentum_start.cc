@@ -65,40 +65,67 @@ Vector6 RateOf(const FreeEntry& entry,
     case Kind::kFinForce:
     case Kind::kFinRace:
     case Kind::kFinNeutral:
+    case Kind::kFinStuck:
       break;
   }
   return force;
 }
 
-// What the fins that are held give, and one at a force of 1, at a time.
+// What the fins of a model give at a time.
 class FinForces {
  public:
   explicit FinForces(const CoupledCommand& command) : command_(command) {}
 
-  Vector6 Of(double t, const Vector6& nu, const CoupledModel& model, const FreeEntry* only) const {
+  // All of them.
+  Vector6 Of(double t, const Vector6& nu, const CoupledModel& model) const {
     Vector6 force = Vector6::Zero();
-    if (command_.fins.empty()) return force;
-    const auto next = std::upper_bound(command_.time.begin(), command_.time.end(), t);
-    if (next == command_.time.begin()) return force;
-    const auto row = static_cast<std::size_t>(next - command_.time.begin()) - 1;
     for (const CommandedFin& fin : command_.fins) {
-      if (only != nullptr && only->actuator != fin.name) continue;
-      const auto held = model.fin_force.find(fin.name);
-      const double size = only != nullptr                 ? 1.0
-                          : held == model.fin_force.end() ? 0.0
-                                                          : held->second;
-      if (size == 0.0) continue;
-      const auto neutral = model.fin_neutral.find(fin.name);
-      const double angle =
-          fin.angle[row] - (neutral == model.fin_neutral.end() ? 0.0 : neutral->second);
-      const auto race = model.fin_race.find(fin.name);
-      const double k = race == model.fin_race.end() ? 0.0 : race->second;
-      force += size * FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row)).Force();
+      const double size = ForceIn(model, fin);
+      if (size != 0.0) force += size * LoadOf(fin, t, nu, model).Force();
     }
     return force;
   }
 
+  // By one entry of a fin: of a force, what it gives at 1; of an angle, per radian.
+  Vector6 By(const FreeEntry& entry, double t, const Vector6& nu, const CoupledModel& model) const {
+    const auto fin = std::ranges::find(command_.fins, entry.actuator, &CommandedFin::name);
+    if (fin == command_.fins.end()) return Vector6::Zero();
+    const FinLoad load = LoadOf(*fin, t, nu, model);
+    switch (entry.kind) {
+      case Kind::kFinForce:
+        return load.Force();
+      case Kind::kFinNeutral:
+        return -ForceIn(model, *fin) * load.ForceByAngle();
+      case Kind::kFinStuck:
+        return ForceIn(model, *fin) * load.ForceByAngle();
+      default:
+        return Vector6::Zero();
+    }
+  }
+
  private:
+  static double ForceIn(const CoupledModel& model, const CommandedFin& fin) {
+    const auto held = model.fin_force.find(fin.name);
+    return held == model.fin_force.end() ? 0.0 : held->second;
+  }
+
+  // None before the first command.
+  FinLoad LoadOf(const CommandedFin& fin,
+                 double t,
+                 const Vector6& nu,
+                 const CoupledModel& model) const {
+    const auto next = std::upper_bound(command_.time.begin(), command_.time.end(), t);
+    if (next == command_.time.begin()) return {};
+    const auto row = static_cast<std::size_t>(next - command_.time.begin()) - 1;
+    const auto neutral = model.fin_neutral.find(fin.name);
+    double angle = fin.angle[row] - (neutral == model.fin_neutral.end() ? 0.0 : neutral->second);
+    const auto stuck = model.fin_stuck.find(fin.name);
+    if (stuck != model.fin_stuck.end()) angle = stuck->second;
+    const auto race = model.fin_race.find(fin.name);
+    const double k = race == model.fin_race.end() ? 0.0 : race->second;
+    return FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row));
+  }
+
   const CoupledCommand& command_;
 };
 
@@ -177,7 +204,7 @@ void AddPieces(const CoupledData& log,
       const Eigen::Vector3d down = attitude.conjugate() * Eigen::Vector3d::UnitZ();
       Vector6 known = held.linear_damping * nu +
                       held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset +
-                      nu[0] * (held.lift * nu) - fins.Of(segment.time[i], nu, held, nullptr);
+                      nu[0] * (held.lift * nu) - fins.Of(segment.time[i], nu, held);
       if (structure.coriolis) known += CoriolisForce(held.inertia, nu);
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
@@ -186,9 +213,7 @@ void AddPieces(const CoupledData& log,
       for (Eigen::Index k = 0; k < num; ++k) {
         const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
         left.col(k) += dt * RateOf(entry, nu, down, structure.coriolis);
-        if (entry.kind == Kind::kFinForce) {
-          left.col(k) -= dt * fins.Of(segment.time[i], nu, held, &entry);
-        }
+        if (IsOfActuator(entry)) left.col(k) -= dt * fins.By(entry, segment.time[i], nu, held);
       }
     }
     for (Eigen::Index k = 0; k < num; ++k) {

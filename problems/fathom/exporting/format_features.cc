@@ -280,6 +280,7 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
+    case FreeEntry::Kind::kFinStuck:
       return ExportFeature::kThrustGain;
   }
   return ExportFeature::kThrustGain;

@@ -38,6 +38,7 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
+    case FreeEntry::Kind::kFinStuck:
       return "";
   }
   return "";

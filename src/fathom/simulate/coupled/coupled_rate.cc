@@ -65,6 +65,8 @@ CoupledRate::CoupledRate(const CoupledModel& model,
                      value_or_0(model.fin_force, fins[k].name),
                      value_or_0(model.fin_race, fins[k].name),
                      value_or_0(model.fin_neutral, fins[k].name)});
+    const auto stuck = model.fin_stuck.find(fins[k].name);
+    if (stuck != model.fin_stuck.end()) fins_.back().stuck = stuck->second;
   }
   is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
   if (!is_usable_) return;
@@ -93,7 +95,7 @@ FinLoad CoupledRate::LoadOf(const ModelFin& fin,
                             const CoupledDrive& drive) const {
   return FinLoadAt(commanded_fins_[fin.at].arms,
                    nu,
-                   drive.angles[fin.at] - fin.neutral,
+                   fin.stuck.value_or(drive.angles[fin.at] - fin.neutral),
                    fin.race * drive.races[fin.at]);
 }
 
@@ -185,6 +187,11 @@ void CoupledRate::TangentAt(const CoupledFlow& state,
       case FreeEntry::Kind::kFinNeutral: {
         const ModelFin& fin = fins_[fin_of_entry_[k]];
         force -= fin.force * LoadOf(fin, nu, drive).ForceByAngle();
+        break;
+      }
+      case FreeEntry::Kind::kFinStuck: {
+        const ModelFin& fin = fins_[fin_of_entry_[k]];
+        force += fin.force * LoadOf(fin, nu, drive).ForceByAngle();
         break;
       }
     }

@@ -9,6 +9,7 @@
 #include "fathom/vehicle/coupled/six_vector.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,6 +75,7 @@ class CoupledRate {
   struct ModelFin {
     std::size_t at = 0;  // in the commands
     double force = 0.0, race = 0.0, neutral = 0.0;
+    std::optional<double> stuck = {};
   };
 
   // Of the right-hand side by nu.

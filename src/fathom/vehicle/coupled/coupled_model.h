@@ -47,6 +47,7 @@ struct CoupledModel {
   std::map<std::string, double> fin_force = {};    // f by fin [N s^2/m^2 a radian]; absent: 0
   std::map<std::string, double> fin_race = {};     // k by fin [m^2/(s^2 N)]; absent: 0
   std::map<std::string, double> fin_neutral = {};  // angle at which it is straight [rad]; absent: 0
+  std::map<std::string, double> fin_stuck = {};    // angle of a fin that no command turns [rad]
 
   bool coriolis = false;
 };

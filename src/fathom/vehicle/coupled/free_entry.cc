@@ -23,7 +23,7 @@ struct NamedKind {
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 11> kNamedKinds = {{
+constexpr std::array<NamedKind, 12> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -35,6 +35,7 @@ constexpr std::array<NamedKind, 11> kNamedKinds = {{
     {EntryKind::kFinForce, "fin_force"},
     {EntryKind::kFinRace, "fin_race"},
     {EntryKind::kFinNeutral, "fin_neutral"},
+    {EntryKind::kFinStuck, "fin_stuck"},
 }};
 
 std::string_view NameOfKind(EntryKind kind) {
@@ -84,6 +85,8 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->fin_race.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinNeutral:
       return &model->fin_neutral.try_emplace(entry.actuator, 0.0).first->second;
+    case EntryKind::kFinStuck:
+      return &model->fin_stuck.try_emplace(entry.actuator, 0.0).first->second;
   }
   return nullptr;
 }
@@ -115,10 +118,14 @@ FreeEntry FinRaceEntry(const std::string& fin) {
 FreeEntry FinNeutralEntry(const std::string& fin) {
   return {EntryKind::kFinNeutral, Dof::kSurge, Dof::kSurge, fin};
 }
+FreeEntry FinStuckEntry(const std::string& fin) {
+  return {EntryKind::kFinStuck, Dof::kSurge, Dof::kSurge, fin};
+}
 
 bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
-         entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral;
+         entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
+         entry.kind == EntryKind::kFinStuck;
 }
 
 std::string NameOf(const FreeEntry& entry) {
@@ -138,8 +145,8 @@ FreeEntry ParseFreeEntry(std::string_view name) {
     RefuseEntry(
         name,
         "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
-        "offset, thrust_gain, lift, fin_force, fin_race or fin_neutral, a dot, and what it belongs "
-        "to");
+        "offset, thrust_gain, lift, fin_force, fin_race, fin_neutral or fin_stuck, a dot, and what "
+        "it belongs to");
   }
   const EntryKind kind = found->kind;
   const bool has_tail = dot != std::string_view::npos;
@@ -197,6 +204,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kFinRace:
       return "m^2/(s^2 N)";
     case EntryKind::kFinNeutral:
+    case EntryKind::kFinStuck:
       return "rad";
   }
   return "";
@@ -207,7 +215,8 @@ std::string SiUnitOf(const FreeEntry& entry) {
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
   const std::string unit = SiUnitOf(entry);
   const bool has_force = entry.kind != EntryKind::kThrustGain &&
-                         entry.kind != EntryKind::kFinNeutral && entry.kind != EntryKind::kFinRace;
+                         entry.kind != EntryKind::kFinNeutral &&
+                         entry.kind != EntryKind::kFinStuck && entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
@@ -244,6 +253,7 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
   for (const auto& [fin, force] : model.fin_force) add(FinForceEntry(fin), 0.0);
   for (const auto& [fin, race] : model.fin_race) add(FinRaceEntry(fin), 0.0);
   for (const auto& [fin, neutral] : model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
+  for (const auto& [fin, angle] : model.fin_stuck) entries.push_back(FinStuckEntry(fin));
   return entries;
 }
 

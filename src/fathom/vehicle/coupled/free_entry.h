@@ -27,6 +27,7 @@ namespace fathom {
 //   fin_force.rudder              f of the fin `rudder`
 //   fin_race.rudder               k: what the race adds to the square of its speed
 //   fin_neutral.rudder            the angle at which it is straight
+//   fin_stuck.rudder              the angle that it has whatever is commanded
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -40,6 +41,7 @@ struct FreeEntry {
     kFinForce,
     kFinRace,
     kFinNeutral,
+    kFinStuck,
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
@@ -61,6 +63,7 @@ FreeEntry LiftEntry(Dof row, Dof column);
 FreeEntry FinForceEntry(const std::string& fin);
 FreeEntry FinRaceEntry(const std::string& fin);
 FreeEntry FinNeutralEntry(const std::string& fin);
+FreeEntry FinStuckEntry(const std::string& fin);
 
 // Whether it belongs to a thruster or a fin instead of a row and a column.
 bool IsOfActuator(const FreeEntry& entry);
@@ -71,11 +74,12 @@ std::string NameOf(const FreeEntry& entry);
 // entry of a coupled model: ...". A thruster or a fin may have any name.
 FreeEntry ParseFreeEntry(std::string_view name);
 
-// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's neutral angle. Of commands in another unit
+// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles. Of commands in another unit
 // than N and N m, "kg A/N".
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
 
-// Those that the model holds beside its nulls: 1 of a thrust gain, 0 of any other.
+// Those that the model holds beside its nulls: 1 of a thrust gain, 0 of any other. Of a stuck fin
+// every angle counts.
 std::vector<FreeEntry> EntriesIn(const CoupledModel& model);
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry);

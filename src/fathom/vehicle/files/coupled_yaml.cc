@@ -183,6 +183,7 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   model.fin_force = FinForces(map, fins);
   model.fin_race = ByName(map, "fin_race", fins, "fin");
   model.fin_neutral = ByName(map, "fin_neutral", fins, "fin");
+  model.fin_stuck = ByName(map, "fin_stuck", fins, "fin");
   return model;
 }
 

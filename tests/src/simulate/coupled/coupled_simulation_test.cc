@@ -206,24 +206,37 @@ Fin SternPlane() {
   return fin;
 }
 
+// No command turns it.
+Fin StuckPlane() {
+  Fin fin;
+  fin.name = "stuck";
+  fin.position << -0.5, -0.25, 0.03;
+  fin.axis = -Eigen::Vector3d::UnitY();
+  return fin;
+}
+
 CoupledModel FinnedRov() {
   CoupledModel model = Rov();
   model.lift(1, 1) = 20.0;
   model.lift(1, 5) = -3.0;
   model.lift(5, 1) = 6.0;
-  model.fin_force = {{"rudder", 30.0}, {"plane", 25.0}};
+  model.fin_force = {{"rudder", 30.0}, {"plane", 25.0}, {"stuck", 20.0}};
   model.fin_race = {{"rudder", 0.04}};
   model.fin_neutral = {{"rudder", 0.03}};
+  model.fin_stuck = {{"stuck", 0.15}};
   return model;
 }
 
 CoupledInputs FinnedSteps(int num_steps) {
   CoupledInputs inputs = Steps(num_steps);
   CoupledCommand& command = inputs.command;
-  command.fins = {{"rudder", ArmsOf(Rudder()), {}, "port"}, {"plane", ArmsOf(SternPlane()), {}}};
+  command.fins = {{"rudder", ArmsOf(Rudder()), {}, "port"},
+                  {"plane", ArmsOf(SternPlane()), {}},
+                  {"stuck", ArmsOf(StuckPlane()), {}}};
   for (int k = 0; k < num_steps; ++k) {
     command.fins[0].angle.push_back(0.4 * std::sin(1.1 * k * k));
     command.fins[1].angle.push_back(0.3 * std::cos(1.7 * k));
+    command.fins[2].angle.push_back(-0.2 * std::cos(1.3 * k));
   }
   return inputs;
 }
@@ -243,7 +256,8 @@ Vector6 PlainFins(const CoupledInputs& inputs, std::size_t row, const Vector6& n
   const CoupledCommand& command = inputs.command;
   const double thrust = std::max(command.thrusters[0].thrust[row], 0.0);
   Vector6 force = of(Rudder(), 30.0, command.fins[0].angle[row] - 0.03, 0.04 * thrust) +
-                  of(SternPlane(), 25.0, command.fins[1].angle[row], 0.0);
+                  of(SternPlane(), 25.0, command.fins[1].angle[row], 0.0) +
+                  of(StuckPlane(), 20.0, 0.15, 0.0);
   force[1] -= nu[0] * (20.0 * nu[1] - 3.0 * nu[5]);
   force[5] -= 6.0 * nu[0] * nu[1];
   return force;
@@ -300,6 +314,7 @@ TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
   structure.entries.push_back(FinForceEntry("plane"));
   structure.entries.push_back(FinRaceEntry("rudder"));
   structure.entries.push_back(FinNeutralEntry("rudder"));
+  structure.entries.push_back(FinStuckEntry("stuck"));
   CoupledStamps stamps;
   for (int k = 1; k <= 20; ++k) stamps.velocity.push_back(0.47 * k);
   stamps.pose = stamps.velocity;

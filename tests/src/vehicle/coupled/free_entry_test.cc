@@ -27,7 +27,8 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "lift.yaw.sway",
                                  "fin_force.rudder",
                                  "fin_race.rudder",
-                                 "fin_neutral.rudder"}) {
+                                 "fin_neutral.rudder",
+                                 "fin_stuck.rudder"}) {
     EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
   }
 }
@@ -60,6 +61,7 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("lift.yaw")), "kg m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder")), "kg/m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_neutral.rudder"), "A"), "rad");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_stuck.rudder"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.sway.yaw")), "kg m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.yaw")), "kg m^2");
   EXPECT_EQ(UnitOf(ParseFreeEntry("net_buoyancy")), "N");

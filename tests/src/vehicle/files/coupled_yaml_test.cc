@@ -52,33 +52,34 @@ TEST(CoupledYaml, AddsAddedMassToTheRigidBody) {
 }
 
 TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
-  const Vehicle vehicle = ParseVehicleFile("v.yaml",
-                                           std::string(kHull) +
-                                               "coupled_model:\n"
-                                               "  dofs: [yaw, surge, sway]\n"
-                                               "  coriolis: false\n"
-                                               "  inertia:\n"
-                                               "    - [30, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 40, 0, 0, 0, 3]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 3, 0, 0, 0, 8]\n"
-                                               "  quadratic_damping:\n"
-                                               "    - [9, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 8, 0, 0, 0, 1.5]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, 0, 0, 0, 0, 0]\n"
-                                               "    - [0, -2.5, 0, 0, 0, 7]\n"
-                                               "  lift: [0, 11, 0, 0, 0, 0]\n"
-                                               "  offset: [1, 2, 3, 4, 5, 6]\n"
-                                               "  net_buoyancy: 2.5\n"
-                                               "  righting_moment: {roll: 6, pitch: 7}\n"
-                                               "  thrust_gain: {port: 0.8}\n"
-                                               "  fin_force: {rudder: 9.6}\n"
-                                               "  fin_race: {rudder: 0.2}\n"
-                                               "  fin_neutral: {plane: 0.01}\n");
+  const Vehicle vehicle =
+      ParseVehicleFile("v.yaml",
+                       std::string(kHull) +
+                           "coupled_model:\n"
+                           "  dofs: [yaw, surge, sway]\n"
+                           "  coriolis: false\n"
+                           "  inertia:\n"
+                           "    - [30, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 40, 0, 0, 0, 3]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 3, 0, 0, 0, 8]\n"
+                           "  quadratic_damping:\n"
+                           "    - [9, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 8, 0, 0, 0, 1.5]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, 0, 0, 0, 0, 0]\n"
+                           "    - [0, -2.5, 0, 0, 0, 7]\n"
+                           "  lift: [0, 11, 0, 0, 0, 0]\n"
+                           "  offset: [1, 2, 3, 4, 5, 6]\n"
+                           "  net_buoyancy: 2.5\n"
+                           "  righting_moment: {roll: 6, pitch: 7}\n"
+                           "  thrust_gain: {port: 0.8}\n"
+                           "  fin_force: {rudder: 9.6}\n"
+                           "  fin_race: {rudder: 0.2}\n"
+                           "  fin_neutral: {plane: 0.01}\n  fin_stuck: {plane: 0.2}\n");
   const CoupledModel& model = *vehicle.coupled;
   EXPECT_THAT(model.dofs, ElementsAre(Dof::kSurge, Dof::kSway, Dof::kYaw));
   EXPECT_FALSE(model.coriolis);
@@ -96,6 +97,7 @@ TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
   EXPECT_NEAR(model.fin_force.at("plane"), 30.0, 0.1);
   EXPECT_EQ(model.fin_race.at("rudder"), 0.2);
   EXPECT_EQ(model.fin_neutral.at("plane"), 0.01);
+  EXPECT_EQ(model.fin_stuck.at("plane"), 0.2);
 }
 
 TEST(CoupledYaml, RefusesAMatrixOfAnotherShape) {

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/cause_words.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+NamedEntry FinForceOfUpper(double value) { return {FinForceEntry("upper"), value, 0.1, {}, 10.0}; }
+
+TEST(CauseSentence, SaysWhatAFinGivesOfWhatIsStated) {
+  const std::string gone = CauseSentence(FinForceOfUpper(0.05), "N");
+  EXPECT_THAT(gone, StartsWith("Fin upper gives 0 %"));
+  EXPECT_THAT(gone, HasSubstr("of the force that the vehicle file states: it is gone"));
+  EXPECT_THAT(CauseSentence(FinForceOfUpper(-9.8), "N"), HasSubstr("it turns the wrong way"));
+  EXPECT_THAT(CauseSentence(FinForceOfUpper(7.0), "N"), HasSubstr("it does less"));
+}
+
+TEST(CauseSentence, SaysAtWhichAngleAFinIsStuck) {
+  const NamedEntry stuck = {FinStuckEntry("port"), 0.1, 0.002, {FinForceEntry("port")}, 0.0};
+  const std::string text = CauseSentence(stuck, "N");
+  EXPECT_THAT(text, StartsWith("Fin port is stuck at one angle, whatever is commanded: 0.1"));
+  EXPECT_THAT(text, HasSubstr("rad"));
+  EXPECT_THAT(text, HasSubstr("These data cannot tell it from fin_force.port."));
+}
+
+}  // namespace
+}  // namespace fathom
