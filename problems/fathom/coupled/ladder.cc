@@ -135,11 +135,11 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     const MotionStructure structure = StructureOf(standard, dofs, options.fins);
     climb.Try(std::string(Name(standard)), structure, FitBlocks(logs, structure, options.fit));
   }
-  if (!options.fins.empty()) {
-    climb.Try("lift", StructureOf(StandardStructure::kLift, dofs, options.fins));
-  }
   std::vector<NamedEntry> named;
-  const MotionStructure highest = StructureOf(first.back(), dofs, options.fins);
+  const bool has_fins = !options.fins.empty();
+  const MotionStructure highest = StructureOf(
+      has_fins ? StandardStructure::kLift : StandardStructure::kCoriolis, dofs, options.fins);
+  // Before `lift`, whose search goes far astray where a fin does not do what it is told.
   if (const auto suspect = MostSuspect(logs, highest, options)) {
     const FreeEntry& entry = suspect->named.entry;
     CoupledSummary fit = FitBlocks(logs, suspect->structure, options.fit);  // from its own start
@@ -150,6 +150,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
       named.push_back(suspect->named);
     }
   }
+  if (has_fins && named.empty()) climb.Try("lift", highest);
   if (climb.standing().fit.IsUsable()) {
     const MotionStructure stands = climb.standing().structure;
     const EntrySearch search =

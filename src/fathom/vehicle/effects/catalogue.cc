@@ -8,8 +8,8 @@
 #include "fathom/vehicle/effects/drag.h"
 #include "fathom/vehicle/effects/forces.h"
 #include "fathom/vehicle/effects/pose_sensor.h"
-#include "fathom/vehicle/effects/thrust_in_time.h"
 #include "fathom/vehicle/effects/thrust_curve.h"
+#include "fathom/vehicle/effects/thrust_in_time.h"
 #include "fathom/vehicle/effects/velocity_sensor.h"
 
 #include <algorithm>
