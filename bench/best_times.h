@@ -66,4 +66,15 @@ class BestTimes : public benchmark::ConsoleReporter {
   bool has_failed_ = false;
 };
 
+// Runs the benchmarks that the command line asks for. Repetitions are in random order: what else
+// the machine does then meets all benchmarks alike.
+inline void RunBenchmarks(int argc, char** argv, BestTimes* times) {
+  std::string interleave = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.insert(arguments.begin() + 1, interleave.data());
+  int num_arguments = argc + 1;
+  benchmark::Initialize(&num_arguments, arguments.data());
+  benchmark::RunSpecifiedBenchmarks(times);
+}
+
 }  // namespace fathom

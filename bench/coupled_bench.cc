@@ -228,14 +228,8 @@ bool PrintLimits(const BestTimes& times) {
 }  // namespace fathom
 
 int main(int argc, char** argv) {
-  // Repetitions in random order: what else the machine does then meets all benchmarks alike.
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, interleave.data());
-  int num_arguments = argc + 1;
-  benchmark::Initialize(&num_arguments, arguments.data());
   fathom::BestTimes times;
-  benchmark::RunSpecifiedBenchmarks(&times);
+  fathom::RunBenchmarks(argc, argv, &times);
   const bool is_kept = fathom::PrintLimits(times);
   if (times.has_failed()) std::fprintf(stderr, "coupled_bench: a run failed.\n");
   if (!is_kept) std::fprintf(stderr, "coupled_bench: a limit is broken, see above.\n");

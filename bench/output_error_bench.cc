@@ -183,15 +183,9 @@ bool PrintRatios(const BestTimes& times) {
 }  // namespace fathom
 
 int main(int argc, char** argv) {
-  // Repetitions in random order: what else the machine does then meets all benchmarks alike.
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, interleave.data());
-  int num_arguments = argc + 1;
-  benchmark::Initialize(&num_arguments, arguments.data());
   fathom::PrintMemory();  // first, while this process is small: a child's peak begins with it
   fathom::BestTimes times;
-  benchmark::RunSpecifiedBenchmarks(&times);
+  fathom::RunBenchmarks(argc, argv, &times);
   const bool is_kept = fathom::PrintRatios(times);
   if (times.has_failed()) std::fprintf(stderr, "output_error_bench: a fit failed.\n");
   if (!is_kept) std::fprintf(stderr, "output_error_bench: a limit is broken, see above.\n");

@@ -152,8 +152,7 @@ std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
   }
   if (missed.empty()) {
     return "No coupling and no fault of a thruster or a fin is in the data, but a red finding "
-           "speaks against "
-           "them.";
+           "speaks against them.";
   }
   return "No coupling and no fault of a thruster or a fin explains what is missing." + missed;
 }

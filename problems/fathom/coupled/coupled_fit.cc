@@ -232,6 +232,7 @@ double LargestMove(const CoupledModel& from,
   return std::sqrt(std::max(move.dot(normal * move), 0.0));
 }
 
+// What residuals cost where they are weighed so.
 double CostUnder(const std::vector<ChannelWeight>& weights,
                  const std::vector<WindowResiduals>& residuals) {
   double cost = 0.0;
@@ -257,7 +258,7 @@ CoupledModel BroughtNearer(const CoupledModel& guess,
                            const CoupledFitOptions& options,
                            WindowProblem problem) {
   problem.windows = CoupledWindowsOf(logs, kShortRun * options.window);
-  WindowPoint point = StartOf(problem, guess);
+  const WindowPoint point = StartOf(problem, guess);
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) return guess;
   const auto noise = NoiseOf(residuals, problem.channels, QuietestSensors(problem), true);

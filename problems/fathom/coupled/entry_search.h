@@ -53,8 +53,7 @@ struct EntrySearch {
 // Adds the entry that the data ask for most until they ask for none; an entry that a later one
 // makes needless goes. Candidates: all off the diagonal of the inertia and of the linear damping,
 // the gain of each thruster, the neutral angle of each fin and its force where that is known;
-// docs/coupled.md. `begun`: a usable
-// fit, and what another search has named in it.
+// docs/coupled.md. `begun`: a usable fit, and what another search has named in it.
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
                           EntrySearch begun,
                           const EntrySearchOptions& options);

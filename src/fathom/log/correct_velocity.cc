@@ -57,7 +57,8 @@ void KeepBetween(double from, double to, Stream* stream) {
 
 std::string Said(const Correction& correction) {
   std::vector<std::string> parts;
-  if (correction.factor != 1.0) parts.push_back(fmt::format("times {}", correction.factor));
+  if (correction.factor != 1.0 || correction.late == 0.0)
+    parts.push_back(fmt::format("times {}", correction.factor));
   if (correction.late != 0.0) {
     const char* where = correction.late > 0.0 ? "earlier" : "later";
     parts.push_back(fmt::format("{} s {}", std::abs(correction.late), where));

@@ -150,6 +150,8 @@ TEST(ReadLog, ReadsALateColumnOffLater) {
   const Log early = ReadLog(Folder(files), {.corrections = {{.column = "u", .late = -0.1}}});
   EXPECT_THAT(early.velocity->time, ElementsAre(0.4, 0.5, 0.6, 0.7));
   EXPECT_THAT(early.velocity->Find("u")->front(), DoubleNear(3.0, 1e-12));
+  EXPECT_THAT(TextsOf(ReadLog(Folder(files), {.corrections = {{"u", 1}}}).remarks),
+              ElementsAre("velocity.csv: u times 1, as --correct says."));
   EXPECT_EQ(Error(files, {.corrections = {{.column = "u", .late = 9.0}}}),
             "--correct: velocity.csv is shorter than its columns are late.");
 }
