@@ -119,6 +119,12 @@ ForceResponse::Step ForceResponse::StepOver(double h, double a, double b, double
 }
 
 Eigen::VectorXd ForceResponse::Outputs(const std::vector<double>& force) const {
+  std::vector<double> mean(force.size(), 0.0);
+  for (size_t i = 1; i < force.size(); ++i) mean[i] = 0.5 * (force[i - 1] + force[i]);
+  return OutputsOfMeans(mean);
+}
+
+Eigen::VectorXd ForceResponse::OutputsOfMeans(const std::vector<double>& mean_force) const {
   Eigen::VectorXd outputs(data_->bins().size());
   std::vector<double> velocity(points_.size()), position(points_.size());
   for (size_t r = 0; r + 1 < first_points_.size(); ++r) {
@@ -126,7 +132,7 @@ Eigen::VectorXd ForceResponse::Outputs(const std::vector<double>& force) const {
     velocity[first] = position[first] = 0.0;
     for (int i = first + 1; i < end; ++i) {
       const Step& step = steps_[i];
-      const double mean = 0.5 * (force[i - 1] + force[i]);
+      const double mean = mean_force[i];
       const double v = velocity[i - 1], x = position[i - 1];
       velocity[i] = step.v_from_v * v + step.v_from_x * x + step.v_from_force * mean;
       position[i] = step.x_from_v * v + step.x_from_x * x + step.x_from_force * mean;

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/fit/force_along_run.h"
 #include "fathom/diagnosis/fit/structure_fit.h"
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -29,6 +30,13 @@ class ForceResponse {
 
   // What a force at every point adds to the outputs, by bins.
   Eigen::VectorXd Outputs(const std::vector<double>& force) const;
+
+  // The same of a force that is known as its mean over the step that ends at a point; those of the
+  // segments' first points are not looked at.
+  Eigen::VectorXd OutputsOfMeans(const std::vector<double>& mean_force) const;
+
+  // Of segment `index`: from first_point(index) up to first_point(index + 1).
+  int first_point(std::size_t index) const { return first_points_[index]; }
 
  private:
   // The step that ends at a point.

@@ -157,7 +157,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
     SetValues(step.after, &state);
-    const auto [longest, is_stiff] = pace.From(state, step.command, s);
+    const auto [longest, is_stiff] = pace.From(state, step.command, s, edge - s);
     if (longest == 0.0) return false;
     step.thrust = step.thrust_after;
     step.before = step.after;

@@ -43,13 +43,17 @@ StepPace::StepPace(const EffectInputs& inputs, const ScalarModel<double>& model)
       acts_on_water_(ActsOnWater(model.effects)),
       longest_(LongestStep(model)) {}
 
-StepPace::Pace StepPace::From(const RunState<double>& state, double command, double s) {
+StepPace::Pace StepPace::From(const RunState<double>& state,
+                              double command,
+                              double s,
+                              double wanted) {
   const UncoupledModel<double>& baseline = model_.baseline;
   const double reached = SpeedReached(
       baseline, std::abs(state.velocity), std::abs(command - baseline.buoyancy), longest_);
   double rate = std::abs(baseline.DampingSlope(reached)) / baseline.inertia;
   if (!(rate < kQuickest)) return {};
-  if (acts_on_water_) rate = std::max(rate, WaterRate(state, command, s));
+  if (acts_on_water_)
+    rate = std::max(rate, WaterRate(state, command, s, std::min(wanted, longest_)));
   const double classical = std::min(longest_, kMostRateTimesStep / rate);
   if (classical > kShortestClassical) return {classical, false};
   return {longest_, true};
@@ -91,11 +95,11 @@ bool StepPace::IsShortEnough(const RunState<double>& before,
   return change * h < 2.0 * kMostRateTimesStep;
 }
 
-// With the effects. It costs as much as a step: where it is far from shortening one it is looked at
-// now and then.
-double StepPace::WaterRate(const RunState<double>& state, double command, double s) {
+// With the effects. It costs more than a step: where it does not shorten the one that is
+// `wanted` [s] it is looked at now and then.
+double StepPace::WaterRate(const RunState<double>& state, double command, double s, double wanted) {
   constexpr int kLookAgain = 5;  // steps
-  if (5.0 * water_rate_ * longest_ < kMostRateTimesStep && ++since_look_ < kLookAgain) {
+  if (water_rate_ * wanted < kMostRateTimesStep && ++since_look_ < kLookAgain) {
     return water_rate_;
   }
   since_look_ = 0;

@@ -28,8 +28,9 @@ class StepPace {
   };
 
   // From `state` at `s` [s] on the command's clock, while `command` is held: by the water's
-  // quickest rate now and about rest, where friction turns, and by what swings.
-  Pace From(const RunState<double>& state, double command, double s);
+  // quickest rate now and about rest, where friction turns, and by what swings. No step longer than
+  // `wanted` [s] is asked for.
+  Pace From(const RunState<double>& state, double command, double s, double wanted);
 
   // How fast a small difference in speed grows, below 0 shrinks [1/s], at `state` and `speed`.
   double SpeedRate(const RunState<double>& state, double speed, double command, double s);
@@ -46,7 +47,7 @@ class StepPace {
                      double rate);
 
  private:
-  double WaterRate(const RunState<double>& state, double command, double s);
+  double WaterRate(const RunState<double>& state, double command, double s, double wanted);
   double SwingRate(const RunState<double>& state, double command, double s);
 
   const ScalarModel<double>& model_;

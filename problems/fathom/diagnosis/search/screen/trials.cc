@@ -3,8 +3,8 @@
 
 #include "fathom/diagnosis/search/screen/trials.h"
 
-#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/force_response.h"
+#include "fathom/diagnosis/search/screen/signatures.h"
 #include "fathom/diagnosis/search/screen/trial_values.h"
 #include "fathom/vehicle/effect_law.h"
 
@@ -45,16 +45,7 @@ void AppendTrials(const TrainingData& data,
   }
 }
 
-// The parameter values of a trial with only one of its amounts at its probe.
-std::vector<double> WithOneAmount(const Trial& trial, const EffectInfo& info, int amount) {
-  std::vector<double> values = trial.values;
-  for (const int other : trial.amounts) {
-    if (other != amount) values[other] = info.parameters[other].null;
-  }
-  return values;
-}
-
-// Simulates every trial.
+// Numbers the trials' columns and fills them.
 void AppendSignatures(const TrainingData& data,
                       const ForceResponse& response,
                       const StructureFit& fit,
@@ -65,28 +56,7 @@ void AppendSignatures(const TrainingData& data,
     trial.first_column = num_columns;
     num_columns += trial.num_columns;
   }
-  RowMajorMatrix& columns = trials->signatures;
-  columns = RowMajorMatrix::Zero(data.bins().size(), num_columns);
-  const auto base = data.Simulate(fit.model, fit.initial);
-  ParallelFor(static_cast<int>(trials->trials.size()), [&](int i) {
-    const Trial& trial = trials->trials[i];
-    const Suspect& suspect = suspects[trial.suspect];
-    for (int k = 0; k < trial.num_columns; ++k) {
-      const auto values = WithOneAmount(trial, suspect.effect->info(), trial.amounts[k]);
-      auto column = columns.col(trial.first_column + k);
-      if (IsForceInWater(*suspect.effect)) {
-        const ActiveEffect active = {suspect.effect, suspect.setting, values};
-        column = response.Outputs(
-            ForceAlong(response.points(), data.segments(), fit.model.baseline, active));
-        continue;
-      }
-      ExtendedModel model = WithEffect(fit.model, {suspect.effect, suspect.setting, values});
-      if (!base) continue;
-      if (const auto simulated = data.SimulateLog(suspect.setting.log, model, fit.initial, *base)) {
-        column = *simulated - *base;
-      }
-    }
-  });
+  trials->signatures = SignaturesOf(data, response, fit, suspects, trials->trials);
 }
 
 }  // namespace

@@ -4,25 +4,14 @@
 #pragma once
 
 #include "fathom/diagnosis/fit/structure_fit.h"
+#include "fathom/diagnosis/search/screen/trial.h"
 #include "fathom/diagnosis/search/suspect.h"
 
 #include <vector>
 
 namespace fathom {
 
-// An effect at certain values, and what it adds to the outputs. An effect of several amounts (the
-// two of `periodic_force`) has a column for each.
-struct Trial {
-  int suspect = 0;             // index
-  std::vector<double> values;  // all the effect's parameters; amounts at their probes
-  std::vector<int> amounts;    // which parameter each column probes
-  bool any_sign = false;       // true: the amount may as well be negative
-  int first_column = 0;
-  int num_columns = 1;
-};
-
-// Every suspect at every trial about one fitted model, by simulation or, for forces in the water,
-// by the linearised response.
+// Every suspect at every trial about one fitted model.
 struct Trials {
   std::vector<Trial> trials;
   RowMajorMatrix signatures;  // rows: bins
