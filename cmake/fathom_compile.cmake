@@ -7,6 +7,7 @@
 # - The headers that nearly every source reads are read once, before all of them
 #   (FATHOM_PRECOMPILED_HEADERS). Each source still includes what it uses: preset `each` builds without
 #   both, one source at a time.
+# - Templates that many sources need are compiled once, where headers are precompiled: fathom_templates.
 option(FATHOM_BATCHES "Compile the sources of a folder in batches" ON)
 option(FATHOM_PRECOMPILED_HEADERS "Read std, Eigen and fmt once for all sources" ON)
 
@@ -117,6 +118,9 @@ function(fathom_compile target)
     fathom_see_common_packages(${target})
     # ccache asks for it.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    if(NOT target STREQUAL fathom_templates)
+      target_link_libraries(${target} PRIVATE fathom::templates)
+    endif()
   endif()
 endfunction()
 
@@ -133,8 +137,21 @@ function(fathom_precompile name)
     fathom_allow_shared_library(${name})
   endif()
   target_compile_features(${name} PUBLIC cxx_std_20)
-  target_precompile_headers(${name} PRIVATE ${arg_UNPARSED_ARGUMENTS})
+  target_precompile_headers(${name} PRIVATE ${arg_UNPARSED_ARGUMENTS} <common_templates.h>)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   fathom_see_common_packages(${name})
   target_link_libraries(${name} PRIVATE ${arg_LINKS})
+endfunction()
+
+# What common_templates.h says is compiled once. Behind fathom_precompile(fathom_common_headers).
+function(fathom_compile_common_templates)
+  if(NOT FATHOM_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  add_library(fathom_templates STATIC cmake/common_templates.cc)
+  add_library(fathom::templates ALIAS fathom_templates)
+  set_target_properties(fathom_templates PROPERTIES EXPORT_NAME templates)
+  fathom_compile(fathom_templates)
+  install(TARGETS fathom_templates EXPORT FathomTargets COMPONENT development)
 endfunction()
