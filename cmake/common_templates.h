@@ -3,16 +3,15 @@
 
 #pragma once
 
-// Templates of Eigen and fmt that many sources need, compiled once, in common_templates.cc: each
+// Templates of Eigen that many sources need, compiled once, in common_templates.cc: each
 // takes up to a second in every source that instantiates it. Among the precompiled headers only:
 // without them a source instantiates what it needs.
 //
-// Their names are internal to Eigen 3.4 and fmt 9: with another version, common_templates.inc may
+// Their names are internal to Eigen 3.4: with another version, common_templates.inc may
 // have to change.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 namespace Eigen::internal {
 
