@@ -41,7 +41,10 @@ DEFINE_string(verdict,
               "",
               "Verdict file (JSON), as fathom_diagnose writes it, instead of --model. If it is "
               "ambiguous, the plan tells its causes apart.");
-DEFINE_string(limits, "", "Limits file (YAML): force, speed, distance, shortest hold.");
+DEFINE_string(limits,
+              "",
+              "Limits file (YAML): force, speed, distance, shortest hold. Without it, force and "
+              "speed are at most those of the log, and the distance is not limited.");
 DEFINE_double(duration,
               std::numeric_limits<double>::quiet_NaN(),
               "Length of the experiment [s]; without it, the limits file's minutes.");
@@ -59,7 +62,7 @@ const ToolInfo kInfo = {
     .name = "fathom_plan",
     .summary = "Plans the next experiment: the command that tells most of what is still open.",
     .usage =
-        "--model=FILE|--verdict=FILE --limits=FILE [--duration=SECONDS --seed=1 --out=FOLDER "
+        "--model=FILE|--verdict=FILE [--limits=FILE --duration=SECONDS --seed=1 --out=FOLDER "
         "--report=PAGE.html]",
     .example =
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
@@ -74,7 +77,8 @@ double DurationOf(const PlanLimits& limits) {
   if (std::isnan(FLAGS_duration)) {
     if (limits.duration) return *limits.duration;
     throw InputError(
-        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.", FLAGS_limits));
+        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.",
+                    FLAGS_limits.empty() ? std::string("a limits file, --limits") : FLAGS_limits));
   }
   if (FLAGS_duration >= kShortestDuration && FLAGS_duration <= kLongestDuration) {
     return FLAGS_duration;
@@ -99,6 +103,16 @@ std::string InFolder(const char* file) {
   return (std::filesystem::path(FLAGS_out) / file).string();
 }
 
+PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
+  if (!FLAGS_limits.empty()) return ReadPlanLimits(FLAGS_limits);
+  const PlanLimits of_log = model.range ? LimitsOfLog(*model.range) : PlanLimits();
+  if (of_log.force > 0.0 && of_log.speed > 0.0) return of_log;
+  throw InputError(fmt::format(
+      "--limits: is missing, expected a limits file, since {} does not say how much force and "
+      "speed its log reached.",
+      file));
+}
+
 PlanRequest RequestFromFlags(const std::string& file) {
   const std::string text = ReadFile(file);
   if (IsCoupledModel(text)) {
@@ -109,7 +123,8 @@ PlanRequest RequestFromFlags(const std::string& file) {
   PlanRequest request;
   request.name = file;
   request.model = ParseModel(file, text);
-  request.limits = ReadPlanLimits(FLAGS_limits);
+  request.limits = LimitsFromFlag(file, request.model);
+  request.limits_are_of_log = FLAGS_limits.empty();
   request.duration = DurationOf(request.limits);
   request.seed = FLAGS_seed;
   if (FLAGS_verdict.empty()) return request;
@@ -137,7 +152,6 @@ void Print(const PlanRequest& request, const ExperimentPlan& plan) {
 
 int Run() {
   const std::string file = InputFile();
-  RequireFlag("limits", FLAGS_limits, "a limits file");
   RequireOnePath("limits", FLAGS_limits);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Path = std::filesystem::path;
 
 const char* const kTank =
@@ -102,6 +104,93 @@ TEST(PlanTool, SaysWhereNoCommandKeepsTheLimits) {
   EXPECT_FALSE(std::filesystem::exists(inputs.At("plan")));
 }
 
+// The arguments of the fathom_plan command that a tool printed on the line that begins so.
+std::vector<std::string> HintedArguments(const std::string& out, const std::string& beginning) {
+  const std::string start = "\n" + beginning + ": fathom_plan ";
+  const std::size_t at = out.find(start);
+  if (at == std::string::npos) return {};
+  std::istringstream words(
+      out.substr(at + start.size(), out.find('\n', at + 1) - at - start.size()));
+  std::vector<std::string> arguments;
+  for (std::string word; words >> word;) arguments.push_back(word);
+  return arguments;
+}
+
+// A sine alone, which tells little, of FlatFish's surge.
+std::string SineLog(const PlanInputs& inputs, int amplitude, const std::string& effects = "") {
+  const std::string experiment =
+      WriteTestFile(inputs.folder / "sine.yaml",
+                    "name: sine\nduration: 60\ncommand_rate: 10\n"
+                    "surge: {control: open_loop, input: {kind: sine, frequency: 0.3, amplitude: " +
+                        std::to_string(amplitude) +
+                        "}}\nvelocity: {rate: 10, noise: {surge: 0.005}}\n")
+          .string();
+  std::vector<std::string> arguments = {"--vehicle=" FATHOM_DATA_DIR "/vehicles/flatfish.yaml",
+                                        "--experiment=" + experiment,
+                                        "--out=" + inputs.At("log")};
+  if (!effects.empty()) arguments.push_back("--effects=" + effects);
+  RunsWell("fathom_synthesize", arguments);
+  return inputs.At("log");
+}
+
+// What fathom_diagnose prints is typed, and the plan tells the causes apart that it left open.
+TEST(PlanTool, PlansTheDecidingRunAsFathomDiagnoseSays) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 53, "thrust_dead_zone:width=8");
+  const std::string beginning = "next, to plan the deciding run";
+  const std::vector<std::string> diagnose = {"--log=" + log, "--dof=surge"};
+  const ToolRun without_file = RunsWell("fathom_diagnose", diagnose);
+  ASSERT_THAT(without_file.out, HasSubstr("surge: ambiguous"));
+  EXPECT_THAT(without_file.out, Not(HasSubstr("fathom_plan")));
+
+  const std::string verdict = "--verdict=" + inputs.At("verdict.json");
+  const ToolRun run = RunsWell("fathom_diagnose", {diagnose[0], diagnose[1], verdict});
+  std::vector<std::string> hinted = HintedArguments(run.out, beginning);
+  ASSERT_EQ(hinted, (std::vector<std::string>{verdict, "--duration=60", "--out=plan"}));
+  hinted.back() = "--out=" + inputs.At("plan");
+  EXPECT_THAT(RunsWell("fathom_plan", hinted).out, HasSubstr("No limits file was given"));
+  const auto plan = JsonOf(inputs.At("plan/plan.json"));
+  ASSERT_FALSE(plan.at("separations").empty());
+  for (const auto& pair : plan.at("separations")) EXPECT_GT(pair.at("sigmas"), 5.0) << pair;
+  for (const double force : ReadColumns(inputs.At("plan/command.csv")).Values("tau_surge")) {
+    EXPECT_LE(std::abs(force), 53.0);  // of the log
+  }
+}
+
+// Both commands that fathom_check prints, one after the other.
+TEST(PlanTool, PlansWhatALogLacksAsFathomCheckSays) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 30);
+  const ToolRun check = RunToolBinary("fathom_check", {"--log=" + log});
+  ASSERT_THAT(check.out, HasSubstr("leaves quadratic_damping unknown"));
+  EXPECT_THAT(
+      check.out,
+      HasSubstr("\nnext: fathom_identify --log=" + log + " --dof=surge --model=surge.json\n"));
+  std::vector<std::string> hinted =
+      HintedArguments(check.out, "then, to plan the run that tells most of the rest");
+  ASSERT_EQ(hinted,
+            (std::vector<std::string>{"--model=surge.json", "--duration=60", "--out=plan"}));
+  const std::string model = "--model=" + inputs.At("surge.json");
+  RunsWell("fathom_identify", {"--log=" + log, "--dof=surge", model});
+  RunsWell("fathom_plan", {model, hinted[1], "--out=" + inputs.At("plan")});
+  const auto damping = JsonOf(inputs.At("plan/plan.json")).at("parameters").at("quadratic_damping");
+  EXPECT_LT(damping.at("std_with_log_so_far"), damping.at("std_before"));
+}
+
+// A model of currents of motors has no forces to plan, a log that tells all needs no plan.
+TEST(PlanTool, IsNotNamedWhereItWouldRefuseOrNothingIsOpen) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 30);
+  WriteTestFile(inputs.folder / "log/log.yaml", "name: log\ndof: surge\ncommand_unit: A\n");
+  const ToolRun in_ampere = RunToolBinary("fathom_check", {"--log=" + log});
+  ASSERT_THAT(in_ampere.out, HasSubstr("leaves quadratic_damping unknown"));
+  EXPECT_THAT(in_ampere.out, Not(HasSubstr("fathom_plan")));
+  const ToolRun known =
+      RunToolBinary("fathom_check", {"--log=" + WriteSmallLog(inputs.folder / "small").string()});
+  ASSERT_THAT(known.out, HasSubstr("next: fathom_identify"));
+  EXPECT_THAT(known.out, Not(HasSubstr("fathom_plan")));
+}
+
 TEST(PlanTool, RefusesWhatItCannotUse) {
   const PlanInputs inputs;
   const auto refusal = [&](const std::vector<std::string>& arguments) {
@@ -110,7 +199,8 @@ TEST(PlanTool, RefusesWhatItCannotUse) {
   const std::string model = "--model=" + inputs.model, limits = "--limits=" + inputs.tank;
   EXPECT_THAT(refusal({limits}), HasSubstr("--model: is missing, expected either"));
   EXPECT_THAT(refusal({model, "--verdict=" + inputs.model, limits}), HasSubstr("beside --verdict"));
-  EXPECT_THAT(refusal({model}), HasSubstr("--limits: is missing"));
+  EXPECT_THAT(refusal({model}),
+              HasSubstr("--limits: is missing, expected a limits file, since " + inputs.model));
   EXPECT_THAT(refusal({model, limits}), HasSubstr("or `minutes` in " + inputs.tank));
   EXPECT_THAT(refusal({model, limits, "--duration=2"}), HasSubstr("--duration: is 2 s"));
   WriteTestFile(inputs.tank, "force: 12\ndistance: {back: -1}\n");

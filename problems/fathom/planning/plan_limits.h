@@ -31,6 +31,9 @@ struct PlanLimits {
   VelocityMeasurement velocity = {};
 };
 
+// What a log reached: its greatest force and speed, either way. The distance is not limited.
+PlanLimits LimitsOfLog(const DataRange& range);
+
 // Reads a limits file (YAML). Throws InputError, naming file, line and key, for whatever breaks
 // the format.
 PlanLimits ReadPlanLimits(const std::filesystem::path& path);

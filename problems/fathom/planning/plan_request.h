@@ -18,7 +18,8 @@ struct PlanRequest {
   FittedModel model;  // what is known so far
   std::string name;   // of its file, for messages
   PlanLimits limits;
-  double duration = 0.0;  // [s]
+  bool limits_are_of_log = false;  // LimitsOfLog(): no limits file was given
+  double duration = 0.0;           // [s]
   std::uint64_t seed = 1;
   double effort = 1.0;  // share of the trials of a full search, above 0 to 1
 

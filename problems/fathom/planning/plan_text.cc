@@ -132,6 +132,15 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
                   plan.sine.amplitude,
                   ForceUnit(dof),
                   kSineFrequency)};
+  if (request.limits_are_of_log) {
+    comments.push_back(fmt::format(
+        "No limits file was given: force and speed are at most those of the log, {:.3g} {} and "
+        "{:.3g} {}, and the distance is not limited. In a tank or on a tether give --limits.",
+        request.limits.force,
+        ForceUnit(dof),
+        speed,
+        VelocityUnit(dof)));
+  }
   if (!plan.led_by.empty()) {
     comments.push_back(fmt::format("Intervals and limits are those of the cause {}.", plan.led_by));
   }
