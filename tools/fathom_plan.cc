@@ -16,6 +16,7 @@
 #include "fathom/planning/plan_limits.h"
 #include "fathom/planning/plan_page.h"
 #include "fathom/planning/plan_text.h"
+#include "fathom/planning/thruster_files.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
 #include "fathom/tool/flag_values.h"
@@ -25,11 +26,13 @@
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,14 @@ DEFINE_string(limits,
               "",
               "Limits file (YAML): force, speed, distance, shortest hold. Without it, force and "
               "speed are at most those of the log, and the distance is not limited.");
+DEFINE_string(
+    vehicle,
+    "",
+    "Vehicle file (YAML) with thrusters: they give the force, each within its range. --out "
+    "then holds their commands too.");
+DEFINE_double(voltage,
+              std::numeric_limits<double>::quiet_NaN(),
+              "Supply of the thrusters [V], where the vehicle file's tables hold several.");
 DEFINE_double(duration,
               std::numeric_limits<double>::quiet_NaN(),
               "Length of the experiment [s]; without it, the limits file's minutes.");
@@ -62,7 +73,8 @@ const ToolInfo kInfo = {
     .name = "fathom_plan",
     .summary = "Plans the next experiment: the command that tells most of what is still open.",
     .usage =
-        "--model=FILE|--verdict=FILE [--limits=FILE --duration=SECONDS --seed=1 --out=FOLDER "
+        "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --seed=1 "
+        "--out=FOLDER "
         "--report=PAGE.html]",
     .example =
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
@@ -70,7 +82,8 @@ const ToolInfo kInfo = {
     .details =
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
         "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
-        "plan.json. docs/plan.md.",
+        "plan.json; with --vehicle also thrusters.csv [N] and, by its tables of pulse widths, "
+        "pulses.csv [us]. docs/plan.md.",
     .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
 
 double DurationOf(const PlanLimits& limits) {
@@ -99,6 +112,20 @@ std::string InputFile() {
   return FLAGS_model.empty() ? FLAGS_verdict : FLAGS_model;
 }
 
+// Nothing without --vehicle.
+std::optional<Vehicle> VehicleFromFlag() {
+  if (!FLAGS_vehicle.empty()) return ReadVehicleFile(FLAGS_vehicle);
+  if (std::isnan(FLAGS_voltage)) return std::nullopt;
+  throw InputError("--voltage: goes with --vehicle, expected none without it.");
+}
+
+void AddThrusters(const Vehicle& vehicle, PlanRequest* request) {
+  request->vehicle = FLAGS_vehicle;
+  request->thrusters = AllocateAlong(
+      {request->model.dof, FLAGS_voltage, request->limits.thruster_force}, vehicle, FLAGS_vehicle);
+  FitForceToThrusters(FLAGS_limits, request);
+}
+
 std::string InFolder(const char* file) {
   return (std::filesystem::path(FLAGS_out) / file).string();
 }
@@ -113,7 +140,7 @@ PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
       file));
 }
 
-PlanRequest RequestFromFlags(const std::string& file) {
+PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicle>& vehicle) {
   const std::string text = ReadFile(file);
   if (IsCoupledModel(text)) {
     throw InputError(fmt::format(
@@ -127,6 +154,12 @@ PlanRequest RequestFromFlags(const std::string& file) {
   request.limits_are_of_log = FLAGS_limits.empty();
   request.duration = DurationOf(request.limits);
   request.seed = FLAGS_seed;
+  if (vehicle) {
+    AddThrusters(*vehicle, &request);
+  } else if (std::isfinite(request.limits.thruster_force)) {
+    throw InputError(fmt::format(
+        "{}: key 'thruster_force' goes with --vehicle, expected none without it.", FLAGS_limits));
+  }
   if (FLAGS_verdict.empty()) return request;
   const OpenCauses open = ReadOpenCauses(file, text, request.model);
   for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
@@ -139,6 +172,10 @@ void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
   WriteFile(InFolder("command.csv"), FormatPlannedCommand(request.model.dof, plan));
   WriteFile(InFolder("experiment.yaml"), FormatPlannedExperiment(request, plan));
   WriteFile(InFolder("plan.json"), FormatPlan(request, plan));
+  if (!request.thrusters) return;
+  WriteFile(InFolder("thrusters.csv"), FormatPlannedThrusts(plan, *request.thrusters));
+  if (!request.thrusters->HasPulses()) return;
+  WriteFile(InFolder("pulses.csv"), FormatPlannedPulses(plan, *request.thrusters));
 }
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -153,14 +190,17 @@ void Print(const PlanRequest& request, const ExperimentPlan& plan) {
 int Run() {
   const std::string file = InputFile();
   RequireOnePath("limits", FLAGS_limits);
+  RequireOnePath("vehicle", FLAGS_vehicle);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {
-    for (const char* name : {"command.csv", "experiment.yaml", "plan.json"}) {
+    for (const char* name :
+         {"command.csv", "experiment.yaml", "plan.json", "thrusters.csv", "pulses.csv"}) {
       outputs.push_back({"out", InFolder(name)});
     }
   }
-  RequireOutputs(outputs, {file, FLAGS_limits});
-  const PlanRequest request = RequestFromFlags(file);
+  RequireOutputs(outputs, {file, FLAGS_limits, FLAGS_vehicle});
+  const std::optional<Vehicle> vehicle = VehicleFromFlag();
+  const PlanRequest request = RequestFromFlags(file, vehicle);
   const ExperimentPlan plan = PlanExperiment(request);
   if (!plan.IsUsable()) {
     PrintText(stderr, fmt::format("fathom_plan: {}\n", plan.message));

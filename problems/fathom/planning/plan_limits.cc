@@ -39,6 +39,7 @@ PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
   PlanLimits limits;
   limits.force = Positive(file, "force");
   limits.speed = LimitOf(file, "speed");
+  limits.thruster_force = LimitOf(file, "thruster_force");
   if (const auto distance = file.OptionalMap("distance")) {
     limits.distance = {-LimitOf(*distance, "back"), LimitOf(*distance, "ahead")};
   }

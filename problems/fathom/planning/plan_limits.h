@@ -26,6 +26,7 @@ struct PlanLimits {
   double force = 0.0;                           // greatest, each way [N] or [N m]
   double speed = kNoLimit;                      // greatest, each way [m/s] or [rad/s]
   ValueRange distance = {-kNoLimit, kNoLimit};  // from the start [m] or [rad]
+  double thruster_force = kNoLimit;             // greatest of each thruster, each way [N]
   double shortest_hold = 1.0;                   // of one force: the period of the command [s]
   std::optional<double> duration = {};          // [s]
   VelocityMeasurement velocity = {};
