@@ -9,6 +9,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/planning/ardusub_script.h"
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/planning/open_causes.h"
 #include "fathom/planning/plan_experiment.h"
@@ -83,7 +84,7 @@ const ToolInfo kInfo = {
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
         "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
         "plan.json; with --vehicle also thrusters.csv [N] and, by its tables of pulse widths, "
-        "pulses.csv [us]. docs/plan.md.",
+        "pulses.csv [us] and plan.lua, which plays them on ArduSub. docs/plan.md.",
     .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
 
 double DurationOf(const PlanLimits& limits) {
@@ -176,6 +177,8 @@ void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
   WriteFile(InFolder("thrusters.csv"), FormatPlannedThrusts(plan, *request.thrusters));
   if (!request.thrusters->HasPulses()) return;
   WriteFile(InFolder("pulses.csv"), FormatPlannedPulses(plan, *request.thrusters));
+  if (!HasArduSubScript(*request.thrusters)) return;
+  WriteFile(InFolder("plan.lua"), FormatArduSubScript(request.model.dof, plan, *request.thrusters));
 }
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -193,8 +196,12 @@ int Run() {
   RequireOnePath("vehicle", FLAGS_vehicle);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {
-    for (const char* name :
-         {"command.csv", "experiment.yaml", "plan.json", "thrusters.csv", "pulses.csv"}) {
+    for (const char* name : {"command.csv",
+                             "experiment.yaml",
+                             "plan.json",
+                             "thrusters.csv",
+                             "pulses.csv",
+                             "plan.lua"}) {
       outputs.push_back({"out", InFolder(name)});
     }
   }
