@@ -20,7 +20,11 @@
 #include "fathom/planning/thruster_files.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
+#include "fathom/signal/signals.h"
+#include "fathom/simulate/model_for_log.h"
+#include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_text.h"
@@ -64,6 +68,8 @@ DEFINE_uint64(seed, 1, "Seed of the search: the same seed gives the same plan.")
 DEFINE_string(out, "", "Folder for command.csv, experiment.yaml and plan.json.");
 DEFINE_string(report, "", "Write a page to this file (HTML).");
 
+DECLARE_string(log);
+
 namespace fathom {
 namespace {
 
@@ -74,7 +80,8 @@ const ToolInfo kInfo = {
     .name = "fathom_plan",
     .summary = "Plans the next experiment: the command that tells most of what is still open.",
     .usage =
-        "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --seed=1 "
+        "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --log=LOG "
+        "--seed=1 "
         "--out=FOLDER "
         "--report=PAGE.html]",
     .example =
@@ -84,7 +91,11 @@ const ToolInfo kInfo = {
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
         "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
         "plan.json; with --vehicle also thrusters.csv [N] and, by its tables of pulse widths, "
-        "pulses.csv [us] and plan.lua, which plays them on ArduSub. docs/plan.md.",
+        "pulses.csv [us] and plan.lua, which plays them on ArduSub. "
+        "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
+        "they "
+        "tell counts as flown already. docs/plan.md.",
+    .repeatable_flags = {"log"},
     .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
 
 double DurationOf(const PlanLimits& limits) {
@@ -141,6 +152,53 @@ PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
       file));
 }
 
+void RequireFlagsOfLogs(const FittedModel& model) {
+  const std::optional<Dof> dof = DofFromFlag();
+  if (dof && *dof != model.dof) {
+    throw InputError(fmt::format(
+        "--dof: is {}, expected {} as in the model, or none.", Name(*dof), Name(model.dof)));
+  }
+  for (const char* flag : {"held_out", "velocity", "correct"}) {
+    const std::string value = gflags::GetCommandLineFlagInfoOrDie(flag).current_value;
+    if (value.empty()) continue;
+    if (flag == std::string("held_out")) {
+      throw InputError("--held_out: all of a log counts, expected none.");
+    }
+    if (FLAGS_log.empty()) {
+      throw InputError(fmt::format("--{}: goes with --log, expected none without it.", flag));
+    }
+  }
+}
+
+// The logs of --log, each of which must be one that the model was not fitted to.
+void AddFlownLogs(const std::string& file, PlanRequest* request) {
+  RequireFlagsOfLogs(request->model);
+  if (FLAGS_log.empty()) return;
+  for (const Log& log : ReadLogsFromFlags(request->model.dof)) {
+    if (RestrictToLog(request->model, log, true).is_trained_on_it) {
+      throw InputError(
+          fmt::format("--log: {} is a log that {} was fitted to, and counts by the model's "
+                      "covariance, expected others.",
+                      log.path.string(),
+                      file));
+    }
+    const Signals signals = SignalsOf(log, request->model.dof, {.split_held_out = false});
+    if (signals.force_unit != request->model.force_unit) {
+      throw InputError(fmt::format("--log: commands of {} are in {}, expected {} as in {}.",
+                                   log.path.string(),
+                                   signals.force_unit,
+                                   request->model.force_unit,
+                                   file));
+    }
+    request->flown.insert(request->flown.end(), signals.train.begin(), signals.train.end());
+  }
+  if (!request->model.log_fingerprints.empty()) return;
+  PrintText(stderr,
+            fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
+                        "one of them, it counts twice.\n",
+                        file));
+}
+
 PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicle>& vehicle) {
   const std::string text = ReadFile(file);
   if (IsCoupledModel(text)) {
@@ -161,6 +219,8 @@ PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicl
     throw InputError(fmt::format(
         "{}: key 'thruster_force' goes with --vehicle, expected none without it.", FLAGS_limits));
   }
+  RequirePlannable(request);
+  AddFlownLogs(file, &request);
   if (FLAGS_verdict.empty()) return request;
   const OpenCauses open = ReadOpenCauses(file, text, request.model);
   for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
@@ -205,7 +265,9 @@ int Run() {
       outputs.push_back({"out", InFolder(name)});
     }
   }
-  RequireOutputs(outputs, {file, FLAGS_limits, FLAGS_vehicle});
+  std::vector<std::string> inputs = {file, FLAGS_limits, FLAGS_vehicle};
+  for (const std::string& log : InputsFromFlags()) inputs.push_back(log);
+  RequireOutputs(outputs, inputs);
   const std::optional<Vehicle> vehicle = VehicleFromFlag();
   const PlanRequest request = RequestFromFlags(file, vehicle);
   const ExperimentPlan plan = PlanExperiment(request);

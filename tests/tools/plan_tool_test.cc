@@ -14,6 +14,7 @@
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
+#include <Eigen/LU>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -354,6 +355,7 @@ std::string SineLog(const PlanInputs& inputs, int amplitude, const std::string& 
           .string();
   std::vector<std::string> arguments = {"--vehicle=" FATHOM_DATA_DIR "/vehicles/flatfish.yaml",
                                         "--experiment=" + experiment,
+                                        "--seed=" + std::to_string(amplitude),
                                         "--out=" + inputs.At("log")};
   if (!effects.empty()) arguments.push_back("--effects=" + effects);
   RunsWell("fathom_synthesize", arguments);
@@ -402,6 +404,49 @@ TEST(PlanTool, PlansWhatALogLacksAsFathomCheckSays) {
   RunsWell("fathom_plan", {model, hinted[1], "--out=" + inputs.At("plan")});
   const auto damping = JsonOf(inputs.At("plan/plan.json")).at("parameters").at("quadratic_damping");
   EXPECT_LT(damping.at("std_with_log_so_far"), damping.at("std_before"));
+}
+
+// The information of a model file.
+Eigen::Matrix4d InformationIn(const std::string& model) {
+  const auto rows = JsonOf(model).at("covariance");
+  Eigen::Matrix4d covariance;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) covariance(i, k) = rows.at(i).at(k);
+  }
+  return covariance.inverse();
+}
+
+// A second log counts as much as its own fit tells; the model's own log does not count again.
+TEST(PlanTool, CountsWhatWasFlownSince) {
+  const PlanInputs inputs;
+  std::filesystem::rename(SineLog(inputs, 50), inputs.folder / "first");
+  std::filesystem::rename(SineLog(inputs, 53), inputs.folder / "second");
+  const std::vector<std::string> logs = {"--log=" + inputs.At("first"),
+                                         "--log=" + inputs.At("second")};
+  const std::string model = "--model=" + inputs.At("one.json");
+  RunsWell("fathom_identify", {logs[0], "--dof=surge", model});
+  RunsWell("fathom_identify", {logs[1], "--dof=surge", "--model=" + inputs.At("other.json")});
+  const std::vector<std::string> plan = {model, "--duration=20", "--out=" + inputs.At("plan")};
+  const ToolRun run = RunsWell("fathom_plan", {plan[0], plan[1], plan[2], logs[1]});
+  EXPECT_THAT(run.out, HasSubstr("note: What the logs of --log tell counts before, after"));
+  const auto planned = JsonOf(inputs.At("plan/plan.json")).at("parameters");
+  const Eigen::Matrix4d both =
+      (InformationIn(inputs.At("one.json")) + InformationIn(inputs.At("other.json"))).inverse();
+  const std::vector<std::string> names = {
+      "inertia", "quadratic_damping", "linear_damping", "buoyancy"};
+  for (int i = 0; i < 4; ++i) {
+    // 600 samples tell their noise to 3 %, the noise's correlations to as much again.
+    const double before = planned.at(names[i]).at("std_before");
+    EXPECT_NEAR(before / std::sqrt(both(i, i)), 1.0, 0.3) << names[i];
+  }
+  EXPECT_THAT(ExpectRefusal("fathom_plan", {model, plan[1], logs[0]}, inputs.folder),
+              HasSubstr("--log: " + inputs.At("first") + " is a log that " + inputs.At("one.json") +
+                        " was fitted to"));
+  EXPECT_THAT(ExpectRefusal("fathom_plan", {model, plan[1], logs[1], "--dof=yaw"}, inputs.folder),
+              HasSubstr("--dof: is yaw, expected surge"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_plan", {model, plan[1], logs[1], "--held_out=1:2"}, inputs.folder),
+      HasSubstr("--held_out: all of a log counts"));
 }
 
 // A model of currents of motors has no forces to plan, a log that tells all needs no plan.

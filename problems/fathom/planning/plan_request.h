@@ -6,6 +6,7 @@
 #include "fathom/planning/plan_limits.h"
 #include "fathom/planning/rival_model.h"
 #include "fathom/planning/thruster_allocation.h"
+#include "fathom/signal/segment.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <cstdint>
@@ -28,6 +29,10 @@ struct PlanRequest {
   // That give the force, and the name of their vehicle's file, where one was given.
   std::optional<ThrusterAllocation> thrusters = {};
   std::string vehicle = {};
+
+  // Of logs of the vehicle that the model was not fitted to: what they tell need not be flown
+  // again.
+  std::vector<Segment> flown = {};
 
   // All explanations that the log leaves open, where it leaves several: at least two, or none.
   std::vector<RivalModel> rivals = {};

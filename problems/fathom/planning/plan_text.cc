@@ -189,6 +189,11 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
         speed,
         VelocityUnit(dof)));
   }
+  if (!request.flown.empty()) {
+    comments.push_back(
+        "What the logs of --log tell counts before, after, and after a sine. The values so far are "
+        "still the model's: fit all logs together.");
+  }
   if (request.thrusters) AddThrusterComments(request, plan, &comments);
   if (!plan.led_by.empty()) {
     comments.push_back(fmt::format("Intervals and limits are those of the cause {}.", plan.led_by));
