@@ -65,7 +65,9 @@ DEFINE_double(duration,
               std::numeric_limits<double>::quiet_NaN(),
               "Length of the experiment [s]; without it, the limits file's minutes.");
 DEFINE_uint64(seed, 1, "Seed of the search: the same seed gives the same plan.");
-DEFINE_string(out, "", "Folder for command.csv, experiment.yaml and plan.json.");
+DEFINE_string(out,
+              "",
+              "Folder for command.csv, experiment.yaml and plan.json, and what --vehicle adds.");
 DEFINE_string(report, "", "Write a page to this file (HTML).");
 
 DECLARE_string(log);
