@@ -187,7 +187,7 @@ verdict_example() {
  "sentence": @sentence@, "force_unit": @force_unit@,
  "figures_of": @figures_of@, "has_baseline": @has_baseline@,
  "baseline": {"parameters": {"inertia": {"value": @baseline.parameters.inertia.value@, "std": @baseline.parameters.inertia.std@, "unit": @baseline.parameters.inertia.unit@}, ...},
-              "mae": @baseline.mae@, "nmae": @baseline.nmae@, "heldout_mae": @baseline.heldout_mae@, "heldout_nmae": @baseline.heldout_nmae@,
+              "mae": @baseline.mae@, "nmae": @baseline.nmae@, "n": @baseline.n@, "duration": @baseline.duration@, "heldout_mae": @baseline.heldout_mae@, "heldout_nmae": @baseline.heldout_nmae@,
               "structure": {...}, "covariance": [[...], ...], "log_likelihood": @baseline.log_likelihood@,
               "speed_range": [@baseline.speed_range.0@, @baseline.speed_range.1@], "force_range": [@baseline.force_range.0@, @baseline.force_range.1@]},
  "causes": [{"effect": @causes.0.effect@, "place": @causes.0.place@, "reference_force": @causes.0.reference_force@,

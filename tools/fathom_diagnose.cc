@@ -25,6 +25,7 @@
 #include "fathom/joint_refinement/logs/face_on_poses.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/log/remark.h"
+#include "fathom/planning/plan_hint.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/dof_of_log.h"
 #include "fathom/tool/coupled_flags.h"
@@ -162,7 +163,8 @@ void PrintCandidates(const Diagnosis& diagnosis, const std::function<void(const 
             fmt::format("\n{} --verdict and --report list them all.\n", NonePassesText(diagnosis)));
 }
 
-void Print(const Diagnosis& diagnosis) {
+// `plan_command`: plans the deciding experiment; may be empty.
+void Print(const Diagnosis& diagnosis, const std::string& plan_command) {
   PrintText(stdout,
             fmt::format("{}: {}\n{}\n",
                         Name(diagnosis.dof),
@@ -184,6 +186,9 @@ void Print(const Diagnosis& diagnosis) {
   }
   std::printf("\n");
   for (const std::string& step : NextSteps(diagnosis)) PrintText(stdout, "next: " + step + "\n");
+  if (!plan_command.empty()) {
+    PrintText(stdout, fmt::format("next, to plan the deciding run: {}\n", plan_command));
+  }
   for (const std::string& remark : diagnosis.remarks) PrintText(stdout, "note: " + remark + "\n");
 }
 
@@ -291,11 +296,14 @@ int Run() {
       if (remark.kind != RemarkKind::kGeneral) diagnosis.remarks.push_back(remark.text);
     }
   }
+  std::string plan_command;
   if (!FLAGS_verdict.empty()) {
-    WriteFile(FLAGS_verdict, FormatVerdict(diagnosis, logs.fingerprints));
+    const std::string verdict = FormatVerdict(diagnosis, logs.fingerprints);
+    WriteFile(FLAGS_verdict, verdict);
+    plan_command = PlanCommandOfVerdict(verdict, FLAGS_verdict);
   }
   if (!FLAGS_report.empty()) WritePage(DiagnosisPage(diagnosis), logs);
-  Print(diagnosis);
+  Print(diagnosis, plan_command);
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/planning/ardusub_script.h"
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/planning/open_causes.h"
 #include "fathom/planning/plan_experiment.h"
@@ -16,20 +17,27 @@
 #include "fathom/planning/plan_limits.h"
 #include "fathom/planning/plan_page.h"
 #include "fathom/planning/plan_text.h"
+#include "fathom/planning/thruster_files.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
+#include "fathom/signal/signals.h"
+#include "fathom/simulate/model_for_log.h"
+#include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/log_flags.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,13 +49,28 @@ DEFINE_string(verdict,
               "",
               "Verdict file (JSON), as fathom_diagnose writes it, instead of --model. If it is "
               "ambiguous, the plan tells its causes apart.");
-DEFINE_string(limits, "", "Limits file (YAML): force, speed, distance, shortest hold.");
+DEFINE_string(limits,
+              "",
+              "Limits file (YAML): force, speed, distance, shortest hold. Without it, force and "
+              "speed are at most those of the log, and the distance is not limited.");
+DEFINE_string(
+    vehicle,
+    "",
+    "Vehicle file (YAML) with thrusters: they give the force, each within its range. --out "
+    "then holds their commands too.");
+DEFINE_double(voltage,
+              std::numeric_limits<double>::quiet_NaN(),
+              "Supply of the thrusters [V], where the vehicle file's tables hold several.");
 DEFINE_double(duration,
               std::numeric_limits<double>::quiet_NaN(),
               "Length of the experiment [s]; without it, the limits file's minutes.");
 DEFINE_uint64(seed, 1, "Seed of the search: the same seed gives the same plan.");
-DEFINE_string(out, "", "Folder for command.csv, experiment.yaml and plan.json.");
+DEFINE_string(out,
+              "",
+              "Folder for command.csv, experiment.yaml and plan.json, and what --vehicle adds.");
 DEFINE_string(report, "", "Write a page to this file (HTML).");
+
+DECLARE_string(log);
 
 namespace fathom {
 namespace {
@@ -59,7 +82,9 @@ const ToolInfo kInfo = {
     .name = "fathom_plan",
     .summary = "Plans the next experiment: the command that tells most of what is still open.",
     .usage =
-        "--model=FILE|--verdict=FILE --limits=FILE [--duration=SECONDS --seed=1 --out=FOLDER "
+        "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --log=LOG "
+        "--seed=1 "
+        "--out=FOLDER "
         "--report=PAGE.html]",
     .example =
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
@@ -67,14 +92,20 @@ const ToolInfo kInfo = {
     .details =
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
         "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
-        "plan.json. docs/plan.md.",
+        "plan.json; with --vehicle also thrusters.csv [N] and, by its tables of pulse widths, "
+        "pulses.csv [us] and plan.lua, which plays them on ArduSub. "
+        "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
+        "they "
+        "tell counts as flown already. docs/plan.md.",
+    .repeatable_flags = {"log"},
     .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
 
 double DurationOf(const PlanLimits& limits) {
   if (std::isnan(FLAGS_duration)) {
     if (limits.duration) return *limits.duration;
     throw InputError(
-        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.", FLAGS_limits));
+        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.",
+                    FLAGS_limits.empty() ? std::string("a limits file, --limits") : FLAGS_limits));
   }
   if (FLAGS_duration >= kShortestDuration && FLAGS_duration <= kLongestDuration) {
     return FLAGS_duration;
@@ -95,11 +126,82 @@ std::string InputFile() {
   return FLAGS_model.empty() ? FLAGS_verdict : FLAGS_model;
 }
 
+// Nothing without --vehicle.
+std::optional<Vehicle> VehicleFromFlag() {
+  if (!FLAGS_vehicle.empty()) return ReadVehicleFile(FLAGS_vehicle);
+  if (std::isnan(FLAGS_voltage)) return std::nullopt;
+  throw InputError("--voltage: goes with --vehicle, expected none without it.");
+}
+
+void AddThrusters(const Vehicle& vehicle, PlanRequest* request) {
+  request->vehicle = FLAGS_vehicle;
+  request->thrusters = AllocateAlong(
+      {request->model.dof, FLAGS_voltage, request->limits.thruster_force}, vehicle, FLAGS_vehicle);
+  FitForceToThrusters(FLAGS_limits, request);
+}
+
 std::string InFolder(const char* file) {
   return (std::filesystem::path(FLAGS_out) / file).string();
 }
 
-PlanRequest RequestFromFlags(const std::string& file) {
+PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
+  if (!FLAGS_limits.empty()) return ReadPlanLimits(FLAGS_limits);
+  const PlanLimits of_log = model.range ? LimitsOfLog(*model.range) : PlanLimits();
+  if (of_log.force > 0.0 && of_log.speed > 0.0) return of_log;
+  throw InputError(fmt::format(
+      "--limits: is missing, expected a limits file, since {} does not say how much force and "
+      "speed its log reached.",
+      file));
+}
+
+void RequireFlagsOfLogs(const FittedModel& model) {
+  const std::optional<Dof> dof = DofFromFlag();
+  if (dof && *dof != model.dof) {
+    throw InputError(fmt::format(
+        "--dof: is {}, expected {} as in the model, or none.", Name(*dof), Name(model.dof)));
+  }
+  for (const char* flag : {"held_out", "velocity", "correct"}) {
+    const std::string value = gflags::GetCommandLineFlagInfoOrDie(flag).current_value;
+    if (value.empty()) continue;
+    if (flag == std::string("held_out")) {
+      throw InputError("--held_out: all of a log counts, expected none.");
+    }
+    if (FLAGS_log.empty()) {
+      throw InputError(fmt::format("--{}: goes with --log, expected none without it.", flag));
+    }
+  }
+}
+
+// The logs of --log, each of which must be one that the model was not fitted to.
+void AddFlownLogs(const std::string& file, PlanRequest* request) {
+  RequireFlagsOfLogs(request->model);
+  if (FLAGS_log.empty()) return;
+  for (const Log& log : ReadLogsFromFlags(request->model.dof)) {
+    if (RestrictToLog(request->model, log, true).is_trained_on_it) {
+      throw InputError(
+          fmt::format("--log: {} is a log that {} was fitted to, and counts by the model's "
+                      "covariance, expected others.",
+                      log.path.string(),
+                      file));
+    }
+    const Signals signals = SignalsOf(log, request->model.dof, {.split_held_out = false});
+    if (signals.force_unit != request->model.force_unit) {
+      throw InputError(fmt::format("--log: commands of {} are in {}, expected {} as in {}.",
+                                   log.path.string(),
+                                   signals.force_unit,
+                                   request->model.force_unit,
+                                   file));
+    }
+    request->flown.insert(request->flown.end(), signals.train.begin(), signals.train.end());
+  }
+  if (!request->model.log_fingerprints.empty()) return;
+  PrintText(stderr,
+            fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
+                        "one of them, it counts twice.\n",
+                        file));
+}
+
+PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicle>& vehicle) {
   const std::string text = ReadFile(file);
   if (IsCoupledModel(text)) {
     throw InputError(fmt::format(
@@ -109,9 +211,18 @@ PlanRequest RequestFromFlags(const std::string& file) {
   PlanRequest request;
   request.name = file;
   request.model = ParseModel(file, text);
-  request.limits = ReadPlanLimits(FLAGS_limits);
+  request.limits = LimitsFromFlag(file, request.model);
+  request.limits_are_of_log = FLAGS_limits.empty();
   request.duration = DurationOf(request.limits);
   request.seed = FLAGS_seed;
+  if (vehicle) {
+    AddThrusters(*vehicle, &request);
+  } else if (std::isfinite(request.limits.thruster_force)) {
+    throw InputError(fmt::format(
+        "{}: key 'thruster_force' goes with --vehicle, expected none without it.", FLAGS_limits));
+  }
+  RequirePlannable(request);
+  AddFlownLogs(file, &request);
   if (FLAGS_verdict.empty()) return request;
   const OpenCauses open = ReadOpenCauses(file, text, request.model);
   for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
@@ -124,6 +235,12 @@ void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
   WriteFile(InFolder("command.csv"), FormatPlannedCommand(request.model.dof, plan));
   WriteFile(InFolder("experiment.yaml"), FormatPlannedExperiment(request, plan));
   WriteFile(InFolder("plan.json"), FormatPlan(request, plan));
+  if (!request.thrusters) return;
+  WriteFile(InFolder("thrusters.csv"), FormatPlannedThrusts(plan, *request.thrusters));
+  if (!request.thrusters->HasPulses()) return;
+  WriteFile(InFolder("pulses.csv"), FormatPlannedPulses(plan, *request.thrusters));
+  if (!HasArduSubScript(*request.thrusters)) return;
+  WriteFile(InFolder("plan.lua"), FormatArduSubScript(request.model.dof, plan, *request.thrusters));
 }
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -137,16 +254,24 @@ void Print(const PlanRequest& request, const ExperimentPlan& plan) {
 
 int Run() {
   const std::string file = InputFile();
-  RequireFlag("limits", FLAGS_limits, "a limits file");
   RequireOnePath("limits", FLAGS_limits);
+  RequireOnePath("vehicle", FLAGS_vehicle);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {
-    for (const char* name : {"command.csv", "experiment.yaml", "plan.json"}) {
+    for (const char* name : {"command.csv",
+                             "experiment.yaml",
+                             "plan.json",
+                             "thrusters.csv",
+                             "pulses.csv",
+                             "plan.lua"}) {
       outputs.push_back({"out", InFolder(name)});
     }
   }
-  RequireOutputs(outputs, {file, FLAGS_limits});
-  const PlanRequest request = RequestFromFlags(file);
+  std::vector<std::string> inputs = {file, FLAGS_limits, FLAGS_vehicle};
+  for (const std::string& log : InputsFromFlags()) inputs.push_back(log);
+  RequireOutputs(outputs, inputs);
+  const std::optional<Vehicle> vehicle = VehicleFromFlag();
+  const PlanRequest request = RequestFromFlags(file, vehicle);
   const ExperimentPlan plan = PlanExperiment(request);
   if (!plan.IsUsable()) {
     PrintText(stderr, fmt::format("fathom_plan: {}\n", plan.message));

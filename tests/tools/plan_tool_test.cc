@@ -1,21 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/process/run_child.h"
+
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
+#include <Eigen/LU>
 #include <gmock/gmock.h>
 
 namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Path = std::filesystem::path;
 
 const char* const kTank =
@@ -102,6 +108,361 @@ TEST(PlanTool, SaysWhereNoCommandKeepsTheLimits) {
   EXPECT_FALSE(std::filesystem::exists(inputs.At("plan")));
 }
 
+// The vehicle of the small model, with the thrusters of a BlueROV2.
+struct ThrusterInputs : PlanInputs {
+  const std::string heavy = "--vehicle=" FATHOM_DATA_DIR "/vehicles/bluerov2_heavy.yaml";
+
+  // Of a file in plan/.
+  std::vector<double> Column(const std::string& file, const std::string& name) const {
+    return ReadColumns(At("plan/" + file)).Values(name);
+  }
+};
+
+// Thrusts give the wrench, pulse widths the thrusts, both by arithmetic of the test.
+TEST(PlanTool, WritesWhatTheThrustersDo) {
+  const ThrusterInputs inputs;
+  const ToolRun run = RunsWell(inputs.Plan({inputs.heavy, "--voltage=16"}));
+  EXPECT_THAT(run.out, HasSubstr("note: The plan takes at most "));
+  EXPECT_THAT(run.out, HasSubstr(" % of what a thruster gives (`front_"));
+  const std::vector<double> force = inputs.Column("command.csv", "tau_surge");
+  ASSERT_EQ(inputs.Column("thrusters.csv", "t"), inputs.Column("command.csv", "t"));
+  ASSERT_EQ(inputs.Column("pulses.csv", "t"), inputs.Column("command.csv", "t"));
+  std::vector<double> along(force.size()), squares(force.size());
+  for (int k = 1; k <= 4; ++k) {
+    const std::vector<double> thrust =
+        inputs.Column("thrusters.csv", "thruster_" + std::to_string(k));
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      along[i] += (k <= 2 ? -1.0 : 1.0) * std::sqrt(0.5) * thrust[i];
+      squares[i] += thrust[i] * thrust[i];
+      EXPECT_LE(thrust[i], 51.5);
+      EXPECT_GE(thrust[i], -39.9);
+    }
+  }
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    EXPECT_NEAR(along[i], force[i], 1e-4);
+    EXPECT_NEAR(squares[i], 0.5 * force[i] * force[i], 1e-3);  // as short as can be: all alike
+  }
+  // 16 V, from the table: 3.9 N at 1580 us and 1.5 N at 1552 us, 6.4 N back at 1380 us and 3.1 N at
+  // 1420 us, still at 1500 us.
+  const std::vector<double> thrust = inputs.Column("thrusters.csv", "thruster_3");
+  const std::vector<double> pulse = inputs.Column("pulses.csv", "thruster_3");
+  int num_compared = 0;
+  for (std::size_t i = 0; i < thrust.size(); ++i) {
+    double expected = -1.0;
+    if (thrust[i] == 0.0) expected = 1500.0;
+    if (thrust[i] >= 1.5 && thrust[i] <= 3.9) expected = 1552.0 + 28.0 * (thrust[i] - 1.5) / 2.4;
+    if (thrust[i] <= -3.1 && thrust[i] >= -6.4) expected = 1420.0 + 40.0 * (thrust[i] + 3.1) / 3.3;
+    if (expected < 0.0) continue;
+    EXPECT_NEAR(pulse[i], expected, 0.5 + 1e-6) << thrust[i];
+    ++num_compared;
+  }
+  EXPECT_GT(num_compared, 5);
+  EXPECT_EQ(pulse.back(), 1500.0);
+}
+
+// Stands in for ArduSub: a clock, outputs, settings, a button and arming. Prints "t channel pulse
+// timeout" for each output that a script sets, in ms and us, and what it says behind a "#".
+// Arguments: the script, then at which ms what happens: press, arm, disarm; "no_motor" and
+// "no_direction" leave motor 2 without.
+constexpr const char* kStandIn = R"lua(
+local now, armed, presses, motor_2, direction_2 = 0, false, 0, true, true
+local events = {}
+for i = 2, #arg do
+  local at, what = arg[i]:match("^(%d+):(.+)$")
+  if at then events[#events + 1] = {tonumber(at), what} end
+  if arg[i] == "no_motor" then motor_2 = false end
+  if arg[i] == "no_direction" then direction_2 = false end
+end
+local Uint32 = {}
+Uint32.__index = Uint32
+Uint32.__sub = function(a, b) return setmetatable({value = a.value - b.value}, Uint32) end
+function Uint32:toint() return self.value end
+function millis() return setmetatable({value = now}, Uint32) end
+gcs, arming, sub, param, SRV_Channels = {}, {}, {}, {}, {}
+function gcs:send_text(severity, text)
+  assert(math.type(severity) == "integer" and #text <= 50, text)
+  print("# " .. text)
+end
+function arming:is_armed() return armed end
+function sub:get_and_clear_button_count(index)
+  assert(index == 1)
+  local count = presses
+  presses = 0
+  return count
+end
+function param:get(name)
+  local motor = tonumber(name:match("^MOT_(%d+)_DIRECTION$"))
+  if motor == 2 and not direction_2 then return nil end
+  return motor == 3 and -1.0 or 1.0
+end
+function SRV_Channels:find_channel(fn)
+  if fn == 34 and not motor_2 then return nil end
+  return fn - 33 + 2
+end
+function SRV_Channels:set_output_pwm_chan_timeout(channel, pulse, timeout)
+  for _, number in ipairs({channel, pulse, timeout}) do
+    assert(math.type(number) == "integer" and number >= 0 and number <= 65535)
+  end
+  print(now, channel, pulse, timeout)
+end
+local update, wait = dofile(arg[1])
+while update ~= nil and now < 60000 do
+  now = now + wait
+  while events[1] and events[1][1] <= now do
+    local what = table.remove(events, 1)[2]
+    if what == "press" then presses = presses + 1 end
+    if what == "arm" then armed = true end
+    if what == "disarm" then armed = false end
+  end
+  update, wait = update()
+end
+)lua";
+
+struct PlayedPulse {
+  double time = 0.0;  // [ms]
+  int channel = 0, pulse = 0, timeout = 0;
+};
+
+// What plan.lua plays when this happens; what it says goes to `said`.
+std::vector<PlayedPulse> Play(const PlanInputs& inputs,
+                              const std::vector<std::string>& events,
+                              std::string* said) {
+  const std::string stand_in = WriteTestFile(inputs.folder / "stand_in.lua", kStandIn).string();
+  ChildCommand lua = {.program = FATHOM_LUA, .arguments = {stand_in, inputs.At("plan/plan.lua")}};
+  lua.arguments.insert(lua.arguments.end(), events.begin(), events.end());
+  const ChildResult result = RunChild(lua);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  std::vector<PlayedPulse> played;
+  std::istringstream lines(result.out);
+  said->clear();
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) {
+      *said += line + "\n";
+      continue;
+    }
+    PlayedPulse& one = played.emplace_back();
+    std::istringstream(line) >> one.time >> one.channel >> one.pulse >> one.timeout;
+  }
+  return played;
+}
+
+// What is played is pulses.csv, each row from its stamp on, and neutral in the end.
+TEST(PlanTool, WritesAScriptThatPlaysThePulsesOnArduSub) {
+  if (std::string(FATHOM_LUA).empty()) GTEST_SKIP() << "lua5.4 is not installed";
+  const ThrusterInputs inputs;
+  RunsWell(inputs.Plan({inputs.heavy, "--voltage=16"}));
+  std::string said;
+  EXPECT_TRUE(Play(inputs, {"1000:press"}, &said).empty());
+  EXPECT_THAT(said, HasSubstr("no start: arm first"));
+  EXPECT_TRUE(Play(inputs, {"1000:arm", "2000:press", "no_motor"}, &said).empty());
+  EXPECT_THAT(said, HasSubstr("no start: no SERVOn_FUNCTION is 34"));
+  EXPECT_TRUE(Play(inputs, {"1000:arm", "2000:press", "no_direction"}, &said).empty());
+  EXPECT_THAT(said, HasSubstr("no start: no MOT_2_DIRECTION"));
+
+  const CsvColumns planned = ReadColumns(inputs.At("plan/pulses.csv"));
+  const std::vector<PlayedPulse> played = Play(inputs, {"1000:arm", "2000:press"}, &said);
+  EXPECT_THAT(said, HasSubstr("plan.lua: started\n# plan.lua: done, neutral\n"));
+  // All eight motors, every 20 ms over 42 s, and at the end.
+  ASSERT_EQ(played.size(), 8U * (42U * 50U + 1U));
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    const std::size_t motor = i % 8;
+    const double elapsed = played[i].time - 2000.0;
+    EXPECT_EQ(played[i].channel, static_cast<int>(motor) + 2);
+    while (row + 1 < planned.rows.size() && 1e3 * planned.rows[row + 1][0] <= elapsed + 1e-6) ++row;
+    const double pulse = planned.rows[row][1 + motor];
+    ASSERT_EQ(played[i].pulse, motor == 2 ? 3000.0 - pulse : pulse) << elapsed << " ms";
+    EXPECT_EQ(played[i].timeout, 200);
+  }
+  EXPECT_EQ(played.back().time, 2000.0 + 42000.0);
+  EXPECT_EQ(row, planned.rows.size() - 1);
+}
+
+TEST(PlanTool, WritesAScriptThatStopsAtNeutral) {
+  if (std::string(FATHOM_LUA).empty()) GTEST_SKIP() << "lua5.4 is not installed";
+  const ThrusterInputs inputs;
+  RunsWell(inputs.Plan({inputs.heavy, "--voltage=16"}));
+  const std::vector<std::pair<std::string, std::string>> ways = {
+      {"press", "stopped by the button, neutral"}, {"disarm", "stopped: disarmed, neutral"}};
+  for (const auto& [event, words] : ways) {
+    std::string said;
+    const std::vector<PlayedPulse> played =
+        Play(inputs, {"1000:arm", "2000:press", "9000:" + event}, &said);
+    EXPECT_THAT(said, HasSubstr(words));
+    ASSERT_GT(played.size(), 8U);
+    EXPECT_EQ(played.back().time, 9000.0) << event;  // nothing behind it
+    for (std::size_t i = played.size() - 8; i < played.size(); ++i) {
+      EXPECT_EQ(played[i].time, 9000.0);
+      EXPECT_EQ(played[i].pulse, 1500);
+    }
+  }
+}
+
+// `luac -p`: the whole of it, also what no run comes by.
+TEST(PlanTool, WritesAScriptThatParses) {
+  if (std::string(FATHOM_LUAC).empty()) GTEST_SKIP() << "luac of lua5.4 is not installed";
+  const ThrusterInputs inputs;
+  RunsWell(inputs.Plan({inputs.heavy, "--voltage=16"}));
+  const ChildResult result =
+      RunChild({.program = FATHOM_LUAC, .arguments = {"-p", inputs.At("plan/plan.lua")}});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(PlanTool, RefusesWhatTheThrustersCannotGive) {
+  const ThrusterInputs inputs;
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--model=" + inputs.model,
+                                          "--limits=" + inputs.tank,
+                                          "--duration=42",
+                                          "--out=" + inputs.At("plan")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ExpectRefusal("fathom_plan", arguments, inputs.folder);
+  };
+  EXPECT_THAT(refusal({inputs.heavy}), HasSubstr("--voltage: is missing"));
+  EXPECT_THAT(refusal({"--voltage=16"}), HasSubstr("--voltage: goes with --vehicle"));
+  EXPECT_THAT(refusal({"--vehicle=" + inputs.vehicle}),
+              HasSubstr(inputs.vehicle + ": has no thrusters"));
+  WriteTestFile(inputs.tank, "force: 140\n");
+  // 39.9 N of four thrusters at 45 degrees.
+  EXPECT_THAT(refusal({inputs.heavy, "--voltage=16"}),
+              HasSubstr(inputs.tank + ": key 'force' is 140 N, expected at most 112.853: the "
+                                      "thrusters of"));
+  WriteTestFile(inputs.tank, "force: 12\nthruster_force: 4\n");
+  EXPECT_THAT(refusal({inputs.heavy, "--voltage=16"}), HasSubstr("give surge -11.31 to 11.31 N"));
+  EXPECT_THAT(refusal({}), HasSubstr(inputs.tank + ": key 'thruster_force' goes with --vehicle"));
+}
+
+// The arguments of the fathom_plan command that a tool printed on the line that begins so.
+std::vector<std::string> HintedArguments(const std::string& out, const std::string& beginning) {
+  const std::string start = "\n" + beginning + ": fathom_plan ";
+  const std::size_t at = out.find(start);
+  if (at == std::string::npos) return {};
+  std::istringstream words(
+      out.substr(at + start.size(), out.find('\n', at + 1) - at - start.size()));
+  std::vector<std::string> arguments;
+  for (std::string word; words >> word;) arguments.push_back(word);
+  return arguments;
+}
+
+// A sine alone, which tells little, of FlatFish's surge.
+std::string SineLog(const PlanInputs& inputs, int amplitude, const std::string& effects = "") {
+  const std::string experiment =
+      WriteTestFile(inputs.folder / "sine.yaml",
+                    "name: sine\nduration: 60\ncommand_rate: 10\n"
+                    "surge: {control: open_loop, input: {kind: sine, frequency: 0.3, amplitude: " +
+                        std::to_string(amplitude) +
+                        "}}\nvelocity: {rate: 10, noise: {surge: 0.005}}\n")
+          .string();
+  std::vector<std::string> arguments = {"--vehicle=" FATHOM_DATA_DIR "/vehicles/flatfish.yaml",
+                                        "--experiment=" + experiment,
+                                        "--seed=" + std::to_string(amplitude),
+                                        "--out=" + inputs.At("log")};
+  if (!effects.empty()) arguments.push_back("--effects=" + effects);
+  RunsWell("fathom_synthesize", arguments);
+  return inputs.At("log");
+}
+
+// What fathom_diagnose prints is typed, and the plan tells the causes apart that it left open.
+TEST(PlanTool, PlansTheDecidingRunAsFathomDiagnoseSays) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 53, "thrust_dead_zone:width=8");
+  const std::string beginning = "next, to plan the deciding run";
+  const std::vector<std::string> diagnose = {"--log=" + log, "--dof=surge"};
+  const ToolRun without_file = RunsWell("fathom_diagnose", diagnose);
+  ASSERT_THAT(without_file.out, HasSubstr("surge: ambiguous"));
+  EXPECT_THAT(without_file.out, Not(HasSubstr("fathom_plan")));
+
+  const std::string verdict = "--verdict=" + inputs.At("verdict.json");
+  const ToolRun run = RunsWell("fathom_diagnose", {diagnose[0], diagnose[1], verdict});
+  std::vector<std::string> hinted = HintedArguments(run.out, beginning);
+  ASSERT_EQ(hinted, (std::vector<std::string>{verdict, "--duration=60", "--out=plan"}));
+  hinted.back() = "--out=" + inputs.At("plan");
+  EXPECT_THAT(RunsWell("fathom_plan", hinted).out, HasSubstr("No limits file was given"));
+  const auto plan = JsonOf(inputs.At("plan/plan.json"));
+  ASSERT_FALSE(plan.at("separations").empty());
+  for (const auto& pair : plan.at("separations")) EXPECT_GT(pair.at("sigmas"), 5.0) << pair;
+  for (const double force : ReadColumns(inputs.At("plan/command.csv")).Values("tau_surge")) {
+    EXPECT_LE(std::abs(force), 53.0);  // of the log
+  }
+}
+
+// Both commands that fathom_check prints, one after the other.
+TEST(PlanTool, PlansWhatALogLacksAsFathomCheckSays) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 30);
+  const ToolRun check = RunToolBinary("fathom_check", {"--log=" + log});
+  ASSERT_THAT(check.out, HasSubstr("leaves quadratic_damping unknown"));
+  EXPECT_THAT(
+      check.out,
+      HasSubstr("\nnext: fathom_identify --log=" + log + " --dof=surge --model=surge.json\n"));
+  std::vector<std::string> hinted =
+      HintedArguments(check.out, "then, to plan the run that tells most of the rest");
+  ASSERT_EQ(hinted,
+            (std::vector<std::string>{"--model=surge.json", "--duration=60", "--out=plan"}));
+  const std::string model = "--model=" + inputs.At("surge.json");
+  RunsWell("fathom_identify", {"--log=" + log, "--dof=surge", model});
+  RunsWell("fathom_plan", {model, hinted[1], "--out=" + inputs.At("plan")});
+  const auto damping = JsonOf(inputs.At("plan/plan.json")).at("parameters").at("quadratic_damping");
+  EXPECT_LT(damping.at("std_with_log_so_far"), damping.at("std_before"));
+}
+
+// The information of a model file.
+Eigen::Matrix4d InformationIn(const std::string& model) {
+  const auto rows = JsonOf(model).at("covariance");
+  Eigen::Matrix4d covariance;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) covariance(i, k) = rows.at(i).at(k);
+  }
+  return covariance.inverse();
+}
+
+// A second log counts as much as its own fit tells; the model's own log does not count again.
+TEST(PlanTool, CountsWhatWasFlownSince) {
+  const PlanInputs inputs;
+  std::filesystem::rename(SineLog(inputs, 50), inputs.folder / "first");
+  std::filesystem::rename(SineLog(inputs, 53), inputs.folder / "second");
+  const std::vector<std::string> logs = {"--log=" + inputs.At("first"),
+                                         "--log=" + inputs.At("second")};
+  const std::string model = "--model=" + inputs.At("one.json");
+  RunsWell("fathom_identify", {logs[0], "--dof=surge", model});
+  RunsWell("fathom_identify", {logs[1], "--dof=surge", "--model=" + inputs.At("other.json")});
+  const std::vector<std::string> plan = {model, "--duration=20", "--out=" + inputs.At("plan")};
+  const ToolRun run = RunsWell("fathom_plan", {plan[0], plan[1], plan[2], logs[1]});
+  EXPECT_THAT(run.out, HasSubstr("note: What the logs of --log tell counts before, after"));
+  const auto planned = JsonOf(inputs.At("plan/plan.json")).at("parameters");
+  const Eigen::Matrix4d both =
+      (InformationIn(inputs.At("one.json")) + InformationIn(inputs.At("other.json"))).inverse();
+  const std::vector<std::string> names = {
+      "inertia", "quadratic_damping", "linear_damping", "buoyancy"};
+  for (int i = 0; i < 4; ++i) {
+    // 600 samples tell their noise to 3 %, the noise's correlations to as much again.
+    const double before = planned.at(names[i]).at("std_before");
+    EXPECT_NEAR(before / std::sqrt(both(i, i)), 1.0, 0.3) << names[i];
+  }
+  EXPECT_THAT(ExpectRefusal("fathom_plan", {model, plan[1], logs[0]}, inputs.folder),
+              HasSubstr("--log: " + inputs.At("first") + " is a log that " + inputs.At("one.json") +
+                        " was fitted to"));
+  EXPECT_THAT(ExpectRefusal("fathom_plan", {model, plan[1], logs[1], "--dof=yaw"}, inputs.folder),
+              HasSubstr("--dof: is yaw, expected surge"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_plan", {model, plan[1], logs[1], "--held_out=1:2"}, inputs.folder),
+      HasSubstr("--held_out: all of a log counts"));
+}
+
+// A model of currents of motors has no forces to plan, a log that tells all needs no plan.
+TEST(PlanTool, IsNotNamedWhereItWouldRefuseOrNothingIsOpen) {
+  const PlanInputs inputs;
+  const std::string log = SineLog(inputs, 30);
+  WriteTestFile(inputs.folder / "log/log.yaml", "name: log\ndof: surge\ncommand_unit: A\n");
+  const ToolRun in_ampere = RunToolBinary("fathom_check", {"--log=" + log});
+  ASSERT_THAT(in_ampere.out, HasSubstr("leaves quadratic_damping unknown"));
+  EXPECT_THAT(in_ampere.out, Not(HasSubstr("fathom_plan")));
+  const ToolRun known =
+      RunToolBinary("fathom_check", {"--log=" + WriteSmallLog(inputs.folder / "small").string()});
+  ASSERT_THAT(known.out, HasSubstr("next: fathom_identify"));
+  EXPECT_THAT(known.out, Not(HasSubstr("fathom_plan")));
+}
+
 TEST(PlanTool, RefusesWhatItCannotUse) {
   const PlanInputs inputs;
   const auto refusal = [&](const std::vector<std::string>& arguments) {
@@ -110,7 +471,8 @@ TEST(PlanTool, RefusesWhatItCannotUse) {
   const std::string model = "--model=" + inputs.model, limits = "--limits=" + inputs.tank;
   EXPECT_THAT(refusal({limits}), HasSubstr("--model: is missing, expected either"));
   EXPECT_THAT(refusal({model, "--verdict=" + inputs.model, limits}), HasSubstr("beside --verdict"));
-  EXPECT_THAT(refusal({model}), HasSubstr("--limits: is missing"));
+  EXPECT_THAT(refusal({model}),
+              HasSubstr("--limits: is missing, expected a limits file, since " + inputs.model));
   EXPECT_THAT(refusal({model, limits}), HasSubstr("or `minutes` in " + inputs.tank));
   EXPECT_THAT(refusal({model, limits, "--duration=2"}), HasSubstr("--duration: is 2 s"));
   WriteTestFile(inputs.tank, "force: 12\ndistance: {back: -1}\n");

@@ -102,6 +102,9 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
   tell(checkup.findings);
   for (const DofCheckup& dof : checkup.dofs) tell(dof.findings);
   page.lead.push_back("Next: " + NextStep(checkup));
+  for (const std::string& step : PlanSteps(checkup)) {
+    page.lead.push_back("Then, to plan the run that tells most of the rest: " + step);
+  }
   page.footer = kColourKey;
   page.origin = origin;
   PageSection streams;

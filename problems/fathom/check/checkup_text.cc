@@ -7,6 +7,7 @@
 #include "fathom/findings/advice.h"
 #include "fathom/findings/explain_first.h"
 #include "fathom/findings/finding_json.h"
+#include "fathom/planning/plan_hint.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -120,15 +121,22 @@ std::string HowToHoldOut(const Log& log, const TimeInterval& held_out) {
       "add to {}: held_out: [{:.1f}, {:.1f}]", PlaceOfKeys(log), held_out.from, held_out.to);
 }
 
-// "quadratic_damping", or with the DOF where there are several. But the buoyancy, of which a small
-// value is known well enough.
+// "quadratic_damping". But the buoyancy, of which a small value is known well enough.
+std::vector<std::string> UnknownOf(const LogCheckup& checkup, const DofCheckup& dof) {
+  std::vector<std::string> unknown;
+  if (!dof.model || !dof.model->is_usable) return unknown;
+  for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
+    if (HowWellKnown(checkup, dof, i) != "not") continue;
+    unknown.emplace_back(kParameterInfo[static_cast<std::size_t>(i)].name);
+  }
+  return unknown;
+}
+
+// The same of all DOFs; with the DOF where there are several.
 std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_several_dofs) {
   std::vector<std::string> unknown;
   for (const DofCheckup& dof : checkup.dofs) {
-    if (!dof.model || !dof.model->is_usable) continue;
-    for (const int i : {kInertia, kQuadraticDamping, kLinearDamping}) {
-      if (HowWellKnown(checkup, dof, i) != "not") continue;
-      const char* const name = kParameterInfo[static_cast<std::size_t>(i)].name;
+    for (const std::string& name : UnknownOf(checkup, dof)) {
       unknown.push_back(of_several_dofs ? fmt::format("{} of {}", name, Name(dof.dof)) : name);
     }
   }
@@ -194,6 +202,17 @@ std::string NextStep(const LogCheckup& checkup) {
       fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);
   if (usable.size() == 1) return step;
   return fmt::format("{}; likewise {}", step, Listed({usable.begin() + 1, usable.end()}));
+}
+
+std::vector<std::string> PlanSteps(const LogCheckup& checkup) {
+  std::vector<std::string> steps;
+  if (HasRed(checkup) || Has(checkup.findings, "not_tracked")) return steps;
+  for (const DofCheckup& dof : checkup.dofs) {
+    if (UnknownOf(checkup, dof).empty()) continue;
+    std::string step = PlanCommandOfModel(dof.model->fitted, fmt::format("{}.json", Name(dof.dof)));
+    if (!step.empty()) steps.push_back(std::move(step));
+  }
+  return steps;
 }
 
 Table StreamTable(const LogCheckup& checkup) {
@@ -293,7 +312,11 @@ std::string FormatCheckup(const LogCheckup& checkup) {
     for (const std::string& sentence : ExcitationSentences(checkup, dof)) text += sentence + "\n";
   }
   for (const Remark& remark : checkup.log.remarks) text += "note: " + remark.text + "\n";
-  return text + "next: " + NextStep(checkup) + "\n";
+  text += "next: " + NextStep(checkup) + "\n";
+  for (const std::string& step : PlanSteps(checkup)) {
+    text += fmt::format("then, to plan the run that tells most of the rest: {}\n", step);
+  }
+  return text;
 }
 
 std::string FormatCheckupJson(const LogCheckup& checkup) {

@@ -17,6 +17,10 @@ std::string Verdict(const LogCheckup& checkup);
 // What to do with this log now: a command, where there is one.
 std::string NextStep(const LogCheckup& checkup);
 
+// Commands that plan the experiment which tells what this log leaves unknown, each for the model
+// file that NextStep() writes; none where all is known, or fathom_plan would refuse the model.
+std::vector<std::string> PlanSteps(const LogCheckup& checkup);
+
 // What the colours of findings mean.
 inline constexpr const char* kColourKey =
     "Red: no model of this log should be believed before this is explained. Yellow: worth knowing. "

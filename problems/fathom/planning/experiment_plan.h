@@ -20,10 +20,10 @@ struct PlannedParameter {
   std::string name;  // as in files: "inertia", "thruster_lag.time_constant"
   std::string unit;
   double value = kNotComputed;
-  double before = kNotComputed;           // by the log so far
-  double after = kNotComputed;            // by the planned experiment alone
-  double with_log_so_far = kNotComputed;  // by both
-  double sine = kNotComputed;             // by the ordinary sine alone
+  double before = kNotComputed;           // by the log so far, and the flown ones
+  double after = kNotComputed;            // by the planned experiment and flown logs
+  double with_log_so_far = kNotComputed;  // by all
+  double sine = kNotComputed;             // by the ordinary sine and flown logs
 };
 
 // How well two explanations are told apart, in standard deviations: 1 true, the other assumed.

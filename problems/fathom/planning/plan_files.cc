@@ -21,6 +21,7 @@ Json LimitsJson(const PlanLimits& limits) {
   return {{"force", limits.force},
           {"speed", limits.speed},
           {"distance", RangeJson(limits.distance)},
+          {"thruster_force", limits.thruster_force},
           {"shortest_hold", limits.shortest_hold}};
 }
 
@@ -48,6 +49,17 @@ Json ParametersJson(const ExperimentPlan& plan) {
                                   {"unit", parameter.unit}};
   }
   return parameters;
+}
+
+Json ThrustersJson(const PlanRequest& request) {
+  Json list = Json::array();
+  if (!request.thrusters) return list;
+  for (std::size_t k = 0; k < request.thrusters->names.size(); ++k) {
+    list.push_back({{"name", request.thrusters->names[k]},
+                    {"share", request.thrusters->share[k]},
+                    {"range", RangeJson(request.thrusters->range[k])}});
+  }
+  return list;
 }
 
 Json SeparationsJson(const ExperimentPlan& plan) {
@@ -84,6 +96,7 @@ std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
        {{"amplitude", plan.sine.amplitude},
         {"frequency", kSineFrequency},
         {"offset", plan.sine.offset}}},
+      {"thrusters", ThrustersJson(request)},
       {"blocks", BlocksJson(plan, request.limits.shortest_hold)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -4,6 +4,7 @@
 #include "fathom/planning/plan_forecast.h"
 
 #include "fathom/base/quantile.h"
+#include "fathom/planning/flown_information.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/kept_limits.h"
 #include "fathom/planning/rival_separation.h"
@@ -78,14 +79,19 @@ void ForecastParameters(const PlanRequest& request,
                         double noise,
                         ExperimentPlan* plan) {
   const Eigen::MatrixXd information = InformationUnder(request, plan->command, stamps, noise);
-  const Eigen::MatrixXd after = InverseOf(information);
-  const Eigen::MatrixXd both = InverseOf(InverseOf(request.model.covariance) + information);
+  const Eigen::MatrixXd flown = FlownInformation(request);
+  const Eigen::MatrixXd of_model = InverseOf(request.model.covariance);
+  // Without logs, the model's own to the bit.
+  const Eigen::MatrixXd before =
+      request.flown.empty() ? request.model.covariance : InverseOf(of_model + flown);
+  const Eigen::MatrixXd after = InverseOf(flown + information);
+  const Eigen::MatrixXd both = InverseOf(of_model + flown + information);
   const Eigen::MatrixXd by_sine =
-      InverseOf(InformationUnder(request, plan->sine.command, stamps, noise));
+      InverseOf(flown + InformationUnder(request, plan->sine.command, stamps, noise));
   plan->parameters = NamedParameters(request.model);
   Eigen::Index i = 0;
   for (PlannedParameter& parameter : plan->parameters) {
-    parameter.before = std::sqrt(request.model.covariance(i, i));
+    parameter.before = std::sqrt(before(i, i));
     parameter.after = std::sqrt(after(i, i));
     parameter.with_log_so_far = std::sqrt(both(i, i));
     parameter.sine = std::sqrt(by_sine(i, i));

@@ -7,6 +7,9 @@
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fathom {
 namespace {
 
@@ -21,11 +24,22 @@ double LimitOf(const YamlMap& map, std::string_view key) {
 
 }  // namespace
 
+PlanLimits LimitsOfLog(const DataRange& range) {
+  const auto greatest = [](const ValueRange& values) {
+    return std::max(std::abs(values.low), std::abs(values.high));
+  };
+  PlanLimits limits;
+  limits.force = greatest(range.force);
+  limits.speed = greatest(range.speed);
+  return limits;
+}
+
 PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
   PlanLimits limits;
   limits.force = Positive(file, "force");
   limits.speed = LimitOf(file, "speed");
+  limits.thruster_force = LimitOf(file, "thruster_force");
   if (const auto distance = file.OptionalMap("distance")) {
     limits.distance = {-LimitOf(*distance, "back"), LimitOf(*distance, "ahead")};
   }

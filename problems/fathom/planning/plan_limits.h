@@ -26,10 +26,14 @@ struct PlanLimits {
   double force = 0.0;                           // greatest, each way [N] or [N m]
   double speed = kNoLimit;                      // greatest, each way [m/s] or [rad/s]
   ValueRange distance = {-kNoLimit, kNoLimit};  // from the start [m] or [rad]
+  double thruster_force = kNoLimit;             // greatest of each thruster, each way [N]
   double shortest_hold = 1.0;                   // of one force: the period of the command [s]
   std::optional<double> duration = {};          // [s]
   VelocityMeasurement velocity = {};
 };
+
+// What a log reached: its greatest force and speed, either way. The distance is not limited.
+PlanLimits LimitsOfLog(const DataRange& range);
 
 // Reads a limits file (YAML). Throws InputError, naming file, line and key, for whatever breaks
 // the format.

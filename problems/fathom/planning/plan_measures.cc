@@ -3,6 +3,7 @@
 
 #include "fathom/planning/plan_measures.h"
 
+#include "fathom/planning/flown_information.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/rival_separation.h"
 
@@ -23,14 +24,15 @@ constexpr double kWeightSoFar = 0.03;
 // Of the parameters in their standard deviations so far, so that units do not count.
 CommandMeasure InformationMeasure(const PlanRequest& request, double noise) {
   const Eigen::VectorXd stds = request.model.covariance.diagonal().cwiseSqrt();
-  const Eigen::MatrixXd so_far = InverseOf(request.model.covariance);
+  const Eigen::MatrixXd known =
+      kWeightSoFar * InverseOf(request.model.covariance) + FlownInformation(request);
   return [=, model = request.model.Extended(), dof = request.model.dof](
              const HeldCommand& command, std::span<const double> stamps) {
     MeasuredCommand measured;
     MotionDerivatives derivatives;
     auto motion = MotionUnder(model, dof, command, stamps, &derivatives);
     if (!motion) return measured;
-    const Eigen::MatrixXd sum = kWeightSoFar * so_far + InformationOf(derivatives, noise);
+    const Eigen::MatrixXd sum = known + InformationOf(derivatives, noise);
     measured.value = LogDetOf(stds.asDiagonal() * sum * stds.asDiagonal());
     measured.motion = *std::move(motion);
     return measured;

@@ -35,6 +35,38 @@ void RequirePlannable(const PlanRequest& request) {
   for (const RivalModel& rival : request.rivals) require(rival.model);
 }
 
+void FitForceToThrusters(const std::string& limits_name, PlanRequest* request) {
+  if (!request->thrusters) return;
+  const ValueRange reach = request->thrusters->reach;
+  const double most = request->thrusters->ReachEachWay();
+  const Dof dof = request->model.dof;
+  if (!(most > 0.0)) {
+    throw InputError(
+        fmt::format("{}: its thrusters give {} {:.4g} to {:.4g} {}, expected both ways.",
+                    request->vehicle,
+                    Name(dof),
+                    reach.low,
+                    reach.high,
+                    ForceUnit(dof)));
+  }
+  if (request->limits.force <= most) return;
+  if (!request->limits_are_of_log) {
+    throw InputError(fmt::format(
+        "{}: key 'force' is {:g} {}, expected at most {:.6g}: the thrusters of {} give {} "
+        "{:.4g} to {:.4g} {}.",
+        limits_name,
+        request->limits.force,
+        ForceUnit(dof),
+        most * (1.0 - 1e-5),  // six digits of it are not more than `most`
+        request->vehicle,
+        Name(dof),
+        reach.low,
+        reach.high,
+        ForceUnit(dof)));
+  }
+  request->limits.force = most;
+}
+
 VelocityMeasurement MeasurementOf(const PlanRequest& request) {
   const FitFigures& fit = request.model.train;
   VelocityMeasurement measurement = request.limits.velocity;

@@ -38,6 +38,29 @@ double ThrustTable::Thrust(double command, double voltage) const {
   return low + column.share * (at_command(column.second) - low);
 }
 
+std::optional<double> ThrustTable::CommandFor(double wanted, double voltage) const {
+  std::vector<double> given;
+  for (const double command : commands) given.push_back(Thrust(command, voltage));
+  if (given.front() > given.back()) {
+    for (double& one : given) one = -one;
+    wanted = -wanted;
+  }
+  const bool rises = std::is_sorted(given.begin(), given.end());
+  if (!rises || wanted < given.front() || wanted > given.back()) return std::nullopt;
+  const auto between = [&](std::size_t before) {
+    const double share = (wanted - given[before]) / (given[before + 1] - given[before]);
+    return commands[before] + share * (commands[before + 1] - commands[before]);
+  };
+  // The first and the last command that give as much.
+  const auto at_least = static_cast<std::size_t>(
+      std::lower_bound(given.begin(), given.end(), wanted) - given.begin());
+  const auto above = static_cast<std::size_t>(std::upper_bound(given.begin(), given.end(), wanted) -
+                                              given.begin());
+  const double first = at_least == 0 ? commands.front() : between(at_least - 1);
+  const double last = above == given.size() ? commands.back() : between(above - 1);
+  return 0.5 * (first + last);
+}
+
 bool ThrustTable::Covers(double command, double voltage) const {
   const bool is_off = command_unit == "us" && command == 0.0;
   return (is_off || (commands.front() <= command && command <= commands.back())) &&

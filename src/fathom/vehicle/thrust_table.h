@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct ThrustTable {
 
   // [N]. A pulse of width 0 is none: no thrust.
   double Thrust(double command, double voltage) const;
+
+  // The command that gives a thrust; where several do, as in a dead zone, the middle of them.
+  // Nothing beyond the table's ends, and where thrust both rises and falls over the commands.
+  std::optional<double> CommandFor(double thrust, double voltage) const;
 
   // Whether both lie within the table.
   bool Covers(double command, double voltage) const;

@@ -27,6 +27,8 @@ Json FormatDiagnosedModel(const Diagnosis& diagnosis, const DiagnosedModel& mode
   Json json = {{"parameters", file.at("parameters")},
                {"mae", model.train.mae},
                {"nmae", model.train.nmae},
+               {"n", model.train.num_samples},
+               {"duration", model.train.duration},
                {"heldout_mae", model.held_out.mae},
                {"heldout_nmae", model.held_out.nmae},
                {"structure", file.at("structure")},

@@ -50,6 +50,8 @@ const std::vector<std::string> kKeysOfVerdict = {
 const std::vector<std::string> kKeysOfDiagnosedModel = {"parameters",
                                                         "mae",
                                                         "nmae",
+                                                        "n",
+                                                        "duration",
                                                         "heldout_mae",
                                                         "heldout_nmae",
                                                         "speed_range",

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_hint.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/planning/drawn_models.h"
+#include "fathom/planning/open_causes.h"
+#include "fathom/planning/plan_request.h"
+#include "fathom/vehicle/files/model_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kShortestHinted = 60.0;  // [s]
+constexpr double kLongestHinted = 300.0;
+constexpr int kNumModelsTried = 64;
+
+// As a shell takes it for one word.
+std::string ShellWord(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:@%+,";
+  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// Whether fathom_plan takes the model, without a limits file.
+bool IsPlannable(const FittedModel& fitted, const OpenCauses& open) {
+  if (!fitted.range) return false;
+  try {
+    PlanRequest request;
+    request.model = fitted;
+    request.limits = LimitsOfLog(*fitted.range);
+    request.rivals = open.rivals;
+    RequirePlannable(request);
+    MeasurementOf(request);
+    RandomStream random(request.seed, "planning.models");
+    DrawModels(fitted, kNumModelsTried, "", random);
+    return request.limits.force > 0.0 && request.limits.speed > 0.0;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string HintedCommand(const std::string& flag,
+                          const std::string& file,
+                          const FittedModel& fitted,
+                          const OpenCauses& open) {
+  if (!IsPlannable(fitted, open)) return "";
+  const double duration =
+      std::clamp(10.0 * std::round(0.1 * fitted.train.duration), kShortestHinted, kLongestHinted);
+  return fmt::format(
+      "fathom_plan --{}={} --duration={:g} --out=plan", flag, ShellWord(file), duration);
+}
+
+}  // namespace
+
+std::string PlanCommandOfModel(const FittedModel& fitted, const std::string& file) {
+  return HintedCommand("model", file, fitted, {});
+}
+
+std::string PlanCommandOfVerdict(std::string_view text, const std::string& file) {
+  const FittedModel fitted = ParseModel(file, text);
+  const OpenCauses open = ReadOpenCauses(file, text, fitted);
+  return open.rivals.empty() ? "" : HintedCommand("verdict", file, fitted, open);
+}
+
+}  // namespace fathom

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/flown_information.h"
+
+#include "fathom/planning/information.h"
+#include "fathom/planning/plan_experiment.h"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kMass = 42.0, kDamping = 7.0, kBuoyancy = 1.3, kForce = 9.7;
+constexpr double kNoiseOfLog = 0.013;
+
+// m dv/dt + d v + b = F from rest is v = V (1 - e), V = (F - b) / d, e = exp(-d t / m).
+struct Instant {
+  double t, e, V, a;
+  explicit Instant(double time)
+      : t(time),
+        e(std::exp(-kDamping / kMass * time)),
+        V((kForce - kBuoyancy) / kDamping),
+        a(kDamping / kMass) {}
+  double Velocity() const { return V * (1.0 - e); }
+  // By inertia, quadratic damping (of which there is none), linear damping, buoyancy; by the start.
+  Eigen::Matrix<double, 1, 4> ByParameter() const {
+    const double square =
+        (1.0 - e) / a - 2.0 * t * e + e * (1.0 - e) / a;  // of v^2 through the lag
+    return {-V * a * t / kMass * e,
+            -V * V / kMass * square,
+            -V / kDamping * (1.0 - e) + V * t / kMass * e,
+            -(1.0 - e) / kDamping};
+  }
+  double ByStart() const { return e; }
+};
+
+Segment StepLog() {
+  Segment log;
+  for (int i = 0; i < 400; ++i) {
+    log.time.push_back(100.0 + 0.05 * i);
+    log.velocity.push_back(Instant(0.05 * i).Velocity());
+  }
+  log.command = {{100.0}, {kForce}};
+  return log;
+}
+
+FittedModel LinearModel() {
+  FittedModel model;
+  model.dof = Dof::kSurge;
+  model.force_unit = "N";
+  model.model = {kMass, 0.0, kDamping, kBuoyancy};
+  model.covariance = Eigen::Vector4d(4.0, 1.0, 0.25, 0.01).asDiagonal();
+  model.covariance(0, 2) = model.covariance(2, 0) = 0.3;
+  model.train.mae = 0.01;
+  model.train.num_samples = 1000;
+  model.train.duration = 100.0;
+  return model;
+}
+
+// J'J less what the start takes up, over sigma^2.
+Eigen::Matrix4d ClosedForm() {
+  Eigen::Matrix4d all = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d mixed = Eigen::Vector4d::Zero();
+  double start = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const Instant instant(0.05 * i);
+    all += instant.ByParameter().transpose() * instant.ByParameter();
+    mixed += instant.ByParameter().transpose() * instant.ByStart();
+    start += instant.ByStart() * instant.ByStart();
+  }
+  return (all - mixed * mixed.transpose() / start) / (kNoiseOfLog * kNoiseOfLog);
+}
+
+TEST(FlownInformation, IsTheClosedFormOfALinearModel) {
+  const Eigen::MatrixXd flown =
+      FlownInformation(LinearModel(), {StepLog()}, kNoiseOfLog, "model.json");
+  const Eigen::Matrix4d expected = ClosedForm();
+  ASSERT_EQ(flown.rows(), 4);
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      // Steps of 0.05 s against a time constant of 6 s; what the start takes up magnifies.
+      EXPECT_NEAR(flown(i, k), expected(i, k), 1e-3 * std::sqrt(expected(i, i) * expected(k, k)))
+          << i << ", " << k;
+    }
+  }
+}
+
+// Twice the log tells twice as much, and none tells nothing.
+TEST(FlownInformation, AddsUpOverLogs) {
+  const FittedModel model = LinearModel();
+  const Eigen::MatrixXd one = FlownInformation(model, {StepLog()}, kNoiseOfLog, "");
+  const Eigen::MatrixXd two = FlownInformation(model, {StepLog(), StepLog()}, kNoiseOfLog, "");
+  EXPECT_LT((two - 2.0 * one).norm(), 1e-9 * one.norm());
+  EXPECT_EQ(FlownInformation(model, {}, kNoiseOfLog, "").norm(), 0.0);
+}
+
+// The model's covariance and the logs, each once.
+TEST(FlownInformation, IsAddedToTheModelsOwn) {
+  PlanRequest request;
+  request.model = LinearModel();
+  request.name = "model.json";
+  request.limits.force = 12.0;
+  request.limits.speed = 2.0;
+  request.limits.velocity = {20.0, kNoiseOfLog};
+  request.duration = 20.0;
+  request.effort = 0.05;
+  request.flown = {StepLog()};
+  const ExperimentPlan plan = PlanExperiment(request);
+  ASSERT_TRUE(plan.IsUsable()) << plan.message;
+  const Eigen::Matrix4d of_model = Eigen::Matrix4d(request.model.covariance).inverse();
+  const Eigen::Matrix4d before = (of_model + ClosedForm()).inverse();
+  for (int i = 0; i < 4; ++i) {
+    const PlannedParameter& parameter = plan.parameters[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(parameter.before / std::sqrt(before(i, i)), 1.0, 1e-3) << parameter.name;
+    EXPECT_LT(parameter.before, std::sqrt(request.model.covariance(i, i)));
+    EXPECT_LT(parameter.with_log_so_far, parameter.before);
+    EXPECT_LT(parameter.with_log_so_far, parameter.after);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
