@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -92,6 +93,11 @@ class WhiteningGains {
     int settled_version = 0;
   };
 
+  struct Interval {
+    double dt;
+    NoiseTransition transition;
+  };
+
   // What is true at one damping rate, with the kinds met last.
   struct Regime {
     static constexpr int kNumKinds = 32;
@@ -116,14 +122,26 @@ class WhiteningGains {
       kind->variance_factor = sample.variance_factor;
       kind->channel = sample.channel;
       kind->last = -1;
-      kind->transition = dynamics.Over(dt);
+      kind->transition = TransitionOver(dt);
       return kind;
+    }
+
+    // Kinds share their intervals: a transition takes as long as what the filter does with it.
+    const NoiseTransition& TransitionOver(double dt) {
+      const auto known = std::find_if(intervals.begin(), intervals.end(), [dt](const Interval& of) {
+        return std::abs(of.dt - dt) < kSameInterval;
+      });
+      if (known != intervals.end()) return known->transition;
+      if (std::ssize(intervals) == kNumKinds) intervals.clear();
+      intervals.push_back({dt, dynamics.Over(dt)});
+      return intervals.back().transition;
     }
 
     double damping_factor;
     NoiseDynamics dynamics;
     std::array<Kind, kNumKinds> kinds;
     int num_kinds = 0, next_kind = 0;
+    std::vector<Interval> intervals;  // those met last
   };
 
   class Regimes {
