@@ -3,6 +3,8 @@
 
 #include "fathom/noise/noise_search.h"
 
+#include "fathom/base/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,6 +19,8 @@ constexpr int kMaxIterations = 100;
 constexpr int kPatience = 3;
 // Longest step in the logarithm of a parameter.
 constexpr double kLongestStep = 2.0;
+// So many samples that a likelihood takes far longer than a thread to begin.
+constexpr Eigen::Index kWorthThreads = 500;
 // Step of the differences in the logarithms of the parameters.
 constexpr double kDifference = 1e-4;
 
@@ -111,21 +115,27 @@ void NoiseSearch::Differentiate(const NoiseStructure& structure,
     of_e.resize(n, m);
     of_l.resize(n, m);
   }
-  for (Eigen::Index j = 0; j < m; ++j) {
+  const auto differentiate = [&](int j) {
     // Forward, or backward at the upper bound.
     const bool is_at_end = at.parameters[j] + kDifference > structure.upper()[j];
     const double step = is_at_end ? -kDifference : kDifference;
     Eigen::VectorXd shifted = at.parameters;
     shifted[j] += step;
-    const Point next = At(structure, std::move(shifted));
-    (*gradient)[j] = (next.value.log_likelihood - at.value.log_likelihood) / step;
-    if (information == nullptr) continue;
-    of_l.col(j) = (Column(next.value.log_variances.data(), n) - l) / step;
+    const RestrictedLikelihood::Value next = likelihood_.At(structure.Model(shifted));
+    (*gradient)[j] = (next.log_likelihood - at.value.log_likelihood) / step;
+    if (information == nullptr) return;
+    of_l.col(j) = (Column(next.log_variances.data(), n) - l) / step;
     // The innovation's own change, in standard deviations: that of the whitened one less the part
     // that is the change of its standard deviation.
-    const double ratio = next.value.factor / at.value.factor;
-    of_e.col(j) = (ratio * Column(next.value.standardised.data(), n) - e) / step +
+    const double ratio = next.factor / at.value.factor;
+    of_e.col(j) = (ratio * Column(next.standardised.data(), n) - e) / step +
                   0.5 * e.cwiseProduct(of_l.col(j));
+  };
+  num_evaluations_ += static_cast<int>(m);
+  if (n >= kWorthThreads) {
+    ParallelFor(static_cast<int>(m), differentiate);
+  } else {
+    for (int j = 0; j < m; ++j) differentiate(j);
   }
   if (information == nullptr) return;
   const Eigen::VectorXd sum = of_l.colwise().sum();

@@ -3,10 +3,12 @@
 
 #include "fathom/diagnosis/data/training_data.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/noise/damping_factors.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -116,11 +118,15 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
   const int num_columns = num_parameters + num_states * static_cast<int>(segments_.size());
   Linearised linearised = {Eigen::VectorXd(bins_.size()),
                            RowMajorMatrix::Zero(bins_.size(), num_columns)};
-  EffectOutputs outputs;
-  for (size_t r = 0; r < segments_.size(); ++r) {
-    const bool is_simulated = simulations_[r].RunWithSensitivities(model, initial[r], &outputs);
+  std::atomic<bool> is_simulated = true;
+  ParallelFor(static_cast<int>(segments_.size()), [&](int r) {
+    EffectOutputs outputs;
+    const bool is_run = simulations_[r].RunWithSensitivities(model, initial[r], &outputs);
     *work_ += kStepsOfOneWithDerivatives * outputs.num_steps;
-    if (!is_simulated) return std::nullopt;
+    if (!is_run) {
+      is_simulated = false;
+      return;
+    }
     const int first = bins_.first_row(r);
     const int num_rows = bins_.first_row(r + 1) - first;
     bins_.Average(r,
@@ -134,14 +140,15 @@ std::optional<TrainingData::Linearised> TrainingData::Linearise(
     const int num_effect_parameters = num_parameters - kNumParameters;
     to.middleCols(kNumParameters, num_effect_parameters) =
         rows.middleCols(EffectSimulation::kFirstEffectColumn, num_effect_parameters);
-    const int state = num_parameters + num_states * static_cast<int>(r);
+    const int state = num_parameters + num_states * r;
     to.col(state) = rows.col(EffectSimulation::kInitialVelocityColumn);
     if (has_displacement_) {
       to.col(state + 1) = rows.col(EffectSimulation::kInitialPositionColumn);
     }
     const int num_excesses = num_states - (has_displacement_ ? 2 : 1);
     to.middleCols(state + num_states - num_excesses, num_excesses) = rows.rightCols(num_excesses);
-  }
+  });
+  if (!is_simulated) return std::nullopt;
   return linearised;
 }
 
