@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -53,8 +54,7 @@ double ThrustOf(const ExportTarget& target, std::size_t k, double pulse) {
   return target.vehicle->thrust_tables[by_width ? 0 : 1].Thrust(command, kVoltage);
 }
 
-// Frames whose first four pulses change each time, beyond the tables' ends and off among them. The
-// drift of the others must not matter.
+// Frames whose first four pulses change each time, beyond the tables' ends and off among them.
 std::vector<SitlFrame> DrawnFrames(int num, int num_channels) {
   std::mt19937 random(7);
   std::vector<SitlFrame> frames;

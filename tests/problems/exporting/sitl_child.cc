@@ -5,9 +5,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
