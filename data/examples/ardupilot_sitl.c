@@ -68,6 +68,12 @@ typedef struct {
   double time;   /* since the vehicle was set to its start [s] */
 } vehicle;
 
+/* Who is to be answered. */
+typedef struct {
+  struct sockaddr_in address;
+  socklen_t size;
+} sitl;
+
 static void reset(vehicle* rov) {
   memset(rov, 0, sizeof *rov);
   rov->state.attitude[3] = 1.0;
@@ -301,10 +307,35 @@ static enum order order_of(uint32_t count, int64_t last) {
   return NEXT;
 }
 
+/* The size of the next packet, for which it waits; below 0 where the socket failed. Says once when
+ * nothing comes for a while, after a good packet. */
+static ssize_t next_packet(int fd, int* is_silent, unsigned char* bytes, size_t size, sitl* from) {
+  for (;;) {
+    struct pollfd ready = {fd, POLLIN, 0};
+    const int num_ready = poll(&ready, 1, *is_silent ? -1 : SILENCE * 1000);
+    if (num_ready > 0) {
+      ssize_t received;
+      from->size = sizeof from->address;
+      received = recvfrom(fd, bytes, size, 0, (struct sockaddr*)&from->address, &from->size);
+      if (received >= 0) return received;
+    } else if (num_ready == 0) {
+      fprintf(stderr,
+              "ardupilot_sitl: no packet for %d s. The vehicle stands still until one comes.\n",
+              SILENCE);
+      *is_silent = 1;
+      continue;
+    }
+    if (errno == EINTR) continue;
+    fprintf(stderr, "ardupilot_sitl: cannot receive: %s.\n", strerror(errno));
+    return -1;
+  }
+}
+
 int main(int argc, char** argv) {
   options opts;
   vehicle rov;
   frame in;
+  sitl from;
   unsigned char packet[2048];
   char answer[1024];
   int length = 0, is_silent = 1, num_channels = 0, fd;
@@ -323,54 +354,34 @@ int main(int argc, char** argv) {
   fflush(stdout);
   reset(&rov);
   for (;;) {
-    struct pollfd ready = {fd, POLLIN, 0};
-    struct sockaddr_in sender;
-    socklen_t sender_size = sizeof sender;
-    const int num_ready = poll(&ready, 1, is_silent ? -1 : SILENCE * 1000);
-    ssize_t size;
-    if (num_ready == 0) {
-      fprintf(stderr,
-              "ardupilot_sitl: no packet for %d s. The vehicle stands still until one comes.\n",
-              SILENCE);
-      is_silent = 1;
-      continue;
-    }
-    size = num_ready < 0
-               ? -1
-               : recvfrom(fd, packet, sizeof packet, 0, (struct sockaddr*)&sender, &sender_size);
-    if (size < 0) {
-      if (errno == EINTR) continue;
-      fprintf(stderr, "ardupilot_sitl: %s.\n", strerror(errno));
-      return 1;
-    }
+    const ssize_t size = next_packet(fd, &is_silent, packet, sizeof packet, &from);
+    enum order order;
+    if (size < 0) return 1;
     if (!read_frame(packet, (size_t)size, &in)) continue;
     is_silent = 0;
     if (in.num_channels != num_channels) say_missing_channels(in.num_channels, &opts);
     num_channels = in.num_channels;
-    switch (order_of(in.count, last)) {
-      case AGAIN:
-        /* Frames that queued up while this program was stopped: SITL takes each answer for that of
-         * its newest frame, so that one answer to them all is right. */
-        if (seconds_now() - answered < RESEND_AFTER) continue;
-        break;
-      case RESTARTED:
-        reset(&rov);
-        /* fall through */
-      case NEXT: {
-        double command[6];
-        command_of(&in, &opts, command);
-        step(&rov, command, 1.0 / in.rate);
-        if (!is_finite(&rov)) {
-          fprintf(stderr, "ardupilot_sitl: the model diverged at %g s.\n", rov.time);
-          return 1;
-        }
-        length = answer_of(&rov, answer, sizeof answer);
-        break;
+
+    order = order_of(in.count, last);
+    if (order == AGAIN) {
+      /* Frames that queued up while this program was stopped: SITL takes each answer for that of
+       * its newest frame, so that one answer to them all is right. */
+      if (seconds_now() - answered < RESEND_AFTER) continue;
+    } else {
+      double command[6];
+      if (order == RESTARTED) reset(&rov);
+      command_of(&in, &opts, command);
+      step(&rov, command, 1.0 / in.rate);
+      if (!is_finite(&rov)) {
+        fprintf(stderr, "ardupilot_sitl: the model diverged at %g s.\n", rov.time);
+        return 1;
       }
+      length = answer_of(&rov, answer, sizeof answer);
     }
     last = in.count;
     answered = seconds_now();
-    if (sendto(fd, answer, (size_t)length, 0, (struct sockaddr*)&sender, sender_size) != length) {
+    if (sendto(fd, answer, (size_t)length, 0, (struct sockaddr*)&from.address, from.size) !=
+        length) {
       fprintf(stderr, "ardupilot_sitl: cannot answer: %s.\n", strerror(errno));
     }
   }
