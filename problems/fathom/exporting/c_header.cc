@@ -4,6 +4,7 @@
 #include "fathom/exporting/c_header.h"
 
 #include "fathom/exporting/c_functions.h"
+#include "fathom/exporting/c_pulses.h"
 #include "fathom/exporting/c_thrust.h"
 #include "fathom/exporting/comment_text.h"
 #include "fathom/exporting/format_features.h"
@@ -198,6 +199,8 @@ std::string ForcesOfThrusters(const ExportModel& model, const ExportTarget& targ
   names.reserve(thrusters.size());
   for (const Thruster& thruster : thrusters) names.push_back(CommentText(thruster.name));
   std::string text = fmt::format(
+      "enum {{ {0}_num_thrusters = {2} }};\n"
+      "\n"
       "/* tau of the thrusts [N] of {1}: B(kappa) T. */\n"
       "static inline void {0}_forces(const double thrust[{2}], double tau[6]) {{\n",
       target.name,
@@ -231,7 +234,7 @@ ExportedFile CHeader(const ExportModel& model, const ExportTarget& target) {
               CInertia(model, name) + CCoriolis(model, name) + CDamping(model, name) +
               CRestoring(model, name) + COffset(model, name) + WrenchAndAcceleration(model, name) +
               RateAndStep(name) + CThrust(model, name) + ForcesOfThrusters(model, target) +
-              "#endif\n";
+              CThrustOfPulse(target) + "#endif\n";
   return file;
 }
 

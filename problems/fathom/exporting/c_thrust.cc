@@ -40,6 +40,24 @@ std::string Statement(const ExportEffect& effect, const std::string& name) {
   return "";  // a delay, which the caller makes
 }
 
+std::string Lag(const std::string& name) {
+  return fmt::format(
+      "/* T df/dt = target - f from *force, over h [s]: its mean, *force at the end. */\n"
+      "static inline double {0}_lag(double target, double T, double h, double *force) {{\n"
+      "  const double miss = *force - target;\n"
+      "  double kept;\n"
+      "  if (T < 1e-3 * h) {{\n"
+      "    *force = target;\n"
+      "    return target + miss * T / h;\n"
+      "  }}\n"
+      "  kept = exp(-h / T);\n"
+      "  *force = target + miss * kept;\n"
+      "  return target + miss * (1.0 - kept) * T / h;\n"
+      "}}\n"
+      "\n",
+      name);
+}
+
 }  // namespace
 
 std::string CThrust(const ExportModel& model, const std::string& name) {
@@ -59,41 +77,33 @@ std::string CThrust(const ExportModel& model, const std::string& name) {
     if (of_dof.empty()) continue;
     statements += fmt::format("  f = command[{0}];\n{1}  tau[{0}] = f;\n", Index(dof), of_dof);
   }
-  if (macros.empty() || statements.empty()) return macros.empty() ? "" : macros + "\n";
-  return fmt::format(
-      "{1}\n"
-      "/* What the thrusters give. Begin with {{{{0}}}}. */\n"
-      "typedef struct {{\n"
-      "  double force[6]; /* [N], [N m] */\n"
-      "}} {0}_thrusters;\n"
-      "\n"
-      "/* T df/dt = target - f from *force, over h [s]: its mean, *force at the end. */\n"
-      "static inline double {0}_lag(double target, double T, double h, double *force) {{\n"
-      "  const double miss = *force - target;\n"
-      "  double kept;\n"
-      "  if (T < 1e-3 * h) {{\n"
-      "    *force = target;\n"
-      "    return target + miss * T / h;\n"
-      "  }}\n"
-      "  kept = exp(-h / T);\n"
-      "  *force = target + miss * kept;\n"
-      "  return target + miss * (1.0 - kept) * T / h;\n"
-      "}}\n"
-      "\n"
-      "/* tau, the mean over the next h [s], of a command that is held so long: for {0}_step(). "
-      "*/\n"
-      "static inline void {0}_thrust(const double command[6], double h, {0}_thrusters *thrusters,\n"
-      "                              double tau[6]) {{\n"
-      "  double f;\n"
-      "  int i;\n"
-      "  (void)h;\n"
-      "  (void)thrusters;\n"
-      "  for (i = 0; i < 6; ++i) tau[i] = command[i];\n"
-      "{2}"
-      "}}\n\n",
-      name,
-      macros,
-      statements);
+  const bool lags = statements.find("_lag(") != std::string::npos;
+  return macros + (macros.empty() ? "" : "\n") +
+         fmt::format(
+             "/* What the thrusters give. Begin with {{{{0}}}}. */\n"
+             "typedef struct {{\n"
+             "  double force[6]; /* [N], [N m] */\n"
+             "}} {}_thrusters;\n"
+             "\n",
+             name) +
+         (lags ? Lag(name) : "") +
+         fmt::format(
+             "/* tau, the mean over the next h [s], of a command that is held so long: for "
+             "{0}_step(). "
+             "*/\n"
+             "static inline void {0}_thrust(const double command[6], double h, {0}_thrusters "
+             "*thrusters,\n"
+             "                              double tau[6]) {{\n"
+             "{1}"
+             "  int i;\n"
+             "  (void)h;\n"
+             "  (void)thrusters;\n"
+             "  for (i = 0; i < 6; ++i) tau[i] = command[i];\n"
+             "{2}"
+             "}}\n\n",
+             name,
+             statements.empty() ? "" : "  double f;\n",
+             statements);
 }
 
 }  // namespace fathom

@@ -10,8 +10,8 @@
 namespace fathom {
 
 // What thrusters make of a command, as C text: dead zone, saturation, asymmetry and lag, in the
-// order in which they act; docs/effects.md (3) to (10). `name` begins the functions' names. Empty
-// for a model without these.
+// order in which they act; docs/effects.md (3) to (10). `name` begins the functions' names. Of a
+// model without these they give the command.
 //
 //   name_thrust(command, h, &thrusters, tau)   the mean force over a step of h, exact for a command
 //                                              that is held over it

@@ -218,6 +218,41 @@ TEST(CHeader, AllocatesTheThrustsOfTheVehicle) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(numbers[i], truth[i], 1e-14);
 }
 
+// 1600 us is half way from 0 to 1700 us, 14 V half way from 12 V to 16 V: a half of 15 N. 1300 us
+// is half of the full command back.
+TEST(CHeader, ReadsThrustsOfPulsesFromTheTables) {
+  ExportTarget target = Target("rov");
+  target.vehicle.emplace();
+  target.vehicle->thrust_tables = {
+      {"width", "us", {12.0, 16.0}, {1500.0, 1700.0}, {{0.0, 0.0}, {12.0, 18.0}}},
+      {"of none", "us", {12.0}, {1500.0, 1700.0}, {{0.0}, {12.0}}},
+      {"a */ share", "1", {14.0}, {-1.0, 1.0}, {{-17.0}, {17.0}}}};
+  target.vehicle->thrusters = {{"one", {0, 0, 0}, {1, 0, 0}, 0, 0, "a */ share"},
+                               {"two", {0, 0, 0}, {0, 1, 0}, 0, 0, "width"}};
+  const std::string text = CHeader(ExportModelOf(GenericBoat(), "boat.json"), target).text;
+  EXPECT_THAT(text, Not(HasSubstr("of none")));
+  EXPECT_EQ(NumbersPrinted("pulses",
+                           "rov",
+                           text,
+                           "printf(\"%.17g %.17g %.17g %.17g %.17g %.17g %d\\n\",\n"
+                           "rov_thrust_of_pulse(1, 1600, 14), rov_thrust_of_pulse(1, 2000, 18),\n"
+                           "rov_thrust_of_pulse(1, 1600, 9), rov_thrust_of_pulse(0, 1300, 12),\n"
+                           "rov_thrust_of_pulse(0, 0, 12), rov_thrust_of_pulse(0, 1, 20),\n"
+                           "rov_num_thrusters);\n"),
+            (std::vector<double>{7.5, 18.0, 6.0, -8.5, 0.0, -17.0, 2.0}));
+}
+
+TEST(CHeader, WritesNoThrustsOfPulsesWhereAThrusterHasNoTable) {
+  ExportTarget target = Target("rov");
+  target.vehicle.emplace();
+  target.vehicle->thrust_tables = {{"width", "us", {12.0}, {1500.0, 1700.0}, {{0.0}, {12.0}}}};
+  target.vehicle->thrusters = {{"one", {0, 0, 0}, {1, 0, 0}, 0, 0, "width"},
+                               {"two", {0, 0, 0}, {0, 1, 0}, 0.1, 0.1}};
+  const std::string text = CHeader(ExportModelOf(GenericBoat(), "boat.json"), target).text;
+  EXPECT_THAT(text, HasSubstr("rov_forces"));
+  EXPECT_THAT(text, Not(HasSubstr("_of_pulse")));
+}
+
 TEST(CHeader, SaysOfEachNumberWhereItIsFrom) {
   const std::string text = CHeader(ExportModelOf(GenericRov(), "rov.json"), Target("rov")).text;
   // 40 give or take 1.96 x 0.1.
