@@ -24,15 +24,18 @@ constexpr int kMostTurns = 5;
 // their number: a step that promises less than this share of them is none.
 constexpr double kLeastShareOfFreeRun = 1e-4;
 
+// The noise of what a fit leaves, its parameters free (`design`: its Jacobian) or as they are (a
+// design without columns).
 NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
+                      const Eigen::Ref<const RowMajorMatrix>& design,
                       const std::optional<NoiseModel>& start) {
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
   options.start = start;
   options.precision = kNoisePrecision;
   const NoiseFit learned = FitNoise(
-      data.samples(), std::span(fit.residual.data(), fit.residual.size()), fit.jacobian, options);
+      data.samples(), std::span(fit.residual.data(), fit.residual.size()), design, options);
   data.CountLikelihoods(learned.num_evaluations);
   // Too few samples, or a channel without any error.
   if (!std::isfinite(learned.log_likelihood)) return SensorNoiseOnly(data, fit.residual);
@@ -67,21 +70,32 @@ NoiseModel LikeliestSize(const TrainingData& data,
   return best;
 }
 
-// Learns noise and parameters in turn, from a fit under a first noise.
+// True if a fit leaves far more than its noise allows. That noise was learned from what the model's
+// derivatives leave, and the model itself does not get there.
+bool IsUnreached(const StructureFit& fit) {
+  constexpr double kMost = 2.0;  // of the chi-square's expectation
+  return fit.chi_squared > kMost * static_cast<double>(fit.residual.size());
+}
+
+// Learns noise and parameters in turn, from a fit under a first noise. The likeliest of the turns.
 StructureFit LearnOn(const TrainingData& data,
                      StructureFit fit,
                      NoiseModel noise,
                      const FitPrecision& precision) {
-  double previous = -std::numeric_limits<double>::infinity();
+  const RowMajorMatrix none(fit.residual.size(), 0);
+  std::optional<StructureFit> best;
   for (int turn = 0; fit.IsSimulated(); ++turn) {
     fit.noise = noise;
-    if (fit.log_likelihood < previous + precision.turn || turn + 1 == kMostTurns) break;
-    if (fit.log_likelihood < precision.least) break;
-    previous = fit.log_likelihood;
-    noise = LearnNoise(data, fit, noise);
+    const double previous = best ? best->log_likelihood : -std::numeric_limits<double>::infinity();
+    const bool is_unreached = IsUnreached(fit);
+    const double log_likelihood = fit.log_likelihood;
+    if (log_likelihood > previous) best = fit;
+    if (turn + 1 == kMostTurns || log_likelihood < precision.least) break;
+    if (log_likelihood < previous + precision.turn && !is_unreached) break;
+    noise = LearnNoise(data, fit, is_unreached ? none : fit.jacobian, noise);
     fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()), precision);
   }
-  return fit;
+  return best ? *std::move(best) : fit;
 }
 
 // The same with each channel's noise as large as its residual.
@@ -109,7 +123,8 @@ StructureFit FitBy(Criterion criterion,
                    const NoiseModel& known,
                    const FitPrecision& precision) {
   if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start, precision);
-  const NoiseModel noise = LearnNoise(data, start, LikeliestSize(data, start, known));
+  const NoiseModel noise =
+      LearnNoise(data, start, start.jacobian, LikeliestSize(data, start, known));
   return LearnOn(data,
                  FitStructure(data, start, Whitener(noise, data.samples()), precision),
                  noise,
@@ -158,7 +173,7 @@ StructureFit FitBaseline(const TrainingData& data,
 }
 
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {
-  return LearnNoise(data, fit, std::nullopt);
+  return LearnNoise(data, fit, fit.jacobian, std::nullopt);
 }
 
 }  // namespace fathom

@@ -333,5 +333,18 @@ TEST(FitStructureAndNoise, HasACovarianceThatMatchesTheSpreadOverRepeatedRuns) {
   for (int k = 0; k < kNumParameters; ++k) EXPECT_NEAR(sum[k], 1.0, 4.0 * 0.26) << k;
 }
 
+// Without sensor noise all that a baseline leaves is what it lacks. Its noise is that, not what the
+// model's derivatives promise and the model does not reach.
+TEST(FitBaseline, LeavesWhatItsNoiseAllowsThoughTheDataHaveNone) {
+  SurgeRun run;
+  run.input = Square(60.0, 20.0);
+  run.velocity_noise = 0.0;
+  run.effects = "position_stiffness:stiffness=100";
+  const TrainingData data = DataOf(run, 1);
+  const StructureFit fit = FitBaseline(data, {kSurgeTruth, {}}, StatesOf(data));
+  ASSERT_TRUE(fit.IsSimulated());
+  EXPECT_LT(fit.chi_squared, 2.0 * static_cast<double>(data.bins().size()));
+}
+
 }  // namespace
 }  // namespace fathom
