@@ -73,29 +73,30 @@ NoiseModel LikeliestSize(const TrainingData& data,
 // True if a fit leaves far more than its noise allows. That noise was learned from what the model's
 // derivatives leave, and the model itself does not get there.
 bool IsUnreached(const StructureFit& fit) {
-  constexpr double kMost = 2.0;  // of the chi-square's expectation
+  constexpr double kMost = 10.0;  // of the chi-square's expectation
   return fit.chi_squared > kMost * static_cast<double>(fit.residual.size());
 }
 
-// Learns noise and parameters in turn, from a fit under a first noise. The likeliest of the turns.
+// Learns noise and parameters in turn, from a fit under a first noise.
 StructureFit LearnOn(const TrainingData& data,
                      StructureFit fit,
                      NoiseModel noise,
                      const FitPrecision& precision) {
   const RowMajorMatrix none(fit.residual.size(), 0);
-  std::optional<StructureFit> best;
+  StructureFit likeliest;
+  double previous = -std::numeric_limits<double>::infinity();
   for (int turn = 0; fit.IsSimulated(); ++turn) {
     fit.noise = noise;
-    const double previous = best ? best->log_likelihood : -std::numeric_limits<double>::infinity();
     const bool is_unreached = IsUnreached(fit);
-    const double log_likelihood = fit.log_likelihood;
-    if (log_likelihood > previous) best = fit;
-    if (turn + 1 == kMostTurns || log_likelihood < precision.least) break;
-    if (log_likelihood < previous + precision.turn && !is_unreached) break;
+    if (fit.log_likelihood < previous + precision.turn && !is_unreached) break;
+    if (turn + 1 == kMostTurns || fit.log_likelihood < precision.least) break;
+    if (turn == 0 || fit.log_likelihood > likeliest.log_likelihood) likeliest = fit;
+    previous = fit.log_likelihood;
     noise = LearnNoise(data, fit, is_unreached ? none : fit.jacobian, noise);
     fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()), precision);
   }
-  return best ? *std::move(best) : fit;
+  const bool ended_badly = IsUnreached(fit) && likeliest.IsSimulated();
+  return ended_badly && likeliest.log_likelihood > fit.log_likelihood ? likeliest : fit;
 }
 
 // The same with each channel's noise as large as its residual.
