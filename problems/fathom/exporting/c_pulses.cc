@@ -20,12 +20,9 @@ namespace {
 std::vector<std::size_t> TablesOfThrusters(const Vehicle& vehicle) {
   std::vector<std::size_t> places;
   for (const Thruster& thruster : vehicle.thrusters) {
-    const auto table = std::find_if(
-        vehicle.thrust_tables.begin(), vehicle.thrust_tables.end(), [&](const ThrustTable& one) {
-          return one.name == thruster.thrust_table;
-        });
-    if (table == vehicle.thrust_tables.end()) return {};
-    places.push_back(static_cast<std::size_t>(table - vehicle.thrust_tables.begin()));
+    const ThrustTable* table = TableOf(thruster, vehicle);
+    if (table == nullptr) return {};
+    places.push_back(static_cast<std::size_t>(table - vehicle.thrust_tables.data()));
   }
   return places;
 }

@@ -24,13 +24,6 @@ constexpr double kRounding = 1e-12;  // of a thrust, beyond its range
 constexpr std::array<Dof, 6> kOrderOfHolding = {
     Dof::kSurge, Dof::kSway, Dof::kHeave, Dof::kYaw, Dof::kRoll, Dof::kPitch};
 
-const ThrustTable* TableOf(const Thruster& thruster, const Vehicle& vehicle) {
-  for (const ThrustTable& table : vehicle.thrust_tables) {
-    if (table.name == thruster.thrust_table) return &table;
-  }
-  return nullptr;
-}
-
 // That all tables hold.
 double VoltageOf(double given, const Vehicle& vehicle, const std::string& name) {
   for (const Thruster& thruster : vehicle.thrusters) {

@@ -93,9 +93,7 @@ void AddFouling(std::span<const DiveSeries> series, std::vector<Pattern>* patter
 // What a thruster adds beside another of its kind: its coefficient, or the largest thrust of its
 // table. All are alike where neither is known.
 double StrengthOf(const Thruster& thruster, const Vehicle& vehicle) {
-  for (const ThrustTable& table : vehicle.thrust_tables) {
-    if (table.name == thruster.thrust_table) return table.thrust.back().back();
-  }
+  if (const ThrustTable* table = TableOf(thruster, vehicle)) return table->thrust.back().back();
   return thruster.forward_coefficient > 0.0 ? thruster.forward_coefficient : 1.0;
 }
 

@@ -36,7 +36,7 @@ struct EffectOutputs {
 
 // The baseline model and any effects over one log's command; docs/effects.md.
 //
-// Classical Runge-Kutta between the command's stamps, in steps of at most 0.1 s and of a quarter of
+// Classical Runge-Kutta between the command's stamps, in steps of at most 0.2 s and of a quarter of
 // the water's quickest time constant; the force of a step is its mean, which lag and slew limit
 // know exactly. Outputs lie on the cubic through both ends of their step, so that stamps can be
 // moved (`time_offset`, `sensor_clock_offset`) and differentiated by how far. `time` in the

@@ -86,10 +86,8 @@ Stream ThrustsFromTables(const Stream& command,
                          std::size_t* num_beyond) {
   std::vector<const ThrustTable*> tables;
   for (const Thruster& thruster : vehicle.thrusters) {
-    const auto table = std::find_if(vehicle.thrust_tables.begin(),
-                                    vehicle.thrust_tables.end(),
-                                    [&](const auto& t) { return t.name == thruster.thrust_table; });
-    if (table == vehicle.thrust_tables.end() || table->command_unit != unit) {
+    const ThrustTable* table = TableOf(thruster, vehicle);
+    if (table == nullptr || table->command_unit != unit) {
       throw InputError(fmt::format(
           "command: thruster '{}' of vehicle '{}' has no table over a command in '{}', expected a "
           "thrust_table to turn it into a force.",
@@ -97,7 +95,7 @@ Stream ThrustsFromTables(const Stream& command,
           vehicle.name,
           unit));
     }
-    tables.push_back(&*table);
+    tables.push_back(table);
   }
   std::vector<bool> is_beyond(command.time.size(), false);
   Stream thrusts = ThrustsOf(command, vehicle, [&](std::size_t i, std::size_t row, double value) {

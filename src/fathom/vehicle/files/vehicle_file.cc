@@ -185,6 +185,13 @@ std::vector<Fin> ReadFins(const YamlMap& file) {
 
 }  // namespace
 
+const ThrustTable* TableOf(const Thruster& thruster, const Vehicle& vehicle) {
+  for (const ThrustTable& table : vehicle.thrust_tables) {
+    if (table.name == thruster.thrust_table) return &table;
+  }
+  return nullptr;
+}
+
 Vehicle ReadVehicleFile(const std::filesystem::path& path) {
   return ParseVehicleFile(path.string(), ReadFile(path));
 }

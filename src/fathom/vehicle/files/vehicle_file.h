@@ -40,6 +40,9 @@ struct Vehicle {
   std::optional<CoupledModel> coupled;
 };
 
+// The table that a thruster of the vehicle names, among the vehicle's own; null if it names none.
+const ThrustTable* TableOf(const Thruster& thruster, const Vehicle& vehicle);
+
 // Throws InputError, naming file, line and key, for whatever breaks the format.
 Vehicle ReadVehicleFile(const std::filesystem::path& path);
 
