@@ -144,15 +144,25 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
   std::string text =
       fmt::format("Command {} for {:g} s as planned.", Name(request.model.dof), plan.duration);
   if (!plan.separations.empty()) return text + SeparationSentence(plan);
-  if (const PlannedParameter* weakest = WeakestOf(plan)) {
-    text += fmt::format(
-        " The least known parameter, {}, is then known to {} instead of {}; an "
-        "ordinary sine of that length gives {}.",
-        weakest->name,
-        HalfShare(weakest->after, weakest->value),
-        HalfShare(weakest->before, weakest->value),
-        HalfShare(weakest->sine, weakest->value));
+  const PlannedParameter* weakest = WeakestOf(plan);
+  if (weakest == nullptr) return text;
+  if (weakest->after > weakest->before) {
+    return text +
+           fmt::format(
+               " It tells less than what is known already: {} to {} by itself, {} without it, "
+               "{} with both. A longer run tells more.",
+               weakest->name,
+               HalfShare(weakest->after, weakest->value),
+               HalfShare(weakest->before, weakest->value),
+               HalfShare(weakest->with_log_so_far, weakest->value));
   }
+  text += fmt::format(
+      " The least known parameter, {}, is then known to {} instead of {}; an "
+      "ordinary sine of that length gives {}.",
+      weakest->name,
+      HalfShare(weakest->after, weakest->value),
+      HalfShare(weakest->before, weakest->value),
+      HalfShare(weakest->sine, weakest->value));
   return text;
 }
 

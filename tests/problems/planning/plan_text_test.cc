@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/planning/plan_text.h"
+
+#include <gmock/gmock.h>
+
+namespace fathom {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string SentenceOf(double before, double after) {
+  ExperimentPlan plan;
+  plan.message.clear();
+  plan.duration = 60.0;
+  plan.command.time = {0.0, 60.0};
+  plan.command.value = {10.0, 0.0};
+  PlannedParameter damping;
+  damping.name = "quadratic_damping";
+  damping.value = 10.0;
+  damping.before = before;
+  damping.after = after;
+  damping.with_log_so_far = 0.5 * before;
+  damping.sine = 2.0 * after;
+  plan.parameters = {damping};
+  return PlanSentence(PlanRequest(), plan);
+}
+
+TEST(PlanSentence, SaysWhatARunTellsMore) {
+  EXPECT_THAT(SentenceOf(8.0, 2.0), HasSubstr("instead of"));
+}
+
+TEST(PlanSentence, PromisesNothingOfARunThatTellsLessThanIsKnown) {
+  EXPECT_THAT(SentenceOf(2.0, 8.0), HasSubstr("less than what is known already"));
+  EXPECT_THAT(SentenceOf(2.0, 8.0), Not(HasSubstr("instead of")));
+}
+
+}  // namespace
+}  // namespace fathom
