@@ -11,7 +11,7 @@ preset=${1:-dev} limit=${LIMIT:-10}
 log=build/$preset/Testing/Temporary/LastTest.log
 # "seconds name" of the tests of a log.
 times() {
-  awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); sub(/  # GetParam.*/, ""); name = $0 }
+  awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); name = $0 }
        /^Test time =/ { print $4, name }' "$1"
 }
 known=$(grep -v '^#' tests/slow_tests.txt)
@@ -19,14 +19,19 @@ suspects=$(times "$log" | awk -v limit="$limit" '$1 > limit { print $2 }' | grep
 
 status=0
 for test in $suspects; do
-  said=$(ctest --preset "$preset" -R "^${test//./\\.}$" || true)
+  said=$(ctest --preset "$preset" --no-tests=error -R "^${test//./\\.}$" || true)
   seconds=$(sed -n 's/^Total Test time (real) = *\([0-9.]*\).*/\1/p' <<< "$said")
+  if [[ ! $seconds ]]; then
+    echo "ctest finds no test of the name $test." >&2
+    status=1
+    continue
+  fi
   awk -v a="$seconds" -v limit="$limit" 'BEGIN { exit !(a > limit) }' || continue
   echo "$test takes $seconds s by itself, expected $limit at most, or a line in tests/slow_tests.txt." >&2
   status=1
 done
 
-there=$(ctest --preset "$preset" -N | sed -n 's/^ *Test *#[0-9]*: //p; s/  # GetParam.*//')
+there=$(ctest --preset "$preset" -N | sed -n 's/^ *Test *#[0-9]*: //p')
 for test in $known; do
   grep -qxF -- "$test" <<< "$there" && continue
   echo "tests/slow_tests.txt names $test, which is no test." >&2

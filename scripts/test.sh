@@ -16,7 +16,7 @@ echo 'Build' && time cmake --build --preset "$preset" --parallel "$(nproc)"
 echo 'Tests' && time ctest --preset "$preset" --parallel "$(($(nproc) + 1))"
 
 echo 'The slowest tests [s]'
-awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); sub(/  # GetParam.*/, ""); name = $0 }
+awk '/^[0-9]+\/[0-9]+ Testing: / { sub(/^[^:]*: /, ""); name = $0 }
      /^Test time =/ { print $4, name }' "build/$preset/Testing/Temporary/LastTest.log" |
   sort -rn | sed -n 1,20p
 scripts/check_test_times.sh "$preset"
