@@ -13,11 +13,21 @@ namespace fathom {
 namespace {
 
 std::atomic<int> num_threads = 0;  // 0: as many as there are cores
-thread_local bool is_within = false;
+std::atomic<int> num_at_work = 0;  // those that run, not those that wait for others
+thread_local bool is_at_work = false;
 
 int NumThreads() {
   const int wanted = num_threads;
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Of the threads that are not at work, as many as are wanted and there are.
+int TakeIdle(int wanted) {
+  int at_work = num_at_work;
+  for (;;) {
+    const int taken = std::max(0, std::min(wanted, NumThreads() - at_work));
+    if (num_at_work.compare_exchange_weak(at_work, at_work + taken)) return taken;
+  }
 }
 
 }  // namespace
@@ -25,15 +35,12 @@ int NumThreads() {
 void SetNumThreads(int count) { num_threads = std::max(count, 1); }
 
 void ParallelFor(int count, const std::function<void(int)>& work) {
-  const int num_helpers = std::min(count, is_within ? 1 : NumThreads()) - 1;
-  if (num_helpers <= 0) {
-    for (int i = 0; i < count; ++i) work(i);
-    return;
-  }
+  const bool is_outermost = !is_at_work;
+  if (is_outermost) ++num_at_work;
+  is_at_work = true;
   std::atomic<int> next = 0;
   std::vector<std::exception_ptr> failures(count);
   const auto run = [&] {
-    is_within = true;
     for (int i = next++; i < count; i = next++) {
       try {
         work(i);
@@ -41,12 +48,23 @@ void ParallelFor(int count, const std::function<void(int)>& work) {
         failures[i] = std::current_exception();
       }
     }
-    is_within = false;
   };
-  std::vector<std::thread> helpers;
-  for (int i = 0; i < num_helpers; ++i) helpers.emplace_back(run);
+  std::vector<std::thread> helpers(TakeIdle(count - 1));
+  for (std::thread& helper : helpers) {
+    helper = std::thread([&] {
+      is_at_work = true;
+      run();
+      --num_at_work;
+    });
+  }
   run();
-  for (std::thread& helper : helpers) helper.join();
+  if (!helpers.empty()) {
+    --num_at_work;
+    for (std::thread& helper : helpers) helper.join();
+    ++num_at_work;
+  }
+  if (is_outermost) --num_at_work;
+  is_at_work = !is_outermost;
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }

@@ -11,9 +11,9 @@ namespace fathom {
 // unless set; not to be set while one runs.
 void SetNumThreads(int count);
 
-// Calls work(0) ... work(count - 1), several at once. A call within `work` runs in turn. Each must
-// write what is its own: then the result is the same whatever the number of threads. Rethrows the
-// exception of the lowest index, if any.
+// Calls work(0) ... work(count - 1), several at once; a call within `work` takes the threads that
+// are idle as it begins. Each must write what is its own: then the result is the same whatever the
+// number of threads. Rethrows the exception of the lowest index, if any.
 void ParallelFor(int count, const std::function<void(int)>& work);
 
 }  // namespace fathom

@@ -57,5 +57,43 @@ TEST(ParallelFor, RunsSeveralAtOnce) {
   EXPECT_EQ(arrived, 2);
 }
 
+// The one that is left over runs on both threads, once the other has nothing to do.
+TEST(ParallelFor, WithinItselfTakesThreadsThatAreIdle) {
+  SetNumThreads(2);
+  std::atomic<int> done = 0, arrived = 0;
+  ParallelFor(2, [&](int i) {
+    if (i == 0) {
+      ++done;
+      return;
+    }
+    while (done < 1) std::this_thread::yield();
+    // The other thread ends a moment after it has done its part.
+    while (arrived < 2) {
+      std::atomic<int> at_once = 0;
+      ParallelFor(2, [&](int) {
+        const int count = ++at_once;
+        for (int k = 0; k < 1000 && at_once < 2; ++k) std::this_thread::yield();
+        if (count == 2) arrived = 2;
+      });
+    }
+  });
+  EXPECT_EQ(arrived, 2);
+}
+
+TEST(ParallelFor, RunsNoMoreAtOnceThanThereAreThreads) {
+  SetNumThreads(3);
+  std::atomic<int> running = 0, most = 0;
+  ParallelFor(8, [&](int) {
+    ParallelFor(8, [&](int) {
+      const int now = ++running;
+      for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) continue;
+      for (int k = 0; k < 100; ++k) std::this_thread::yield();
+      --running;
+    });
+  });
+  EXPECT_LE(most, 3);
+  EXPECT_GE(most, 2);
+}
+
 }  // namespace
 }  // namespace fathom

@@ -41,15 +41,22 @@ std::vector<std::string> LogsOf(const TrainingData& data) {
   return logs;
 }
 
-void AddPart(const Prepared& prepared,
-             std::vector<MeasuredSegment> left_out,
-             std::vector<MeasuredSegment> kept,
-             std::vector<LeftOut>* parts) {
-  if (kept.empty() || left_out.empty()) return;
+struct Cut {
+  std::vector<MeasuredSegment> left_out, kept;
+};
+
+std::vector<LeftOut> PartsOf(const Prepared& prepared, std::vector<Cut> cuts) {
+  std::erase_if(cuts, [](const Cut& cut) { return cut.kept.empty() || cut.left_out.empty(); });
   const ExtendedModel& users = prepared.users.model;
-  TrainingData rest(std::move(kept), users.baseline, prepared.data.least_inertia());
-  const auto anew = FindRobustStart(rest.segments());
-  parts->push_back({std::move(left_out), std::move(rest), anew ? anew->model : users});
+  std::vector<std::optional<LeftOut>> parts(cuts.size());
+  ParallelFor(static_cast<int>(cuts.size()), [&](int i) {
+    TrainingData rest(std::move(cuts[i].kept), users.baseline, prepared.data.least_inertia());
+    const auto anew = FindRobustStart(rest.segments());
+    parts[i] = LeftOut{std::move(cuts[i].left_out), std::move(rest), anew ? anew->model : users};
+  });
+  std::vector<LeftOut> of_all;
+  for (auto& part : parts) of_all.push_back(*std::move(part));
+  return of_all;
 }
 
 // A quarter at a time, of all data or of each log.
@@ -59,9 +66,9 @@ std::vector<LeftOut> LeaveQuartersOut(const Prepared& prepared, bool is_by_log) 
   for (const MeasuredSegment& segment : data.segments()) {
     totals[is_by_log ? segment.log : ""] += segment.duration();
   }
-  std::vector<LeftOut> parts;
+  std::vector<Cut> cuts(kNumFolds);
   for (int fold = 0; fold < kNumFolds; ++fold) {
-    std::vector<MeasuredSegment> kept, left_out;
+    auto& [left_out, kept] = cuts[fold];
     std::map<std::string, double> passed_of;
     for (const MeasuredSegment& segment : data.segments()) {
       const std::string of = is_by_log ? segment.log : "";
@@ -80,24 +87,22 @@ std::vector<LeftOut> LeaveQuartersOut(const Prepared& prepared, bool is_by_log) 
       if (high > low) add(PartOf(segment, low, high), &left_out);
       if (high < end) add(PartOf(segment, high + 1e-9, end), &kept);
     }
-    AddPart(prepared, std::move(left_out), std::move(kept), &parts);
   }
-  return parts;
+  return PartsOf(prepared, std::move(cuts));
 }
 
 std::vector<LeftOut> LeaveLogsOut(const Prepared& prepared) {
   const std::vector<std::string> logs = LogsOf(prepared.data);
   const std::size_t num_folds = std::min(logs.size(), kMostLogFolds);
-  std::vector<LeftOut> parts;
+  std::vector<Cut> cuts(num_folds);
   for (std::size_t fold = 0; fold < num_folds; ++fold) {
-    std::vector<MeasuredSegment> kept, left_out;
+    auto& [left_out, kept] = cuts[fold];
     for (const MeasuredSegment& segment : prepared.data.segments()) {
       const auto log = std::find(logs.begin(), logs.end(), segment.log) - logs.begin();
       (log % num_folds == fold ? left_out : kept).push_back(segment);
     }
-    AddPart(prepared, std::move(left_out), std::move(kept), &parts);
   }
-  return parts;
+  return PartsOf(prepared, std::move(cuts));
 }
 
 // A structure less the effects of logs that these data do not hold.
