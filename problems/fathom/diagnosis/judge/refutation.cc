@@ -212,6 +212,10 @@ std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
   if (loss && counts) {
     return Refusal{.reason = Refusal::Reason::kLosesOnUnseenData, .refused = causes, .loss = *loss};
   }
+  // Each may gain beside the others what they lose together.
+  if (remains && !by_left_out_blocks && gain.low <= 0.0) {
+    return Refusal{.reason = Refusal::Reason::kGainsNothing, .refused = causes};
+  }
   const double before = runs.train_before.nmae, after = runs.train_after.nmae;
   if (!(after > (1.0 + VerdictRules::kLossTooMuchInTraining) * before)) return std::nullopt;
   return Refusal{.reason = Refusal::Reason::kLosesInTraining,

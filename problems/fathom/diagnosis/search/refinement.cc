@@ -112,7 +112,7 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
   const double cheap_gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
   if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining &&
       cheap_gain > task.options.contends * most_gain) {
-    hypothesis.fit = FitStructureAndNoise(task.data, rough, precision);
+    hypothesis.fit = FitStructureAndNoise(task.data, hypothesis.fit, precision);
   }
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {

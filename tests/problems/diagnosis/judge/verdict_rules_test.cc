@@ -97,6 +97,18 @@ TEST(AllCauses, AreRefusedWhereLogsDoNotConfirmThem) {
   EXPECT_EQ(refusal->reason, Refusal::Reason::kNotConfirmedByLogs);
 }
 
+TEST(AllCauses, AreRefusedWhereTogetherTheyGainNothingForCertainAndMoreRemains) {
+  FreeRunComparison runs = InTraining(0.1, 0.1);
+  runs.gain = {.value = 0.01, .low = -0.01, .high = 0.03};
+  const auto refusal = RefusalOfAll({0, 1}, runs, false, true);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->reason, Refusal::Reason::kGainsNothing);
+  EXPECT_FALSE(RefusalOfAll({0, 1}, runs, false, false));  // nothing but noise remains
+  EXPECT_FALSE(RefusalOfAll({0, 1}, runs, true, true));    // nothing was held out
+  runs.gain = {.value = 0.01, .low = 0.001, .high = 0.02};
+  EXPECT_FALSE(RefusalOfAll({0, 1}, runs, false, true));
+}
+
 TEST(AllCauses, StandWhereLeftOutBlocksRefuseThemWithoutCertainty) {
   FreeRunComparison runs = InTraining(0.1, 0.1);
   runs.unseen.after = TwoBlocks(1.06);
