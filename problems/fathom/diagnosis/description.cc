@@ -194,9 +194,9 @@ Diagnosis Described(const MeasuredSegments& segments,
                                              extended,
                                              fit.noise,
                                              segments.partners);
-  if (diagnosis.causes.empty() && !judgement.refusals.empty()) {
+  if (diagnosis.causes.empty() && !judgement.choice.refusals.empty()) {
     diagnosis.not_named =
-        NotNamedOf(judgement.refusals, diagnosis.candidates, judgement.search.suspects);
+        NotNamedOf(judgement.choice.refusals, diagnosis.candidates, judgement.search.suspects);
   }
   diagnosis.traces = Traces(prepared, extended.model);
   if (!diagnosis.causes.empty()) {

@@ -9,7 +9,7 @@
 #include "fathom/diagnosis/fit/momentum_balance.h"
 #include "fathom/diagnosis/fit/outliers.h"
 #include "fathom/diagnosis/fit/residual_noise.h"
-#include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/diagnosis/fit/started_model.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -47,18 +47,19 @@ size_t NumSamples(const std::vector<MeasuredSegment>& segments) {
 constexpr double kRunAway = 1e3;
 
 // Where the momentum along the measured motion puts the baseline.
-std::optional<RobustStart> StartByMomentum(const std::vector<MeasuredSegment>& segments) {
+std::optional<StartedModel> StartByMomentum(const std::vector<MeasuredSegment>& segments) {
   const auto fit = MomentumBalance(segments).Fit();
   if (!fit) return std::nullopt;
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  RobustStart start = {
-      fit->model, {}, Eigen::MatrixXd::Constant(kNumParameters, kNumParameters, kUnknown)};
+  StartedModel start;
+  start.model = fit->model;
+  start.covariance = Eigen::MatrixXd::Constant(kNumParameters, kNumParameters, kUnknown);
   for (const MeasuredSegment& segment : segments) start.initial.push_back(segment.initial);
   return start;
 }
 
 // A model as it was started, not fitted; nothing if that cannot be simulated.
-std::optional<StructureFit> Unfitted(const TrainingData& data, const RobustStart& start) {
+std::optional<StructureFit> Unfitted(const TrainingData& data, const StartedModel& start) {
   auto at = data.Linearise(start.model, start.initial);
   if (!at) return std::nullopt;
   StructureFit fit;
@@ -121,7 +122,7 @@ Preparation Prepare(const MeasuredSegments& segments,
   if (by_output_error) {
     prepared.baseline = FitBaseline(data, by_output_error->model, by_output_error->initial);
     if (prepared.baseline.IsUsable()) {
-      RobustStart users = *by_output_error;
+      StartedModel users = *by_output_error;
       if (identified && identified->model.inertia <= kRunAway * inertia_by_momentum) {
         users.model.baseline = identified->model;
         users.covariance = identified->covariance;

@@ -3,10 +3,11 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/fit/structure_fit.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,15 +20,20 @@ struct StartedModel {
   ExtendedModel model;
   Eigen::MatrixXd covariance;         // of the baseline's parameters, then the effects'
   std::vector<InitialState> initial;  // by segments
-  Eigen::VectorXd residual;           // measured - simulated, by bins
+  Eigen::VectorXd residual;           // measured - simulated, by bins; empty before it has run
 };
 
 StartedModel StartedFrom(const StructureFit& fit);
+
+// Output error's robust answer (problems/output_error), which fathom_identify would give, from a
+// guess of its own; nothing if it does not converge to a physical model. The fits start here, and
+// what they gain is measured against it. Its covariance is of the baseline's parameters.
+std::optional<StartedModel> FindRobustStart(std::span<const MeasuredSegment> segments);
 
 // Output error's model, as fathom_identify gives it: what the user has, and what free runs are
 // judged against. (In FitBaseline() what is missing passes for noise: that fit is for weighing
 // causes, and runs worse.) It starts from the states that fit it best, each channel weighed by what
 // the model misses of it. Nothing if it cannot be simulated.
-std::optional<StartedModel> UsersModel(const TrainingData& data, const RobustStart& start);
+std::optional<StartedModel> UsersModel(const TrainingData& data, StartedModel start);
 
 }  // namespace fathom

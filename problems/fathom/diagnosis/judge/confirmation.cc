@@ -36,7 +36,7 @@ Choice ConfirmedOnAllData(const TrainingData& data, const WeighedSearch& search)
            PriceOfStarts(data, fit_of(index).start_gains) -
            book.calibration().ThresholdOf(book[index].suspects);
   };
-  int best = search.found.best;
+  int best = book.best();
   for (bool is_settled = false; !is_settled;) {
     is_settled = true;
     const int challenged = best;

@@ -38,33 +38,26 @@ bool Remains(const Prepared& prepared, const RemainingStructure& remaining, doub
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
 // `logs`: several that hold nothing out, each left out in turn.
-Sifted SiftedBest(const Prepared& prepared,
-                  const std::optional<LeftOutParts>& logs,
-                  const WeighedSearch& search) {
-  const auto sift = [&](Choice choice, Burden burden) {
-    return LeaveOutTheRefuted(prepared.data, prepared.held_out, search, burden, std::move(choice));
-  };
-  const auto after = [](const Sifted& before, Sifted next) {
-    next.refusals.insert(next.refusals.begin(), before.refusals.begin(), before.refusals.end());
-    return next;
-  };
-  Sifted sifted = {ConfirmedOnAllData(prepared.data, search), {}};
+Choice BestConfirmed(const Prepared& prepared,
+                     const std::optional<LeftOutParts>& logs,
+                     const WeighedSearch& search) {
+  const TrainingData& data = prepared.data;
+  const auto gain_of = [&](const Choice& at) { return search.found.book[at.chosen].gain; };
+  Choice choice = ConfirmedOnAllData(data, search);
   // Unless what is too fine to be told from sampling matters.
-  Sifted coarse = LeaveOutTheTooFine(prepared.data, search, sifted.choice);
-  const double gain_of_all = search.found.book[sifted.choice.chosen].gain;
+  Choice coarse = LeaveOutTheTooFine(data, search, choice);
   if (!coarse.refusals.empty() &&
-      !Remains(prepared, RemainingOf(prepared, coarse.choice), gain_of_all)) {
-    sifted = std::move(coarse);
+      !Remains(prepared, RemainingOf(prepared, coarse), gain_of(choice))) {
+    choice = std::move(coarse);
   }
-  sifted = after(sifted, sift(sifted.choice, Burden::kNotToLose));
+  choice = LeaveOutWhatLoses(data, prepared.held_out, search, std::move(choice));
   if (prepared.held_out.empty()) {
-    if (!logs || sifted.choice.chosen == 0) return sifted;
-    return after(sifted, LeaveOutTheUnconfirmed(prepared.data, *logs, search, sifted.choice));
+    if (!logs || choice.chosen == 0) return choice;
+    return LeaveOutTheUnconfirmed(data, *logs, search, std::move(choice));
   }
-  const double gain = search.found.book[sifted.choice.chosen].gain;
-  if (!Remains(prepared, RemainingOf(prepared, sifted.choice), gain)) return sifted;
+  if (!Remains(prepared, RemainingOf(prepared, choice), gain_of(choice))) return choice;
   // The causes may stand in for what nothing explains; unseen data tell.
-  return after(sifted, sift(sifted.choice, Burden::kToGain));
+  return LeaveOutWhatDoesNotGain(data, prepared.held_out, search, std::move(choice));
 }
 
 // Separation from rivals. What nothing explains gains so much per column: then it takes as many
@@ -105,27 +98,27 @@ Verdict VerdictOf(bool is_open, bool is_named, bool has_rivals) {
 // What comes of a choice that unseen data do not refuse as a whole.
 Judgement Concluded(const Prepared& prepared,
                     WeighedSearch search,
-                    Sifted sifted,
+                    Choice choice,
                     FreeRunComparison runs,
                     const Evidence& evidence,
                     const DiagnosisOptions& options) {
   const HypothesisBook& book = search.found.book;
-  const RemainingStructure left = RemainingOf(prepared, sifted.choice);
-  const auto refusal = RefusalOfAll(book[sifted.choice.chosen].suspects,
+  const RemainingStructure left = RemainingOf(prepared, choice);
+  const auto refusal = RefusalOfAll(book[choice.chosen].suspects,
                                     runs,
                                     prepared.held_out.empty(),
-                                    Remains(prepared, left, book[sifted.choice.chosen].gain));
+                                    Remains(prepared, left, book[choice.chosen].gain));
   if (refusal) {
-    sifted.choice.chosen = 0;
-    sifted.refusals.push_back(*refusal);
+    choice.chosen = 0;
+    choice.refusals.push_back(*refusal);
     runs = OfUsersAlone(std::move(runs));
   }
-  const int chosen = sifted.choice.chosen;
-  const RemainingStructure remaining = refusal ? RemainingOf(prepared, sifted.choice) : left;
+  const int chosen = choice.chosen;
+  const RemainingStructure remaining = refusal ? RemainingOf(prepared, choice) : left;
   const bool remains = Remains(prepared, remaining, book[chosen].gain);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
-  const bool is_suspected = runs.unseen.by_log && chosen == 0 && !sifted.refusals.empty();
+  const bool is_suspected = runs.unseen.by_log && chosen == 0 && !choice.refusals.empty();
   Verdict verdict = VerdictOf(remains || refusal || is_suspected, chosen != 0, !rivals.empty());
   std::optional<Coincidence> coincidence;
   if (verdict == Verdict::kExplained) coincidence = CoincidenceIn(search, chosen, separation);
@@ -133,9 +126,8 @@ Judgement Concluded(const Prepared& prepared,
   if (coincidence || is_only_cut) verdict = Verdict::kUnexplained;
   return {verdict,
           std::move(search),
-          std::move(sifted.choice),
+          std::move(choice),
           std::move(rivals),
-          std::move(sifted.refusals),
           evidence,
           std::move(runs),
           remaining,
@@ -158,19 +150,16 @@ Judgement JudgedOnce(const Prepared& prepared,
   if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
     logs = LeaveOut(prepared, LeavingOut::kLogs);
   }
-  Sifted sifted = SiftedBest(prepared, logs, search);
-  const std::vector<int>& causes = search.found.book[sifted.choice.chosen].suspects;
-  const LeavingOut how = HowToLeaveOut(prepared.data, sifted.choice.fit().model);
+  Choice choice = BestConfirmed(prepared, logs, search);
+  const std::vector<int>& causes = search.found.book[choice.chosen].suspects;
+  const LeavingOut how = HowToLeaveOut(prepared.data, choice.fit().model);
   const auto parts = std::make_shared<const LeftOutParts>(
       logs && how == LeavingOut::kLogs ? *std::move(logs) : LeaveOut(prepared, how));
-  FreeRunComparison runs = CompareWithUsers(prepared,
-                                            parts,
-                                            sifted.choice.fit(),
-                                            search.criterion,
-                                            ActOnPosesAlone(causes, search.suspects));
+  FreeRunComparison runs = CompareWithUsers(
+      prepared, parts, choice.fit(), search.criterion, ActOnPosesAlone(causes, search.suspects));
   if (causes.empty()) runs = OfUsersAlone(std::move(runs));
   return Concluded(
-      prepared, std::move(search), std::move(sifted), std::move(runs), evidence, options);
+      prepared, std::move(search), std::move(choice), std::move(runs), evidence, options);
 }
 
 // A search that was ended has its whole work where what it found leaves nothing but noise: only
@@ -235,12 +224,8 @@ Judgement Judge(const Prepared& prepared,
   if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung)) {
     return *std::move(by_likelihood);
   }
-  return Concluded(prepared,
-                   std::move(search),
-                   {std::move(rung.choice), {}},
-                   std::move(rung.runs),
-                   evidence,
-                   options);
+  return Concluded(
+      prepared, std::move(search), std::move(rung.choice), std::move(rung.runs), evidence, options);
 }
 
 }  // namespace fathom

@@ -19,10 +19,9 @@ namespace fathom {
 // What is named, what is refused, and what both rest on.
 struct Judgement {
   Verdict verdict = Verdict::kConsistent;
-  WeighedSearch search;           // that what is named comes from
-  Choice choice;                  // what is named: a hypothesis of the search, or the baseline
-  std::vector<int> rivals;        // FindRivals() of it
-  std::vector<Refusal> refusals;  // in the order in which they were made
+  WeighedSearch search;     // that what is named comes from
+  Choice choice;            // what is named and refused: of the search, or the baseline
+  std::vector<int> rivals;  // FindRivals() of it
   Evidence evidence;
   FreeRunComparison runs;
   RemainingStructure remaining;  // that what is named leaves

@@ -37,11 +37,12 @@ bool IsRival(const HypothesisBook& book, const Judgement& judgement, int suspect
 }
 
 bool IsRefused(const Judgement& judgement, int suspect) {
-  return std::any_of(
-      judgement.refusals.begin(), judgement.refusals.end(), [&](const Refusal& refusal) {
-        return std::find(refusal.refused.begin(), refusal.refused.end(), suspect) !=
-               refusal.refused.end();
-      });
+  return std::any_of(judgement.choice.refusals.begin(),
+                     judgement.choice.refusals.end(),
+                     [&](const Refusal& refusal) {
+                       return std::find(refusal.refused.begin(), refusal.refused.end(), suspect) !=
+                              refusal.refused.end();
+                     });
 }
 
 // `score` and `gain` are there already.
@@ -60,7 +61,7 @@ CandidateOutcome OutcomeOf(const Candidate& candidate,
   }
   if (candidate.gain < candidate.noise_reach) return kGainWithinNoise;
   if (judgement.choice.chosen != 0) return kNeedless;
-  if (judgement.refusals.empty()) return kTakenUpByNoise;
+  if (judgement.choice.refusals.empty()) return kTakenUpByNoise;
   return IsRefused(judgement, suspect) ? kRefused : kNoBetterThanRefused;
 }
 

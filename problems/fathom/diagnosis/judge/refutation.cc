@@ -26,13 +26,12 @@ bool IsLoss(const Gain& gain, double trace) {
   return gain.high < -trace || gain.value < -VerdictRules::kLossTooMuch;
 }
 
-// Whether the held-out data refuse a cause, from the runs without it and with it.
-bool IsRefused(const Scored& scored, bool acts_on_poses_alone, Burden burden) {
+// Whether the held-out data speak against a cause, from the runs without it and with it.
+bool Loses(const Scored& scored, bool acts_on_poses_alone) {
   const Gain in_velocities = GainOf(scored, false);
   const Gain gain = GainOf(scored, acts_on_poses_alone);
   const bool is_borne_out = gain.is_in_poses && gain.low > VerdictRules::kMaterialGainInPoses;
-  if (!is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)))) return true;
-  return burden == Burden::kToGain && !(gain.low > 0.0);
+  return !is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)));
 }
 
 // The best hypothesis of at most so many causes without any of some suspects.
@@ -80,32 +79,42 @@ bool IsFinerThan(double time, const Effect* effect, const ExtendedModel& model) 
 
 // Leaves causes out of a choice one at a time, as long as more than `fewest` are left.
 template <typename IsRefused>
-Sifted LeaveOut(const TrainingData& data,
+Choice LeaveOut(const TrainingData& data,
                 const WeighedSearch& search,
                 std::size_t fewest,
                 Refusal::Reason reason,
                 const IsRefused& is_refused,
                 Choice choice) {
   const HypothesisBook& book = search.found.book;
-  Sifted sifted = {std::move(choice), {}};
   std::set<int> left_out;
-  while (book[sifted.choice.chosen].suspects.size() > fewest) {
-    const std::vector<int>& causes = book[sifted.choice.chosen].suspects;
-    const auto refused = std::ranges::find_if(
-        causes, [&](int suspect) { return is_refused(sifted.choice, suspect); });
+  while (book[choice.chosen].suspects.size() > fewest) {
+    const std::vector<int>& causes = book[choice.chosen].suspects;
+    const auto refused =
+        std::ranges::find_if(causes, [&](int suspect) { return is_refused(choice, suspect); });
     if (refused == causes.end()) break;
     left_out.insert(*refused);
     const int next = BestWithout(left_out, causes.size() - 1, book);
-    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
-    sifted.refusals.push_back(
-        {.reason = reason, .refused = {*refused}, .kept = book[sifted.choice.chosen].suspects});
+    choice = WithChosen(data, search, next, std::move(choice));
+    choice.refusals.push_back(
+        {.reason = reason, .refused = {*refused}, .kept = book[choice.chosen].suspects});
   }
-  return sifted;
+  return choice;
+}
+
+// The runs over the held-out segments without one cause of a choice and with it; nothing where it
+// was not tried without.
+std::optional<Scored> RunsBeside(const HypothesisBook& book,
+                                 const std::vector<MeasuredSegment>& held_out,
+                                 const Choice& at,
+                                 int suspect) {
+  const int without = book.IndexWithout(at.chosen, suspect);
+  if (without < 0) return std::nullopt;
+  return Score(held_out, FitOf(book, at, without).model, at.fit().model);
 }
 
 }  // namespace
 
-Sifted LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice) {
+Choice LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice) {
   const double half_step = 0.5 * StepOf(data);
   const auto is_too_fine = [&](const Choice& at, int suspect) {
     return IsFinerThan(half_step, search.suspects[suspect].effect, at.fit().model);
@@ -114,27 +123,28 @@ Sifted LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search,
       data, search, 0, Refusal::Reason::kFinerThanTheStamps, is_too_fine, std::move(choice));
 }
 
-Sifted LeaveOutTheRefuted(const TrainingData& data,
-                          const std::vector<MeasuredSegment>& held_out,
-                          const WeighedSearch& search,
-                          Burden burden,
-                          Choice choice) {
-  const HypothesisBook& book = search.found.book;
+Choice LeaveOutWhatLoses(const TrainingData& data,
+                         const std::vector<MeasuredSegment>& held_out,
+                         const WeighedSearch& search,
+                         Choice choice) {
   const auto is_refused = [&](const Choice& at, int suspect) {
-    const int without = book.IndexWithout(at.chosen, suspect);
-    if (without < 0) return false;
-    const ExtendedModel& before = FitOf(book, at, without).model;
-    const Scored scored = Score(held_out, before, at.fit().model);
-    return IsRefused(scored, ActOnPosesAlone({suspect}, search.suspects), burden);
+    const auto runs = RunsBeside(search.found.book, held_out, at, suspect);
+    return runs && Loses(*runs, ActOnPosesAlone({suspect}, search.suspects));
   };
-  const bool may_leave_none = burden == Burden::kToGain;
   return LeaveOut(
-      data,
-      search,
-      may_leave_none ? 0 : 1,
-      may_leave_none ? Refusal::Reason::kGainsNothing : Refusal::Reason::kLosesBesideOthers,
-      is_refused,
-      std::move(choice));
+      data, search, 1, Refusal::Reason::kLosesBesideOthers, is_refused, std::move(choice));
+}
+
+Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
+                               const std::vector<MeasuredSegment>& held_out,
+                               const WeighedSearch& search,
+                               Choice choice) {
+  const auto is_refused = [&](const Choice& at, int suspect) {
+    const auto runs = RunsBeside(search.found.book, held_out, at, suspect);
+    const bool by_poses = ActOnPosesAlone({suspect}, search.suspects);
+    return runs && (Loses(*runs, by_poses) || !(GainOf(*runs, by_poses).low > 0.0));
+  };
+  return LeaveOut(data, search, 0, Refusal::Reason::kGainsNothing, is_refused, std::move(choice));
 }
 
 bool IsConfirmedByLogs(const Gain& gain) {
@@ -142,28 +152,27 @@ bool IsConfirmedByLogs(const Gain& gain) {
   return gain.num_better == gain.num_logs && gain.value > VerdictRules::kLeastGainOfEachLog;
 }
 
-Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
+Choice LeaveOutTheUnconfirmed(const TrainingData& data,
                               const LeftOutParts& logs,
                               const WeighedSearch& search,
                               Choice choice) {
   const HypothesisBook& book = search.found.book;
-  Sifted sifted = {std::move(choice), {}};
   std::map<int, Scored> scored;  // by hypothesis
   const auto runs_of = [&](int index) -> const Scored& {
     const auto found = scored.find(index);
     if (found != scored.end()) return found->second;
-    return scored[index] = Score(logs, FitOf(book, sifted.choice, index), search.criterion);
+    return scored[index] = Score(logs, FitOf(book, choice, index), search.criterion);
   };
   // Nothing of a cause of one log alone, or where it was not tried without it.
   const auto gain_by = [&](int suspect) -> std::optional<Gain> {
-    const int without = book.IndexWithout(sifted.choice.chosen, suspect);
+    const int without = book.IndexWithout(choice.chosen, suspect);
     if (!search.suspects[suspect].setting.log.empty() || without < 0) return std::nullopt;
-    const Scored beside = Beside(runs_of(without), runs_of(sifted.choice.chosen));
+    const Scored beside = Beside(runs_of(without), runs_of(choice.chosen));
     return GainOf(beside, ActOnPosesAlone({suspect}, search.suspects));
   };
   std::set<int> left_out;
-  for (int num_tried = 0; sifted.choice.chosen != 0; ++num_tried) {
-    const std::vector<int> causes = book[sifted.choice.chosen].suspects;
+  for (int num_tried = 0; choice.chosen != 0; ++num_tried) {
+    const std::vector<int> causes = book[choice.chosen].suspects;
     std::optional<Refusal> refusal;
     for (const int suspect : causes) {
       const auto gain = gain_by(suspect);
@@ -176,11 +185,11 @@ Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
     left_out.insert(refusal->refused.front());
     const std::size_t most_causes = causes.size() - (num_tried < kMostInstead ? 0 : 1);
     const int next = BestWithout(left_out, most_causes, book);
-    sifted.choice = WithChosen(data, search, next, std::move(sifted.choice));
-    refusal->kept = book[sifted.choice.chosen].suspects;
-    sifted.refusals.push_back(*std::move(refusal));
+    choice = WithChosen(data, search, next, std::move(choice));
+    refusal->kept = book[choice.chosen].suspects;
+    choice.refusals.push_back(*std::move(refusal));
   }
-  return sifted;
+  return choice;
 }
 
 std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone) {

@@ -13,55 +13,30 @@
 
 namespace fathom {
 
-// Suspects that fit the training data and are not named, and why.
-struct Refusal {
-  enum class Reason {
-    kFinerThanTheStamps,    // a delay or a lag under half of the step between samples
-    kLosesBesideOthers,     // with it the error grows on data that no fit has seen
-    kGainsNothing,          // it gains nothing for certain on them, and there is more to explain
-    kLosesOnUnseenData,     // all that was chosen: `loss`
-    kLosesInTraining,       // the same on the training data: `nmae_before`, `nmae_after`
-    kTwoLogsTellTooLittle,  // only two, and what it leaves is more than noise
-    kNotConfirmedByLogs,    // logs that are left out, each in turn, do not gain by it: `loss`
-  };
-  Reason reason = Reason::kLosesBesideOthers;
-  std::vector<int> refused = {};  // indices of suspects
-  std::vector<int> kept = {};     // beside which they are refused
-  Gain loss = {};                 // below 0; of kNotConfirmedByLogs the gain there is
-  double nmae_before = 0.0, nmae_after = 0.0;
-};
-
-// What the held-out data may ask of a cause.
-enum class Burden {
-  kNotToLose,  // that they do not speak against it
-  kToGain,     // that they gain by it for certain (95 %)
-};
-
-// A choice, and what was refused on the way to it.
-struct Sifted {
-  Choice choice;
-  std::vector<Refusal> refusals;
-};
-
 // Leaves out of a choice every delay or lag under half of the step between two samples of the
 // motion, one at a time: how a log is sampled, or a simulation stepped, does as much. The best
 // hypothesis of fewer causes without it takes the place.
-Sifted LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice);
+Choice LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search, Choice choice);
 
-// Leaves out of a choice every cause that does not bear its burden on the held-out segments, one at
-// a time (what acts on the poses alone and does not gain 5 % in them for certain must not lose in
-// the velocities either): the best hypothesis of fewer causes without it takes the place. Where
-// causes need only not to lose, the last one stays: Judge() asks all data of it.
-Sifted LeaveOutTheRefuted(const TrainingData& data,
-                          const std::vector<MeasuredSegment>& held_out,
-                          const WeighedSearch& search,
-                          Burden burden,
-                          Choice choice);
+// Leaves out of a choice every cause that the held-out segments speak against, one at a time (what
+// acts on the poses alone and does not gain 5 % in them for certain must not lose in the velocities
+// either): the best hypothesis of fewer causes without it takes the place. The last one stays:
+// Judge() asks all data of it.
+Choice LeaveOutWhatLoses(const TrainingData& data,
+                         const std::vector<MeasuredSegment>& held_out,
+                         const WeighedSearch& search,
+                         Choice choice);
+
+// The same of every cause that does not gain on them for certain (95 %), the last one as well.
+Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
+                               const std::vector<MeasuredSegment>& held_out,
+                               const WeighedSearch& search,
+                               Choice choice);
 
 // Several logs that hold nothing out: leaves out of a choice every cause of all logs that those
 // left out in turn do not confirm. The best hypothesis of no more causes without it takes the
 // place, as long as there are few.
-Sifted LeaveOutTheUnconfirmed(const TrainingData& data,
+Choice LeaveOutTheUnconfirmed(const TrainingData& data,
                               const LeftOutParts& logs,
                               const WeighedSearch& search,
                               Choice choice);

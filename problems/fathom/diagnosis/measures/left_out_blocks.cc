@@ -5,7 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/data/part_of_segment.h"
-#include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/diagnosis/fit/started_model.h"
 
 #include <algorithm>
 #include <iterator>

@@ -174,7 +174,8 @@ void AddRemarksOn(const Identified& identified, std::vector<std::string>* remark
 std::vector<std::string> RemarksOnJudgement(const Judgement& judgement, bool has_velocity) {
   const std::vector<Suspect>& suspects = judgement.search.suspects;
   std::vector<std::string> remarks;
-  for (const Refusal& refusal : judgement.refusals) remarks.push_back(RemarkOn(refusal, suspects));
+  for (const Refusal& refusal : judgement.choice.refusals)
+    remarks.push_back(RemarkOn(refusal, suspects));
   if (!judgement.IsRemainingTried()) {
     remarks.push_back(
         "Not tested: structure that no effect in the catalogue explains. There are too few "

@@ -83,30 +83,27 @@ HypothesisBook WithCauseReplaced(const SearchTask& task,
 
 }  // namespace
 
-Standing Challenged(const SearchTask& task,
-                    const std::shared_ptr<const FitAndTrials>& baseline,
-                    Standing standing) {
+HypothesisBook Challenged(const SearchTask& task,
+                          const std::shared_ptr<const FitAndTrials>& baseline,
+                          HypothesisBook book) {
   for (int round = 0; round < task.options.most_rounds; ++round) {
-    const int challenged = standing.best;
-    const std::vector<int> causes = standing.book[challenged].suspects;
-    for (const int cause : causes) {
+    const int index = book.best();
+    const Hypothesis challenged = book[index];
+    for (const int cause : challenged.suspects) {
       if (task.IsSpent()) break;
-      const Hypothesis hypothesis = standing.book[challenged];
-      standing.book =
-          WithCauseReplaced(task, baseline, hypothesis, cause, std::move(standing.book));
+      book = WithCauseReplaced(task, baseline, challenged, cause, std::move(book));
     }
-    const int num_causes = static_cast<int>(causes.size());
+    const int num_causes = static_cast<int>(challenged.suspects.size());
     for (int size = std::max(1, num_causes - 1); size <= num_causes; ++size) {
-      const std::vector<int> ranked = standing.book.RankedOfSize(size);
+      const std::vector<int> ranked = book.RankedOfSize(size);
       if (ranked.empty()) continue;
-      const HypothesisBook& book = standing.book;
-      if (book.Worth(ranked.front()) > book.Worth(standing.best) + kBetter) {
-        standing.best = ranked.front();
+      if (book.Worth(ranked.front()) > book.Worth(book.best()) + kBetter) {
+        book.SetBest(ranked.front());
       }
     }
-    if (standing.best == challenged) break;
+    if (book.best() == index) break;
   }
-  return standing;
+  return book;
 }
 
 }  // namespace fathom

@@ -50,6 +50,10 @@ class HypothesisBook {
   // Gain less what noise would reach with the same causes; minus infinity if it is not physical.
   double Worth(int index) const;
 
+  // The one that stands for the data best so far: the baseline until a search says otherwise.
+  int best() const { return best_; }
+  void SetBest(int index) { best_ = index; }
+
   // The greatest gain of all; 0 where none gains.
   double MostGain() const;
 
@@ -69,6 +73,7 @@ class HypothesisBook {
  private:
   Calibration calibration_;
   std::vector<Hypothesis> tried_;
+  int best_ = 0;
   std::map<std::vector<int>, int> known_;  // index into tried_
   std::set<std::vector<int>> attempts_;
 };

@@ -55,7 +55,7 @@ struct Widened {
 };
 
 // The same with a hypothesis that has causes.
-Widened WithOneMore(const SearchTask& task, int from, int best, HypothesisBook book) {
+Widened WithOneMore(const SearchTask& task, int from, HypothesisBook book) {
   const Hypothesis base = book[from];
   const Screens screens =
       ScreensAbout(task, WithTrials(task, base.fit), base.fit.noise, Sharpness::kWithSensor);
@@ -68,7 +68,7 @@ Widened WithOneMore(const SearchTask& task, int from, int best, HypothesisBook b
                          book.calibration().significance.ThresholdBeside(suspect);
     if (screens.scores[suspect] < least || base.Has(suspect)) continue;
     ++num_shown;
-    if (!HoldsTheBest(book[best], base, suspect)) suspects.push_back(suspect);
+    if (!HoldsTheBest(book[book.best()], base, suspect)) suspects.push_back(suspect);
   }
   return {Refined(task, screens, base, suspects, std::move(book)), num_shown > 0};
 }
@@ -77,11 +77,10 @@ Widened WithOneMore(const SearchTask& task, int from, int best, HypothesisBook b
 // shows beside that one, nothing is left for others to explain together.
 HypothesisBook WithOneMoreEach(const SearchTask& task,
                                const std::vector<int>& beam,
-                               int best,
                                HypothesisBook book) {
   for (const int from : beam) {
     if (task.IsSpent()) break;
-    Widened widened = WithOneMore(task, from, best, std::move(book));
+    Widened widened = WithOneMore(task, from, std::move(book));
     book = std::move(widened.book);
     if (from == beam.front() && !widened.shows) break;
   }
@@ -92,8 +91,8 @@ HypothesisBook WithOneMoreEach(const SearchTask& task,
 // unless it gains several times what noise alone reaches, over what stands.
 bool HoldsUnderTheBaselinesNoise(const SearchTask& task,
                                  const HypothesisBook& book,
-                                 const Hypothesis& hypothesis,
-                                 const Hypothesis& standing) {
+                                 const Hypothesis& hypothesis) {
+  const Hypothesis& standing = book[book.best()];
   if (task.options.criterion == Criterion::kFreeRun) return true;
   const auto threshold = [&](const Hypothesis& of) {
     return book.calibration().ThresholdOf(of.suspects);
@@ -124,8 +123,7 @@ SearchResult SearchCauses(const TrainingData& data,
   std::vector<double> scores(suspects.size(), 0.0);
   for (int k = 0; screens.own && k < task.num_suspects(); ++k) scores[k] = screens.own->Score(k);
 
-  Standing standing = {HypothesisBook(baseline, CalibrationOf(task, screens)), 0};
-  HypothesisBook& book = standing.book;
+  HypothesisBook book(baseline, CalibrationOf(task, screens));
   std::vector<int> beam;
   bool is_cut = false;
   for (int size = 1; size <= wanted.most_causes; ++size) {
@@ -134,21 +132,19 @@ SearchResult SearchCauses(const TrainingData& data,
     if (size == 1 && options.criterion == Criterion::kFreeRun) {
       book = WithSinglesByMomentum(task, std::move(book));
     }
-    book = WithOneMoreEach(task, beam, standing.best, std::move(book));
+    book = WithOneMoreEach(task, beam, std::move(book));
     if (size == 2 && !task.IsSpent()) book = WithPairs(task, about_baseline, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);
-    const bool is_better =
-        !ranked.empty() && book.Worth(ranked.front()) > book.Worth(standing.best);
-    if (is_better &&
-        HoldsUnderTheBaselinesNoise(task, book, book[ranked.front()], book[standing.best])) {
-      standing.best = ranked.front();
-      standing = Challenged(task, about_baseline, std::move(standing));
+    const bool is_better = !ranked.empty() && book.Worth(ranked.front()) > book.Worth(book.best());
+    if (is_better && HoldsUnderTheBaselinesNoise(task, book, book[ranked.front()])) {
+      book.SetBest(ranked.front());
+      book = Challenged(task, about_baseline, std::move(book));
     }
     is_cut = is_cut || task.IsSpent();
     if (!is_better && size >= 2) break;
     beam = CarriedOn(task, book, size);
   }
-  return {std::move(standing.book), standing.best, is_cut, std::move(scores)};
+  return {std::move(book), is_cut, std::move(scores)};
 }
 
 }  // namespace fathom

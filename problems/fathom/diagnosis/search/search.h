@@ -12,7 +12,6 @@ namespace fathom {
 // What came of a search.
 struct SearchResult {
   HypothesisBook book = {{}, {}};  // all that was tried, with what a suspect must gain
-  int best = 0;                    // in the book
   bool is_cut = false;             // it ended because it had taken most_work
   std::vector<double> scores;      // by suspect: the best one on the baseline's own screen
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/fit/robust_start.h"
+#include "fathom/diagnosis/fit/started_model.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ MeasuredSegments SegmentsFrom(const SurgeRun& run, std::uint64_t seed) {
   return MeasuredSegmentsOf(logs, Dof::kSurge);
 }
 
-void ExpectTruth(const RobustStart& start, double share) {
+void ExpectTruth(const StartedModel& start, double share) {
   const UncoupledModel<double>& model = start.model.baseline;
   EXPECT_NEAR(model.inertia, kSurgeTruth.inertia, share * kSurgeTruth.inertia);
   EXPECT_NEAR(model.quadratic_damping, kSurgeTruth.quadratic_damping, share * 60.0);

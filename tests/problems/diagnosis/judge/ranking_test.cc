@@ -38,7 +38,7 @@ class RankCandidatesTest : public testing::Test {
     Calibration calibration;
     calibration.significance =
         Significance(maxima, std::vector<int>(n, 1), std::vector<double>(n, 1.0), 0.05);
-    Found() = {HypothesisBook({}, calibration), 0, false, std::vector<double>(n, 0.0)};
+    Found() = {HypothesisBook({}, calibration), false, std::vector<double>(n, 0.0)};
   }
 
   void Try(const std::vector<int>& suspects, double gain) {
@@ -115,7 +115,7 @@ TEST_F(RankCandidatesTest, SayWhyARefitWasKeptOrDropped) {
   judgement_.rivals.clear();
   EXPECT_EQ(Ranked()["thrust_curve"].outcome, CandidateOutcome::kTakenUpByNoise);
 
-  judgement_.refusals.push_back({.refused = {0}});
+  judgement_.choice.refusals.push_back({.refused = {0}});
   EXPECT_EQ(Ranked()["thruster_lag"].outcome, CandidateOutcome::kRefused);
   EXPECT_EQ(Ranked()["thrust_curve"].outcome, CandidateOutcome::kNoBetterThanRefused);
 }

@@ -37,7 +37,7 @@ TEST(RemarksOnJudgement, AreNoneWhereThereIsNothingToSay) {
 
 TEST(RemarksOnJudgement, SayWhatWasRefusedAndWhyInItsOrder) {
   Judgement judgement = Plain();
-  judgement.refusals = {
+  judgement.choice.refusals = {
       {.reason = Refusal::Reason::kFinerThanTheStamps, .refused = {0}},
       {.reason = Refusal::Reason::kLosesBesideOthers, .refused = {1}, .kept = {0}},
       {.reason = Refusal::Reason::kGainsNothing, .refused = {0}},
