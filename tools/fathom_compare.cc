@@ -155,8 +155,10 @@ std::optional<Dof> DofOfDecay(const std::vector<Log>& logs, const std::vector<Do
 
 bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
 
-StandardStructure ParseStructure(const std::string& name) {
-  if (const auto structure = StandardStructureFromName(name)) return *structure;
+// Nothing stands for auto.
+std::optional<StandardStructure> ParseStructure(const std::string& name) {
+  if (name == "auto") return std::nullopt;
+  if (const auto structure = StandardStructureFromName(name)) return structure;
   throw InputError(
       fmt::format("is {}, expected all, or of diagonal, coriolis, lift, symmetric, full, lopsided "
                   "and auto.",
@@ -173,13 +175,15 @@ StructureComparisonOptions StructureOptionsFromFlags() {
   options.dofs = ListFromFlag("dofs", FLAGS_dofs, ParseDof);
   std::ranges::sort(options.dofs);
   if (FLAGS_structures != "all") {
-    std::string names;
-    for (const std::string& name : SplitAtCommas(FLAGS_structures)) {
-      if (name != "auto") names += (names.empty() ? "" : ",") + name;
+    options.structures.emplace();
+    options.has_auto = false;
+    for (const auto& structure : ListFromFlag("structures", FLAGS_structures, ParseStructure)) {
+      if (structure) {
+        options.structures->push_back(*structure);
+      } else {
+        options.has_auto = true;
+      }
     }
-    options.structures = ListFromFlag("structures", names, ParseStructure);
-    const std::vector<std::string> all = SplitAtCommas(FLAGS_structures);
-    options.has_auto = std::ranges::find(all, "auto") != all.end();
   }
   if (!FLAGS_families.empty()) {
     options.families = ListFromFlag("families", FLAGS_families, ParseSignalFamily);

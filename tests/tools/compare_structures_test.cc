@@ -93,6 +93,9 @@ TEST(CompareStructures, RefusesWhatItDoesNotKnow) {
             "--structures: is 'square', expected all, or of diagonal, coriolis, lift, symmetric, "
             "full, lopsided and auto."},
            {{"--structures=full,full"}, "--structures: names full twice, expected each once."},
+           {{"--structures=auto,auto"}, "--structures: names auto twice, expected each once."},
+           {{"--structures=,"}, "--structures: is '', expected all, or of diagonal"},
+           {{"--structures=full", "--families=joint"}, "--families: "},
            {{"--structures=full", "--sources=camera"},
             "--sources: goes with families, expected none beside --structures."},
            {{"--window=5"},
