@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Every identifier family on every source of a log, in one table: the paper's Table II and Fig. 5.
+// Or every structure of a coupled model of several DOFs.
 
+#include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
+#include "fathom/base/quoted.h"
 #include "fathom/comparison/comparison.h"
 #include "fathom/comparison/comparison_file.h"
 #include "fathom/comparison/comparison_page.h"
 #include "fathom/comparison/comparison_panels.h"
+#include "fathom/comparison/structure_comparison.h"
+#include "fathom/comparison/structure_file.h"
+#include "fathom/comparison/structure_page.h"
+#include "fathom/comparison/structure_text.h"
+#include "fathom/findings/log_check.h"
 #include "fathom/free_decay/log_decay.h"
 #include "fathom/report/figures/figure.h"
 #include "fathom/signal/sources/dof_of_log.h"
@@ -40,6 +48,12 @@ DEFINE_string(sources,
               "",
               "Comma-separated: pose_estimator (velocity.csv), camera (poses). Default: all that "
               "every log has.");
+DEFINE_string(structures,
+              "",
+              "Instead of families, structures of one coupled model of --dofs: all, or "
+              "comma-separated of diagonal, coriolis, lift, symmetric, full, lopsided, auto "
+              "(chosen as the data show). Models of one DOF each stand beside them.");
+DEFINE_double(window, 20.0, "Of --structures: the simulation begins anew after so long [s].");
 DEFINE_string(json, "", "Write the rows to this JSON file.");
 DEFINE_string(report, "", "Write a page to this HTML file.");
 DEFINE_string(figures,
@@ -51,16 +65,18 @@ namespace {
 
 const ToolInfo kInfo = {
     "fathom_compare",
-    "Compares identifier families and sources on one log, or on several together, scored by "
-    "simulating from the command alone.",
+    "Compares identifier families and sources on one log, or on several together, or structures "
+    "of a coupled model, scored by simulating from the command alone.",
     "--log=LOG [--log=LOG ...] [--dofs=surge,...] [--families=...] [--sources=...] [--json=FILE] "
-    "[--report=FILE]",
+    "[--report=FILE]\n"
+    "--log=LOG [--log=LOG ...] [--dofs=surge,...] --structures=all|NAME,... [--window=SECONDS] "
+    "[--families=...] [--json=FILE] [--report=FILE]",
     "fathom_compare --log=data/flatfish --dofs=surge,heave,yaw --report=flatfish.html",
     "The row to take is marked *: of those whose held-out velocity NMAE is the least within "
     "chance, the one whose parameters are determined best (docs/comparison.md). A row without a "
     "usable model is marked !. The family joint needs "
-    "detections.csv, camera.yaml, tags.yaml and mount.yaml. Exit code 2: a DOF has no usable "
-    "model.",
+    "detections.csv, camera.yaml, tags.yaml and mount.yaml. With --structures the row marked * is "
+    "what auto chose. Exit code 2: a DOF, or the row to be marked, has no usable model.",
     {"log"}};
 
 // What a flag lists, each once.
@@ -137,7 +153,88 @@ std::optional<Dof> DofOfDecay(const std::vector<Log>& logs, const std::vector<Do
   return AreFreeDecays(logs, dof) ? std::optional(dof) : std::nullopt;
 }
 
+bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+
+// Nothing stands for auto.
+std::optional<StandardStructure> ParseStructure(const std::string& name) {
+  if (name == "auto") return std::nullopt;
+  if (const auto structure = StandardStructureFromName(name)) return structure;
+  throw InputError(
+      fmt::format("is {}, expected all, or of diagonal, coriolis, lift, symmetric, full, lopsided "
+                  "and auto.",
+                  Quoted(name)));
+}
+
+StructureComparisonOptions StructureOptionsFromFlags() {
+  for (const char* flag : {"sources", "figures"}) {
+    if (!IsGiven(flag)) continue;
+    throw InputError(
+        fmt::format("--{}: goes with families, expected none beside --structures.", flag));
+  }
+  StructureComparisonOptions options;
+  options.dofs = ListFromFlag("dofs", FLAGS_dofs, ParseDof);
+  std::ranges::sort(options.dofs);
+  if (FLAGS_structures != "all") {
+    options.structures.emplace();
+    options.has_auto = false;
+    for (const auto& structure : ListFromFlag("structures", FLAGS_structures, ParseStructure)) {
+      if (structure) {
+        options.structures->push_back(*structure);
+      } else {
+        options.has_auto = true;
+      }
+    }
+  }
+  if (!FLAGS_families.empty()) {
+    options.families = ListFromFlag("families", FLAGS_families, ParseSignalFamily);
+  }
+  options.identification = IdentificationOptionsFromFlags();
+  options.fit.window = FLAGS_window;
+  if (const auto problems = options.fit.Problems(); !problems.empty()) {
+    throw InputError(fmt::format("--{}.", problems.front()));
+  }
+  return options;
+}
+
+int RunStructures() {
+  StructureComparisonOptions options = StructureOptionsFromFlags();
+  RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, InputsFromFlags());
+  const std::vector<Log> logs = ReadLogsFromFlags(OnlyDof(options.dofs), false, true);
+  if (options.dofs.empty()) {
+    options.dofs = CommonDofs(logs);
+    std::ranges::sort(options.dofs);
+  }
+  // Before the fits, which take a while.
+  const std::vector<Finding> findings = CheckLogs(logs, options.dofs);
+  PrintWarnings(findings);
+  PrintNotes(findings);
+  std::fflush(stdout);
+  const StructureComparison comparison = CompareStructures(logs, options);
+  PrintText(stdout, StructureSentence(comparison) + "\n\n");
+  std::printf("%s\n", TableForTerminal(UnseenTable(comparison)).c_str());
+  std::printf("%s", TableForTerminal(FittedTable(comparison)).c_str());
+  for (const std::string& line : CommentsOn(comparison)) PrintText(stdout, line + "\n");
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatStructures(comparison));
+  if (!FLAGS_report.empty()) {
+    Page page = StructurePage(comparison);
+    for (const Finding& finding : findings) {
+      const bool is_warning = finding.severity != Severity::kNote;
+      (is_warning ? page.warnings : page.sections.front().notes).push_back(finding.sentence);
+    }
+    page.origin = OriginOfPage(logs);
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
+  return comparison.Taken() != nullptr ? kExitUsable : kExitNoFit;
+}
+
 int Run() {
+  if (!FLAGS_structures.empty()) {
+    RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
+    return RunStructures();
+  }
+  if (IsGiven("window")) {
+    throw InputError("--window: goes with --structures, expected none: families have no window.");
+  }
   const ComparisonOptions options = OptionsFromFlags();
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   RequireOutputs({{"json", FLAGS_json}, {"report", FLAGS_report}}, InputsFromFlags());

@@ -70,6 +70,12 @@ TEST_F(PageLayout, OfAComparisonFits) {
                                      "<code>[0-9a-f]{16}</code>"));
 }
 
+TEST_F(PageLayout, OfAComparisonOfStructuresFits) {
+  ExpectThatItFits(PageOf(
+      "fathom_compare",
+      {"--log=" + kPoolRun, "--dofs=surge", "--structures=diagonal", "--families=output_error"}));
+}
+
 TEST_F(PageLayout, OfADiagnosisFits) {
   ExpectThatItFits(PageOf("fathom_diagnose", {"--log=" + kPoolRun, "--dof=surge"}));
 }

@@ -87,24 +87,6 @@ std::vector<Source> CommonSources(std::span<const Log> logs, Dof dof) {
   return common;
 }
 
-// The DOFs that every log names. Throws InputError if there is none.
-std::vector<Dof> CommonDofs(std::span<const Log> logs) {
-  std::vector<Dof> common = logs.front().dofs;
-  for (const Log& log : logs) {
-    if (log.dofs.empty()) {
-      throw InputError(
-          fmt::format("{}: log.yaml names no dof; say which with --dofs.", log.path.string()));
-    }
-    KeepCommon(log.dofs, &common);
-  }
-  if (common.empty()) {
-    throw InputError(
-        fmt::format("{} and the logs beside it name no dof in common; say which with --dofs.",
-                    logs.front().path.string()));
-  }
-  return common;
-}
-
 DofComparison CompareAlong(Dof dof, std::span<const Log> logs, const ComparisonOptions& options) {
   const std::vector<Source> available = CommonSources(logs, dof);
   std::vector<std::string> names;
@@ -142,6 +124,23 @@ DofComparison CompareAlong(Dof dof, std::span<const Log> logs, const ComparisonO
 }
 
 }  // namespace
+
+std::vector<Dof> CommonDofs(std::span<const Log> logs) {
+  std::vector<Dof> common = logs.front().dofs;
+  for (const Log& log : logs) {
+    if (log.dofs.empty()) {
+      throw InputError(
+          fmt::format("{}: log.yaml names no dof; say which with --dofs.", log.path.string()));
+    }
+    KeepCommon(log.dofs, &common);
+  }
+  if (common.empty()) {
+    throw InputError(
+        fmt::format("{} and the logs beside it name no dof in common; say which with --dofs.",
+                    logs.front().path.string()));
+  }
+  return common;
+}
 
 Comparison Compare(std::span<const Log> logs, const ComparisonOptions& options) {
   if (logs.empty()) throw InputError("A comparison needs at least one log.");

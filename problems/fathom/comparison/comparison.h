@@ -55,4 +55,7 @@ struct Comparison {
 // serve the joint refinement, a remark says why.
 Comparison Compare(std::span<const Log> logs, const ComparisonOptions& options = {});
 
+// The DOFs that every log names. Throws InputError if there is none.
+std::vector<Dof> CommonDofs(std::span<const Log> logs);
+
 }  // namespace fathom

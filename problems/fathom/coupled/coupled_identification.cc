@@ -120,8 +120,8 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     fit.body = {};  // in kg, which these forces are not
   }
   if (options.structure) {
-    identified.fit =
-        FitBlocks(all, StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held)), fit);
+    identified.structure = StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held));
+    identified.fit = FitBlocks(all, identified.structure, fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {
     EntrySearchOptions search;
@@ -130,9 +130,13 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     for (const CommandedThruster& thruster : thrusters) search.thrusters.push_back(thruster.name);
     search.fins = FinsOf(all, fit.held);
     identified.ladder = ClimbLadder(all, options.dofs, search);
-    identified.fit = identified.ladder->rungs[identified.ladder->accepted].fit;
+    const LadderRung& accepted = identified.ladder->rungs[identified.ladder->accepted];
+    identified.structure = accepted.structure;
+    identified.fit = accepted.fit;
     identified.fitted.structure = "auto";
   }
+  identified.fit_options = fit;
+  identified.data = std::move(all.data);
   const CoupledSummary& result = identified.fit;
   identified.message = result.message;
   identified.is_usable = result.IsUsable();
@@ -142,7 +146,7 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   fitted.model.dofs = options.dofs;
   fitted.entries = result.entries;
   fitted.covariance = result.covariance;
-  fitted.force_unit = unit_fin.value_or(all.data.front().force_unit);
+  fitted.force_unit = unit_fin.value_or(identified.data.front().force_unit);
   fitted.horizon = fit.window;
   if (unit_fin) {
     fitted.caveats.push_back(fmt::format(
@@ -158,7 +162,7 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                     "body's own: {}. These intervals are to be cut there.",
                     NamesOfEntries(result.on_bound)));
   }
-  auto prediction = PredictCoupled(fitted.model, all.data, fit.window);
+  auto prediction = PredictCoupled(fitted.model, identified.data, fit.window);
   if (!prediction) {
     identified.is_usable = false;
     identified.message = "free runs of the model diverge";
@@ -170,9 +174,8 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   if (identified.ladder && identified.ladder->rungs.front().fit.converged) {
     CoupledModel diagonal = identified.ladder->rungs.front().fit.model;
     diagonal.dofs = options.dofs;
-    identified.diagonal = PredictCoupled(diagonal, all.data, fit.window);
+    identified.diagonal = PredictCoupled(diagonal, identified.data, fit.window);
   }
-  identified.data = std::move(all.data);
   return identified;
 }
 

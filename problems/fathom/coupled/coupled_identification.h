@@ -29,6 +29,9 @@ struct CoupledIdentification {
   CoupledSummary fit;
   std::optional<Ladder> ladder;  // where the structure was chosen
 
+  MotionStructure structure;      // what is free
+  CoupledFitOptions fit_options;  // with what the vehicle file tells
+
   std::vector<CoupledData> data;              // the logs as the fit took them
   CoupledPrediction prediction;               // free runs of a window's length, where usable
   std::optional<CoupledPrediction> diagonal;  // the same of the ladder's first rung

@@ -130,6 +130,18 @@ UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
   return errors;
 }
 
+UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
+                            const std::vector<CoupledModel>& models) {
+  UnseenErrors errors;
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    const auto prediction = PredictCoupled(models[f], folds[f].unseen, kUnseenHorizon);
+    if (!prediction) return errors;
+    AddErrors(folds[f].unseen, *prediction, &errors);
+  }
+  errors.is_known = !errors.by_window.empty();
+  return errors;
+}
+
 std::array<double, 6> NmaeOf(const UnseenErrors& errors, const std::vector<Dof>& dofs) {
   std::array<double, 6> nmae;
   nmae.fill(std::numeric_limits<double>::quiet_NaN());

@@ -36,6 +36,11 @@ UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
                             const CoupledSummary& fit,
                             CoupledFitOptions options);
 
+// Of models that something else fitted to the training part of each fold, in the order of the
+// folds.
+UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
+                            const std::vector<CoupledModel>& models);
+
 // NMAE, docs/models.md (8), by Index(Dof); NaN where not known.
 std::array<double, 6> NmaeOf(const UnseenErrors& errors, const std::vector<Dof>& dofs);
 
