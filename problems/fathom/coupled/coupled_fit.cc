@@ -30,6 +30,7 @@ constexpr int kMostOrder = 12;      // of a channel's noise
 constexpr double kQuietest = 1e-4;  // the least noise of a channel, of what it shows in a second
 constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
 constexpr double kFinePrecision = 0.02;
+constexpr double kRoughGain = 1e-4;  // of the cost: a gain that ends a pass under white noise
 constexpr double kDampingNearTheEnd = 1e-6;
 constexpr double kAstray = 2.0;          // times the squares that white noise leaves
 constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
@@ -263,11 +264,11 @@ CoupledModel BroughtNearer(const CoupledModel& guess,
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) return guess;
   const auto noise = NoiseOf(residuals, problem.channels, QuietestSensors(problem), true);
-  return SearchWindows(problem,
-                       WeightsOf(noise, options.huber_k),
-                       point,
-                       {options.max_iterations, kRoughPrecision})
-      .point.model;
+  WindowSearchOptions with;
+  with.max_iterations = options.max_iterations;
+  with.precision = kRoughPrecision;
+  with.smallest_gain = kRoughGain;
+  return SearchWindows(problem, WeightsOf(noise, options.huber_k), point, with).point.model;
 }
 
 }  // namespace
@@ -317,6 +318,9 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     guess = BroughtNearer(guess, logs, options, problem);
   }
   WindowPoint point = StartOf(problem, guess);
+  if (options.window_starts.size() == problem.windows.size()) {
+    point.starts = options.window_starts;
+  }
 
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) {
@@ -340,7 +344,9 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
                               : NoiseOf(residuals, problem.channels, quietest, is_white);
     WindowSearchOptions with;
     with.max_iterations = options.max_iterations;
-    with.precision = is_white || !options.learns_noise ? kRoughPrecision : kFinePrecision;
+    const bool is_rough = is_white || !options.learns_noise;
+    with.precision = is_rough ? kRoughPrecision : kFinePrecision;
+    if (is_white) with.smallest_gain = kRoughGain;
     if (is_given || pass > num_white) with.first_damping = kDampingNearTheEnd;
     WindowSearch search = SearchWindows(problem, WeightsOf(noise, options.huber_k), point, with);
     summary.num_iterations += search.num_iterations;

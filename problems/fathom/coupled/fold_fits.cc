@@ -13,7 +13,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kFoldPrecision = 0.05;  // in standard deviations
+constexpr double kFoldPrecision = 0.15;  // in standard deviations
 constexpr double kFoldDamping = 1e-6;
 
 // Whether all folds take the channels that the noise of a fit is of.
@@ -73,8 +73,11 @@ std::vector<std::optional<CoupledModel>> FitFolds(const std::vector<Fold>& folds
   for (const CoupledWindow& window : problem.windows) point.starts.push_back(window.start);
   std::vector<ChannelWeight> weights;
   for (const ChannelNoise& noise : fit.noise) weights.push_back({noise.whitener, options.huber_k});
-  const std::vector<WindowSearch> searches = SearchParts(
-      problem, weights, point, parts, {options.max_iterations, kFoldPrecision, kFoldDamping});
+  WindowSearchOptions with;
+  with.max_iterations = options.max_iterations;
+  with.precision = kFoldPrecision;
+  with.first_damping = kFoldDamping;
+  const std::vector<WindowSearch> searches = SearchParts(problem, weights, point, parts, with);
   std::vector<std::optional<CoupledModel>> models(folds.size());
   for (std::size_t f = 0; f < folds.size(); ++f) {
     if (searches[f].converged) models[f] = searches[f].point.model;

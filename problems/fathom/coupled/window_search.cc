@@ -163,11 +163,12 @@ bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damp
 }
 
 // Whether what is left to go is small for the entries, and on average for each start.
-bool IsSmall(const Step& step, const Linearised& lines, double precision) {
+bool IsSmall(const Step& step, const Linearised& lines, const WindowSearchOptions& options) {
+  const double precision = options.precision;
   const double rest = step.decrement - step.of_entries;
   return (step.of_entries < precision * precision &&
           rest < kStartPrecision * kStartPrecision * static_cast<double>(lines.windows.size())) ||
-         step.decrement < kSmallestGain * lines.cost;
+         step.decrement < options.smallest_gain * lines.cost;
 }
 
 // Whether a whole step has left little to go: by how well its gain was foretold, the slope at its
@@ -245,7 +246,7 @@ WindowSearch SearchFrom(const WindowProblem& problem,
     const double before = lines.cost + barrier.cost;
     for (int tries = 0; tries < kMostTries && !is_small; ++tries) {
       if (StepOf(lines, barrier, damping, &step)) {
-        is_small = IsSmall(step, lines, options.precision);
+        is_small = IsSmall(step, lines, options);
         end = EndOf(problem, weights, search.point, step, 1.0, before);
       }
       if (end.gain > 0.0) break;
@@ -256,7 +257,8 @@ WindowSearch SearchFrom(const WindowProblem& problem,
       search.converged = true;  // rounding lets no step lower the error any more
       break;
     }
-    is_small = is_small || LeavesLittle(step, end.gain, options.precision);
+    is_small = is_small || LeavesLittle(step, end.gain, options.precision) ||
+               end.gain < options.smallest_gain * lines.cost;
     const double share = BestShare(step, end.gain);
     if (!is_small && std::abs(share - 1.0) > kWorthAnotherLook) {
       StepEnd nearer = EndOf(problem, weights, search.point, step, share, before);
@@ -283,22 +285,37 @@ WindowSearch SearchFrom(const WindowProblem& problem,
   return search;
 }
 
-// The starts brought to where they are best for the model: nearly, since runs bend.
+// Linearises where the starts are best for the model: nearly, since runs bend. A step of a start
+// that raises its window's cost is taken back.
 bool SettleStarts(const WindowProblem& problem,
                   const std::vector<ChannelWeight>& weights,
-                  WindowPoint* point) {
+                  WindowPoint* point,
+                  Linearised* lines) {
   WindowProblem held = problem;
   held.entries.clear();
+  std::vector<double> costs(problem.windows.size(), std::numeric_limits<double>::infinity());
+  std::vector<CoupledState> best = point->starts;
   for (int step = 0; step < kStartSteps; ++step) {
-    Linearised lines;
-    if (!Linearise(held, weights, *point, &lines)) return false;
-    for (std::size_t w = 0; w < lines.windows.size(); ++w) {
-      const WindowNormal& window = lines.windows[w];
-      point->starts[w] =
-          Moved(point->starts[w], problem.free, -StartSolver(window.ss, 0.0).solve(window.s));
+    if (!Linearise(held, weights, *point, lines)) return false;
+    for (std::size_t w = 0; w < costs.size(); ++w) {
+      const WindowNormal& window = lines->windows[w];
+      if (!(window.cost < costs[w])) {
+        point->starts[w] = best[w];
+        continue;
+      }
+      costs[w] = window.cost;
+      best[w] = point->starts[w];
+      point->starts[w] = Moved(best[w], problem.free, -StartSolver(window.ss, 0.0).solve(window.s));
     }
   }
-  return true;
+  if (!Linearise(problem, weights, *point, lines)) return false;
+  bool is_settled = true;
+  for (std::size_t w = 0; w < costs.size(); ++w) {
+    if (!(lines->windows[w].cost > costs[w])) continue;
+    point->starts[w] = best[w];
+    is_settled = false;
+  }
+  return is_settled || Linearise(problem, weights, *point, lines);
 }
 
 }  // namespace
@@ -325,7 +342,7 @@ std::vector<WindowSearch> SearchParts(const WindowProblem& problem,
   std::vector<WindowSearch> searches(parts.size());
   WindowPoint settled = start;
   Linearised lines;
-  if (!SettleStarts(problem, weights, &settled) || !Linearise(problem, weights, settled, &lines)) {
+  if (!SettleStarts(problem, weights, &settled, &lines)) {
     for (WindowSearch& search : searches) {
       search.point = start;
       search.message = kBeginsNowhere;

@@ -28,6 +28,9 @@ struct WindowSearchOptions {
   // Of the step left to go, in standard deviations.
   double precision = 0.02;
 
+  // A gain of the cost below this share ends the search.
+  double smallest_gain = 1e-10;
+
   // Of the first step, as a share of the squares: small where the search begins near its end.
   double first_damping = 1e-3;
 };
