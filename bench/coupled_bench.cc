@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Six DOFs and 30 numbers over 300 s at 50 Hz: a simulation with all sensitivities against the same
-// by hand in C, in one run; the time of a fit, and how it grows to 3000 s. Exit 1 if a limit is
-// broken. Times are the best of several repetitions. docs/coupled.md.
+// by hand in C, in one run; the times of a fit and of a ladder, and how a fit grows to 3000 s. Exit
+// 1 if a limit is broken. Times are the best of several repetitions. docs/coupled.md.
 
 #include "fathom/coupled/coupled_fit.h"
+#include "fathom/coupled/ladder.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
 #include <algorithm>
@@ -203,9 +204,23 @@ void FathomFit(benchmark::State& state) {
   }
 }
 
-constexpr double kMostOfPeer = 1.5;    // times its CPU time
-constexpr double kMostOfFit = 1000.0;  // [ms]
-constexpr double kMostGrowth = 12.0;   // for ten times the data
+// The structure, chosen.
+void FathomLadder(benchmark::State& state) {
+  CoupledLogs logs;
+  logs.data = {MakeData(300.0)};
+  for (auto _ : state) {
+    const Ladder ladder = ClimbLadder(logs, Truth().dofs, {});
+    const LadderRung& accepted = ladder.rungs[ladder.accepted];
+    if (!accepted.fit.IsUsable()) state.SkipWithError(accepted.fit.message.c_str());
+    state.counters["named"] = static_cast<double>(ladder.named.size());
+    state.counters["inertia"] = accepted.fit.model.inertia(0, 0);
+  }
+}
+
+constexpr double kMostOfPeer = 1.5;        // times its CPU time
+constexpr double kMostOfFit = 1000.0;      // [ms]
+constexpr double kMostOfLadder = 20000.0;  // [ms]
+constexpr double kMostGrowth = 12.0;       // for ten times the data
 
 BENCHMARK(FathomSensitivities)->Unit(benchmark::kMillisecond)->Repetitions(7)->MinTime(0.2);
 BENCHMARK(PeerSensitivities)->Unit(benchmark::kMillisecond)->Repetitions(7)->MinTime(0.2);
@@ -216,11 +231,13 @@ BENCHMARK(FathomFit)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->Repetitions(2);
+BENCHMARK(FathomLadder)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->Iterations(1);
 
 bool PrintLimits(const BestTimes& times) {
   std::printf("\nThe best CPU times\n");
   bool is_kept = times.PrintRatio("FathomSensitivities", "PeerSensitivities", kMostOfPeer);
   is_kept = times.PrintTime("FathomFit/300", kMostOfFit) && is_kept;
+  is_kept = times.PrintTime("FathomLadder", kMostOfLadder) && is_kept;
   return times.PrintRatio("FathomFit/3000", "FathomFit/300", kMostGrowth) && is_kept;
 }
 

@@ -30,6 +30,8 @@ constexpr int kMostOrder = 12;      // of a channel's noise
 constexpr double kQuietest = 1e-4;  // the least noise of a channel, of what it shows in a second
 constexpr double kRoughPrecision = 0.1;  // of the passes before the last, in standard deviations
 constexpr double kFinePrecision = 0.02;
+constexpr double kRoughGain = 1e-4;  // of the cost: a gain that ends a pass under white noise
+constexpr double kDampingNearTheEnd = 1e-6;
 constexpr double kAstray = 2.0;          // times the squares that white noise leaves
 constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
 constexpr double kSingular = 1e-11;      // of the scaled normal equations
@@ -65,7 +67,8 @@ std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& re
   for (const WindowResiduals& window : residuals) {
     for (const WindowResiduals::Piece& piece : window.pieces) {
       if (piece.channel == channel) {
-        pieces.emplace_back(piece.residual.data(), piece.residual.data() + piece.residual.size());
+        const Eigen::VectorXd residual = piece.rows.col(0);
+        pieces.emplace_back(residual.data(), residual.data() + residual.size());
       }
     }
   }
@@ -161,16 +164,15 @@ std::vector<FreeEntry> UndeterminedIn(const Eigen::MatrixXd& normal,
 }
 
 // Of the entries: what white innovations say, widened where the scores scatter more.
-Eigen::MatrixXd CovarianceOf(const ReducedWindows& at,
-                             const Eigen::MatrixXd& scores,
-                             int num_unknowns) {
+Eigen::MatrixXd CovarianceOf(const WindowScores& at, int num_rows, int num_unknowns) {
+  const Eigen::MatrixXd& scores = at.by_block;
   const Eigen::MatrixXd inverse =
       at.normal.ldlt().solve(Eigen::MatrixXd::Identity(at.normal.rows(), at.normal.cols()));
-  const double freedom = std::max(at.num_rows - num_unknowns, 1);
-  const Eigen::MatrixXd model = inverse * (at.num_rows / freedom);
+  const double freedom = std::max(num_rows - num_unknowns, 1);
+  const Eigen::MatrixXd model = inverse * (num_rows / freedom);
   if (scores.rows() <= scores.cols()) return model;
   const double blocks = static_cast<double>(scores.rows());
-  const double few = blocks / (blocks - static_cast<double>(scores.cols())) * at.num_rows / freedom;
+  const double few = blocks / (blocks - static_cast<double>(scores.cols())) * num_rows / freedom;
   const Eigen::MatrixXd sandwich = few * inverse * (scores.transpose() * scores) * inverse;
   Eigen::VectorXd wider(model.rows());
   for (Eigen::Index k = 0; k < model.rows(); ++k) {
@@ -234,11 +236,11 @@ double LargestMove(const CoupledModel& from,
 
 // What residuals cost where they are weighed so.
 double CostUnder(const std::vector<ChannelWeight>& weights,
-                 const std::vector<WindowResiduals>& residuals) {
+                 std::vector<WindowResiduals> residuals) {
   double cost = 0.0;
-  for (const WindowResiduals& window : residuals) {
-    for (const WindowResiduals::Piece& piece : window.pieces) {
-      WeighedRows(piece, weights[piece.channel], &cost);
+  for (WindowResiduals& window : residuals) {
+    for (WindowResiduals::Piece& piece : window.pieces) {
+      cost += WeighRows(weights[piece.channel], &piece);
     }
   }
   return cost;
@@ -262,12 +264,11 @@ CoupledModel BroughtNearer(const CoupledModel& guess,
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) return guess;
   const auto noise = NoiseOf(residuals, problem.channels, QuietestSensors(problem), true);
-  return SearchWindows(problem,
-                       WeightsOf(noise, options.huber_k),
-                       point,
-                       options.max_iterations,
-                       kRoughPrecision)
-      .point.model;
+  WindowSearchOptions with;
+  with.max_iterations = options.max_iterations;
+  with.precision = kRoughPrecision;
+  with.smallest_gain = kRoughGain;
+  return SearchWindows(problem, WeightsOf(noise, options.huber_k), point, with).point.model;
 }
 
 }  // namespace
@@ -317,6 +318,9 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     guess = BroughtNearer(guess, logs, options, problem);
   }
   WindowPoint point = StartOf(problem, guess);
+  if (options.window_starts.size() == problem.windows.size()) {
+    point.starts = options.window_starts;
+  }
 
   std::vector<WindowResiduals> residuals;
   if (!AllResiduals(problem, point, &residuals)) {
@@ -338,11 +342,13 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     std::vector<ChannelNoise> noise =
         pass == 0 && is_given ? options.noise
                               : NoiseOf(residuals, problem.channels, quietest, is_white);
-    WindowSearch search = SearchWindows(problem,
-                                        WeightsOf(noise, options.huber_k),
-                                        point,
-                                        options.max_iterations,
-                                        is_white ? kRoughPrecision : kFinePrecision);
+    WindowSearchOptions with;
+    with.max_iterations = options.max_iterations;
+    const bool is_rough = is_white || !options.learns_noise;
+    with.precision = is_rough ? kRoughPrecision : kFinePrecision;
+    if (is_white) with.smallest_gain = kRoughGain;
+    if (is_given || pass > num_white) with.first_damping = kDampingNearTheEnd;
+    WindowSearch search = SearchWindows(problem, WeightsOf(noise, options.huber_k), point, with);
     summary.num_iterations += search.num_iterations;
     if (!search.converged || !AllResiduals(problem, search.point, &residuals)) {
       summary.message = search.message;
@@ -351,12 +357,12 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     }
     if (is_white) {
       white = WeightsOf(noise, options.huber_k);
-      white_cost = search.at.cost;
+      white_cost = search.cost;
     } else if (!white.empty() && CostUnder(white, residuals) > kAstray * white_cost) {
       break;
     }
     const double move =
-        LargestMove(point.model, search.point.model, structure.entries, search.at.normal);
+        LargestMove(point.model, search.point.model, structure.entries, search.near.normal);
     point = search.point;
     summary.noise = std::move(noise);
     best = std::move(search);
@@ -368,17 +374,11 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   const WindowSearch& search = best;
   summary.converged = true;
   summary.starts = point.starts;
-  summary.cost = search.at.cost;
-  summary.num_rows = search.at.num_rows;
+  summary.cost = search.cost;
+  summary.num_rows = search.near.num_rows;
   if (!options.learns_noise) {
     summary.determined = true;
     summary.message = "converged";
-    return summary;
-  }
-  summary.undetermined = UndeterminedIn(search.at.normal, structure.entries);
-  summary.determined = summary.undetermined.empty();
-  if (!summary.determined) {
-    summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
     return summary;
   }
   WindowScores scores;
@@ -390,9 +390,15 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     summary.message = "the simulation diverges";
     return summary;
   }
+  summary.undetermined = UndeterminedIn(scores.normal, structure.entries);
+  summary.determined = summary.undetermined.empty();
+  if (!summary.determined) {
+    summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
+    return summary;
+  }
   const int num_unknowns = static_cast<int>(structure.entries.size()) +
                            problem.free.size() * static_cast<int>(problem.windows.size());
-  summary.covariance = CovarianceOf(search.at, scores.by_block, num_unknowns);
+  summary.covariance = CovarianceOf(scores, summary.num_rows, num_unknowns);
   summary.undetermined = InertiasThatMayBe0(summary, options.body);
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {

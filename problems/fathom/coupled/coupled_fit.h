@@ -43,6 +43,10 @@ struct CoupledFitOptions {
   // Where the search begins; absent: MomentumStart().
   std::optional<CoupledModel> start;
 
+  // Those of the windows there, as another fit of the same windows found them. Of another number,
+  // or empty: as measured.
+  std::vector<CoupledState> window_starts;
+
   // What the residuals are taken for at first, as another fit found them. Of other channels than
   // this fit's, or empty: white noise, whose colour is then learned.
   std::vector<ChannelNoise> noise;

@@ -59,6 +59,7 @@ class Climb {
     if (stands_.is_known) {
       fit.start = standing().fit.model;
       fit.noise = standing().fit.noise;
+      fit.window_starts = standing().fit.starts;
     }
     return Try(std::move(name), structure, FitBlocks(logs_, structure, fit));
   }

@@ -8,6 +8,11 @@
 #include <cstddef>
 
 namespace fathom {
+namespace {
+
+constexpr Eigen::Index kColumns = 8;
+
+}  // namespace
 
 RowWhitener::RowWhitener(const Autoregression& noise) {
   const auto order = static_cast<std::size_t>(noise.order());
@@ -36,10 +41,24 @@ void RowWhitener::Apply(Eigen::Ref<RowMajorRows> rows) const {
   for (Eigen::Index i = rows.rows() - 1; i >= 0; --i) {
     const auto n = static_cast<std::size_t>(std::min<Eigen::Index>(i, order()));
     const std::vector<double>& predictor = predictors_[n];
-    for (std::size_t k = 0; k < n; ++k) {
-      rows.row(i) -= predictor[k] * rows.row(i - 1 - static_cast<Eigen::Index>(k));
+    // A few columns at a time, which stay in registers.
+    Eigen::Index column = 0;
+    for (; column + kColumns <= rows.cols(); column += kColumns) {
+      Eigen::Array<double, kColumns, 1> rest =
+          rows.row(i).segment<kColumns>(column).transpose().array();
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto before = rows.row(i - 1 - static_cast<Eigen::Index>(k));
+        rest -= predictor[k] * before.segment<kColumns>(column).transpose().array();
+      }
+      rows.row(i).segment<kColumns>(column) = (rest / std_[n]).matrix().transpose();
     }
-    rows.row(i) /= std_[n];
+    for (; column < rows.cols(); ++column) {
+      double rest = rows(i, column);
+      for (std::size_t k = 0; k < n; ++k) {
+        rest -= predictor[k] * rows(i - 1 - static_cast<Eigen::Index>(k), column);
+      }
+      rows(i, column) = rest / std_[n];
+    }
   }
 }
 

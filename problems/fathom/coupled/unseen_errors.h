@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/coupled/coupled_fit.h"
+#include "fathom/coupled/folds.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 #include "fathom/vehicle/coupled/six_vector.h"
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace fathom {
-
-// Data to fit and data to predict.
-struct Fold {
-  std::vector<CoupledData> train, unseen;
-};
-
-// Whole logs in turn where there are several, else quarters of one; without what is held out.
-std::vector<Fold> FoldsOf(std::span<const CoupledData> logs);
 
 // Absolute errors of free runs of 5 s over data that were not fitted; rows by Index(Dof) [m/s],
 // [rad/s].
@@ -34,7 +27,7 @@ struct UnseenErrors {
 UnseenErrors UnseenErrorsOf(const std::vector<Fold>& folds,
                             const MotionStructure& structure,
                             const CoupledSummary& fit,
-                            CoupledFitOptions options);
+                            const CoupledFitOptions& options);
 
 // Of models that something else fitted to the training part of each fold, in the order of the
 // folds.

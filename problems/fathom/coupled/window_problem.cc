@@ -3,7 +3,10 @@
 
 #include "fathom/coupled/window_problem.h"
 
+#include "fathom/base/parallel_for.h"
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace fathom {
@@ -38,26 +41,24 @@ bool AllResiduals(const WindowProblem& problem,
                   const WindowPoint& point,
                   std::vector<WindowResiduals>* residuals) {
   residuals->assign(problem.windows.size(), {});
-  for (std::size_t w = 0; w < problem.windows.size(); ++w) {
-    if (!ResidualsIn(problem, point, w, false, &(*residuals)[w])) return false;
-  }
-  return true;
+  std::atomic<bool> runs = true;
+  ParallelFor(static_cast<int>(residuals->size()), [&](int w) {
+    const auto window = static_cast<std::size_t>(w);
+    if (runs && !ResidualsIn(problem, point, window, false, &(*residuals)[window])) runs = false;
+  });
+  return runs;
 }
 
-RowMajorRows WeighedRows(const WindowResiduals::Piece& piece,
-                         const ChannelWeight& weight,
-                         double* cost) {
-  RowMajorRows rows(piece.residual.size(), 1 + piece.by_entry.cols() + piece.by_start.cols());
-  rows.col(0) = piece.residual;
-  rows.middleCols(1, piece.by_entry.cols()) = piece.by_entry;
-  rows.rightCols(piece.by_start.cols()) = piece.by_start;
+double WeighRows(const ChannelWeight& weight, WindowResiduals::Piece* piece) {
+  RowMajorRows& rows = piece->rows;
   weight.whitener.Apply(rows);
+  double cost = 0.0;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const double size = std::abs(rows(i, 0));
-    *cost += HuberCost(size, weight.huber_k);
+    cost += HuberCost(size, weight.huber_k);
     if (size > weight.huber_k) rows.row(i) *= std::sqrt(weight.huber_k / size);
   }
-  return rows;
+  return cost;
 }
 
 Eigen::LLT<Eigen::MatrixXd> StartSolver(const Eigen::MatrixXd& ss, double damping) {

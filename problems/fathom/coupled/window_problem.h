@@ -44,11 +44,9 @@ bool AllResiduals(const WindowProblem& problem,
                   const WindowPoint& point,
                   std::vector<WindowResiduals>* residuals);
 
-// The rows of a piece, whitened: the residual, then its derivatives by the entries and by the
-// start. Rows beyond the channel's huber_k weigh less. Adds what the residuals cost to `cost`.
-RowMajorRows WeighedRows(const WindowResiduals::Piece& piece,
-                         const ChannelWeight& weight,
-                         double* cost);
+// Whitens the rows of a piece. Those beyond the channel's huber_k weigh less. What the residuals
+// cost.
+double WeighRows(const ChannelWeight& weight, WindowResiduals::Piece* piece);
 
 // Solves a start's normal equations `ss`, with a little added, so that what it leaves no trace of
 // stays where it is. `damping`: a share of the diagonal that is added as well.

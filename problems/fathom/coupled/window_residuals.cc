@@ -76,17 +76,17 @@ void AddDerivatives(const FittedChannel& channel,
                                 ? outputs.velocity_sensitivity
                                 : outputs.pose_sensitivity;
   const std::vector<Eigen::Index> columns = StartColumns(free, num_entries);
-  const auto n = piece->residual.size();
-  piece->by_entry.resize(n, static_cast<Eigen::Index>(num_entries));
-  piece->by_start.setZero(n, free.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
+  const auto num = static_cast<Eigen::Index>(num_entries);
+  piece->rows.rightCols(free.size()).setZero();
+  for (Eigen::Index i = 0; i < piece->rows.rows(); ++i) {
     const Eigen::Index row = SensitivityRow(channel, first + static_cast<std::size_t>(i));
-    piece->by_entry.row(i) = sensitivity.row(row).head(static_cast<Eigen::Index>(num_entries));
+    piece->rows.row(i).segment(1, num) = sensitivity.row(row).head(num);
+    auto by_start = piece->rows.row(i).tail(free.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      piece->by_start(i, static_cast<Eigen::Index>(k)) = sensitivity(row, columns[k]);
+      by_start[static_cast<Eigen::Index>(k)] = sensitivity(row, columns[k]);
     }
     if (channel.kind == FittedChannel::Kind::kPosition) {
-      piece->by_start(i, free.size() - 3 + channel.row) = 1.0;
+      by_start[free.size() - 3 + channel.row] = 1.0;
     }
   }
 }
@@ -179,13 +179,15 @@ bool ResidualsOf(const CoupledWindow& window,
   if (!std::all_of(channels.begin(), channels.end(), is_of_velocity)) {
     stamps.pose = cut(segment.pose_time, window.poses);
   }
-  CoupledOutputs outputs;
+  thread_local CoupledOutputs outputs;  // megabytes, for many windows of the same size
   const bool runs =
       with_derivatives
           ? RunCoupledWithSensitivities(model, entries, window.log->inputs, start, stamps, &outputs)
           : RunCoupled(model, window.log->inputs, start, stamps, &outputs);
   if (!runs) return false;
-  residuals->pieces.clear();
+  const Eigen::Index num_columns =
+      with_derivatives ? 1 + static_cast<Eigen::Index>(entries.size()) + free.size() : 1;
+  std::size_t num_pieces = 0;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const std::vector<double>& time = is_of_velocity(channels[c]) ? stamps.velocity : stamps.pose;
     std::vector<double> residual(time.size());
@@ -198,18 +200,21 @@ bool ResidualsOf(const CoupledWindow& window,
       begin = std::find_if(begin, residual.end(), is_known);
       const auto end = std::find_if_not(begin, residual.end(), is_known);
       if (begin == end) break;
-      WindowResiduals::Piece& piece = residuals->pieces.emplace_back();
+      if (num_pieces == residuals->pieces.size()) residuals->pieces.emplace_back();
+      WindowResiduals::Piece& piece = residuals->pieces[num_pieces++];
       const auto first = static_cast<std::size_t>(begin - residual.begin());
       piece.channel = c;
       piece.time.assign(time.begin() + (begin - residual.begin()),
                         time.begin() + (end - residual.begin()));
-      piece.residual = Eigen::Map<const Eigen::VectorXd>(&*begin, end - begin);
+      piece.rows.resize(end - begin, num_columns);
+      piece.rows.col(0) = Eigen::Map<const Eigen::VectorXd>(&*begin, end - begin);
       if (with_derivatives) {
         AddDerivatives(channels[c], outputs, first, entries.size(), free, &piece);
       }
       begin = end;
     }
   }
+  residuals->pieces.resize(num_pieces);
   return true;
 }
 

@@ -55,13 +55,15 @@ struct WindowResiduals {
   struct Piece {
     std::size_t channel = 0;
     std::vector<double> time;
-    Eigen::VectorXd residual;         // [unit of the channel]
-    RowMajorRows by_entry, by_start;  // its derivatives; empty without
+
+    // A row for each sample: the residual [unit of the channel], then its derivatives by the
+    // entries and by the start, or none.
+    RowMajorRows rows;
   };
   std::vector<Piece> pieces;
 };
 
-// False if the run diverges.
+// What is in `residuals` is written over, its memory used again. False if the run diverges.
 bool ResidualsOf(const CoupledWindow& window,
                  const CoupledModel& model,
                  const CoupledState& start,

@@ -34,13 +34,25 @@ Vector6 Restoring(const CoupledModel& model, const Eigen::Vector3d& down) {
   return force;
 }
 
-// E of an entry of the inertia, times a vector.
-Vector6 TimesEntry(const FreeEntry& entry, const Vector6& x) {
-  const auto i = Index(entry.row), j = Index(entry.column);
-  Vector6 y = Vector6::Zero();
-  y[i] = x[j];
-  if (i != j) y[j] = x[i];
-  return y;
+// What a momentum does in a turning frame: CoriolisForceOfMomentum() as a matrix.
+Matrix6 ByMomentum(const Vector6& nu) {
+  Matrix6 by = Matrix6::Zero();
+  by.topLeftCorner<3, 3>() = by.bottomRightCorner<3, 3>() = CrossMatrix(nu.tail<3>());
+  by.bottomLeftCorner<3, 3>() = CrossMatrix(nu.head<3>());
+  return by;
+}
+
+Eigen::Index OnlyRowOf(const FreeEntry& entry) {
+  switch (entry.kind) {
+    case FreeEntry::Kind::kLinearDamping:
+    case FreeEntry::Kind::kQuadraticDamping:
+    case FreeEntry::Kind::kRightingMoment:
+    case FreeEntry::Kind::kOffset:
+    case FreeEntry::Kind::kLift:
+      return Index(entry.row);
+    default:
+      return -1;
+  }
 }
 
 }  // namespace
@@ -68,6 +80,7 @@ CoupledRate::CoupledRate(const CoupledModel& model,
     const auto stuck = model.fin_stuck.find(fins[k].name);
     if (stuck != model.fin_stuck.end()) fins_.back().stuck = stuck->second;
   }
+  for (const FreeEntry& entry : entries) rows_.push_back(OnlyRowOf(entry));
   is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
   if (!is_usable_) return;
   const auto size = static_cast<Eigen::Index>(model.dofs.size());
@@ -130,83 +143,90 @@ Matrix6 CoupledRate::ForceJacobian(const Vector6& nu, const CoupledDrive& drive)
   return jacobian;
 }
 
-void CoupledRate::TangentAt(const CoupledFlow& state,
-                            const CoupledFlow& rate,
-                            const CoupledDrive& drive,
-                            const std::vector<Vector6>& pushed,
-                            const CoupledTangent& tangent,
-                            CoupledTangent* tangent_rate) {
+TangentLaw CoupledRate::LawAt(const CoupledFlow& state, const CoupledDrive& drive) const {
+  const Vector6& nu = state.nu;
+  const Eigen::Matrix3d down_by_turn = CrossMatrix(DownIn(state.attitude));
+  const Eigen::Matrix3d world_from_body = Eigen::Quaterniond(state.attitude).toRotationMatrix();
+  TangentLaw law;
+  law.force.leftCols<6>() = ForceJacobian(nu, drive);
+  law.force.topRightCorner<3, 3>() = -model_.net_buoyancy * down_by_turn;
+  law.force.row(3).tail<3>() = -model_.righting_roll * down_by_turn.row(1);
+  law.force.row(4).tail<3>() = model_.righting_pitch * down_by_turn.row(0);
+  law.force.row(5).tail<3>().setZero();
+  law.turn = -CrossMatrix(nu.tail<3>());
+  law.position.leftCols<3>() = world_from_body;
+  law.position.middleCols<3>(3).setZero();
+  law.position.rightCols<3>() = -world_from_body * CrossMatrix(nu.head<3>());
+  return law;
+}
+
+void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
+                                  const CoupledFlow& rate,
+                                  const CoupledDrive& drive,
+                                  const std::vector<Vector6>& pushed,
+                                  Eigen::Matrix<double, 6, Eigen::Dynamic>* forces) const {
   const Vector6& nu = state.nu;
   const Eigen::Vector3d down = DownIn(state.attitude);
-  const Eigen::Matrix3d down_by_turn = CrossMatrix(down);
-  Eigen::Matrix<double, 6, 3> by_turn = Eigen::Matrix<double, 6, 3>::Zero();
-  by_turn.topRows<3>() = -model_.net_buoyancy * down_by_turn;
-  by_turn.row(3) = -model_.righting_roll * down_by_turn.row(1);
-  by_turn.row(4) = model_.righting_pitch * down_by_turn.row(0);
-  force_.noalias() = ForceJacobian(nu, drive) * tangent.nu;
-  force_.noalias() += by_turn * tangent.turn;
+  const Matrix6 by_momentum = model_.coriolis ? ByMomentum(nu) : Matrix6::Zero();
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const FreeEntry& entry = entries_[k];
     const auto row = Index(entry.row), column = Index(entry.column);
-    auto force = force_.col(static_cast<Eigen::Index>(k));
+    auto force = forces->col(static_cast<Eigen::Index>(k));
     switch (entry.kind) {
       case FreeEntry::Kind::kInertia:
-        force -= TimesEntry(entry, rate.nu);
-        if (model_.coriolis) force -= CoriolisForceOfMomentum(TimesEntry(entry, nu), nu);
+        // -E rate - C(E nu) nu; off the diagonal E has the entry twice.
+        force = by_momentum.col(row) * -nu[column];
+        force[row] -= rate.nu[column];
+        if (row == column) break;
+        force -= by_momentum.col(column) * nu[row];
+        force[column] -= rate.nu[row];
         break;
       case FreeEntry::Kind::kLinearDamping:
-        force[row] -= nu[column];
+        force[row] = -nu[column];
         break;
       case FreeEntry::Kind::kQuadraticDamping:
-        force[row] -= std::abs(nu[column]) * nu[column];
+        force[row] = -std::abs(nu[column]) * nu[column];
         break;
       case FreeEntry::Kind::kRightingMoment:
-        force[row] -= entry.row == Dof::kRoll ? down[1] : -down[0];
+        force[row] = entry.row == Dof::kRoll ? -down[1] : down[0];
         break;
       case FreeEntry::Kind::kNetBuoyancy:
-        force.head<3>() -= down;
+        force << -down, 0.0, 0.0, 0.0;
         break;
       case FreeEntry::Kind::kOffset:
-        force[row] -= 1.0;
+        force[row] = -1.0;
         break;
       case FreeEntry::Kind::kThrustGain:
-        force += pushed[k];
+        force = pushed[k];
         break;
       case FreeEntry::Kind::kLift:
-        force[row] -= nu[0] * nu[column];
+        force[row] = -nu[0] * nu[column];
         break;
       case FreeEntry::Kind::kFinForce:
-        force += LoadOf(fins_[fin_of_entry_[k]], nu, drive).Force();
+        force = LoadOf(fins_[fin_of_entry_[k]], nu, drive).Force();
         break;
       case FreeEntry::Kind::kFinRace: {
         const ModelFin& fin = fins_[fin_of_entry_[k]];
         const FinLoad at = LoadOf(fin, nu, drive);
-        force += fin.force * drive.races[fin.at] * at.load_by_race * at.push;
+        force = fin.force * drive.races[fin.at] * at.load_by_race * at.push;
         break;
       }
       case FreeEntry::Kind::kFinNeutral: {
         const ModelFin& fin = fins_[fin_of_entry_[k]];
-        force -= fin.force * LoadOf(fin, nu, drive).ForceByAngle();
+        force = -fin.force * LoadOf(fin, nu, drive).ForceByAngle();
         break;
       }
       case FreeEntry::Kind::kFinStuck: {
         const ModelFin& fin = fins_[fin_of_entry_[k]];
-        force += fin.force * LoadOf(fin, nu, drive).ForceByAngle();
+        force = fin.force * LoadOf(fin, nu, drive).ForceByAngle();
         break;
       }
     }
   }
-  const Eigen::Quaterniond q(state.attitude);
-  const Eigen::Matrix3d world_from_body = q.toRotationMatrix();
-  tangent_rate->nu.noalias() = inverse_ * force_;
-  tangent_rate->turn = tangent.nu.bottomRows<3>();
-  tangent_rate->turn.noalias() -= CrossMatrix(nu.tail<3>()) * tangent.turn;
-  tangent_rate->position.noalias() = world_from_body * tangent.nu.topRows<3>();
-  tangent_rate->position.noalias() -= (world_from_body * CrossMatrix(nu.head<3>())) * tangent.turn;
 }
 
-double CoupledRate::Quickest(const CoupledFlow& state, const CoupledDrive& drive) const {
-  const Matrix6 scaled = scale_.asDiagonal() * ForceJacobian(state.nu, drive) * scale_.asDiagonal();
+double CoupledRate::Quickest(const CoupledFlow& state, const Matrix6& force_by_nu) const {
+  const Matrix6 scaled = scale_.asDiagonal() * force_by_nu * scale_.asDiagonal();
   return std::max({scaled.norm(), restoring_rate_, state.nu.tail<3>().norm()});
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/simulate/coupled/coupled_inputs.h"
+#include "fathom/simulate/coupled/tangent_step.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/six_vector.h"
@@ -22,20 +23,6 @@ struct CoupledFlow {
   Vector6 nu;
   Eigen::Vector4d attitude;
   Eigen::Vector3d position;
-};
-
-// What a state depends on: columns as those of CoupledOutputs.
-struct CoupledTangent {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> nu;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> turn;      // in the body frame [rad]
-  Eigen::Matrix<double, 3, Eigen::Dynamic> position;  // in the world [m]
-
-  explicit CoupledTangent(Eigen::Index columns)
-      : nu(6, columns), turn(3, columns), position(3, columns) {
-    nu.setZero();
-    turn.setZero();
-    position.setZero();
-  }
 };
 
 // What acts on a vehicle between two changes of its command.
@@ -58,17 +45,30 @@ class CoupledRate {
   // Rate at a state. The rates of DOFs that are not modelled are 0.
   CoupledFlow At(const CoupledFlow& state, const CoupledDrive& drive) const;
 
-  // The rate of a tangent. `rate`: At() the same. `pushed`: for each entry that is a thrust gain
-  // what the thruster gives at a gain of 1.
-  void TangentAt(const CoupledFlow& state,
-                 const CoupledFlow& rate,
-                 const CoupledDrive& drive,
-                 const std::vector<Vector6>& pushed,
-                 const CoupledTangent& tangent,
-                 CoupledTangent* tangent_rate);
+  // How tangents move at a state.
+  TangentLaw LawAt(const CoupledFlow& state, const CoupledDrive& drive) const;
 
-  // The quickest rate of a small difference [1/s], at a state: a bound that no unit changes.
-  double Quickest(const CoupledFlow& state, const CoupledDrive& drive) const;
+  // What a unit of each entry does to the forces: a column for each. `rate`: At() the same.
+  // `pushed`: for each entry that is a thrust gain what the thruster gives at a gain of 1.
+  // Of an entry that acts along one row alone, the others are not written: RowOfEntry().
+  void ForcesOfEntries(const CoupledFlow& state,
+                       const CoupledFlow& rate,
+                       const CoupledDrive& drive,
+                       const std::vector<Vector6>& pushed,
+                       Eigen::Matrix<double, 6, Eigen::Dynamic>* forces) const;
+
+  // The one row that an entry acts along; -1 of an entry that may act along all.
+  Eigen::Index RowOfEntry(std::size_t k) const { return rows_[k]; }
+
+  // Of M, 0 where not modelled.
+  const Matrix6& inverse_inertia() const { return inverse_; }
+
+  // The quickest rate of a small difference [1/s], at the state of a law: a bound that no unit
+  // changes.
+  double Quickest(const CoupledFlow& state, const Matrix6& force_by_nu) const;
+
+  // Of the right-hand side by nu.
+  Matrix6 ForceJacobian(const Vector6& nu, const CoupledDrive& drive) const;
 
  private:
   // A fin of the model.
@@ -78,8 +78,6 @@ class CoupledRate {
     std::optional<double> stuck = {};
   };
 
-  // Of the right-hand side by nu.
-  Matrix6 ForceJacobian(const Vector6& nu, const CoupledDrive& drive) const;
   FinLoad LoadOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;
 
   const CoupledModel& model_;
@@ -91,8 +89,8 @@ class CoupledRate {
   Matrix6 inverse_ = Matrix6::Zero();  // of the modelled part of M
   Vector6 scale_ = Vector6::Zero();    // 1 / sqrt(M_ii), 0 where not modelled
   double restoring_rate_ = 0.0;        // [1/s]
+  std::vector<Eigen::Index> rows_;     // RowOfEntry()
   bool is_usable_ = false;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> force_;  // what TangentAt() works in
 };
 
 }  // namespace fathom

@@ -48,19 +48,14 @@ void Advance(const CoupledFlow& from, const CoupledFlow& rate, double h, Coupled
   to->position = from.position + h * rate.position;
 }
 
-void Advance(const CoupledTangent& from, const CoupledTangent& rate, double h, CoupledTangent* to) {
-  to->nu = from.nu + h * rate.nu;
-  to->turn = from.turn + h * rate.turn;
-  to->position = from.position + h * rate.position;
-}
-
 // Weights of the classical scheme: x + h/6 (k1 + 2 k2 + 2 k3 + k4).
-template <typename Flow>
-void Sum(const Flow (&rates)[4], double h, Flow* x) {
+void Sum(const CoupledFlow (&rates)[4], double h, CoupledFlow* x) {
   const double one = h / 6.0, two = h / 3.0;
   x->nu += one * (rates[0].nu + rates[3].nu) + two * (rates[1].nu + rates[2].nu);
   x->position +=
       one * (rates[0].position + rates[3].position) + two * (rates[1].position + rates[2].position);
+  x->attitude +=
+      one * (rates[0].attitude + rates[3].attitude) + two * (rates[1].attitude + rates[2].attitude);
 }
 
 // One run, with all that it works in.
@@ -76,16 +71,15 @@ class CoupledRun {
         with_tangent_(with_tangent),
         rate_(model, entries, inputs.command.fins),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
-        tangent_(columns_),
-        stage_tangent_(columns_),
-        end_tangent_rate_(columns_),
-        tangent_rates_{CoupledTangent(columns_),
-                       CoupledTangent(columns_),
-                       CoupledTangent(columns_),
-                       CoupledTangent(columns_)},
-        begin_tangent_(columns_),
-        shown_(columns_),
+        tangent_(CoupledTangent::Zero(12, columns_)),
+        begin_tangent_(tangent_),
+        begin_tangent_rate_(tangent_),
+        end_tangent_rate_(tangent_),
+        shown_(tangent_),
         pushed_(entries.size(), Vector6::Zero()) {
+    if (with_tangent) {
+      for (auto& forces : forces_) forces.setZero(6, static_cast<Eigen::Index>(entries.size()));
+    }
     for (const Dof dof : model.dofs) is_modelled_[Index(dof)] = true;
     const CoupledCommand& command = inputs.command;
     CHECK(command.force.empty() || command.force.size() == command.time.size());
@@ -110,7 +104,13 @@ class CoupledRun {
       HoldCommandAt(t);
       double end = std::min(last, NextChange(t));
       SetMeasured(t, &state_);
-      const double rate = rate_.Quickest(state_, drive_);
+      double rate;
+      if (with_tangent_) {
+        laws_[0] = rate_.LawAt(state_, drive_);
+        rate = rate_.Quickest(state_, laws_[0].force.leftCols<6>());
+      } else {
+        rate = rate_.Quickest(state_, rate_.ForceJacobian(state_.nu, drive_));
+      }
       if (!std::isfinite(rate)) return false;
       const double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
       if (longest < kSmallestCoupledStep) return false;
@@ -132,8 +132,8 @@ class CoupledRun {
     const auto first = static_cast<Eigen::Index>(entries_.size());
     const auto size = static_cast<Eigen::Index>(model_.dofs.size());
     if (with_tangent_) {
-      for (Eigen::Index i = 0; i < size; ++i) tangent_.nu(Index(model_.dofs[i]), first + i) = 1.0;
-      tangent_.turn.rightCols<3>().setIdentity();
+      for (Eigen::Index i = 0; i < size; ++i) tangent_(Index(model_.dofs[i]), first + i) = 1.0;
+      tangent_.block<3, 3>(6, first + size).setIdentity();
     }
     outputs->velocity.resize(stamps.velocity.size());
     outputs->pose.resize(stamps.pose.size());
@@ -192,34 +192,71 @@ class CoupledRun {
     return next < time.size() ? std::max(time[next], t) : std::numeric_limits<double>::infinity();
   }
 
-  // One step of the classical scheme; what it begins with stays for the outputs within.
+  // One step of the classical scheme; what it begins with stays for the outputs within. The law of
+  // tangents at its begin is known.
   void Step(double t, double h) {
     constexpr double kShares[4] = {0.0, 0.5, 0.5, 1.0};
     begin_ = state_;
-    if (with_tangent_) begin_tangent_ = tangent_;
     CoupledFlow stage = state_;
     for (int k = 0; k < 4; ++k) {
       if (k > 0) Advance(begin_, rates_[k - 1], kShares[k] * h, &stage);
       SetMeasured(t + kShares[k] * h, &stage);
       rates_[k] = rate_.At(stage, drive_);
       if (!with_tangent_) continue;
-      if (k > 0) Advance(begin_tangent_, tangent_rates_[k - 1], kShares[k] * h, &stage_tangent_);
-      rate_.TangentAt(stage,
-                      rates_[k],
-                      drive_,
-                      pushed_,
-                      k > 0 ? stage_tangent_ : begin_tangent_,
-                      &tangent_rates_[k]);
+      if (k > 0) laws_[k] = rate_.LawAt(stage, drive_);
+      rate_.ForcesOfEntries(stage, rates_[k], drive_, pushed_, &forces_[k]);
     }
     Sum(rates_, h, &state_);
-    state_.attitude += h / 6.0 * (rates_[0].attitude + rates_[3].attitude) +
-                       h / 3.0 * (rates_[1].attitude + rates_[2].attitude);
     state_.attitude.normalize();
     SetMeasured(t + h, &state_);
-    if (!with_tangent_) return;
-    Sum(tangent_rates_, h, &tangent_);
-    tangent_.turn += h / 6.0 * (tangent_rates_[0].turn + tangent_rates_[3].turn) +
-                     h / 3.0 * (tangent_rates_[1].turn + tangent_rates_[2].turn);
+    if (with_tangent_) StepTangent(h);
+  }
+
+  void StepTangent(double h) {
+    step_.Set(laws_, rate_.inverse_inertia(), h);
+    tangent_.swap(begin_tangent_);
+    for (Eigen::Index c = 0; c < columns_; ++c) {
+      Eigen::Matrix<double, 12, 1> sum;
+      const auto from = begin_tangent_.col(c);
+      const auto& by = step_.by_tangent;
+      sum = by.col(0) * from[0] + by.col(1) * from[1] + by.col(2) * from[2] + by.col(3) * from[3] +
+            by.col(4) * from[4] + by.col(5) * from[5] + by.col(6) * from[6] + by.col(7) * from[7] +
+            by.col(8) * from[8];
+      sum.tail<3>() += from.tail<3>();
+      if (c < static_cast<Eigen::Index>(entries_.size())) AddForces(c, &sum);
+      tangent_.col(c) = sum;
+    }
+  }
+
+  // What the forces of an entry do to its column within a step.
+  void AddForces(Eigen::Index c, Eigen::Matrix<double, 12, 1>* sum) const {
+    const Eigen::Index row = rate_.RowOfEntry(static_cast<std::size_t>(c));
+    if (row >= 0) {
+      *sum += step_.by_force[0].col(row) * forces_[0](row, c) +
+              step_.by_force[1].col(row) * forces_[1](row, c) +
+              step_.by_force[2].col(row) * forces_[2](row, c) +
+              step_.by_force[3].col(row) * forces_[3](row, c);
+      return;
+    }
+    for (int k = 0; k < 4; ++k) {
+      const auto& by = step_.by_force[k];
+      const auto force = forces_[k].col(c);
+      *sum += by.col(0) * force[0] + by.col(1) * force[1] + by.col(2) * force[2] +
+              by.col(3) * force[3] + by.col(4) * force[4] + by.col(5) * force[5];
+    }
+  }
+
+  // The rate of a tangent, at a state whose law and forces of entries are known.
+  void TangentRate(const TangentLaw& law,
+                   const Eigen::Matrix<double, 6, Eigen::Dynamic>& forces,
+                   const CoupledTangent& tangent,
+                   CoupledTangent* rate) const {
+    Eigen::Matrix<double, 6, Eigen::Dynamic> force = law.force * tangent.topRows<9>();
+    force.leftCols(forces.cols()) += forces;
+    rate->topRows<6>().noalias() = rate_.inverse_inertia() * force;
+    rate->middleRows<3>(6) = tangent.middleRows<3>(3);
+    rate->middleRows<3>(6).noalias() += law.turn * tangent.middleRows<3>(6);
+    rate->bottomRows<3>().noalias() = law.position * tangent.topRows<9>();
   }
 
   // Outputs at the state that a run stands at.
@@ -240,8 +277,11 @@ class CoupledRun {
     };
     if (is_within(stamps.velocity, next_velocity_) || is_within(stamps.pose, next_pose_)) {
       end_rate_ = rate_.At(state_, drive_);
-      if (with_tangent_)
-        rate_.TangentAt(state_, end_rate_, drive_, pushed_, tangent_, &end_tangent_rate_);
+      if (with_tangent_) {
+        TangentRate(laws_[0], forces_[0], begin_tangent_, &begin_tangent_rate_);
+        rate_.ForcesOfEntries(state_, end_rate_, drive_, pushed_, &forces_[0]);
+        TangentRate(rate_.LawAt(state_, drive_), forces_[0], tangent_, &end_tangent_rate_);
+      }
     }
     while (is_within(stamps.velocity, next_velocity_)) {
       Interpolate(from, to, stamps.velocity[next_velocity_]);
@@ -270,22 +310,14 @@ class CoupledRun {
              &between_.position);
     SetMeasured(t, &between_);
     if (!with_tangent_) return;
-    const CoupledTangent& first = tangent_rates_[0];
-    const CoupledTangent& last = end_tangent_rate_;
-    cubic.Of(begin_tangent_.nu, tangent_.nu, first.nu, last.nu, &shown_.nu);
-    cubic.Of(begin_tangent_.turn, tangent_.turn, first.turn, last.turn, &shown_.turn);
-    cubic.Of(begin_tangent_.position,
-             tangent_.position,
-             first.position,
-             last.position,
-             &shown_.position);
+    cubic.Of(begin_tangent_, tangent_, begin_tangent_rate_, end_tangent_rate_, &shown_);
   }
 
   void WriteVelocity(const CoupledFlow& state, const CoupledTangent& tangent, CoupledOutputs* to) {
     to->velocity[next_velocity_] = state.nu;
     if (with_tangent_) {
       to->velocity_sensitivity.middleRows<6>(6 * static_cast<Eigen::Index>(next_velocity_)) =
-          tangent.nu;
+          tangent.topRows<6>();
     }
     ++next_velocity_;
   }
@@ -294,8 +326,7 @@ class CoupledRun {
     to->pose[next_pose_] = {state.nu, state.attitude, state.position};
     if (with_tangent_) {
       const auto row = 6 * static_cast<Eigen::Index>(next_pose_);
-      to->pose_sensitivity.middleRows<3>(row) = tangent.turn;
-      to->pose_sensitivity.middleRows<3>(row + 3) = tangent.position;
+      to->pose_sensitivity.middleRows<6>(row) = tangent.bottomRows<6>();
     }
     ++next_pose_;
   }
@@ -311,9 +342,10 @@ class CoupledRun {
 
   CoupledFlow state_, begin_, between_, end_rate_;
   CoupledFlow rates_[4];
-  CoupledTangent tangent_, stage_tangent_, end_tangent_rate_;
-  CoupledTangent tangent_rates_[4];
-  CoupledTangent begin_tangent_, shown_;
+  CoupledTangent tangent_, begin_tangent_, begin_tangent_rate_, end_tangent_rate_, shown_;
+  TangentLaw laws_[4];                                  // at the stages of a step
+  Eigen::Matrix<double, 6, Eigen::Dynamic> forces_[4];  // of the entries, there
+  TangentStep step_;
 
   std::ptrdiff_t command_ = -1;  // the row that holds
   CoupledDrive drive_;
