@@ -113,7 +113,8 @@ Page StructurePage(const StructureComparison& comparison) {
   page.footer = fmt::format(
       "Free runs by the command alone, begun anew from the measured state: every 5 s over data "
       "that were not fitted, every {:g} s in the charts. Data that were not fitted are other logs, "
-      "or quarters of a single one; each model is fitted anew to the rest.",
+      "or a quarter of each where there are fewer than four; each model is fitted anew to the "
+      "rest.",
       comparison.window);
   return page;
 }

@@ -67,22 +67,22 @@ CoupledModel ModelOf(const UncoupledFits& fits) {
   return all;
 }
 
-// Of each fold, the logs with what is unseen held out.
+// Of each fold, the logs that it trains on, with what is unseen held out.
 std::vector<std::vector<Log>> LogsOfFolds(std::span<const Log> logs,
                                           const std::vector<Fold>& folds) {
   std::vector<std::vector<Log>> of_folds;
   for (const Fold& fold : folds) {
     std::vector<Log>& kept = of_folds.emplace_back(logs.begin(), logs.end());
-    std::vector<bool> is_left_out(logs.size(), false);
     for (const CoupledData& unseen : fold.unseen) {
-      const std::size_t at = std::stoul(unseen.log);
-      is_left_out[at] = logs.size() > 1;  // then logs are unseen as a whole
       for (const CoupledSegment& segment : unseen.segments) {
-        kept[at].held_out.push_back({segment.time.front(), segment.time.back()});
+        kept[std::stoul(unseen.log)].held_out.push_back(
+            {segment.time.front(), segment.time.back()});
       }
     }
     for (std::size_t k = logs.size(); k-- > 0;) {
-      if (is_left_out[k]) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+      if (std::ranges::find(fold.train, std::to_string(k), &CoupledData::log) == fold.train.end()) {
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+      }
     }
   }
   return of_folds;

@@ -9,7 +9,7 @@
 namespace fathom {
 namespace {
 
-constexpr std::size_t kMostFolds = 4;
+constexpr std::size_t kNumFolds = 4;
 
 // A segment in `num` parts of the same length.
 std::vector<CoupledSegment> Parts(const CoupledSegment& segment, std::size_t num) {
@@ -50,21 +50,26 @@ CoupledData Emptied(const CoupledData& log) {
 }  // namespace
 
 std::vector<Fold> FoldsOf(std::span<const CoupledData> logs) {
-  const std::size_t num = logs.size() > 1 ? std::min(logs.size(), kMostFolds) : kMostFolds;
-  std::vector<Fold> folds(num);
-  for (std::size_t f = 0; f < num; ++f) {
+  // Of few logs one may be all that drives some DOF.
+  const bool is_by_log = logs.size() >= kNumFolds;
+  std::vector<Fold> folds(kNumFolds);
+  for (std::size_t f = 0; f < kNumFolds; ++f) {
     for (std::size_t k = 0; k < logs.size(); ++k) {
       folds[f].train.push_back(Emptied(logs[k]));
       folds[f].unseen.push_back(Emptied(logs[k]));
       for (const CoupledSegment& segment : logs[k].segments) {
         if (segment.is_held_out) continue;
-        if (logs.size() > 1) {
-          (k % num == f ? folds[f].unseen : folds[f].train).back().segments.push_back(segment);
+        if (is_by_log) {
+          (k % kNumFolds == f ? folds[f].unseen : folds[f].train)
+              .back()
+              .segments.push_back(segment);
           continue;
         }
-        const std::vector<CoupledSegment> parts = Parts(segment, num);
+        const std::vector<CoupledSegment> parts = Parts(segment, kNumFolds);
         for (std::size_t p = 0; p < parts.size(); ++p) {
-          (p % num == f ? folds[f].unseen : folds[f].train).back().segments.push_back(parts[p]);
+          (p % kNumFolds == f ? folds[f].unseen : folds[f].train)
+              .back()
+              .segments.push_back(parts[p]);
         }
       }
     }

@@ -15,7 +15,8 @@ struct Fold {
   std::vector<CoupledData> train, unseen;
 };
 
-// Whole logs in turn where there are several, else quarters of one; without what is held out.
+// Whole logs in turn where there are four or more, else a quarter of each; without what is held
+// out.
 std::vector<Fold> FoldsOf(std::span<const CoupledData> logs);
 
 }  // namespace fathom

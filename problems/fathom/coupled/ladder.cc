@@ -17,8 +17,9 @@ constexpr double kLeastErrors = 1.65;  // standard errors that a rung must win b
 constexpr double kLeastShare = 1e-3;   // by which it must bring free runs nearer: less is rounding
 constexpr double kMuchNearer = 20.0;   // -2 log likelihood of (6)
 
-// What stands, with all entries of a standard structure.
+// What stands, with all entries of a standard structure and its C(nu).
 MotionStructure Joined(MotionStructure stands, const MotionStructure& standard) {
+  stands.coriolis = stands.coriolis || standard.coriolis;
   for (const FreeEntry& entry : standard.entries) {
     if (std::ranges::find(stands.entries, entry) == stands.entries.end()) {
       stands.entries.push_back(entry);
@@ -165,7 +166,11 @@ Ladder ClimbLadder(const CoupledLogs& logs,
        {StandardStructure::kSymmetric, StandardStructure::kLopsided, StandardStructure::kFull}) {
     const MotionStructure& stands = climb.standing().structure;
     const MotionStructure structure = Joined(stands, StructureOf(standard, dofs, options.fins));
-    if (structure.entries.size() > stands.entries.size()) {
+    if (structure.entries.size() == stands.entries.size()) continue;
+    // C(nu) of a diagonal inertia may lose where that of the whole one wins; from its own start.
+    if (structure.coriolis != stands.coriolis) {
+      climb.Try(std::string(Name(standard)), structure, FitBlocks(logs, structure, options.fit));
+    } else {
       climb.Try(std::string(Name(standard)), structure);
     }
   }

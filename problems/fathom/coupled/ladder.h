@@ -37,7 +37,7 @@ struct Ladder {
 
 // Climbs from the diagonal model: C(nu), single entries one after the other as tests ask for them,
 // all of the inertia, all of the linear damping. A rung stays if its runs over data that were not
-// fitted are nearer: of other logs, or of quarters of a single one; docs/coupled.md.
+// fitted are nearer: FoldsOf(); docs/coupled.md.
 Ladder ClimbLadder(const CoupledLogs& logs,
                    const std::vector<Dof>& dofs,
                    const EntrySearchOptions& options);

@@ -83,6 +83,20 @@ TEST(CompareStructures, FindsThatCouplingBeatsModelsOfOneDofWhereItIsThere) {
   }
 }
 
+// A quarter of each of two logs, by the models of what is left of both.
+TEST(CompareStructures, UnseenErrorsOfTwoLogsAreNearThoseOfTheirFits) {
+  const std::vector<Log> logs = {DrawnLogFile(false, 7), DrawnLogFile(false, 8)};
+  StructureComparisonOptions options;
+  options.dofs = {Dof::kSurge};
+  options.structures = {StandardStructure::kDiagonal};
+  options.has_auto = false;
+  options.families = {Family::kOutputError};
+  const StructureComparison comparison = CompareStructures(logs, options);
+  const StructureRow& row = comparison.rows[0];
+  EXPECT_NEAR(row.unseen_nmae[0], comparison.rows[1].unseen_nmae[0], 0.05 * row.unseen_nmae[0]);
+  EXPECT_LT(row.unseen_nmae[0], 1.5 * row.train_nmae[0]);
+}
+
 // A diagonal model without C(nu) is that of each DOF by itself, docs/coupled.md.
 TEST(CompareStructures, ADiagonalModelIsOutputErrorOfEachDof) {
   const std::vector<Log> logs = {DrawnLogFile(false, 1001)};
@@ -105,9 +119,10 @@ TEST(CompareStructures, ADiagonalModelIsOutputErrorOfEachDof) {
   EXPECT_LT(std::abs(diagonal.gain->share), 0.02);
 }
 
-// Sums of errors and of motion, by hand: each of two logs by the model of the other.
+// Sums of errors and of motion, by hand: each of four logs by the model of the others.
 TEST(CompareStructures, UnseenErrorsOfOneDofAreThoseOfModelsOfTheOtherLogs) {
-  const std::vector<Log> logs = {DrawnLogFile(false, 7), DrawnLogFile(false, 8)};
+  std::vector<Log> logs;
+  for (const int seed : {7, 8, 9, 10}) logs.push_back(DrawnLogFile(false, seed));
   StructureComparisonOptions options;
   options.dofs = {Dof::kSurge};
   options.structures = {StandardStructure::kDiagonal};
@@ -115,9 +130,10 @@ TEST(CompareStructures, UnseenErrorsOfOneDofAreThoseOfModelsOfTheOtherLogs) {
   options.families = {Family::kLeastSquares};
   const StructureComparison comparison = CompareStructures(logs, options);
   double error = 0.0, motion = 0.0;
-  for (const std::size_t unseen : {0, 1}) {
-    const std::vector<Log> other = {logs[1 - unseen]};
-    const Signals signals = JoinSignals(other, Dof::kSurge, std::nullopt).all;
+  for (std::size_t unseen = 0; unseen < logs.size(); ++unseen) {
+    std::vector<Log> others = logs;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(unseen));
+    const Signals signals = JoinSignals(others, Dof::kSurge, std::nullopt).all;
     const Identification fit = Identify(signals, signals, Family::kLeastSquares);
     ASSERT_TRUE(fit.is_usable) << fit.message;
     CoupledModel model;
