@@ -90,6 +90,13 @@ const ToolInfo kInfo = {
 
 constexpr std::size_t kMostCandidates = 8;
 
+void SetThreadsFromFlag() {
+  if (FLAGS_threads < 0) {
+    throw InputError(fmt::format("--threads: is {}, expected at least 0.", FLAGS_threads));
+  }
+  if (FLAGS_threads > 0) SetNumThreads(FLAGS_threads);
+}
+
 DiagnosisOptions OptionsFromFlags() {
   DiagnosisOptions options;
   if (!(FLAGS_false_alarm_rate > 0.0 && FLAGS_false_alarm_rate <= 0.5)) {
@@ -102,10 +109,6 @@ DiagnosisOptions OptionsFromFlags() {
     throw InputError(fmt::format("--effort: is {}, expected above 0.", FLAGS_effort));
   }
   options.effort = FLAGS_effort;
-  if (FLAGS_threads < 0) {
-    throw InputError(fmt::format("--threads: is {}, expected at least 0.", FLAGS_threads));
-  }
-  if (FLAGS_threads > 0) SetNumThreads(FLAGS_threads);
   return options;
 }
 
@@ -256,6 +259,7 @@ int RunCoupledDiagnosis() {
 int Run() {
   RequireFlag("log", FLAGS_log, "a log folder or a CSV file");
   RequireFlagsOfOneKind({"dof", "source", "false_alarm_rate", "effort", "seed"});
+  SetThreadsFromFlag();
   if (IsCoupledAsked()) return RunCoupledDiagnosis();
   DiagnosisOptions options = OptionsFromFlags();
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
