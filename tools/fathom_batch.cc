@@ -8,9 +8,11 @@
 #include "fathom/archive/report/archive_page.h"
 #include "fathom/archive/slurm_script.h"
 #include "fathom/archive/store/store.h"
+#include "fathom/base/dof.h"
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
 #include "fathom/identification/family.h"
 #include "fathom/open_log/survey.h"
 #include "fathom/output_error/weighting.h"
@@ -30,6 +32,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>
@@ -51,6 +54,10 @@ DEFINE_string(weighting,
               "Of output error, as in fathom_identify: plain, or learned where the water moved the "
               "vehicle.");
 DEFINE_bool(diagnose, true, "Diagnose every log (fathom_diagnose).");
+DEFINE_string(dofs,
+              "",
+              "One coupled model of each log too, as fathom_diagnose --dofs: surge,sway,yaw, or "
+              "auto: of the DOFs that the log moves. Default: none.");
 DEFINE_double(time_limit, 600.0, "Of each program [s].");
 DEFINE_double(memory_limit, 2000.0, "Of each program [MB].");
 DEFINE_bool(strict, false, "Exit with code 3 if a log failed.");
@@ -74,9 +81,11 @@ const ToolInfo kInfo = {
     "fathom_batch",
     "Reprocesses an archive: every log identified and diagnosed, every dive compared with the "
     "others.",
-    "--archive=DIR --results=FILE [--jobs=N] [--report=FILE] [--pages] [--csv=FILE] [--strict]",
+    "--archive=DIR --results=FILE [--jobs=N] [--dofs=DOF,DOF...|auto] [--report=FILE] "
+    "[--pages] [--csv=FILE] [--strict]",
     "fathom_batch --archive=dives --results=dives.sqlite --report=dives.html --jobs=2",
-    "Each log goes through fathom_compare and fathom_diagnose, all logs of a dive through one "
+    "Each log goes through fathom_compare and fathom_diagnose, with --dofs also as one coupled "
+    "model, all logs of a dive through one "
     "fathom_identify. A rerun does only what is new or changed. A log that fails costs no other "
     "one: the summary says which and why. The tables and archive.yaml: docs/archive.md. Many "
     "machines: docs/cluster.md. Exit code 3: a log failed and --strict is given.",
@@ -104,6 +113,24 @@ fs::path PagesFolder() {
 
 int NumCores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+std::optional<std::vector<Dof>> CoupledDofsFromFlag() {
+  if (FLAGS_dofs.empty()) return std::nullopt;
+  std::vector<Dof> dofs;
+  if (FLAGS_dofs == "auto") return dofs;
+  for (const std::string& name : SplitAtCommas(FLAGS_dofs)) {
+    dofs.push_back(ParseFlag("dofs", name, ParseDof));
+  }
+  std::ranges::sort(dofs);
+  if (const auto twice = std::ranges::adjacent_find(dofs); twice != dofs.end()) {
+    throw InputError(fmt::format("--dofs: names {} twice, expected each once.", Name(*twice)));
+  }
+  if (dofs.size() < 2) {
+    throw InputError(fmt::format("--dofs: is {}, expected two or more as surge,sway,yaw, or auto.",
+                                 Quoted(FLAGS_dofs)));
+  }
+  return dofs;
+}
+
 BatchOptions OptionsFromFlags() {
   BatchOptions options;
   options.archive = RequireFlag("archive", FLAGS_archive, "a folder with logs");
@@ -118,6 +145,7 @@ BatchOptions OptionsFromFlags() {
     options.weighting = FLAGS_weighting;
   }
   options.diagnose = FLAGS_diagnose;
+  options.coupled_dofs = CoupledDofsFromFlag();
   options.jobs = FLAGS_jobs > 0 ? FLAGS_jobs : NumCores();
   options.time_limit = FLAGS_time_limit;
   options.memory_limit = FLAGS_memory_limit;

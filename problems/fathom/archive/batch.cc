@@ -86,6 +86,7 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
   of_logs.jobs.families = options.families;
   of_logs.jobs.weighting = options.weighting;
   of_logs.jobs.diagnose = options.diagnose;
+  of_logs.jobs.coupled_dofs = options.coupled_dofs;
   of_logs.jobs.dof = settings.dof;
   of_logs.jobs.pages = options.pages;
   of_logs.jobs.made = options.results.string() + ".logs";

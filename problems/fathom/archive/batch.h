@@ -5,6 +5,7 @@
 
 #include "fathom/archive/batch_progress.h"
 #include "fathom/archive/jobs/log_state.h"
+#include "fathom/base/dof.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,12 +32,15 @@ struct BatchOptions {
   std::string families;           // of fathom_compare, comma-separated; empty: all
   std::string weighting;          // of fathom_compare and fathom_identify; empty: their own
   bool diagnose = true;           // run fathom_diagnose on every log
-  int jobs = 1;                   // programs at a time
-  double time_limit = 600.0;      // of each program [s]
-  double memory_limit = 2000.0;   // of each program [MB]
-  bool rehash = false;            // hash also the files of unchanged size and time of change
-  std::filesystem::path pages;    // a folder for the pages of the diagnoses; empty: none
-  std::optional<Shard> shard;     // run only this part, and nothing on whole dives
+  // Of a coupled model of each log, in their order. Empty: those that the log moves. None: there is
+  // no such model.
+  std::optional<std::vector<Dof>> coupled_dofs;
+  int jobs = 1;                  // programs at a time
+  double time_limit = 600.0;     // of each program [s]
+  double memory_limit = 2000.0;  // of each program [MB]
+  bool rehash = false;           // hash also the files of unchanged size and time of change
+  std::filesystem::path pages;   // a folder for the pages of the diagnoses; empty: none
+  std::optional<Shard> shard;    // run only this part, and nothing on whole dives
   std::vector<std::filesystem::path> merge;  // results whose runs are taken over first
 
   // Every broken rule, a sentence each, by the name of the flag; empty if there is none.

@@ -85,6 +85,7 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
       states.empty() ? "nothing found" : fmt::format("{}", fmt::join(states, ", ")));
   text += fmt::format(
       "{} run now, {} done before\n", Plural(summary.num_run, "log"), num_logs - summary.num_run);
+  if (const std::string coupled = CoupledSentence(tables); !coupled.empty()) text += coupled + "\n";
   text += OtherFilesText(summary.other_files);
   bool is_first = true;
   for (const LogRow& row : tables.logs) {
@@ -135,7 +136,7 @@ std::string FormatFitsCsv(const std::vector<FitRow>& fits) {
   for (const FitRow& row : fits) {
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n",
                        Cell(row.log),
-                       row.dof,
+                       Cell(row.dof),
                        row.family,
                        row.source,
                        row.usable ? 1 : 0,

@@ -139,12 +139,13 @@ std::vector<BatchDof> DofsOf(const LogOutcome& outcome, const Tables& rows) {
 
 void AddPages(const LogOutcome& outcome, const LogJobOptions& options, LogBatch* batch) {
   if (options.pages.empty()) return;
-  for (const DofRuns& runs : outcome.dofs) {
-    const std::string page = PageNameOf(outcome.path, runs.dof);
+  const auto add = [&](const std::string& dofs) {
+    const std::string page = PageNameOf(outcome.path, dofs);
     std::error_code error;
-    if (!fs::exists(options.pages / page, error)) continue;
-    batch->pages[{outcome.path, std::string(Name(runs.dof))}] = page;
-  }
+    if (fs::exists(options.pages / page, error)) batch->pages[{outcome.path, dofs}] = page;
+  };
+  for (const DofRuns& runs : outcome.dofs) add(std::string(Name(runs.dof)));
+  if (outcome.coupled) add(outcome.coupled->dofs);
 }
 
 // The work on one log, which two jobs do: the second one runs the programs on it.
@@ -318,6 +319,8 @@ std::string DoneDigest(const HashedLog& log, const LogBatchOptions& options) {
       options.vehicle_content,
       settings.dof ? std::string(Name(*settings.dof)) : "",
   };
+  // What was done before there were coupled models stays done.
+  if (const auto& dofs = options.jobs.coupled_dofs) texts.push_back("dofs=" + JoinedNames(*dofs));
   return DigestOf(texts);
 }
 

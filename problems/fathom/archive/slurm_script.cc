@@ -3,6 +3,7 @@
 
 #include "fathom/archive/slurm_script.h"
 
+#include "fathom/archive/jobs/log_jobs.h"
 #include "fathom/base/input_error.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,9 @@ std::string FlagsOf(const BatchOptions& options) {
                                   options.diagnose);
   if (!options.families.empty()) flags += " --families=" + ShellWord(options.families);
   if (!options.weighting.empty()) flags += " --weighting=" + ShellWord(options.weighting);
+  if (const auto& dofs = options.coupled_dofs) {
+    flags += " --dofs=" + (dofs->empty() ? "auto" : JoinedNames(*dofs));
+  }
   flags += " --tools=" + ShellWord(fs::absolute(options.tools).string());
   return flags;
 }

@@ -60,6 +60,7 @@ class SlurmScriptTest : public testing::Test {
     options_.tools = shared_ / "the tools";
     options_.families = "output_error,joint";
     options_.weighting = "learned";
+    options_.coupled_dofs = {Dof::kSurge, Dof::kYaw};
     Write(options_.tools / "fathom_batch",
           fmt::format("#!/bin/bash\n"
                       "printf '%s\\n' \"$@\" > '{}/args'\n"
@@ -117,6 +118,7 @@ TEST_F(SlurmScriptTest, ATaskDoesItsPartOnTheNodesDiskAndCopiesIt) {
                           "--diagnose=true",
                           "--families=output_error,joint",
                           "--weighting=learned",
+                          "--dofs=surge,yaw",
                           "--tools=" + options_.tools.string()));
   EXPECT_EQ(FileText(Part(1)), "results\n");
   EXPECT_THAT(Entries(folder_ / "disk"), IsEmpty());

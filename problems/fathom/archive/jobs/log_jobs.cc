@@ -211,6 +211,35 @@ bool Import(const FoundLog& log,
       outcome);
 }
 
+// The diagnosis of one DOF, or of several together; with its page where pages are asked for.
+RunRecord RunDiagnosis(const std::string& dofs,
+                       const std::string& dof_flag,
+                       const LogJobOptions& options,
+                       const ProgramSettings& settings,
+                       const RunBook& book,
+                       LogOutcome* outcome) {
+  ProgramCall call = {.program = "fathom_diagnose",
+                      .contents = {outcome->place_content},
+                      .flags = {dof_flag},
+                      // The batch itself fills the cores.
+                      .places = {"--log=" + outcome->place.string(), "--threads=1"},
+                      .output = "verdict"};
+  RunBook book_of_page = book;
+  if (!options.pages.empty()) {
+    const fs::path page = options.pages / PageNameOf(outcome->path, dofs);
+    call.places.push_back("--report=" + page.string());
+    book_of_page.find = [&book, page](const std::string& key) -> std::optional<RunRecord> {
+      auto known = book.find(key);
+      std::error_code error;
+      const bool lacks_page = known && IsUsable(*known) && !fs::exists(page, error);
+      return lacks_page ? std::nullopt : known;
+    };
+  }
+  RunRecord run = RunProgram(call, settings, book_of_page);
+  Add(run, outcome);
+  return run;
+}
+
 DofRuns RunOnDof(Dof dof,
                  const LogJobOptions& options,
                  const ProgramSettings& settings,
@@ -218,54 +247,63 @@ DofRuns RunOnDof(Dof dof,
                  LogOutcome* outcome) {
   DofRuns runs;
   runs.dof = dof;
-  const std::string log_flag = "--log=" + outcome->place.string();
   ProgramCall compare = {.program = "fathom_compare",
                          .contents = {outcome->place_content},
                          .flags = {fmt::format("--dofs={}", Name(dof))},
-                         .places = {log_flag},
+                         .places = {"--log=" + outcome->place.string()},
                          .output = "json"};
   if (!options.families.empty()) compare.flags.push_back("--families=" + options.families);
   if (!options.weighting.empty()) compare.flags.push_back("--weighting=" + options.weighting);
   runs.compare = RunProgram(compare, settings, book);
   Add(runs.compare, outcome);
   if (!options.diagnose) return runs;
-
-  ProgramCall diagnose = {.program = "fathom_diagnose",
-                          .contents = {outcome->place_content},
-                          .flags = {fmt::format("--dof={}", Name(dof))},
-                          .places = {log_flag, "--threads=1"},  // the batch itself fills the cores
-                          .output = "verdict"};
-  RunBook diagnose_book = book;
-  if (!options.pages.empty()) {
-    const fs::path page = options.pages / PageNameOf(outcome->path, dof);
-    diagnose.places.push_back("--report=" + page.string());
-    diagnose_book.find = [&book, page](const std::string& key) -> std::optional<RunRecord> {
-      auto known = book.find(key);
-      std::error_code error;
-      const bool lacks_page = known && IsUsable(*known) && !fs::exists(page, error);
-      return lacks_page ? std::nullopt : known;
-    };
-  }
-  runs.diagnose = RunProgram(diagnose, settings, diagnose_book);
-  Add(*runs.diagnose, outcome);
+  runs.diagnose = RunDiagnosis(
+      std::string(Name(dof)), fmt::format("--dof={}", Name(dof)), options, settings, book, outcome);
   return runs;
+}
+
+// Those that a log moves, whether or not their command changes.
+std::vector<Dof> MovedDofs(const Survey& survey) {
+  std::vector<Dof> dofs;
+  for (const SurveyedDof& dof : survey.dofs) {
+    if (dof.why_not.empty() || dof.may_help) dofs.push_back(dof.dof);
+  }
+  std::ranges::sort(dofs);
+  return dofs;
+}
+
+// Nothing of a log that moves one DOF: its own diagnosis tells all of it.
+std::optional<CoupledRun> RunCoupled(const LogJobOptions& options,
+                                     const ProgramSettings& settings,
+                                     const RunBook& book,
+                                     LogOutcome* outcome) {
+  if (!options.coupled_dofs) return std::nullopt;
+  const std::vector<Dof> dofs =
+      options.coupled_dofs->empty() ? MovedDofs(*outcome->survey) : *options.coupled_dofs;
+  if (dofs.size() < 2) return std::nullopt;
+  CoupledRun run = {.dofs = JoinedNames(dofs), .diagnose = {}};
+  run.diagnose = RunDiagnosis(run.dofs, "--dofs=" + run.dofs, options, settings, book, outcome);
+  return run;
 }
 
 void Judge(LogOutcome* outcome) {
   std::vector<LogState> failures;
   std::vector<std::string> messages;
   std::size_t num_usable = 0;
-  const auto judge = [&](Dof dof, const RunRecord& run, const std::string& why_not) {
+  const auto judge = [&](std::string_view dofs, const RunRecord& run, const std::string& why_not) {
     if (IsUsable(run)) {
       ++num_usable;
       return;
     }
     failures.push_back(StateOf(run));
-    messages.push_back(fmt::format("{}, {}: {}", Name(dof), run.program, why_not));
+    messages.push_back(fmt::format("{}, {}: {}", dofs, run.program, why_not));
   };
   for (const DofRuns& runs : outcome->dofs) {
-    judge(runs.dof, runs.compare, WhyNoModel(runs.compare));
-    if (runs.diagnose) judge(runs.dof, *runs.diagnose, WhyNot(*runs.diagnose));
+    judge(Name(runs.dof), runs.compare, WhyNoModel(runs.compare));
+    if (runs.diagnose) judge(Name(runs.dof), *runs.diagnose, WhyNot(*runs.diagnose));
+  }
+  if (const auto& coupled = outcome->coupled) {
+    judge(coupled->dofs, coupled->diagnose, WhyNot(coupled->diagnose));
   }
   outcome->message = fmt::format("{}", fmt::join(messages, " "));
   if (failures.empty()) {
@@ -273,6 +311,15 @@ void Judge(LogOutcome* outcome) {
   } else {
     outcome->state = num_usable > 0 ? LogState::kPartial : Worst(failures);
   }
+}
+
+// With '_' for what may not stand in the name of a file.
+std::string FileWord(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    word += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.' ? c : '_';
+  }
+  return word;
 }
 
 // Of the DOFs that the log cannot identify.
@@ -288,14 +335,18 @@ std::string WhyNothing(const Survey& survey) {
 
 }  // namespace
 
-std::string PageNameOf(const std::string& path, Dof dof) {
-  std::string name;
-  for (const char c : path) {
-    name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '.' ? c : '_';
-  }
+std::string JoinedNames(const std::vector<Dof>& dofs) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : dofs) names.push_back(Name(dof));
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::string PageNameOf(const std::string& path, std::string_view dofs) {
   constexpr std::size_t kLongest = 100;
-  return fmt::format(
-      "{}_{}_{}.html", name.substr(0, kLongest), Name(dof), DigestOf(path).substr(0, 8));
+  return fmt::format("{}_{}_{}.html",
+                     FileWord(path).substr(0, kLongest),
+                     FileWord(dofs),
+                     DigestOf(path).substr(0, 8));
 }
 
 LogOutcome OutcomeOfFound(const FoundLog& log, const std::string& content) {
@@ -345,6 +396,7 @@ LogOutcome RunPrograms(LogOutcome outcome,
     outcome.message = WhyNothing(*outcome.survey);
     return outcome;
   }
+  outcome.coupled = RunCoupled(options, settings, book, &outcome);
   Judge(&outcome);
   const std::string nothing = WhyNothing(*outcome.survey);
   if (!nothing.empty()) {

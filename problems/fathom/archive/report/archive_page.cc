@@ -4,6 +4,7 @@
 #include "fathom/archive/report/archive_page.h"
 
 #include "fathom/archive/report/archive_sentences.h"
+#include "fathom/archive/report/coupled_models_html.h"
 #include "fathom/archive/report/dive_summary.h"
 #include "fathom/archive/report/dives_json.h"
 #include "fathom/archive/report/lost_logs_html.h"
@@ -44,7 +45,7 @@ constexpr std::string_view kSections = R"(<section id="parameters">
 </section>
 )";
 
-std::string HeaderHtml(const ArchiveReport& report) {
+std::string HeaderHtml(const ArchiveReport& report, bool has_coupled) {
   std::string html = fmt::format("<header>\n<h1>{}</h1>\n", HtmlText("Archive " + report.archive));
   for (const std::string& sentence : ChangeSentences(report.tables)) {
     html += fmt::format("<p class=\"lead change\">{}</p>\n", HtmlText(sentence));
@@ -56,7 +57,8 @@ std::string HeaderHtml(const ArchiveReport& report) {
   html += OriginHtml(origin);
   return html +
          "<nav><a href=\"#parameters\">Parameters</a><a href=\"#effects\">Effects</a>"
-         "<a href=\"#dives\">Dives</a><a href=\"#comparison\">Two dives</a>"
+         "<a href=\"#dives\">Dives</a><a href=\"#comparison\">Two dives</a>" +
+         (has_coupled ? "<a href=\"#coupled\">Coupled models</a>" : "") +
          "<a href=\"#lost\">Logs without a model</a></nav>\n</header>\n";
 }
 
@@ -83,14 +85,16 @@ std::string RenderArchivePage(const ArchiveReport& report) {
   dives.reserve(summaries.size());
   for (const DiveSummary& summary : summaries) dives.push_back(summary.dive);
 
+  const std::string coupled = CoupledModelsHtml(report);
   FramedPage page;
   page.title = "Archive " + report.archive;
   page.style = fmt::format("{}\n{}", PageStyle(), web::archive_css);
-  page.body = HeaderHtml(report) + "<main>\n" +
+  page.body = HeaderHtml(report, !coupled.empty()) + "<main>\n" +
               "<noscript><p class=\"warning\">Charts, the table of dives and the comparison need "
               "JavaScript; the sentences above and the logs without a model are here."
               "</p></noscript>\n" +
-              std::string(kSections) + "<section id=\"lost\">\n<h2>Logs without a model</h2>\n" +
+              std::string(kSections) + coupled +
+              "<section id=\"lost\">\n<h2>Logs without a model</h2>\n" +
               LostLogsHtml(report.tables.logs) + "</section>\n</main>\n";
   page.data = fmt::format(R"({{"parameters":{},"archive":{}}})",
                           ParameterChartsJson(report, dives),

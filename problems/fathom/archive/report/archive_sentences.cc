@@ -183,6 +183,9 @@ std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
   return sentences;
 }
 
+// "surge,sway,yaw", of a coupled model.
+bool IsOfSeveralDofs(const std::string& dof) { return dof.find(',') != std::string::npos; }
+
 }  // namespace
 
 std::vector<std::string> ChangeSentences(const Tables& tables) {
@@ -191,6 +194,32 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
     sentences.push_back(std::move(poor));
   }
   return sentences;
+}
+
+std::string CoupledSentence(const Tables& tables) {
+  std::map<std::string, std::size_t> verdicts, named;
+  std::size_t num_models = 0;
+  for (const VerdictRow& row : tables.verdicts) {
+    if (!IsOfSeveralDofs(row.dof)) continue;
+    ++num_models;
+    ++verdicts[row.verdict];
+  }
+  if (num_models == 0) return "";
+  for (const CauseRow& row : tables.causes) {
+    if (IsOfSeveralDofs(row.dof)) ++named[row.parameter];
+  }
+  std::vector<std::string> counts, names;
+  for (const auto& [verdict, count] : verdicts) {
+    counts.push_back(fmt::format("{} {}", count, verdict));
+  }
+  for (const auto& [entry, count] : named) {
+    names.push_back(fmt::format("{} ({})", entry, Plural(count, "log")));
+  }
+  std::string text =
+      fmt::format("{}: {}.", Plural(num_models, "coupled model"), fmt::join(counts, ", "));
+  if (names.empty()) return text;
+  return text +
+         fmt::format(" {} {}.", num_models == 1 ? "It names" : "They name", fmt::join(names, ", "));
 }
 
 std::string LogsSentence(const ArchiveReport& report) {

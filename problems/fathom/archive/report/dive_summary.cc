@@ -57,6 +57,7 @@ double Worse(double a, double b) { return std::fmax(a, b); }
 
 void AddModels(const Tables& tables, Book* book) {
   for (const FitRow& row : tables.fits) {
+    if (row.family == kCoupledFamily) continue;  // they have a table of their own
     DiveSummary* const summary = book->OfLog(row.log);
     if (summary != nullptr && row.usable) summary->dofs[row.dof].has_model = true;
   }

@@ -113,6 +113,54 @@ void AddVerdict(const std::string& log,
   }
 }
 
+// The name of the rung that stands.
+std::string AcceptedStructure(const Json& verdict) {
+  for (const Json& rung : Part(verdict, "ladder")) {
+    if (Flag(rung, "accepted")) return Text(rung, "structure");
+  }
+  return "";
+}
+
+// A coupled model: its structure stands in the column of the source, the DOFs together in theirs.
+// Its findings are those of the single DOFs, which their programs told.
+void AddCoupled(const std::string& log, const CoupledRun& run, Tables* tables) {
+  const Json json = IsUsable(run.diagnose) ? ParseObject(run.diagnose.output) : Json::object();
+  FitRow fit = {.log = log,
+                .dof = run.dofs,
+                .family = std::string(kCoupledFamily),
+                .source = AcceptedStructure(json),
+                .usable = !json.empty(),
+                .parameter = "",
+                .unit = "",
+                .message = ""};
+  if (!fit.usable) {
+    fit.message = IsUsable(run.diagnose) ? "its verdict file is damaged." : WhyNot(run.diagnose);
+    tables->fits.push_back(fit);
+    return;
+  }
+  for (const auto& [name, parameter] : Part(Part(json, "model"), "parameters").items()) {
+    fit.parameter = name;
+    fit.value = Number(parameter, "value");
+    fit.std = Number(parameter, "std");
+    fit.unit = Text(parameter, "unit");
+    tables->fits.push_back(fit);
+  }
+  tables->verdicts.push_back({.log = log,
+                              .dof = run.dofs,
+                              .verdict = Text(json, "verdict"),
+                              .sentence = Text(json, "sentence"),
+                              .json = run.diagnose.output});
+  for (const Json& cause : Part(json, "causes")) {
+    tables->causes.push_back({.log = log,
+                              .dof = run.dofs,
+                              .effect = Text(cause, "entry"),
+                              .parameter = Text(cause, "entry"),
+                              .value = Number(cause, "value"),
+                              .std = Number(cause, "std"),
+                              .unit = Text(cause, "unit")});
+  }
+}
+
 std::string LeftOutText(const std::vector<LeftOutLog>& logs) {
   std::vector<std::string> texts;
   for (const LeftOutLog& log : logs) texts.push_back(fmt::format("{} ({})", log.path, log.why));
@@ -133,6 +181,7 @@ Tables RowsOfLog(const LogOutcome& outcome) {
     const Json verdict = ParseObject(runs.diagnose->output);
     if (!verdict.empty()) AddVerdict(outcome.path, runs.diagnose->output, verdict, &tables);
   }
+  if (outcome.coupled) AddCoupled(outcome.path, *outcome.coupled, &tables);
   return tables;
 }
 

@@ -52,6 +52,11 @@ constexpr const char* kByPath = "path";
 constexpr const char* kByLog = "log, rowid";
 constexpr const char* kAsWritten = "rowid";
 
+// Without their files, which are long.
+std::vector<VerdictRow> SelectVerdicts(SQLite::Database* database) {
+  return Select<VerdictRow>(database, "log, dof, verdict, sentence, ''", kByLog);
+}
+
 constexpr std::array<const char*, 8> kTablesOfLogs = {
     "fits", "scores", "verdicts", "causes", "findings", "known_logs", "known_dofs", "done"};
 
@@ -312,8 +317,7 @@ Tables Store::ReadTables() const {
     SelectInto(database_.get(), kByLog, &tables.fits);
     SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
     SelectInto(database_.get(), kByLog, &tables.scores);
-    tables.verdicts =
-        Select<VerdictRow>(database_.get(), "log, dof, verdict, sentence, ''", kByLog);
+    tables.verdicts = SelectVerdicts(database_.get());
     SelectInto(database_.get(), kByLog, &tables.causes);
     SelectInto(database_.get(), kByLog, &tables.findings);
     SelectInto(database_.get(), kAsWritten, &tables.predictions);
@@ -328,6 +332,8 @@ Tables Store::ReadSummaryTables() const {
     Tables tables;
     SelectInto(database_.get(), kByPath, &tables.logs);
     SelectInto(database_.get(), kByLog, &tables.scores);
+    tables.verdicts = SelectVerdicts(database_.get());
+    SelectInto(database_.get(), kByLog, &tables.causes);
     SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
     SelectInto(database_.get(), kAsWritten, &tables.changes);
     return tables;

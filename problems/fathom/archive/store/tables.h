@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -31,6 +32,10 @@ struct LogRow {
 
   bool operator==(const LogRow&) const = default;
 };
+
+// FitRow::family of a coupled model: `dof` then names several, "surge,sway,yaw", and `source` the
+// structure that the data show. One without a usable fit has a row without a parameter.
+inline constexpr std::string_view kCoupledFamily = "coupled";
 
 // One parameter as one family gave it for one log.
 struct FitRow {

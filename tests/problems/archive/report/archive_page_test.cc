@@ -6,6 +6,7 @@
 #include "fathom/archive/report/log_states.h"
 
 #include <string>
+#include <tuple>
 
 #include "example_archive.h"
 #include <gmock/gmock.h>
@@ -46,6 +47,48 @@ TEST(ArchivePage, ListsEveryLogThatGaveNoModelWithItsReason) {
     }
   }
   EXPECT_THAT(body, HasSubstr("fathom_identify: signal 11"));
+}
+
+TEST(ArchivePage, ShowsCoupledModelsWhereThereAreSome) {
+  ArchiveReport report = ExampleArchive();
+  EXPECT_THAT(RenderArchivePage(report), Not(HasSubstr("#coupled")));
+  FitRow fit = {.log = "dive-001/<a>",
+                .dof = "surge,yaw",
+                .family = "coupled",
+                .source = "thruster",
+                .usable = true,
+                .parameter = "inertia.surge",
+                .unit = "kg",
+                .message = ""};
+  report.tables.fits.push_back(fit);
+  fit.parameter = "inertia.yaw";
+  report.tables.fits.push_back(fit);
+  report.tables.verdicts.push_back({fit.log, fit.dof, "explained", "Port is weak.", ""});
+  for (const auto& [entry, value, std, unit] : {std::tuple{"thrust_gain.port", 0.8, 0.01, "1"},
+                                                std::tuple{"inertia.sway.yaw", 1.6, 0.2, "kg m"}}) {
+    report.tables.causes.push_back({.log = fit.log,
+                                    .dof = fit.dof,
+                                    .effect = entry,
+                                    .parameter = entry,
+                                    .value = value,
+                                    .std = std,
+                                    .unit = unit});
+  }
+  FitRow none = fit;
+  none.log = "dive-002/b";
+  none.usable = false;
+  none.parameter = "";
+  none.message = "no diagnosis: yaw < 0.";
+  report.tables.fits.push_back(none);
+  report.pages[{fit.log, fit.dof}] = "p/x.html";
+  const std::string body = WithoutScripts(RenderArchivePage(report));
+  EXPECT_THAT(body, HasSubstr("<a href=\"#coupled\">"));
+  EXPECT_THAT(body,
+              HasSubstr("<tr><td>dive-001/&lt;a&gt;</td><td><a href=\"p/x.html\">surge,yaw</a></td>"
+                        "<td>thruster</td><td>explained</td>"
+                        "<td>thrust_gain.port 0.800 ± 0.010, inertia.sway.yaw 1.60 ± 0.20 kg m</td>"
+                        "</tr>\n<tr><td>dive-002/b</td><td>surge,yaw</td><td>–</td>"
+                        "<td>no usable fit</td><td>no diagnosis: yaw &lt; 0.</td></tr>\n"));
 }
 
 TEST(ArchivePage, BeginsWithWhereItComesFrom) {

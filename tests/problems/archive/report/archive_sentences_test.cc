@@ -39,6 +39,24 @@ ArchiveReport WithStates(const std::vector<std::string>& states) {
   return report;
 }
 
+TEST(CoupledSentence, CountsVerdictsAndWhatTheyName) {
+  Tables tables;
+  tables.verdicts.push_back({"a", "surge", "unexplained", "", ""});
+  EXPECT_EQ(CoupledSentence(tables), "");
+  tables.verdicts.push_back({"a", "surge,yaw", "explained", "", ""});
+  CauseRow cause;
+  cause.dof = "surge,yaw";
+  cause.parameter = "thrust_gain.port";
+  tables.causes.push_back(cause);
+  EXPECT_EQ(CoupledSentence(tables),
+            "1 coupled model: 1 explained. It names thrust_gain.port (1 log).");
+  tables.causes.push_back(cause);
+  tables.verdicts.push_back({"b", "surge,yaw", "explained", "", ""});
+  tables.verdicts.push_back({"c", "surge,yaw", "consistent", "", ""});
+  EXPECT_EQ(CoupledSentence(tables),
+            "3 coupled models: 1 consistent, 2 explained. They name thrust_gain.port (2 logs).");
+}
+
 TEST(ChangeSentences, TellThatNothingChanged) {
   ArchiveReport report;
   AddDives(12, true, "", &report);

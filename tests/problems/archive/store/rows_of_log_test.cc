@@ -61,6 +61,62 @@ TEST(RowsOfLog, TellsWhatTheProgramsWrote) {
   EXPECT_EQ(tables.findings[0].id, "delay");
 }
 
+const char kCoupledVerdict[] = R"({"verdict": "explained", "sentence": "Port is weak.",
+ "causes": [{"entry": "thrust_gain.port", "value": 0.8, "std": 0.01, "unit": "1"}],
+ "ladder": [{"structure": "diagonal", "accepted": false},
+            {"structure": "thruster", "accepted": true}],
+ "model": {"parameters": {"inertia.surge": {"value": 40, "std": 0.5, "unit": "kg"},
+                          "thrust_gain.port": {"value": 0.8, "std": 0.01, "unit": "1"}}}})";
+
+LogOutcome CoupledOutcome(const RunRecord& run) {
+  LogOutcome outcome;
+  outcome.path = "dive/run";
+  outcome.coupled = {.dofs = "surge,yaw", .diagnose = run};
+  return outcome;
+}
+
+TEST(RowsOfLog, TellsWhatTheCoupledModelIs) {
+  const Tables tables = RowsOfLog(CoupledOutcome(Ran(kCoupledVerdict)));
+  ASSERT_EQ(tables.fits.size(), 2u);
+  for (const FitRow& fit : tables.fits) {
+    EXPECT_EQ(fit.log, "dive/run");
+    EXPECT_EQ(fit.dof, "surge,yaw");
+    EXPECT_EQ(fit.family, "coupled");
+    EXPECT_EQ(fit.source, "thruster");
+    EXPECT_TRUE(fit.usable);
+  }
+  EXPECT_EQ(tables.fits[0].parameter, "inertia.surge");
+  EXPECT_EQ(tables.fits[0].value, 40.0);
+  EXPECT_EQ(tables.fits[0].std, 0.5);
+  EXPECT_EQ(tables.fits[0].unit, "kg");
+  ASSERT_EQ(tables.verdicts.size(), 1u);
+  EXPECT_EQ(tables.verdicts[0].dof, "surge,yaw");
+  EXPECT_EQ(tables.verdicts[0].verdict, "explained");
+  EXPECT_EQ(tables.verdicts[0].json, kCoupledVerdict);
+  ASSERT_EQ(tables.causes.size(), 1u);
+  EXPECT_EQ(tables.causes[0].effect, "thrust_gain.port");
+  EXPECT_EQ(tables.causes[0].value, 0.8);
+  EXPECT_EQ(tables.causes[0].std, 0.01);
+  EXPECT_TRUE(std::isnan(tables.causes[0].p_value));
+}
+
+TEST(RowsOfLog, SaysWhyThereIsNoCoupledModel) {
+  RunRecord run = Ran("");
+  run.exit_code = 2;
+  run.message = "no diagnosis: yaw is not driven.";
+  for (const auto& [record, why] :
+       {std::pair{run, "no diagnosis: yaw is not driven."},
+        std::pair{Ran("{\"verdict\": "), "its verdict file is damaged."}}) {
+    const Tables tables = RowsOfLog(CoupledOutcome(record));
+    ASSERT_EQ(tables.fits.size(), 1u);
+    EXPECT_FALSE(tables.fits[0].usable);
+    EXPECT_EQ(tables.fits[0].parameter, "");
+    EXPECT_EQ(tables.fits[0].message, why);
+    EXPECT_TRUE(tables.verdicts.empty());
+    EXPECT_TRUE(tables.causes.empty());
+  }
+}
+
 void ExpectNoRows(const Tables& tables) {
   EXPECT_TRUE(tables.fits.empty());
   EXPECT_TRUE(tables.scores.empty());
@@ -89,9 +145,10 @@ TEST(RowsOfLog, PassesOverWhatItDoesNotKnow) {
   for (const char* part :
        {"3", "null", "\"x\"", "[1, \"x\", null, []]", "{\"a\": 1, \"b\": []}", "true"}) {
     SCOPED_TRACE(part);
-    for (const char* key : {"rows", "findings", "causes", "dof", "verdict"}) {
+    for (const char* key : {"rows", "findings", "causes", "dof", "verdict", "ladder", "model"}) {
       const std::string json = std::string("{\"") + key + "\": " + part + "}";
       EXPECT_NO_THROW(RowsOfLog(OutcomeWith(json, json)));
+      EXPECT_NO_THROW(RowsOfLog(CoupledOutcome(Ran(json))));
     }
     const std::string rows = std::string("{\"rows\": [{\"parameters\": ") + part +
                              "}], \"causes\": [{\"parameters\": " + part + "}]}";
