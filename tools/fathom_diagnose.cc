@@ -62,7 +62,7 @@ DEFINE_double(
     false_alarm_rate,
     0.05,
     "Nominal probability of naming a cause when nothing is missing, above 0 and at most 0.5. "
-    "Of 5 % about half are measured: docs/diagnosis_scores.md.");
+    "Of 5 % less than 3 are measured: docs/diagnosis_scores.md.");
 DEFINE_double(effort,
               1.0,
               "How long causes are searched where no model fits, as a multiple of the usual.");

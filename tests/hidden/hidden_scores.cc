@@ -32,7 +32,7 @@ DEFINE_string(only,
               "",
               "separated by commas: names of effects hidden alone, of single logs "
               "(thruster_lag.3), 'nothing', 'one', 'two', 'unlisted'");
-DEFINE_bool(list, false, "print every log with its verdict, in order");
+DEFINE_bool(list, false, "print every log with its verdict, as it is done");
 DEFINE_string(out, "", "the page to write, Markdown");
 DEFINE_string(oracle_cache, "", "file that keeps the oracle's answers from run to run");
 DEFINE_string(save, "", "folder to write the logs to instead of diagnosing them");
@@ -75,14 +75,15 @@ int Run() {
   OracleCache oracle(FLAGS_oracle_cache);
   std::size_t num_done = 0;
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
-  const auto scores = RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, [&](const LogScore&) {
+  const auto scores = RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, [&](const LogScore& score) {
     ++num_done;
+    if (FLAGS_list) {
+      std::printf("%s\n", Line(score).c_str());
+      std::fflush(stdout);
+    }
     if (is_terminal) std::fprintf(stderr, "\r%zu of %zu ", num_done, plans.size());
   });
   if (is_terminal) std::fprintf(stderr, "\n");
-  if (FLAGS_list) {
-    for (const LogScore& score : scores) std::printf("%s\n", Line(score).c_str());
-  }
   std::printf("%s", Summary(scores).c_str());
   const ScoreBoard board = BoardOf(scores);
   std::printf("%zu logs; diagnosis %.1f s in all, %.2f s a log, slowest %.1f s; oracle %.0f s\n",

@@ -41,14 +41,14 @@ class Climb {
     rung.structure = structure;
     rung.fit = std::move(fit);
     UnseenErrors errors;
-    if (rung.fit.converged) errors = UnseenErrorsOf(folds_, structure, rung.fit, options_);
+    if (rung.fit.IsUsable()) errors = UnseenErrorsOf(folds_, structure, rung.fit, options_);
     rung.unseen_nmae = NmaeOf(errors, dofs_);
     if (!errors.is_known) return false;
     if (stands_.is_known) rung.gain = GainOf(stands_, errors, dofs_);
     const bool wins =
         !stands_.is_known || (rung.gain.in_errors > kLeastErrors && rung.gain.share > kLeastShare);
-    rung.is_accepted = rung.fit.IsUsable() && wins;
-    if (!rung.is_accepted) return false;
+    if (!wins) return false;
+    rung.is_accepted = true;
     ladder_.accepted = ladder_.rungs.size() - 1;
     stands_ = std::move(errors);
     return true;

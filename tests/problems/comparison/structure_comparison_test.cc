@@ -23,26 +23,6 @@ using ::testing::HasSubstr;
 
 const std::vector<Dof> kPlane = {Dof::kSurge, Dof::kSway, Dof::kYaw};
 
-// What a log file would hold of drawn data.
-Log LogFileOf(const CoupledData& data) {
-  Log log;
-  log.path = log.name = data.log;
-  log.dofs = data.dofs;
-  log.command.emplace();
-  log.command->time = data.inputs.command.time;
-  log.velocity.emplace();
-  log.velocity->time = data.segments.front().time;
-  for (const Dof dof : data.dofs) {
-    log.command->columns.emplace_back(ForceColumn(dof));
-    std::vector<double>& force = log.command->values.emplace_back();
-    for (const Vector6& tau : data.inputs.command.force) force.push_back(tau[Index(dof)]);
-    log.velocity->columns.emplace_back(VelocityColumn(dof));
-    std::vector<double>& velocity = log.velocity->values.emplace_back();
-    for (const Vector6& nu : data.segments.front().velocity) velocity.push_back(nu[Index(dof)]);
-  }
-  return log;
-}
-
 Log DrawnLogFile(bool coriolis, int seed) {
   std::mt19937 random(seed);
   CoupledModel truth = DrawnPlanarVehicle(&random);

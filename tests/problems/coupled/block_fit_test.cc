@@ -15,26 +15,6 @@
 namespace fathom {
 namespace {
 
-// What a log file would hold of drawn data.
-Log LogOf(const CoupledData& data) {
-  Log log;
-  log.name = data.log;
-  log.dofs = data.dofs;
-  log.command.emplace();
-  log.command->time = data.inputs.command.time;
-  log.velocity.emplace();
-  log.velocity->time = data.segments.front().time;
-  for (const Dof dof : data.dofs) {
-    log.command->columns.emplace_back(ForceColumn(dof));
-    std::vector<double>& force = log.command->values.emplace_back();
-    for (const Vector6& tau : data.inputs.command.force) force.push_back(tau[Index(dof)]);
-    log.velocity->columns.emplace_back(VelocityColumn(dof));
-    std::vector<double>& velocity = log.velocity->values.emplace_back();
-    for (const Vector6& nu : data.segments.front().velocity) velocity.push_back(nu[Index(dof)]);
-  }
-  return log;
-}
-
 // Six DOFs that nothing joins: no Coriolis forces, and no forces by the attitude.
 CoupledModel DrawnDiagonalVehicle(std::mt19937* random) {
   CoupledModel truth = DrawnPlanarVehicle(random);
@@ -64,7 +44,7 @@ TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
   std::mt19937 random(11);
   const CoupledModel truth = DrawnDiagonalVehicle(&random);
   CoupledLogs logs;
-  logs.logs = {LogOf(DrawnLog(truth, {}, &random))};
+  logs.logs = {LogFileOf(DrawnLog(truth, {}, &random))};
   logs.data = {CoupledDataOf(logs.logs.front(), truth.dofs)};
   const CoupledSummary blocks = FitBlocks(logs, DiagonalStructure(truth.dofs), {});
   ASSERT_TRUE(blocks.IsUsable()) << blocks.message;

@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include "fathom/log/log.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "plain_simulator.h"
 
@@ -85,6 +87,26 @@ inline CoupledData DrawnLog(const CoupledModel& model,
   for (const Dof dof : model.dofs) data.has_velocity[static_cast<std::size_t>(Index(dof))] = true;
   data.segments.push_back(segment);
   return data;
+}
+
+// What a log file would hold of drawn data.
+inline Log LogFileOf(const CoupledData& data) {
+  Log log;
+  log.path = log.name = data.log;
+  log.dofs = data.dofs;
+  log.command.emplace();
+  log.command->time = data.inputs.command.time;
+  log.velocity.emplace();
+  log.velocity->time = data.segments.front().time;
+  for (const Dof dof : data.dofs) {
+    log.command->columns.emplace_back(ForceColumn(dof));
+    std::vector<double>& force = log.command->values.emplace_back();
+    for (const Vector6& tau : data.inputs.command.force) force.push_back(tau[Index(dof)]);
+    log.velocity->columns.emplace_back(VelocityColumn(dof));
+    std::vector<double>& velocity = log.velocity->values.emplace_back();
+    for (const Vector6& nu : data.segments.front().velocity) velocity.push_back(nu[Index(dof)]);
+  }
+  return log;
 }
 
 }  // namespace fathom
