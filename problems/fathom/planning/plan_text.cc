@@ -141,7 +141,7 @@ void AddThrusterComments(const PlanRequest& request,
 
 std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan) {
   if (!plan.IsUsable()) return plan.message;
-  std::string text =
+  const std::string text =
       fmt::format("Command {} for {:g} s as planned.", Name(request.model.dof), plan.duration);
   if (!plan.separations.empty()) return text + SeparationSentence(plan);
   const PlannedParameter* weakest = WeakestOf(plan);
@@ -156,14 +156,13 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
                HalfShare(weakest->before, weakest->value),
                HalfShare(weakest->with_log_so_far, weakest->value));
   }
-  text += fmt::format(
-      " The least known parameter, {}, is then known to {} instead of {}; an "
-      "ordinary sine of that length gives {}.",
-      weakest->name,
-      HalfShare(weakest->after, weakest->value),
-      HalfShare(weakest->before, weakest->value),
-      HalfShare(weakest->sine, weakest->value));
-  return text;
+  return text + fmt::format(
+                    " The least known parameter, {}, is then known to {} instead of {}; an "
+                    "ordinary sine of that length gives {}.",
+                    weakest->name,
+                    HalfShare(weakest->after, weakest->value),
+                    HalfShare(weakest->before, weakest->value),
+                    HalfShare(weakest->sine, weakest->value));
 }
 
 std::vector<std::string> PlanComments(const PlanRequest& request, const ExperimentPlan& plan) {

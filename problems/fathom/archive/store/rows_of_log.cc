@@ -41,6 +41,18 @@ const Json& Part(const Json& json, const char* key) {
   return found != json.end() ? *found : kNothing;
 }
 
+// A row for each of `parameters`, like `row` in all else.
+template <typename Row>
+void AddParameters(const Json& parameters, Row row, std::vector<Row>* rows) {
+  for (const auto& [name, parameter] : parameters.items()) {
+    row.parameter = name;
+    row.value = Number(parameter, "value");
+    row.std = Number(parameter, "std");
+    row.unit = Text(parameter, "unit");
+    rows->push_back(row);
+  }
+}
+
 void AddComparison(const std::string& log, const Json& json, Tables* tables) {
   for (const Json& row : Part(json, "rows")) {
     FitRow fit = {.log = log,
@@ -51,13 +63,7 @@ void AddComparison(const std::string& log, const Json& json, Tables* tables) {
                   .parameter = "",
                   .unit = "",
                   .message = Text(row, "message")};
-    for (const auto& [name, parameter] : Part(row, "parameters").items()) {
-      fit.parameter = name;
-      fit.value = Number(parameter, "value");
-      fit.std = Number(parameter, "std");
-      fit.unit = Text(parameter, "unit");
-      tables->fits.push_back(fit);
-    }
+    AddParameters(Part(row, "parameters"), fit, &tables->fits);
     tables->scores.push_back({.log = log,
                               .dof = fit.dof,
                               .family = fit.family,
@@ -102,13 +108,7 @@ void AddVerdict(const std::string& log,
                     .p_value = Number(cause, "p_value"),
                     .heldout_gain = Number(cause, "heldout_gain")};
     const Json& parameters = Part(cause, "parameters");
-    for (const auto& [name, parameter] : parameters.items()) {
-      row.parameter = name;
-      row.value = Number(parameter, "value");
-      row.std = Number(parameter, "std");
-      row.unit = Text(parameter, "unit");
-      tables->causes.push_back(row);
-    }
+    AddParameters(parameters, row, &tables->causes);
     if (parameters.empty()) tables->causes.push_back(row);
   }
 }
@@ -138,13 +138,7 @@ void AddCoupled(const std::string& log, const CoupledRun& run, Tables* tables) {
     tables->fits.push_back(fit);
     return;
   }
-  for (const auto& [name, parameter] : Part(Part(json, "model"), "parameters").items()) {
-    fit.parameter = name;
-    fit.value = Number(parameter, "value");
-    fit.std = Number(parameter, "std");
-    fit.unit = Text(parameter, "unit");
-    tables->fits.push_back(fit);
-  }
+  AddParameters(Part(Part(json, "model"), "parameters"), fit, &tables->fits);
   tables->verdicts.push_back({.log = log,
                               .dof = run.dofs,
                               .verdict = Text(json, "verdict"),

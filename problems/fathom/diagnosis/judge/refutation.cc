@@ -101,15 +101,24 @@ Choice LeaveOut(const TrainingData& data,
   return choice;
 }
 
-// The runs over the held-out segments without one cause of a choice and with it; nothing where it
-// was not tried without.
-std::optional<Scored> RunsBeside(const HypothesisBook& book,
-                                 const std::vector<MeasuredSegment>& held_out,
-                                 const Choice& at,
-                                 int suspect) {
-  const int without = book.IndexWithout(at.chosen, suspect);
-  if (without < 0) return std::nullopt;
-  return Score(held_out, FitOf(book, at, without).model, at.fit().model);
+// The same by `speaks_against`(runs over the held-out segments without a cause and with it, whether
+// poses judge it). A cause that was not tried without stays.
+template <typename SpeaksAgainst>
+Choice LeaveOutByRuns(const TrainingData& data,
+                      const std::vector<MeasuredSegment>& held_out,
+                      const WeighedSearch& search,
+                      std::size_t fewest,
+                      Refusal::Reason reason,
+                      const SpeaksAgainst& speaks_against,
+                      Choice choice) {
+  const HypothesisBook& book = search.found.book;
+  const auto is_refused = [&](const Choice& at, int suspect) {
+    const int without = book.IndexWithout(at.chosen, suspect);
+    if (without < 0) return false;
+    const Scored runs = Score(held_out, FitOf(book, at, without).model, at.fit().model);
+    return speaks_against(runs, ActOnPosesAlone({suspect}, search.suspects));
+  };
+  return LeaveOut(data, search, fewest, reason, is_refused, std::move(choice));
 }
 
 }  // namespace
@@ -127,24 +136,19 @@ Choice LeaveOutWhatLoses(const TrainingData& data,
                          const std::vector<MeasuredSegment>& held_out,
                          const WeighedSearch& search,
                          Choice choice) {
-  const auto is_refused = [&](const Choice& at, int suspect) {
-    const auto runs = RunsBeside(search.found.book, held_out, at, suspect);
-    return runs && Loses(*runs, ActOnPosesAlone({suspect}, search.suspects));
-  };
-  return LeaveOut(
-      data, search, 1, Refusal::Reason::kLosesBesideOthers, is_refused, std::move(choice));
+  return LeaveOutByRuns(
+      data, held_out, search, 1, Refusal::Reason::kLosesBesideOthers, Loses, std::move(choice));
 }
 
 Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
                                const std::vector<MeasuredSegment>& held_out,
                                const WeighedSearch& search,
                                Choice choice) {
-  const auto is_refused = [&](const Choice& at, int suspect) {
-    const auto runs = RunsBeside(search.found.book, held_out, at, suspect);
-    const bool by_poses = ActOnPosesAlone({suspect}, search.suspects);
-    return runs && (Loses(*runs, by_poses) || !(GainOf(*runs, by_poses).low > 0.0));
+  const auto does_not_gain = [](const Scored& runs, bool by_poses) {
+    return Loses(runs, by_poses) || !(GainOf(runs, by_poses).low > 0.0);
   };
-  return LeaveOut(data, search, 0, Refusal::Reason::kGainsNothing, is_refused, std::move(choice));
+  return LeaveOutByRuns(
+      data, held_out, search, 0, Refusal::Reason::kGainsNothing, does_not_gain, std::move(choice));
 }
 
 bool IsConfirmedByLogs(const Gain& gain) {
