@@ -370,7 +370,7 @@ GatheredStreams GatherStreams(const std::filesystem::path& file,
                          request.map,
                          column,
                          column_map,
-                         is_plain && !column.starts_with("fin_"),
+                         (is_plain && !column.starts_with("fin_")) || column_map.pulses,
                          &gathered.remarks),
                 request.map,
                 &request.parts);

@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
+#include "fathom/import/convert/fin_pulses.h"
 #include "fathom/import/convert/gather_streams.h"
 #include "fathom/import/convert/our_axes.h"
 #include "fathom/vehicle/files/thruster_command.h"
@@ -235,6 +236,7 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.origin->out_of_order = std::move(gathered.out_of_order);
   log.origin->row_counter = std::move(gathered.row_counter);
   if (gathered.command) log.fins = FinsOutOf(&*gathered.command);
+  if (log.fins) AnglesOfPulses(file, *map.command, vehicle, &*log.fins, &imported.remarks);
   if (gathered.command && !gathered.command->columns.empty()) {
     AddCommand(file, gathered, map, vehicle, &imported);
   }

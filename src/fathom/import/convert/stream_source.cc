@@ -122,6 +122,7 @@ ColumnSource SourceOf(const std::filesystem::path& file,
       column, {channel.name, {field.name}}, {}, map.scale, map.offset, map.is_reversed};
   AddFields(file, contents, channel, map, field, &source.selection);
   const auto dimension = DimensionOf(column);
+  if (map.pulses) source.is_reversed = false;  // AnglesOfPulses() turns the angle
   if (is_plain || dimension == Dimension::kPlain) return source;
 
   // The stream's unit is that of the columns that it fits: cm/s not of a yaw rate.

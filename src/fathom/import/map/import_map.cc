@@ -140,6 +140,31 @@ std::vector<std::string> FinColumns(const YamlMap& map) {
   return names;
 }
 
+// As any column, or of the pulses of its servo.
+ColumnMap FinColumnOf(const YamlMap& map, const std::string& key) {
+  ColumnMap column = ColumnOf(map, key);
+  if (!map.HoldsMap(key)) return column;
+  const YamlMap entry = map.Map(key);
+  if (!entry.Has("pulses")) return column;
+  if (!column.unit.empty()) entry.Fail("unit", "stands beside 'pulses', which are in us.");
+  const std::vector<double> pulses = entry.Numbers("pulses", 3);
+  if (!(pulses[0] < pulses[1] && pulses[1] < pulses[2])) {
+    entry.Fail("pulses", "do not increase, expected the least, that at rest and the largest [us].");
+  }
+  column.pulses = {pulses[0], pulses[1], pulses[2]};
+  column.is_reversed = entry.Boolean("reversed", false);
+  if (entry.Has("largest_angle")) {
+    column.largest_angle = entry.Number("largest_angle");
+    if (!(*column.largest_angle > 0.0 && *column.largest_angle < 1.6)) {
+      entry.Fail(
+          "largest_angle",
+          fmt::format("is {}, expected an angle above 0 and below a right angle, in radians.",
+                      *column.largest_angle));
+    }
+  }
+  return column;
+}
+
 void ReadCommand(const YamlMap& map, ImportMap* result) {
   StreamMap stream = StreamOf(map);
   stream.frame = FrameOf(map, /*is_world_only=*/false, /*is_body_only=*/true);
@@ -153,7 +178,9 @@ void ReadCommand(const YamlMap& map, ImportMap* result) {
   for (const std::string& name : thrusters) {
     stream.columns.emplace_back(name, ColumnOf(map, name, /*is_thruster=*/true));
   }
-  AddColumns(map, FinColumns(map), &stream);
+  for (const std::string& name : FinColumns(map)) {
+    stream.columns.emplace_back(name, FinColumnOf(map, name));
+  }
   if (stream.columns.empty()) {
     map.Fail(
         "names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on, or "

@@ -8,6 +8,7 @@
 #include "fathom/import/map/camera_map.h"
 #include "fathom/import/table/table_layout.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,7 +34,13 @@ struct ColumnMap {
   std::string unit;                // empty: the stream's, or what the recording states, or SI
   double scale = 1.0;              // of the number as it stands, with its sign
   double offset = 0.0;             // added after the scale, in the same unit
-  bool is_reversed = false;        // of a thruster: the motor turns the other way round
+  bool is_reversed = false;        // of a thruster: the motor turns the other way round; of a fin
+                                   // by pulses: the larger pulse is the smaller angle
+
+  // Of a fin whose servo's pulses are logged: the least, that at rest and the largest [us], and the
+  // angle at either end [rad], where the vehicle file does not tell it.
+  std::optional<std::array<double, 3>> pulses = {};
+  std::optional<double> largest_angle = {};
 };
 
 // Samples of a channel count where a field has this value.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -115,7 +116,12 @@ std::string FilledMap::ThrusterText() {
   const int number =
       IsDriven() ? static_cast<int>(vehicle_->thrusters.size()) : outputs.num_outputs;
   const std::string& field = outputs.wanted->outputs;
-  if (field.empty()) return ThrusterLines(outputs.motors, number, outputs.channel->name);
+  if (field.empty()) {
+    return ThrusterLines(outputs.motors, number, outputs.channel->name) +
+           SteeringLines(outputs.motors.boat,
+                         vehicle_ ? std::span<const Fin>(vehicle_->fins) : std::span<const Fin>(),
+                         outputs.channel->name);
+  }
   std::string text;
   for (int i = 0; i < number; ++i) {
     text += fmt::format("  thruster_{}: \"{}\"\n", i + 1, WithNumber(field, i));
@@ -189,6 +195,10 @@ void FilledMap::TellWhyNotDriven(SuggestedMap* map) {
 }
 
 void FilledMap::TellUnknown(SuggestedMap* map) {
+  // What a rudder turns is not seen from its command.
+  if (found_.Of(kOutputRole).motors.boat.steering) {
+    map->text = "dof: [surge, sway, yaw]\n" + map->text;
+  }
   TellUnknownOutputs(found_.Of(kOutputRole).motors, map);
 }
 

@@ -42,6 +42,24 @@ std::vector<MotorOutput> MotorsBySettings(const Contents& contents, bool* has_se
   return motors;
 }
 
+// Of a vehicle without motors the throttle of a boat.
+void TakeThrottle(MotorOutputs* outputs) {
+  const auto& throttle = outputs->boat.throttle;
+  if (!outputs->motors.empty()) {
+    if (!throttle) return;
+    outputs->boat.notes.push_back(fmt::format(
+        "SERVO{}_FUNCTION is 70 (throttle) beside motors: not taken", throttle->output));
+  } else if (throttle) {
+    MotorOutput motor = {throttle->output, {}, throttle->is_reversed, 70};
+    if (throttle->middle > 0.0) motor.middle = throttle->middle;
+    outputs->motors.push_back(std::move(motor));
+  } else if (!outputs->boat.steering && outputs->unknown.empty()) {
+    outputs->unknown =
+        "no output is a motor's: no SERVOn_FUNCTION is 33 to 40, or 82 to 85, or of a boat 26 or "
+        "70";
+  }
+}
+
 // Leaves out the motors behind the last one that is ever driven; where it is not known which
 // outputs are motors, those from the first one on that is not.
 void KeepDriven(const Recording& recording, bool are_known, std::vector<MotorOutput>* motors) {
@@ -75,8 +93,10 @@ MotorOutputs MotorOutputsOf(const Recording& recording,
     while (place_of(static_cast<int>(outputs.motors.size()) + 1)) {
       outputs.motors.push_back({static_cast<int>(outputs.motors.size()) + 1, {}, {}});
     }
-  } else if (outputs.motors.empty()) {
-    outputs.unknown = "no output is a motor's: no SERVOn_FUNCTION is 33 to 40, or 82 to 85";
+  } else {
+    outputs.boat = BoatOutputsOf(contents, place_of);
+    outputs.unknown = outputs.boat.unknown;
+    TakeThrottle(&outputs);
   }
   for (std::size_t i = 0; i < outputs.motors.size(); ++i) {
     MotorOutput& motor = outputs.motors[i];
@@ -92,10 +112,16 @@ MotorOutputs MotorOutputsOf(const Recording& recording,
                             i + 1,
                             motor.output);
     }
+    if (motor.function) continue;
     const auto direction = Setting(contents, fmt::format("MOT_{}_DIRECTION", i + 1));
     if (direction) motor.is_reversed = *direction < 0.0;
   }
   KeepDriven(recording, has_settings, &outputs.motors);
+  if (outputs.boat.throttle && outputs.motors.empty()) {
+    outputs.boat.notes.push_back(
+        fmt::format("SERVO{0}_FUNCTION is 70, and output {0} never sends a pulse: no thruster",
+                    outputs.boat.throttle->output));
+  }
   for (std::size_t i = 0; i < outputs.motors.size() && outputs.unknown.empty(); ++i) {
     if (outputs.motors[i].is_reversed) continue;
     outputs.unknown = fmt::format(
@@ -118,19 +144,25 @@ std::string ThrusterLines(const MotorOutputs& outputs,
     const bool is_reversed = motor.is_reversed.value_or(false);
     std::string entry = motor.place.field;
     if (is_reversed || motor.place.channel != channel) {
-      entry = fmt::format("{{{}field: {}{}}}",
+      // Turned round about 1500 us; the offset makes it the pulse at rest.
+      const double off = is_reversed ? 2.0 * (1500.0 - motor.middle) : 0.0;
+      entry = fmt::format("{{{}field: {}{}{}}}",
                           motor.place.channel == channel
                               ? ""
                               : fmt::format("channel: \"{}\", ", motor.place.channel),
                           motor.place.field,
+                          off == 0.0 ? "" : fmt::format(", offset: {:g}", off),
                           is_reversed ? ", reversed: true" : "");
     }
     std::string why;
-    if (motor.output != i) {
+    if (motor.function) {
+      why = fmt::format("SERVO{}_FUNCTION is {}", motor.output, *motor.function);
+    } else if (motor.output != i) {
       why = fmt::format("SERVO{}_FUNCTION is {}", motor.output, i <= 8 ? i + 32 : i + 73);
     }
     if (is_reversed) {
-      why += fmt::format("{}MOT_{}_DIRECTION is -1", why.empty() ? "" : ", ", i);
+      why += motor.function ? fmt::format(", SERVO{}_REVERSED is 1", motor.output)
+                            : fmt::format("{}MOT_{}_DIRECTION is -1", why.empty() ? "" : ", ", i);
     }
     text += fmt::format("  thruster_{}: {}{}{}\n", i, entry, why.empty() ? "" : "  # ", why);
   }
@@ -141,9 +173,10 @@ void TellUnknownOutputs(const MotorOutputs& outputs, SuggestedMap* map) {
   if (outputs.unknown.empty()) return;
   map->unknown = outputs.unknown;
   map->text = fmt::format(
-                  "# Not ready: {}.\n# Set right below which output drives which thruster, and "
+                  "# Not ready: {}.\n# Set right below which output drives which thruster{}, and "
                   "which way round (reversed: true).\n",
-                  outputs.unknown) +
+                  outputs.unknown,
+                  outputs.boat.steering ? " or fin" : "") +
               map->text;
   map->is_ready = false;
   map->needs_vehicle = false;

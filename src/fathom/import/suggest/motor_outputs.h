@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/import/recording/recording.h"
+#include "fathom/import/suggest/boat_outputs.h"
 #include "fathom/import/suggest/channel_facts.h"
 #include "fathom/import/suggest/suggested_map.h"
 
@@ -17,7 +18,9 @@ namespace fathom {
 struct MotorOutput {
   int output = 0;  // from 1 on; 0: none is known
   FieldPlace place;
-  std::optional<bool> is_reversed;  // nothing: not known
+  std::optional<bool> is_reversed;   // nothing: not known
+  std::optional<int> function = {};  // SERVOn_FUNCTION, where it is no motor's
+  double middle = 1500.0;            // the pulse at rest [us]
 };
 
 // How ArduPilot's outputs drive the motors, by its settings SERVOn_FUNCTION (33 to 40: motor 1 to
@@ -25,6 +28,7 @@ struct MotorOutput {
 // lights, a gripper, the tilt of a camera.
 struct MotorOutputs {
   std::vector<MotorOutput> motors;  // motor 1 and on; without settings, output 1 and on
+  BoatOutputs boat;                 // its throttle is the only motor of a vehicle that has no other
 
   // What the settings leave open, a sentence without its full stop; empty: nothing.
   std::string unknown;
