@@ -334,7 +334,7 @@ void PrintStream(const char* file, const std::optional<Stream>& stream) {
 
 // What the log looks like before any fit: which DOFs it can identify, and what is wrong with it.
 void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
-  if ((log.command || log.fins) && !log.velocity && !log.pose && !log.video.empty()) {
+  if ((log.command || log.fins || log.shafts) && !log.velocity && !log.pose && !log.video.empty()) {
     fmt::print(
         "note: the motion is in the video. This tracks it: fathom_track --log={0} "
         "--out={0}_tracked\n",
@@ -345,7 +345,7 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
     fmt::print("note: the map names no motion, so that the log identifies nothing.\n");
     return;
   }
-  if (!log.command && !log.fins) {
+  if (!log.command && !log.fins && !log.shafts) {
     fmt::print(
         "note: the map names no command, so that the log is taken for a free decay: it tells "
         "damping by inertia.\nnext: fathom_check --log={}\n",
@@ -445,7 +445,7 @@ int Run() {
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));
-  PrintStream("command.csv", log.command ? log.command : log.fins);
+  PrintStream("command.csv", log.command ? log.command : log.fins ? log.fins : log.shafts);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
   for (const std::string& remark : imported.remarks) PrintText(stdout, "note: " + remark + "\n");

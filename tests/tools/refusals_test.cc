@@ -31,7 +31,7 @@ const TwoColumnCsv kCommand = {
     "command.csv",
     "tau_surge",
     "t and at least one of tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, "
-    "thruster_1, thruster_2, ..., fin_<name>"};
+    "thruster_1, thruster_2, ..., fin_<name>, shaft_<name>"};
 
 // A good log, model and vehicle in a folder of the running test.
 struct Inputs {

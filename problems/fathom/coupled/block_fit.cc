@@ -59,11 +59,14 @@ int ParameterOf(const FreeEntry& entry) {
   }
 }
 
-// Whether a fin pushes along a DOF, that of the block.
+// Whether a fin or a shaft pushes along a DOF, that of the block.
 bool IsSteered(const CoupledData& log, Dof dof) {
-  return std::ranges::any_of(log.inputs.command.fins, [&](const CommandedFin& fin) {
-    return fin.arms.across[Index(dof)] != 0.0;
-  });
+  return std::ranges::any_of(
+             log.inputs.command.fins,
+             [&](const CommandedFin& fin) { return fin.arms.across[Index(dof)] != 0.0; }) ||
+         std::ranges::any_of(log.inputs.command.shafts, [&](const CommandedShaft& shaft) {
+           return shaft.push[Index(dof)] != 0.0;
+         });
 }
 
 // Whether a block is one DOF with all four numbers of docs/models.md (1), a command of its own and
@@ -172,7 +175,10 @@ CoupledSummary FitBlocks(const CoupledLogs& logs,
   const auto blocks = BlocksOf(structure, Partners(logs.data), options.held);
   const bool has_gain =
       std::any_of(structure.entries.begin(), structure.entries.end(), IsOfActuator);
-  if (blocks.size() == 1 || has_gain) {
+  // A shaft's thrust goes by the flow of all DOFs along it.
+  const bool has_shaft = std::ranges::any_of(
+      logs.data, [](const CoupledData& log) { return !log.inputs.command.shafts.empty(); });
+  if (blocks.size() == 1 || has_gain || has_shaft) {
     const MotionStructure& all = structure;
     return IsUncoupled(logs, all) ? FitUncoupled(logs, all, options)
                                   : FitCoupled(logs.data, all, options);

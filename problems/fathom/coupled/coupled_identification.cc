@@ -38,7 +38,7 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
   CoupledLogs out;
   for (const Log& log : logs) {
     const Vehicle of_log = vehicle.value_or(Vehicle());
-    out.data.push_back(CoupledDataOf(log, dofs, of_log.thrusters, of_log.fins));
+    out.data.push_back(CoupledDataOf(log, dofs, of_log.thrusters, of_log.fins, of_log.shafts));
     if (out.data.back().force_unit != out.data.front().force_unit) {
       throw InputError(fmt::format("{}: is commanded in {}, expected {} as in {}.",
                                    log.path.string(),
@@ -60,6 +60,15 @@ std::vector<StructureFin> FinsOf(const CoupledLogs& logs, const CoupledModel& he
   return fins;
 }
 
+// The shafts whose thrust the vehicle file does not tell.
+std::vector<std::string> FreeGains(const CoupledLogs& logs) {
+  std::vector<std::string> gains;
+  for (const CommandedShaft& shaft : logs.data.front().inputs.command.shafts) {
+    if (!shaft.shaft.IsThrustKnown()) gains.push_back(shaft.shaft.name);
+  }
+  return gains;
+}
+
 // Whether something of a known force drives a DOF.
 bool IsDrivenInNewtons(const CoupledData& log, Dof dof) {
   const CoupledCommand& command = log.inputs.command;
@@ -67,6 +76,10 @@ bool IsDrivenInNewtons(const CoupledData& log, Dof dof) {
   return std::ranges::any_of(command.force, [&](const Vector6& f) { return f[row] != 0.0; }) ||
          std::ranges::any_of(command.thrusters,
                              [&](const auto& thruster) { return thruster.push[row] != 0.0; }) ||
+         std::ranges::any_of(command.shafts,
+                             [&](const auto& shaft) {
+                               return shaft.push[row] != 0.0 && shaft.shaft.IsThrustKnown();
+                             }) ||
          std::ranges::any_of(command.fins, [&](const CommandedFin& fin) {
            return fin.force && fin.arms.across[row] != 0.0;
          });
@@ -120,7 +133,8 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     fit.body = {};  // in kg, which these forces are not
   }
   if (options.structure) {
-    identified.structure = StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held));
+    identified.structure =
+        StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held), FreeGains(all));
     identified.fit = FitBlocks(all, identified.structure, fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {
@@ -128,6 +142,10 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     search.fit = fit;
     const auto& thrusters = all.data.front().inputs.command.thrusters;
     for (const CommandedThruster& thruster : thrusters) search.thrusters.push_back(thruster.name);
+    search.gains = FreeGains(all);
+    for (const CommandedShaft& shaft : all.data.front().inputs.command.shafts) {
+      if (shaft.shaft.IsThrustKnown()) search.thrusters.push_back(shaft.shaft.name);
+    }
     search.fins = FinsOf(all, fit.held);
     identified.ladder = ClimbLadder(all, options.dofs, search);
     const LadderRung& accepted = identified.ladder->rungs[identified.ladder->accepted];
@@ -155,6 +173,14 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
         "`area` and `lift_slope` in the vehicle file, or a wrench in N, give kilograms.",
         Name(options.dofs.front()),
         *unit_fin));
+  }
+  for (const CommandedShaft& shaft : identified.data.front().inputs.command.shafts) {
+    if (shaft.shaft.curve) continue;
+    fitted.caveats.push_back(fmt::format(
+        "The vehicle file tells no `thrust` of the shaft '{0}': thrust_gain.{0} takes it for the "
+        "same at every speed, which it is not, and other numbers make up for that. "
+        "`thrust: {{linear: [K_0, K_1]}}`, K_T over J, mends it.",
+        shaft.shaft.name));
   }
   if (!result.on_bound.empty()) {
     fitted.caveats.push_back(

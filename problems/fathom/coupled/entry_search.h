@@ -19,8 +19,9 @@ struct EntrySearchOptions {
   // How likely an entry that is not there is taken, all candidates together. Between 0 and 1.
   double false_alarm = 0.01;
 
-  std::vector<std::string> thrusters;  // whose gain may be off
-  std::vector<StructureFin> fins;      // whose neutral angle, or known force, may be
+  std::vector<std::string> thrusters;   // whose gain may be off
+  std::vector<StructureFin> fins;       // whose neutral angle, or known force, may be
+  std::vector<std::string> gains = {};  // of thrusts that are not known: free throughout
 };
 
 // A number beyond a structure that the data show.

@@ -134,13 +134,16 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   Climb climb(logs, dofs, options.fit);
   // Both from their own starts: what a model took for C(nu) leads astray.
   for (const auto standard : {StandardStructure::kDiagonal, StandardStructure::kCoriolis}) {
-    const MotionStructure structure = StructureOf(standard, dofs, options.fins);
+    const MotionStructure structure = StructureOf(standard, dofs, options.fins, options.gains);
     climb.Try(std::string(Name(standard)), structure, FitBlocks(logs, structure, options.fit));
   }
   std::vector<NamedEntry> named;
   const bool has_fins = !options.fins.empty();
-  const MotionStructure highest = StructureOf(
-      has_fins ? StandardStructure::kLift : StandardStructure::kCoriolis, dofs, options.fins);
+  const MotionStructure highest =
+      StructureOf(has_fins ? StandardStructure::kLift : StandardStructure::kCoriolis,
+                  dofs,
+                  options.fins,
+                  options.gains);
   // Before `lift`, whose search goes far astray where a fin does not do what it is told.
   if (const auto suspect = MostSuspect(logs, highest, options)) {
     const FreeEntry& entry = suspect->named.entry;
@@ -165,7 +168,8 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   for (const auto standard :
        {StandardStructure::kSymmetric, StandardStructure::kLopsided, StandardStructure::kFull}) {
     const MotionStructure& stands = climb.standing().structure;
-    const MotionStructure structure = Joined(stands, StructureOf(standard, dofs, options.fins));
+    const MotionStructure structure =
+        Joined(stands, StructureOf(standard, dofs, options.fins, options.gains));
     if (structure.entries.size() == stands.entries.size()) continue;
     // C(nu) of a diagonal inertia may lose where that of the whole one wins; from its own start.
     if (structure.coriolis != stands.coriolis) {

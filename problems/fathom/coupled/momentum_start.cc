@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -71,6 +72,24 @@ Vector6 RateOf(const FreeEntry& entry,
   return force;
 }
 
+// The row of a command that holds at a time; none before the first.
+std::optional<std::size_t> RowAt(const CoupledCommand& command, double t) {
+  const auto next = std::upper_bound(command.time.begin(), command.time.end(), t);
+  if (next == command.time.begin()) return std::nullopt;
+  return static_cast<std::size_t>(next - command.time.begin()) - 1;
+}
+
+// What the shafts of a model give at a time, or the one of an entry at a gain of 1.
+Vector6 ShaftForcesAt(const CoupledCommand& command,
+                      double t,
+                      const Vector6& nu,
+                      const CoupledModel& model,
+                      const FreeEntry* gain = nullptr) {
+  const auto row = command.shafts.empty() ? std::nullopt : RowAt(command, t);
+  if (!row) return Vector6::Zero();
+  return ShaftForces(command, *row, nu, model, gain != nullptr ? &gain->actuator : nullptr);
+}
+
 // What the fins of a model give at a time.
 class FinForces {
  public:
@@ -114,16 +133,16 @@ class FinForces {
                  double t,
                  const Vector6& nu,
                  const CoupledModel& model) const {
-    const auto next = std::upper_bound(command_.time.begin(), command_.time.end(), t);
-    if (next == command_.time.begin()) return {};
-    const auto row = static_cast<std::size_t>(next - command_.time.begin()) - 1;
+    const auto at = RowAt(command_, t);
+    if (!at) return {};
+    const std::size_t row = *at;
     const auto neutral = model.fin_neutral.find(fin.name);
     double angle = fin.angle[row] - (neutral == model.fin_neutral.end() ? 0.0 : neutral->second);
     const auto stuck = model.fin_stuck.find(fin.name);
     if (stuck != model.fin_stuck.end()) angle = stuck->second;
     const auto race = model.fin_race.find(fin.name);
     const double k = race == model.fin_race.end() ? 0.0 : race->second;
-    return FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row));
+    return FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row, nu));
   }
 
   const CoupledCommand& command_;
@@ -209,11 +228,17 @@ void AddPieces(const CoupledData& log,
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
       known[4] -= held.righting_pitch * down[0];
+      if (!log.inputs.command.shafts.empty()) {
+        known -= ShaftForcesAt(log.inputs.command, segment.time[i], nu, held);
+      }
       right -= dt * known;
       for (Eigen::Index k = 0; k < num; ++k) {
         const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
         left.col(k) += dt * RateOf(entry, nu, down, structure.coriolis);
         if (IsOfActuator(entry)) left.col(k) -= dt * fins.By(entry, segment.time[i], nu, held);
+        if (entry.kind == Kind::kThrustGain) {
+          left.col(k) -= dt * ShaftForcesAt(log.inputs.command, segment.time[i], nu, held, &entry);
+        }
       }
     }
     for (Eigen::Index k = 0; k < num; ++k) {
@@ -327,8 +352,11 @@ Sizes SizesOf(std::span<const CoupledData> logs, const CoupledModel& held) {
       if (segment.is_held_out) continue;
       for (const SampleWindow& window : WindowsOf(segment, 2.0 * kPiece)) {
         const double from = segment.time[window.begin], to = segment.time[window.end - 1];
-        const Vector6 impulse = impulses.Of(from, to, held, nullptr);
         const Vector6 first = MeasuredState(segment, window.begin).nu;
+        Vector6 impulse = impulses.Of(from, to, held, nullptr);
+        if (!log.inputs.command.shafts.empty()) {
+          impulse += (to - from) * ShaftForcesAt(log.inputs.command, from, first, held);
+        }
         const Vector6 change = MeasuredState(segment, window.end - 1).nu - first;
         sizes.impulse += impulse.cwiseAbs2();
         sizes.change += change.cwiseAbs2();

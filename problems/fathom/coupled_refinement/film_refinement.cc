@@ -129,8 +129,8 @@ std::vector<CoupledData> JudgesOf(const MarkerLogs& logs,
   const Vehicle of_log = vehicle.value_or(Vehicle());
   std::vector<CoupledData> judges;
   for (const Log& log : logs.logs) {
-    judges.push_back(
-        CoupledDataOf(log, refinement.film.structure.dofs, of_log.thrusters, of_log.fins));
+    judges.push_back(CoupledDataOf(
+        log, refinement.film.structure.dofs, of_log.thrusters, of_log.fins, of_log.shafts));
   }
   return judges;
 }

@@ -155,11 +155,12 @@ bool IsFreeDecay(const Log& log, Dof dof) {
 
 bool AreFreeDecays(std::span<const Log> logs, Dof dof) {
   for (const Log& log : logs) {
-    if (!log.fins || log.command) continue;
-    throw InputError(fmt::format(
-        "{}: is steered by fins alone, which a model of one DOF does not hold, expected "
-        "fathom_identify or fathom_diagnose with --dofs: docs/fins.md.",
-        log.path.string()));
+    if (!(log.fins || log.shafts) || log.command) continue;
+    throw InputError(
+        fmt::format("{}: is {}, which a model of one DOF does not hold, expected "
+                    "fathom_identify or fathom_diagnose with --dofs: docs/fins.md.",
+                    log.path.string(),
+                    log.shafts ? "driven by shafts" : "steered by fins alone"));
   }
   const auto driven =
       std::ranges::find_if_not(logs, [&](const Log& log) { return IsFreeDecay(log, dof); });

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,31 @@ void AddForces(const CoupledCommand& command, const CoupledModel& model, Manoeuv
   driven->force.tail<5>().setZero();
 }
 
+// The shafts at their mean turns, what they give at the log's first speed, and the race of the
+// first fin that stands in one.
+void AddMeanShafts(const CoupledCommand& command, const CoupledModel& model, Helm* helm) {
+  const double num = static_cast<double>(command.time.size());
+  CoupledCommand mean;
+  for (const CommandedShaft& shaft : command.shafts) {
+    const double turns = std::accumulate(shaft.turns.begin(), shaft.turns.end(), 0.0) / num;
+    helm->driven.shafts.push_back(shaft);
+    helm->driven.shafts.back().turns = {turns};
+  }
+  mean.shafts = helm->driven.shafts;
+  const Vector6 ahead = helm->driven.ahead * Vector6::Unit(0);
+  helm->thrust = helm->driven.force[0] + ShaftForces(mean, 0, ahead, model)[0];
+  helm->race = helm->driven.thrust;
+  for (const CommandedFin& fin : command.fins) {
+    if (fin.behind.empty()) continue;
+    for (const std::size_t k : RaceShafts(command, fin)) {
+      const CommandedShaft& shaft = mean.shafts[k];
+      helm->race += ShaftThrustAt(shaft.shaft, shaft.turns.front(), shaft.push.dot(ahead)).thrust;
+    }
+    break;
+  }
+  helm->race = std::max(helm->race, 0.0);
+}
+
 // The quickest that any fin ever is; infinite if none moves.
 double QuickestFin(const CoupledCommand& command) {
   double quickest = 0.0;
@@ -60,7 +86,8 @@ double QuickestFin(const CoupledCommand& command) {
 
 Helm HelmOf(const CoupledModel& model, const Log& log) {
   const Vehicle vehicle = VehicleOf(log).value_or(Vehicle());
-  const CoupledData data = CoupledDataOf(log, model.dofs, vehicle.thrusters, vehicle.fins);
+  const CoupledData data =
+      CoupledDataOf(log, model.dofs, vehicle.thrusters, vehicle.fins, vehicle.shafts);
   Helm helm;
   helm.fins = data.inputs.command.fins;
   ManoeuvreOptions& driven = helm.driven;
@@ -73,6 +100,7 @@ Helm HelmOf(const CoupledModel& model, const Log& log) {
                     driven.ahead));
   }
   AddForces(data.inputs.command, model, &driven);
+  AddMeanShafts(data.inputs.command, model, &helm);
   if (vehicle.size) {
     helm.length = vehicle.size->x();
     driven.step = std::max(kLeastStep, *helm.length / driven.ahead / kStepsOfALength);

@@ -18,6 +18,8 @@ namespace fathom {
 struct Helm {
   std::vector<CommandedFin> fins;
   ManoeuvreOptions driven;       // speed at the begin, mean force, the rudder's rate and delay
+  double thrust = 0.0;           // the force ahead at that speed, of shafts too [N]
+  double race = 0.0;             // what makes a race of it [N]
   std::optional<double> length;  // of the vehicle [m], where its file tells
   std::optional<ManoeuvreTrack> logged;  // LoggedTrack() of the rudder
   std::optional<MeasuredGear> gear;      // GearOf() it

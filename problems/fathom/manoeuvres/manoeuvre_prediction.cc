@@ -46,19 +46,19 @@ void RequireThrust(const FittedCoupledModel& fitted, const Helm& helm, const Log
         "--manoeuvre=stop: the model moves no surge, expected one of --dofs=surge,sway,yaw: what "
         "stops a vehicle is its thrust.");
   }
-  if (helm.driven.force[0] > 0.0) return;
+  if (helm.thrust > 0.0) return;
   throw InputError(
       fmt::format("{}: no propulsion: its mean force ahead is {:.3g}, expected one above 0 from "
-                  "tau_surge or thrusters for --manoeuvre=stop.",
+                  "tau_surge, thrusters or shafts for --manoeuvre=stop.",
                   log.path.string(),
-                  helm.driven.force[0]));
+                  helm.thrust));
 }
 
 // A warning where the model's offset acts like thrust: logs that never slow down do not tell it
 // from resistance.
 std::vector<std::string> OffsetSentences(const CoupledModel& model, const Helm& helm) {
   constexpr double kMuch = 0.1;  // of the thrust
-  const double offset = -model.offset[0], thrust = helm.driven.force[0];
+  const double offset = -model.offset[0], thrust = helm.thrust;
   if (std::abs(offset) < kMuch * thrust) return {};
   return {fmt::format(
       "The model's offset pushes {} with {:.2g} N throughout, beside a thrust of {:.2g} N. Do not "
@@ -157,7 +157,7 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
   }
   const double ahead = helm.driven.ahead;
   const auto figures_of = [&](const CoupledModel& model) -> ManoeuvreFigures {
-    const auto equations = SteeringOf(model, helm.fins, ahead, helm.driven.thrust);
+    const auto equations = SteeringOf(model, helm.fins, ahead, helm.race);
     if (!equations) return {};
     return DerivativesOf(*equations, ahead, length);
   };

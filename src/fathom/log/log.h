@@ -63,6 +63,7 @@ struct Log {
   std::optional<Stream> command;    // tau_* [N, N m], or thruster_* [thruster_unit] until OpenLog()
   std::optional<Stream> thrusters;  // thruster_* [N], which the command was made of; OpenLog()
   std::optional<Stream> fins;       // fin_<name> [rad], at the command's stamps
+  std::optional<Stream> shafts;     // shaft_<name> [Hz], likewise
   std::optional<Stream> velocity;   // u v w p q r [m/s, rad/s], body frame
   std::optional<Stream> pose;       // x y z [m] qx qy qz qw: world_from_body. Attitude alone, z
                                     // alone, or both, where no more is known

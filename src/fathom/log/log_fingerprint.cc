@@ -51,8 +51,9 @@ std::string FingerprintOf(const Log& log) {
     hash.Add(*stream && !is_made ? "stream" : "none");
     if (*stream && !is_made) Add(**stream, &hash);
   }
-  // Logs without fins or a camera keep the fingerprints they had.
+  // Logs without fins, shafts or a camera keep the fingerprints they had.
   if (log.fins) Add(*log.fins, &hash);
+  if (log.shafts) Add(*log.shafts, &hash);
   if (log.detections) {
     hash.Add("detections");
     Add(*log.detections, &hash);

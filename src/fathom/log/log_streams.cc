@@ -37,16 +37,17 @@ CsvTable ParseCommand(const std::string& name, const std::string& text) {
   CsvSpec spec;
   for (const Dof dof : kAllDofs) spec.at_least_one_of.emplace_back(ForceColumn(dof));
   spec.numbered = "thruster_";
-  spec.named = "fin_";
+  spec.named = {"fin_", "shaft_"};
   CsvTable table = ParseCsvTable(name, text, spec);
 
   const Stream& stream = table.stream;
   std::size_t num_thrusters = 0;
   for (const std::string& column : stream.columns) num_thrusters += column.starts_with("thruster_");
   if (num_thrusters == 0) return table;
-  const auto num_fins = std::ranges::count_if(
-      stream.columns, [](const std::string& column) { return column.starts_with("fin_"); });
-  if (num_thrusters + static_cast<std::size_t>(num_fins) < stream.columns.size()) {
+  const auto num_others = std::ranges::count_if(stream.columns, [](const std::string& column) {
+    return column.starts_with("fin_") || column.starts_with("shaft_");
+  });
+  if (num_thrusters + static_cast<std::size_t>(num_others) < stream.columns.size()) {
     throw InputError(name +
                      ":1: holds both tau_* and thruster_* columns, expected forces or thrusters. "
                      "Remove the one that was not commanded.");

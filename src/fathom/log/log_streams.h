@@ -13,7 +13,7 @@ namespace fathom {
 // the file in messages. They throw InputError, naming file, line and column.
 
 // Some of tau_surge ... tau_yaw, or all of thruster_1 ... thruster_n, but not both; beside either
-// or alone, fin_<name>.
+// or alone, fin_<name> and shaft_<name>.
 CsvTable ParseCommand(const std::string& name, const std::string& text);
 
 // Some of u v w p q r.

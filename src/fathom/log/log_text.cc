@@ -33,27 +33,30 @@ void Keep(CsvTable table, std::optional<Stream>* stream, Log* log) {
   *stream = std::move(table.stream);
 }
 
-// Moves the angles of the fins out of the log's command, which goes if it held nothing else.
-void PartFins(Log* log) {
+// Moves the columns of a prefix out of the log's command.
+std::optional<Stream> Parted(std::string_view prefix, Log* log) {
   Stream& command = *log->command;
-  Stream fins = {command.time, {}, {}}, rest = {command.time, {}, {}};
+  Stream parted = {command.time, {}, {}}, rest = {command.time, {}, {}};
   for (std::size_t k = 0; k < command.columns.size(); ++k) {
-    Stream& to = command.columns[k].starts_with("fin_") ? fins : rest;
+    Stream& to = command.columns[k].starts_with(prefix) ? parted : rest;
     to.columns.push_back(command.columns[k]);
     to.values.push_back(std::move(command.values[k]));
   }
-  if (!fins.columns.empty()) {
-    log->remarks.push_back(
-        {RemarkKind::kGeneral,
-         fmt::format("command.csv: {} acts in models that --dofs makes, in no others.",
-                     fmt::join(fins.columns, ", "))});
-    log->fins = std::move(fins);
-  }
-  if (rest.columns.empty()) {
-    log->command.reset();
-  } else {
-    command = std::move(rest);
-  }
+  command = std::move(rest);
+  if (parted.columns.empty()) return std::nullopt;
+  log->remarks.push_back(
+      {RemarkKind::kGeneral,
+       fmt::format("command.csv: {} acts in models that --dofs makes, in no others.",
+                   fmt::join(parted.columns, ", "))});
+  return parted;
+}
+
+// Moves the angles of fins and the revolutions of shafts out of the log's command, which goes if it
+// held nothing else.
+void PartSurfaces(Log* log) {
+  log->fins = Parted("fin_", log);
+  log->shafts = Parted("shaft_", log);
+  if (log->command->columns.empty()) log->command.reset();
 }
 
 // The table's name and stamps; detections hold a row for each tag of a frame.
@@ -95,7 +98,7 @@ Log ParseLog(const LogText& text) {
   }
   if (command) {
     Keep(std::move(*command), &log.command, &log);
-    PartFins(&log);
+    PartSurfaces(&log);
   }
   if (text.is_other_velocity) log.corrections.clear();
   CorrectVelocity(

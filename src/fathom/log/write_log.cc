@@ -33,14 +33,19 @@ void WriteOrRequireNone(const std::filesystem::path& path, const std::optional<S
   }
 }
 
-// Thrusts or forces, and the fins' angles beside them.
+// Thrusts or forces, and beside them the angles of fins and the revolutions of shafts.
 std::optional<Stream> CommandFile(const Log& log) {
   std::optional<Stream> command = log.thrusters ? log.thrusters : log.command;
-  if (!log.fins) return command;
-  if (!command) return log.fins;
-  for (std::size_t k = 0; k < log.fins->columns.size(); ++k) {
-    command->columns.push_back(log.fins->columns[k]);
-    command->values.push_back(log.fins->values[k]);
+  for (const std::optional<Stream>* beside : {&log.fins, &log.shafts}) {
+    if (!*beside) continue;
+    if (!command) {
+      command = *beside;
+      continue;
+    }
+    for (std::size_t k = 0; k < (*beside)->columns.size(); ++k) {
+      command->columns.push_back((*beside)->columns[k]);
+      command->values.push_back((*beside)->values[k]);
+    }
   }
   return command;
 }

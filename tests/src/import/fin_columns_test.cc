@@ -67,6 +67,16 @@ TEST(FinColumns, StandAloneWhereTheMapNamesTheDof) {
                         "expected the map to name it with 'dof'"));
 }
 
+TEST(FinColumns, StandBesideShafts) {
+  const Log log = LogWithFins(
+      "dof: surge\ncommand: {shaft_screw: {field: thrust, unit: rpm}, "
+      "fin_rudder: {field: rudder, unit: deg}}\n");
+  EXPECT_FALSE(log.command.has_value());
+  EXPECT_THAT(*log.shafts->Find("shaft_screw"),
+              ElementsAre(DoubleEq(50.0 / 60.0), DoubleEq(1), DoubleEq(1)));
+  EXPECT_THAT(*log.fins->Find("fin_rudder"), ::testing::SizeIs(3));
+}
+
 TEST(FinColumns, WithoutANameAreRefused) {
   for (const std::string key : {"fin_", "\"fin_a,b\""}) {
     EXPECT_THAT(ErrorFrom([&] { ParseImportMap("map.yaml", "command: {" + key + ": rudder}\n"); }),

@@ -397,7 +397,7 @@ TEST(ReadLog, RefusesCommandsThatAreUnclear) {
       Error({{"command.csv", "t,force\n0,1\n1,1\n"}}),
       "command.csv:1: no column to read, found t, force; expected t and at least one of "
       "tau_surge, tau_sway, tau_heave, tau_roll, tau_pitch, tau_yaw, thruster_1, thruster_2, ..., "
-      "fin_<name>.");
+      "fin_<name>, shaft_<name>.");
 }
 
 TEST(ReadLog, RefusesPosesThatAreNone) {

@@ -59,7 +59,7 @@ CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, doub
   score.log = log.name;
   const std::optional<Vehicle> vehicle = VehicleOf(log);
   const Vehicle of_log = vehicle.value_or(Vehicle());
-  score.data = CoupledDataOf(log, fitted.model.dofs, of_log.thrusters, of_log.fins);
+  score.data = CoupledDataOf(log, fitted.model.dofs, of_log.thrusters, of_log.fins, of_log.shafts);
   if (score.data.force_unit != fitted.force_unit) {
     throw InputError(fmt::format("{}: is commanded in {}, expected {}, the unit of the model.",
                                  log.path.string(),

@@ -365,15 +365,17 @@ GatheredStreams GatherStreams(const std::filesystem::path& file,
   for (StreamRequest& request : requests) {
     const bool is_plain = std::string_view(request.name) == "command" && !map.command_unit.empty();
     for (const auto& [column, column_map] : request.map.columns) {
-      AddColumn(SourceOf(file,
-                         recording.contents(),
-                         request.map,
-                         column,
-                         column_map,
-                         (is_plain && !column.starts_with("fin_")) || column_map.pulses,
-                         &gathered.remarks),
-                request.map,
-                &request.parts);
+      AddColumn(
+          SourceOf(file,
+                   recording.contents(),
+                   request.map,
+                   column,
+                   column_map,
+                   (is_plain && !column.starts_with("fin_") && !column.starts_with("shaft_")) ||
+                       column_map.pulses,
+                   &gathered.remarks),
+          request.map,
+          &request.parts);
     }
     AddConditions(request.map, &request.parts);
     AddTime(file, recording.contents(), request.map, &request.parts, &gathered.remarks);

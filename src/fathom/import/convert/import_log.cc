@@ -127,11 +127,11 @@ Stream ThrusterCommand(const std::filesystem::path& file,
   return thrusts;
 }
 
-// The angles of the fins, taken out of the command.
-std::optional<Stream> FinsOutOf(GatheredStream* command) {
+// The angles of fins, or the turns of shafts, taken out of the command.
+std::optional<Stream> OutOf(GatheredStream* command, std::string_view prefix) {
   Stream fins = {command->samples.time, {}, {}};
   for (std::size_t k = command->columns.size(); k-- > 0;) {
-    if (!command->columns[k].starts_with("fin_")) continue;
+    if (!command->columns[k].starts_with(prefix)) continue;
     const auto at = static_cast<std::ptrdiff_t>(k);
     fins.columns.insert(fins.columns.begin(), command->columns[k]);
     fins.values.insert(fins.values.begin(), std::move(command->samples.values[k]));
@@ -208,7 +208,7 @@ std::optional<double> StartOf(const Contents& contents, const ImportMap& map, co
     if (!of_map || !stream || of_map->time || of_map->rate) return;
     first = std::min(first.value_or(stream->time.front()), stream->time.front());
   };
-  take(map.command, log.command ? log.command : log.fins);
+  take(map.command, log.command ? log.command : log.fins ? log.fins : log.shafts);
   take(map.velocity, log.velocity);
   take(map.pose, log.pose);
   if (!first) return std::nullopt;
@@ -235,7 +235,10 @@ ImportedLog ImportLog(const std::filesystem::path& file,
   log.origin.emplace();
   log.origin->out_of_order = std::move(gathered.out_of_order);
   log.origin->row_counter = std::move(gathered.row_counter);
-  if (gathered.command) log.fins = FinsOutOf(&*gathered.command);
+  if (gathered.command) {
+    log.fins = OutOf(&*gathered.command, "fin_");
+    log.shafts = OutOf(&*gathered.command, "shaft_");
+  }
   if (log.fins) AnglesOfPulses(file, *map.command, vehicle, &*log.fins, &imported.remarks);
   if (gathered.command && !gathered.command->columns.empty()) {
     AddCommand(file, gathered, map, vehicle, &imported);
@@ -262,10 +265,11 @@ ImportedLog ImportLog(const std::filesystem::path& file,
     throw InputError(fmt::format(
         "{}: {}, so that nothing says which DOF moves, expected the map to name {} 'dof'.",
         file.string(),
-        log.command ? "no command changes"
-        : log.fins  ? "the map's command is of fins alone"
-                    : "the map names no command",
-        log.command || log.fins ? "it with" : "a 'command', or the DOF with"));
+        log.command  ? "no command changes"
+        : log.shafts ? "the map's command is of shafts without forces"
+        : log.fins   ? "the map's command is of fins alone"
+                     : "the map names no command",
+        log.command || log.fins || log.shafts ? "it with" : "a 'command', or the DOF with"));
   }
   log.start = StartOf(recording.contents(), map, log);
   if (map.camera) {

@@ -95,6 +95,7 @@ double ColumnSource::InSi(double number) const {
 std::optional<Dimension> DimensionOf(std::string_view column) {
   if (column.starts_with("thruster_")) return std::nullopt;
   if (column.starts_with("fin_")) return Dimension::kAngle;
+  if (column.starts_with("shaft_")) return Dimension::kRotation;
   if (column == "voltage") return Dimension::kVoltage;
   if (column == "time") return Dimension::kTime;
   if (column == "tau_surge" || column == "tau_sway" || column == "tau_heave") {

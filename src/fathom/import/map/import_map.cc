@@ -126,15 +126,18 @@ std::vector<std::string> ThrusterColumns(const YamlMap& map) {
   return names;
 }
 
-// fin_rudder, fin_stern, ...: their names stand in the head of command.csv.
-std::vector<std::string> FinColumns(const YamlMap& map) {
+// fin_rudder, shaft_port, ...: their names stand in the head of command.csv.
+std::vector<std::string> NamedColumns(const YamlMap& map, const std::string& prefix) {
   std::vector<std::string> names;
   for (const std::string& key : map.Keys()) {
-    if (!key.starts_with("fin_")) continue;
-    const bool is_name = key.size() > 4 && std::all_of(key.begin(), key.end(), [](char c) {
-                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-                         });
-    if (!is_name) map.Fail(key, "expected fin_<name> in letters, digits and '_'.");
+    if (!key.starts_with(prefix)) continue;
+    const bool is_name =
+        key.size() > prefix.size() && std::all_of(key.begin(), key.end(), [](char c) {
+          return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+        });
+    if (!is_name) {
+      map.Fail(key, fmt::format("expected {}<name> in letters, digits and '_'.", prefix));
+    }
     names.push_back(key);
   }
   return names;
@@ -178,13 +181,14 @@ void ReadCommand(const YamlMap& map, ImportMap* result) {
   for (const std::string& name : thrusters) {
     stream.columns.emplace_back(name, ColumnOf(map, name, /*is_thruster=*/true));
   }
-  for (const std::string& name : FinColumns(map)) {
+  for (const std::string& name : NamedColumns(map, "fin_")) {
     stream.columns.emplace_back(name, FinColumnOf(map, name));
   }
+  AddColumns(map, NamedColumns(map, "shaft_"), &stream);
   if (stream.columns.empty()) {
     map.Fail(
         "names no column, expected some of tau_surge ... tau_yaw, or thruster_1 and on, or "
-        "fin_<name>.");
+        "fin_<name>, or shaft_<name>.");
   }
   if (map.Has("voltage")) {
     if (!map.HoldsMap("voltage")) {

@@ -78,7 +78,7 @@ struct ImportMap {
   std::vector<TimeInterval> held_out;  // in the time of the log
   std::string command_unit;  // where the command is neither N and N m nor can be turned into them
   TableOptions table;
-  std::optional<StreamMap> command;     // tau_* or thruster_1 ..., and fin_*
+  std::optional<StreamMap> command;     // tau_* or thruster_1 ..., fin_*, shaft_*
   std::optional<ColumnMap> voltage;     // of the supply, beside `command`
   std::optional<double> fixed_voltage;  // the same where it is not measured [V]
   std::optional<StreamMap> velocity;    // u v w p q r

@@ -37,8 +37,10 @@ bool IsNumbered(std::string_view column, std::string_view prefix) {
 }
 
 // "fin_rudder" for the prefix "fin_".
-bool IsNamed(std::string_view column, std::string_view prefix) {
-  return !prefix.empty() && column.starts_with(prefix) && column.size() > prefix.size();
+bool IsNamed(std::string_view column, const std::vector<std::string>& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(), [&](const std::string& prefix) {
+    return column.starts_with(prefix) && column.size() > prefix.size();
+  });
 }
 
 // "du, dv, dw", cut after 40 names.
@@ -56,7 +58,7 @@ std::string Expected(const CsvSpec& spec) {
   required.insert(required.end(), spec.required.begin(), spec.required.end());
   std::vector<std::string> any = spec.at_least_one_of;
   if (!spec.numbered.empty()) any.push_back(spec.numbered + "1, " + spec.numbered + "2, ...");
-  if (!spec.named.empty()) any.push_back(spec.named + "<name>");
+  for (const std::string& prefix : spec.named) any.push_back(prefix + "<name>");
   std::string expected = fmt::format("{}", fmt::join(required, ", "));
   if (!any.empty()) expected += fmt::format(" and at least one of {}", fmt::join(any, ", "));
   return expected;

@@ -16,7 +16,7 @@ struct CsvSpec {
   std::vector<std::string> required;         // every one of them
   std::vector<std::string> at_least_one_of;  // any subset but none; empty: no such rule
   std::string numbered;                      // "thruster_": thruster_1, ... count among these too
-  std::string named = {};  // "fin_": so do fin_rudder and any other name behind it
+  std::vector<std::string> named = {};  // "fin_": so do fin_rudder and any other name behind it
 
   // True: stamps may stand in several rows (one row per tag), but never go back.
   bool allow_equal_stamps = false;

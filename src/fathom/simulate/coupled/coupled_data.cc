@@ -108,6 +108,27 @@ void AddFins(const Log& log,
   }
 }
 
+// Adds the log's shafts, whose revolutions stand at the command's stamps.
+void AddShafts(const Log& log, std::span<const Shaft> shafts, CoupledCommand* command) {
+  if (!log.shafts) return;
+  if (command->time.empty()) command->time = log.shafts->time;
+  for (std::size_t k = 0; k < log.shafts->columns.size(); ++k) {
+    const std::string name = log.shafts->columns[k].substr(std::string_view("shaft_").size());
+    const auto shaft = std::ranges::find(shafts, name, &Shaft::name);
+    if (shaft == shafts.end()) {
+      throw InputError(fmt::format(
+          "{}: command.csv holds {}, expected the vehicle file to name a shaft '{}': `shafts: "
+          "[{{name: {}, position: [x, y, z], diameter: D}}]`.",
+          log.path.string(),
+          log.shafts->columns[k],
+          name,
+          name));
+    }
+    command->shafts.push_back(CommandedShaftOf(*shaft));
+    command->shafts.back().turns = log.shafts->values[k];
+  }
+}
+
 // Whether anything acts along a DOF.
 bool IsCommanded(const CoupledCommand& command, Dof dof) {
   const auto row = Index(dof);
@@ -116,7 +137,11 @@ bool IsCommanded(const CoupledCommand& command, Dof dof) {
   const bool by_fin = std::any_of(command.fins.begin(), command.fins.end(), [&](const auto& fin) {
     return fin.arms.across[row] != 0.0;
   });
-  return by_force || by_fin ||
+  const bool by_shaft = std::ranges::any_of(command.shafts, [&](const CommandedShaft& shaft) {
+    return shaft.push[row] != 0.0 &&
+           std::ranges::any_of(shaft.turns, [](double turns) { return turns != 0.0; });
+  });
+  return by_force || by_fin || by_shaft ||
          std::any_of(command.thrusters.begin(), command.thrusters.end(), [&](const auto& thruster) {
            return thruster.push[row] != 0.0 &&
                   std::any_of(thruster.thrust.begin(), thruster.thrust.end(), [](double thrust) {
@@ -257,13 +282,15 @@ double LineThroughSamples(const CoupledSegment& segment,
 CoupledData CoupledDataOf(const Log& log,
                           const std::vector<Dof>& dofs,
                           std::span<const Thruster> thrusters,
-                          std::span<const Fin> fins) {
+                          std::span<const Fin> fins,
+                          std::span<const Shaft> shafts) {
   CoupledData data;
   data.log = log.name;
   data.dofs = dofs;
   data.force_unit = log.command_unit.empty() ? "N" : log.command_unit;
   data.inputs.command = CoupledCommandOf(log, thrusters);
   AddFins(log, fins, &data.inputs.command, &data.remarks);
+  AddShafts(log, shafts, &data.inputs.command);
   const VelocityRows rows = AllVelocities(log, &data.has_velocity);
   RequireMotion(log, rows, dofs);
   if (std::none_of(dofs.begin(), dofs.end(), [&](Dof dof) {

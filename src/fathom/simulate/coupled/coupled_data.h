@@ -9,6 +9,7 @@
 #include "fathom/simulate/coupled/coupled_simulation.h"
 #include "fathom/vehicle/coupled/six_vector.h"
 #include "fathom/vehicle/fin.h"
+#include "fathom/vehicle/shaft.h"
 #include "fathom/vehicle/thruster.h"
 
 #include <array>
@@ -50,15 +51,16 @@ struct CoupledData {
 };
 
 // `thrusters`: of the vehicle, in the order of the log's; where the log holds none they say
-// nothing. `fins`: of the vehicle; those that the log holds act. DOFs beside `dofs` move as they
-// were measured, where they were.
+// nothing. `fins` and `shafts`: of the vehicle; those that the log holds act. DOFs beside `dofs`
+// move as they were measured, where they were.
 //
 // Throws InputError if the log does not measure one of the DOFs, commands none of them, or holds a
-// fin that the vehicle has not.
+// fin or a shaft that the vehicle has not.
 CoupledData CoupledDataOf(const Log& log,
                           const std::vector<Dof>& dofs,
                           std::span<const Thruster> thrusters = {},
-                          std::span<const Fin> fins = {});
+                          std::span<const Fin> fins = {},
+                          std::span<const Shaft> shafts = {});
 
 // The state that was measured at a sample of a segment: velocities by a straight line through the
 // samples within half a second, unknown ones 0; the attitude level where none is known.

@@ -59,16 +59,18 @@ Eigen::Index OnlyRowOf(const FreeEntry& entry) {
 
 CoupledRate::CoupledRate(const CoupledModel& model,
                          std::span<const FreeEntry> entries,
-                         std::span<const CommandedFin> fins)
+                         const CoupledCommand& command)
     : model_(model),
       entries_(entries),
-      commanded_fins_(fins),
+      command_(command),
+      shaft_of_entry_(entries.size()),
       fin_of_entry_(entries.size()),
       has_lift_(!model.lift.isZero(0.0)) {
   const auto value_or_0 = [](const std::map<std::string, double>& values, const std::string& name) {
     const auto found = values.find(name);
     return found == values.end() ? 0.0 : found->second;
   };
+  const std::vector<CommandedFin>& fins = command.fins;
   for (std::size_t k = 0; k < fins.size(); ++k) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
       if (entries[e].actuator == fins[k].name) fin_of_entry_[e] = k;
@@ -79,6 +81,17 @@ CoupledRate::CoupledRate(const CoupledModel& model,
                      value_or_0(model.fin_neutral, fins[k].name)});
     const auto stuck = model.fin_stuck.find(fins[k].name);
     if (stuck != model.fin_stuck.end()) fins_.back().stuck = stuck->second;
+    fins_.back().shafts = RaceShafts(command, fins[k]);
+  }
+  for (std::size_t k = 0; k < command.shafts.size(); ++k) {
+    const std::string& name = command.shafts[k].shaft.name;
+    const auto gain = model.thrust_gain.find(name);
+    shafts_.push_back({k, gain == model.thrust_gain.end() ? 1.0 : gain->second});
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      const bool is_its =
+          entries[e].kind == FreeEntry::Kind::kThrustGain && entries[e].actuator == name;
+      if (is_its) shaft_of_entry_[e] = k;
+    }
   }
   for (const FreeEntry& entry : entries) rows_.push_back(OnlyRowOf(entry));
   is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
@@ -103,13 +116,30 @@ CoupledRate::CoupledRate(const CoupledModel& model,
   }
 }
 
+CoupledRate::Race CoupledRate::RaceOf(const ModelFin& fin,
+                                      const Vector6& nu,
+                                      const CoupledDrive& drive) const {
+  Race race = {drive.races[fin.at]};
+  for (const std::size_t k : fin.shafts) {
+    const CommandedShaft& shaft = command_.shafts[k];
+    const ShaftThrust at = ShaftThrustAt(shaft.shaft, drive.turns[k], shaft.push.dot(nu));
+    race.value += at.thrust;
+    race.by_nu += at.by_speed * shaft.push;
+  }
+  if (!fin.shafts.empty() && race.value <= 0.0) race = {};
+  return race;
+}
+
 FinLoad CoupledRate::LoadOf(const ModelFin& fin,
                             const Vector6& nu,
                             const CoupledDrive& drive) const {
-  return FinLoadAt(commanded_fins_[fin.at].arms,
-                   nu,
-                   fin.stuck.value_or(drive.angles[fin.at] - fin.neutral),
-                   fin.race * drive.races[fin.at]);
+  const double angle = fin.stuck.value_or(drive.angles[fin.at] - fin.neutral);
+  const FinArms& arms = command_.fins[fin.at].arms;
+  if (fin.shafts.empty()) return FinLoadAt(arms, nu, angle, fin.race * drive.races[fin.at]);
+  const Race race = RaceOf(fin, nu, drive);
+  FinLoad at = FinLoadAt(arms, nu, angle, fin.race * race.value);
+  at.load_by_nu += at.load_by_race * fin.race * race.by_nu;
+  return at;
 }
 
 CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive) const {
@@ -119,6 +149,11 @@ CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive)
   force.noalias() -= model_.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu);
   if (has_lift_) force.noalias() -= nu[0] * (model_.lift * nu);
   for (const ModelFin& fin : fins_) force += fin.force * LoadOf(fin, nu, drive).Force();
+  for (const ModelShaft& shaft : shafts_) {
+    const CommandedShaft& commanded = command_.shafts[shaft.at];
+    force +=
+        shaft.gain * ThrustOnVehicle(commanded, drive.turns[shaft.at], nu).thrust * commanded.push;
+  }
   if (model_.coriolis) force -= CoriolisForce(model_.inertia, nu);
   CoupledFlow rate;
   rate.nu.noalias() = inverse_ * force;
@@ -138,6 +173,11 @@ Matrix6 CoupledRate::ForceJacobian(const Vector6& nu, const CoupledDrive& drive)
   for (const ModelFin& fin : fins_) {
     const FinLoad at = LoadOf(fin, nu, drive);
     jacobian.noalias() += fin.force * at.push * at.load_by_nu.transpose();
+  }
+  for (const ModelShaft& shaft : shafts_) {
+    const CommandedShaft& commanded = command_.shafts[shaft.at];
+    const double by_speed = ThrustOnVehicle(commanded, drive.turns[shaft.at], nu).by_speed;
+    jacobian.noalias() += shaft.gain * by_speed * commanded.push * commanded.push.transpose();
   }
   if (model_.coriolis) jacobian -= CoriolisJacobian(model_.inertia, nu);
   return jacobian;
@@ -198,6 +238,10 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         break;
       case FreeEntry::Kind::kThrustGain:
         force = pushed[k];
+        if (shaft_of_entry_[k]) {
+          const CommandedShaft& shaft = command_.shafts[*shaft_of_entry_[k]];
+          force += ThrustOnVehicle(shaft, drive.turns[*shaft_of_entry_[k]], nu).thrust * shaft.push;
+        }
         break;
       case FreeEntry::Kind::kLift:
         force[row] = -nu[0] * nu[column];
@@ -208,7 +252,7 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
       case FreeEntry::Kind::kFinRace: {
         const ModelFin& fin = fins_[fin_of_entry_[k]];
         const FinLoad at = LoadOf(fin, nu, drive);
-        force = fin.force * drive.races[fin.at] * at.load_by_race * at.push;
+        force = fin.force * RaceOf(fin, nu, drive).value * at.load_by_race * at.push;
         break;
       }
       case FreeEntry::Kind::kFinNeutral: {

@@ -27,9 +27,10 @@ struct CoupledFlow {
 
 // What acts on a vehicle between two changes of its command.
 struct CoupledDrive {
-  Vector6 tau = Vector6::Zero();  // forces of thrusters and wrench [N], [N m]
-  std::vector<double> angles;     // of the fins [rad]
-  std::vector<double> races;      // RaceThrust() of the fins [N]
+  Vector6 tau = Vector6::Zero();   // forces of thrusters and wrench [N], [N m]
+  std::vector<double> angles;      // of the fins [rad]
+  std::vector<double> races;       // RaceThrust() of the fins, but for shafts [N]
+  std::vector<double> turns = {};  // of the shafts [Hz]
 };
 
 // docs/coupled.md (1) as a rate of the state, and its derivative.
@@ -38,7 +39,7 @@ class CoupledRate {
   // All must outlive this.
   CoupledRate(const CoupledModel& model,
               std::span<const FreeEntry> entries,
-              std::span<const CommandedFin> fins);
+              const CoupledCommand& command);
 
   bool IsUsable() const { return is_usable_; }
 
@@ -76,14 +77,30 @@ class CoupledRate {
     std::size_t at = 0;  // in the commands
     double force = 0.0, race = 0.0, neutral = 0.0;
     std::optional<double> stuck = {};
+    std::vector<std::size_t> shafts = {};  // in whose race it stands
   };
+
+  // A shaft of the model.
+  struct ModelShaft {
+    std::size_t at = 0;  // in the commands
+    double gain = 1.0;
+  };
+
+  // k T of a fin's race, and its derivative.
+  struct Race {
+    double value = 0.0;
+    Vector6 by_nu = Vector6::Zero();
+  };
+  Race RaceOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;
 
   FinLoad LoadOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;
 
   const CoupledModel& model_;
   std::span<const FreeEntry> entries_;
-  std::span<const CommandedFin> commanded_fins_;
+  const CoupledCommand& command_;
   std::vector<ModelFin> fins_;
+  std::vector<ModelShaft> shafts_;
+  std::vector<std::optional<std::size_t>> shaft_of_entry_;  // whose gain an entry is
   std::vector<std::size_t> fin_of_entry_;  // in fins_, of entries that belong to one
   bool has_lift_ = false;
   Matrix6 inverse_ = Matrix6::Zero();  // of the modelled part of M

@@ -69,7 +69,7 @@ class CoupledRun {
         entries_(entries),
         inputs_(inputs),
         with_tangent_(with_tangent),
-        rate_(model, entries, inputs.command.fins),
+        rate_(model, entries, inputs.command),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
         tangent_(CoupledTangent::Zero(12, columns_)),
         begin_tangent_(tangent_),
@@ -89,6 +89,10 @@ class CoupledRun {
     for (const CommandedFin& fin : command.fins) {
       CHECK_EQ(fin.angle.size(), command.time.size());
     }
+    for (const CommandedShaft& shaft : command.shafts) {
+      CHECK_EQ(shaft.turns.size(), command.time.size());
+    }
+    drive_.turns.assign(command.shafts.size(), 0.0);
     drive_.angles.assign(command.fins.size(), 0.0);
     drive_.races.assign(command.fins.size(), 0.0);
   }
@@ -165,6 +169,7 @@ class CoupledRun {
     drive_.tau.setZero();
     std::fill(drive_.angles.begin(), drive_.angles.end(), 0.0);
     std::fill(drive_.races.begin(), drive_.races.end(), 0.0);
+    std::fill(drive_.turns.begin(), drive_.turns.end(), 0.0);
     std::fill(pushed_.begin(), pushed_.end(), Vector6::Zero());
     if (row < 0) return;
     const auto at = static_cast<std::size_t>(row);
@@ -172,6 +177,9 @@ class CoupledRun {
     for (std::size_t k = 0; k < command.fins.size(); ++k) {
       drive_.angles[k] = command.fins[k].angle[at];
       drive_.races[k] = RaceThrust(command, command.fins[k], at);
+    }
+    for (std::size_t k = 0; k < command.shafts.size(); ++k) {
+      drive_.turns[k] = command.shafts[k].turns[at];
     }
     for (const CommandedThruster& thruster : command.thrusters) {
       const Vector6 push = thruster.thrust[at] * thruster.push;

@@ -30,10 +30,16 @@ CoupledInputs InputsOf(const CoupledModel& model,
   command.force = {wrench};
   // All that makes a race, as one thruster of that name.
   command.thrusters = {{"race", Vector6::Unit(0), {is_stop ? 0.0 : options.thrust}}};
+  command.shafts = options.shafts;
+  for (CommandedShaft& shaft : command.shafts) {
+    if (is_stop) shaft.turns = {-std::sqrt(manoeuvre.astern) * shaft.turns.front()};
+  }
   command.fins = fins;
   for (CommandedFin& fin : command.fins) {
     fin.angle = {0.0};
-    if (!fin.behind.empty()) fin.behind = "race";
+    const bool is_of_shaft = std::ranges::any_of(
+        command.shafts, [&](const CommandedShaft& one) { return one.shaft.name == fin.behind; });
+    if (!fin.behind.empty() && !is_of_shaft) fin.behind = "race";
   }
   const bool has_surge = std::ranges::find(model.dofs, Dof::kSurge) != model.dofs.end();
   if (!has_surge) inputs.measured[0] = {{0.0}, {options.ahead}};
@@ -62,7 +68,11 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
       rudder && fins[*rudder].arms.across[Index(Dof::kYaw)] < 0.0 ? -1.0 : 1.0;
   CoupledInputs inputs = InputsOf(model, fins, manoeuvre, options);
   CoupledModel driven = model;
-  driven.thrust_gain.clear();  // in options.force
+  // Those of thrusters are in options.force.
+  std::erase_if(driven.thrust_gain, [&](const auto& gain) {
+    return std::ranges::none_of(
+        options.shafts, [&](const CommandedShaft& one) { return one.shaft.name == gain.first; });
+  });
   CoupledState state;
   state.nu[0] = options.ahead;
   ManoeuvreTrack track;

@@ -19,6 +19,7 @@ struct ManoeuvreOptions {
   double ahead = 1.0;               // speed at the begin [m/s], above 0
   Vector6 force = Vector6::Zero();  // that drives it throughout, of thrusters too [N], [N m]
   double thrust = 0.0;              // of it what makes a race [N]
+  std::vector<CommandedShaft> shafts = {};  // beside it, each at one number of turns
   double rudder_rate = std::numeric_limits<double>::infinity();  // [rad/s], above 0
   double rudder_delay = 0.0;  // of a zigzag, from the heading's reaching the order to the rudder's
                               // answer [s], at least 0
@@ -36,8 +37,8 @@ struct ManoeuvreTrack {
 };
 
 // Runs a manoeuvre until its figures are known, with the fin that turns the vehicle most. A stop
-// takes `force` along x astern, without a race. Nothing if there is no such fin, but of a stop, or
-// if the run diverges.
+// takes `force` along x astern, without a race, and of shafts the turns by the root of the share.
+// Nothing if there is no such fin, but of a stop, or if the run diverges.
 std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
                                            const std::vector<CommandedFin>& fins,
                                            const Manoeuvre& manoeuvre,

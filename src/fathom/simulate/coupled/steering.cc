@@ -38,7 +38,9 @@ std::optional<SteeringEquations> SteeringOf(const CoupledModel& model,
     return std::ranges::find(model.dofs, dof) != model.dofs.end();
   };
   const auto rudder = RudderOf(fins);
-  const CoupledRate rate(model, {}, fins);
+  CoupledCommand command;  // `thrust` is that of shafts too
+  command.fins = fins;
+  const CoupledRate rate(model, {}, command);
   if (!rudder || !moves(Dof::kYaw) || !rate.IsUsable()) return std::nullopt;
   std::vector<Eigen::Index> rows;
   if (moves(Dof::kSway)) rows.push_back(Index(Dof::kSway));

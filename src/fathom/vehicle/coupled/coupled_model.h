@@ -23,13 +23,14 @@ namespace fathom {
 //        sum_j (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j
 //   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
 //   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
-//   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces
+//   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces; of shafts by nu
 //   F    forces of the fins, each by its `fin_force`            fin_force.h
 //
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
 // tells what a measured partner does. Entries that are not known are 0.
 //
-// It fails in waves and current, near walls, and where thrust depends on the inflow.
+// It fails in waves and current, near walls, and where thrust depends on the inflow but for that
+// of shafts, shaft.h.
 struct CoupledModel {
   std::vector<Dof> dofs;  // those that it moves, in the order of Dof, each once
 
@@ -43,7 +44,7 @@ struct CoupledModel {
   double righting_roll = 0.0;   // moment at sin(phi) = 1, theta = 0 [N m]; above 0 it rights itself
   double righting_pitch = 0.0;  // moment at sin(theta) = 1 [N m]
 
-  std::map<std::string, double> thrust_gain = {};  // kappa by thruster; absent: 1
+  std::map<std::string, double> thrust_gain = {};  // kappa by thruster or shaft; absent: 1
   std::map<std::string, double> fin_force = {};    // f by fin [N s^2/m^2 a radian]; absent: 0
   std::map<std::string, double> fin_race = {};     // k by fin [m^2/(s^2 N)]; absent: 0
   std::map<std::string, double> fin_neutral = {};  // angle at which it is straight [rad]; absent: 0

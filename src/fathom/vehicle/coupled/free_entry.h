@@ -22,7 +22,7 @@ namespace fathom {
 //   righting_moment.roll          K_p           righting_moment.pitch
 //   net_buoyancy                  b
 //   offset.yaw                    o_6
-//   thrust_gain.port              of the thruster `port`
+//   thrust_gain.port              of the thruster or shaft `port`
 //   lift.sway.yaw                 L_26: along sway, by u r
 //   fin_force.rudder              f of the fin `rudder`
 //   fin_race.rudder               k: what the race adds to the square of its speed

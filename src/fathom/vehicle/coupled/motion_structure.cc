@@ -104,7 +104,8 @@ std::optional<StandardStructure> StandardStructureFromName(std::string_view name
 
 MotionStructure StructureOf(StandardStructure standard,
                             const std::vector<Dof>& dofs,
-                            const std::vector<StructureFin>& fins) {
+                            const std::vector<StructureFin>& fins,
+                            const std::vector<std::string>& gains) {
   MotionStructure structure = {dofs, {}, standard >= StandardStructure::kCoriolis};
   std::vector<FreeEntry>& entries = structure.entries;
   for (const Dof dof : dofs) {
@@ -123,6 +124,7 @@ MotionStructure StructureOf(StandardStructure standard,
       }
     }
   };
+  for (const std::string& gain : gains) entries.push_back(ThrustGainEntry(gain));
   for (const StructureFin& fin : fins) {
     if (!fin.is_force_known) entries.push_back(FinForceEntry(fin.name));
     if (fin.is_in_race && standard >= StandardStructure::kLift) {

@@ -46,10 +46,12 @@ struct StructureFin {
   bool is_in_race = false;      // what that adds is then free from kLift on
 };
 
-// With `fins` from kLift on as said there.
+// With `fins` from kLift on as said there. `gains`: thrusters and shafts whose thrust is not known,
+// free in all of them.
 MotionStructure StructureOf(StandardStructure standard,
                             const std::vector<Dof>& dofs,
-                            const std::vector<StructureFin>& fins = {});
+                            const std::vector<StructureFin>& fins = {},
+                            const std::vector<std::string>& gains = {});
 
 // The DOFs in blocks that move independently of each other, each in the order of Dof, the blocks in
 // that of their first. Joined are the two DOFs of an entry, those that C(nu) multiplies, all where

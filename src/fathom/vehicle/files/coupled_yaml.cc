@@ -161,7 +161,8 @@ std::map<std::string, double> FinForces(const YamlMap& map, const std::vector<Fi
 CoupledModel ReadCoupledYaml(const YamlMap& map,
                              const RigidBody& body,
                              const std::vector<Thruster>& thrusters,
-                             const std::vector<Fin>& fins) {
+                             const std::vector<Fin>& fins,
+                             const std::vector<Shaft>& shafts) {
   CoupledModel model;
   model.dofs = ModelledDofs(map);
   model.coriolis = map.Boolean("coriolis", true);
@@ -179,7 +180,10 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
     model.righting_roll = righting->Number("roll", 0.0);
     model.righting_pitch = righting->Number("pitch", 0.0);
   }
-  model.thrust_gain = ByName(map, "thrust_gain", thrusters, "thruster");
+  // A shaft's gain stands beside those of thrusters.
+  std::vector<Shaft> thrusting = shafts;
+  for (const Thruster& thruster : thrusters) thrusting.emplace_back().name = thruster.name;
+  model.thrust_gain = ByName(map, "thrust_gain", thrusting, "thruster or shaft");
   model.fin_force = FinForces(map, fins);
   model.fin_race = ByName(map, "fin_race", fins, "fin");
   model.fin_neutral = ByName(map, "fin_neutral", fins, "fin");

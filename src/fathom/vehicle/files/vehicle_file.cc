@@ -8,6 +8,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
 #include "fathom/vehicle/files/coupled_yaml.h"
+#include "fathom/vehicle/files/shaft_yaml.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,7 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
     vehicle.thrusters.push_back(ReadThruster(map, vehicle.thrust_tables));
   }
   vehicle.fins = ReadFins(file);
+  vehicle.shafts = ReadShafts(file, vehicle.thrusters);
   if (const auto models = file.OptionalMap("models")) {
     for (const Dof dof : kAllDofs) {
       if (const auto map = models->OptionalMap(Name(dof))) {
@@ -228,7 +230,8 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
     if (file.Has("models")) {
       file.Fail("coupled_model", "stands beside 'models', expected one of them.");
     }
-    vehicle.coupled = ReadCoupledYaml(*map, vehicle.body, vehicle.thrusters, vehicle.fins);
+    vehicle.coupled =
+        ReadCoupledYaml(*map, vehicle.body, vehicle.thrusters, vehicle.fins, vehicle.shafts);
   }
   file.Finish();
   return vehicle;

@@ -7,6 +7,7 @@
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
 #include "fathom/vehicle/fin.h"
+#include "fathom/vehicle/shaft.h"
 #include "fathom/vehicle/thrust_table.h"
 #include "fathom/vehicle/thruster.h"
 #include "fathom/vehicle/uncoupled_model.h"
@@ -32,6 +33,7 @@ struct Vehicle {
   std::vector<Thruster> thrusters;         // may be empty: commands are then forces
   std::vector<ThrustTable> thrust_tables;  // that thrusters name
   std::vector<Fin> fins;                   // fins and rudders, each name once
+  std::vector<Shaft> shafts;               // names that no thruster has, each once
 
   // Its motion where that is known, by Index(Dof); what fathom_synthesize makes logs from.
   std::array<std::optional<UncoupledModel<double>>, 6> models;

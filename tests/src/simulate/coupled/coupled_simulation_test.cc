@@ -280,6 +280,94 @@ TEST(RunCoupled, GoesWithFinsAsASecondSimulatorDoes) {
   }
 }
 
+// A shaft off the centre line, of which the model knows 0.7 of the thrust. The rudder stands in its
+// race.
+Shaft Screw() {
+  Shaft shaft;
+  shaft.name = "screw";
+  shaft.position << -0.5, 0.1, -0.05;
+  shaft.diameter = 0.2;
+  shaft.curve = OpenWaterCurve{{0.0, 0.5, 0.9}, {0.36, 0.2, 0.0}};
+  shaft.wake = 0.3;
+  shaft.thrust_deduction = 0.15;
+  return shaft;
+}
+
+CoupledModel ScrewedRov() {
+  CoupledModel model = FinnedRov();
+  model.thrust_gain["screw"] = 0.7;
+  return model;
+}
+
+// Ahead, astern and stopped.
+CoupledInputs ScrewedSteps(int num_steps) {
+  CoupledInputs inputs = FinnedSteps(num_steps);
+  inputs.command.fins[0].behind = "screw";
+  inputs.command.shafts = {CommandedShaftOf(Screw())};
+  for (int k = 0; k < num_steps; ++k) {
+    inputs.command.shafts[0].turns.push_back(k % 4 == 3 ? 0.0 : 2.0 + 4.0 * std::sin(2.3 * k));
+  }
+  return inputs;
+}
+
+// docs/fins.md (2), K_T by J.
+double PlainThrust(double n, double u) {
+  if (n == 0.0) return 0.0;
+  const double J = 0.7 * u / (n * 0.2);
+  const double K_T = J < 0.0 ? 0.36 : J < 0.5 ? 0.36 - 0.32 * J : 0.2 - 0.5 * (J - 0.5);
+  return 1000.0 * n * std::abs(n) * std::pow(0.2, 4) * K_T;
+}
+
+TEST(RunCoupled, GoesWithAShaftAndItsRaceAsASecondSimulatorDoes) {
+  const CoupledModel model = ScrewedRov();
+  const CoupledInputs inputs = ScrewedSteps(12);
+  CoupledStamps stamps;
+  for (int k = 0; k < 12; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, Moving(), stamps, &outputs));
+  PlainSimulator plain(Rov());
+  plain.nu = Moving().nu;
+  plain.world_from_body = Eigen::Quaterniond(Moving().attitude).toRotationMatrix();
+  for (std::size_t k = 0; k < 12; ++k) {
+    const double turns = inputs.command.shafts[0].turns[k];
+    plain.more = [&](const Vector6& nu) -> Vector6 {
+      const Eigen::Vector3d at = Screw().position;
+      const double u = (nu.head<3>() + Eigen::Vector3d(nu.tail<3>()).cross(at)).x();
+      const double thrust = PlainThrust(turns, u);
+      CoupledInputs with_race = inputs;  // PlainFins() takes the race from the first thruster
+      with_race.command.thrusters[0].thrust[k] = thrust;
+      const Eigen::Vector3d force(0.7 * 0.85 * thrust, 0.0, 0.0);
+      Vector6 all;
+      all << force, at.cross(force);
+      return all + PlainFins(with_race, k, nu);
+    };
+    plain.Advance(ForceOf(model, inputs, k), 2.0, 5e-4);
+    EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 1e-4) << k;
+  }
+}
+
+// Terminal speed in closed form: (1 - t) rho D^4 n^2 (K_0 + K_1 (1 - w) u / (n D)) = d u.
+TEST(RunCoupled, ReachesTheSpeedAtWhichAShaftAndDampingBalance) {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge};
+  model.inertia(0, 0) = 50.0;
+  model.linear_damping(0, 0) = 20.0;
+  Shaft shaft = Screw();
+  shaft.position.setZero();
+  shaft.curve = OpenWaterCurve{{0.0, 0.9}, {0.36, 0.0}};
+  CoupledInputs inputs;
+  inputs.command.time = {0.0};
+  inputs.command.shafts = {CommandedShaftOf(shaft)};
+  inputs.command.shafts[0].turns = {6.0};
+  CoupledStamps stamps;
+  stamps.velocity = {100.0};
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, {}, stamps, &outputs));
+  const double at_rest = 0.85 * 1000.0 * 0.0016 * 36.0 * 0.36;
+  const double slope = 0.85 * 1000.0 * 0.008 * 6.0 * 0.4 * 0.7;
+  EXPECT_NEAR(outputs.velocity[0][0], at_rest / (20.0 + slope), 1e-9);
+}
+
 // A ship whose rudder's angle is positive turns to port.
 TEST(RunCoupled, TurnsToPortByAPositiveRudder) {
   CoupledModel model = FinnedRov();
@@ -304,12 +392,11 @@ TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
 }
 
 // Each column of the sensitivities against the difference of two runs.
-TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
-  const CoupledModel model = FinnedRov();
-  const CoupledInputs inputs = FinnedSteps(5);
+void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInputs& inputs) {
   MotionStructure structure = StructureOf(StandardStructure::kFull, kSix);
   structure.entries.push_back(QuadraticDampingEntry(Dof::kYaw, Dof::kSway));
   structure.entries.push_back(ThrustGainEntry("port"));
+  if (!inputs.command.shafts.empty()) structure.entries.push_back(ThrustGainEntry("screw"));
   structure.entries.push_back(LiftEntry(Dof::kSway, Dof::kYaw));
   structure.entries.push_back(FinForceEntry("plane"));
   structure.entries.push_back(FinRaceEntry("rudder"));
@@ -365,6 +452,15 @@ TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
       EXPECT_LT((of_turn - turn).norm(), 1e-4 * (1.0 + turn.norm())) << name;
     }
   }
+}
+
+TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
+  ExpectDerivativesOfDifferences(FinnedRov(), FinnedSteps(5));
+}
+
+// By the thrust's slope in the speed, and that of the race over the rudder.
+TEST(RunCoupledWithSensitivities, HasThemWithAShaft) {
+  ExpectDerivativesOfDifferences(ScrewedRov(), ScrewedSteps(5));
 }
 
 }  // namespace

@@ -315,6 +315,36 @@ TEST(RunManoeuvre, StopsAsTheEquationByHandDoes) {
   EXPECT_NEAR(Figure(figures, "track_reach"), 15.0 * std::log(20.0), 0.01);
 }
 
+// Astern K_T is that at rest: m du/dt = -F - d u with F the bollard pull, for half of which the
+// shaft turns at the root of a half.
+TEST(RunManoeuvre, StopsByAShaftAsTheEquationByHandDoes) {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge};
+  model.inertia(0, 0) = 300.0;
+  model.linear_damping(0, 0) = 30.0;
+  model.thrust_gain = {{"screw", 0.8}};
+  Shaft shaft;
+  shaft.name = "screw";
+  shaft.diameter = 0.2;
+  shaft.curve = OpenWaterCurve{{0.0, 0.9}, {0.36, 0.0}};
+  shaft.thrust_deduction = 0.1;
+  ManoeuvreOptions options;
+  options.ahead = 1.2;
+  options.shafts = {CommandedShaftOf(shaft)};
+  options.shafts[0].turns = {9.0};
+  for (const double share : {1.0, 0.5}) {
+    Manoeuvre stop = ParseManoeuvre("stop");
+    stop.astern = share;
+    const auto track = RunManoeuvre(model, {}, stop, options);
+    ASSERT_TRUE(track);
+    const double F = share * 0.8 * 0.9 * 1000.0 * 0.0016 * 81.0 * 0.36, d = 30.0, m = 300.0;
+    const double time = m / d * std::log(1.0 + d * 1.2 / F);
+    const auto figures = FiguresOf(stop, *track);
+    EXPECT_NEAR(Figure(figures, "stop_time"), time, options.step);
+    EXPECT_NEAR(Figure(figures, "track_reach"), (m * 1.2 - F * time) / d, 0.01);
+  }
+}
+
 // MSC.137(76), 5.3: of a ship of 100 m at 8 m/s, at 4 m/s and at 2 m/s; L/V is 12.5, 25 and 50 s.
 TEST(ImoLimit, IsThatOfTheStandard) {
   const Manoeuvre circle = ParseManoeuvre("turning_circle:35"),

@@ -142,9 +142,10 @@ TEST(CoupledYaml, RefusesNamesThatTheFileDoesNotHold) {
   EXPECT_THAT(ErrorOf(model + "  dofs: [surge, ahead]\n"),
               HasSubstr("v.yaml:12: key 'coupled_model.dofs' holds 'ahead', expected surge, sway"));
   EXPECT_THAT(ErrorOf(model + "  dofs: [surge, surge]\n"), HasSubstr("twice"));
-  EXPECT_THAT(ErrorOf(model + "  thrust_gain: {starboard: 0.5}\n"),
-              HasSubstr("v.yaml:12: key 'coupled_model.thrust_gain.starboard' is no thruster of "
-                        "this file"));
+  EXPECT_THAT(
+      ErrorOf(model + "  thrust_gain: {starboard: 0.5}\n"),
+      HasSubstr("v.yaml:12: key 'coupled_model.thrust_gain.starboard' is no thruster or shaft of "
+                "this file"));
   EXPECT_THAT(ErrorOf(model + "  fin_force: {sail: 2}\n"), HasSubstr("is no fin of this file"));
   EXPECT_THAT(ErrorOf(model + "  mass: 2\n"), HasSubstr("'coupled_model.mass' is not known here"));
   EXPECT_THAT(ErrorOf(model + "models: {surge: {inertia: 1, quadratic_damping: 1, "

@@ -102,6 +102,49 @@ TEST(VehicleFile, ReadsFins) {
   EXPECT_EQ(AcrossFin(vehicle.fins[1]), Eigen::Vector3d(0, 0, 1));
 }
 
+TEST(VehicleFile, ReadsShafts) {
+  const Vehicle vehicle = ParseVehicleFile(
+      "v.yaml",
+      std::string(kHead) +
+          "shafts:\n"
+          "  - {name: port, position: [-3.4, -1, 0.3], diameter: 0.2, thrust: {linear: [0.36, "
+          "-0.4]},\n"
+          "     wake: 0.4, thrust_deduction: 0.25}\n"
+          "  - {name: starboard, position: [-3.4, 1, 0.3], diameter: 0.3,\n"
+          "     thrust: {table: [[0, 0.4], [0.5, 0.2], [0.8, 0.05]]}}\n"
+          "  - {name: bare, position: [0, 0, 0], diameter: 0.1}\n"
+          "  - {name: tug, position: [0, 0, 0], diameter: 0.1, thrust: {bollard: 0.3}}\n");
+  ASSERT_EQ(vehicle.shafts.size(), 4u);
+  EXPECT_TRUE(vehicle.shafts[0].IsThrustKnown());
+  EXPECT_EQ(vehicle.shafts[0].position, Eigen::Vector3d(-3.4, -1, 0.3));
+  // J = 0.6 * 2 / (8 * 0.2) = 0.75, K_T = 0.06.
+  EXPECT_NEAR(
+      ShaftThrustAt(vehicle.shafts[0], 8.0, 2.0).thrust, 1000.0 * 64.0 * 0.0016 * 0.06, 1e-10);
+  EXPECT_FALSE(vehicle.shafts[1].IsThrustKnown());  // the thrust deduction is not stated
+  EXPECT_EQ(vehicle.shafts[1].curve->thrust[2], 0.05);
+  EXPECT_FALSE(vehicle.shafts[2].curve);
+  EXPECT_NEAR(
+      ShaftThrustAt(vehicle.shafts[3], 10.0, 5.0).thrust, 1000.0 * 100.0 * 1e-4 * 0.3, 1e-12);
+}
+
+TEST(VehicleFile, RefusesAShaftThatCannotBe) {
+  const auto error = [](const std::string& more) {
+    return Error(std::string(kHead) + "shafts:\n  - {name: a, position: [0, 0, 0], " + more +
+                 "}\n");
+  };
+  EXPECT_THAT(error("diameter: 0"), HasSubstr("is 0, expected a number above 0"));
+  EXPECT_THAT(error("diameter: 1, wake: 1"), HasSubstr("is 1, expected a share between -1 and 1"));
+  EXPECT_THAT(error("diameter: 1, thrust: {bollard: -0.1}"), HasSubstr("K_T at rest is -0.1"));
+  EXPECT_THAT(error("diameter: 1, thrust: {linear: [0.3, 0.1]}"), HasSubstr("K_1 below 0"));
+  EXPECT_THAT(error("diameter: 1, thrust: {table: [[0.1, 0.3], [0.5, 0.1]]}"),
+              HasSubstr("the first with J = 0"));
+  EXPECT_THAT(error("diameter: 1, thrust: {table: [[0, 0.3], [0.5, 0.1], [0.5, 0]]}"),
+              HasSubstr("J does not increase"));
+  EXPECT_THAT(error("diameter: 1, thrust: {}"), HasSubstr("expected one of"));
+  EXPECT_THAT(error("diameter: 1}\n  - {name: a, position: [0, 0, 0], diameter: 1"),
+              HasSubstr("is that of another shaft or thruster"));
+}
+
 TEST(VehicleFile, RefusesAFinThatCannotBe) {
   const auto error = [](const std::string& fin) {
     return Error(std::string(kHead) + "fins:\n  - {" + fin + "}\n");
@@ -135,7 +178,7 @@ TEST(VehicleFile, RefusesWhatCannotBeAVehicle) {
             "v.yaml:3: key 'size' is a list of 2, expected a list of 3 numbers.");
   EXPECT_EQ(Error(std::string(kHead) + "weight: 3\n"),
             "v.yaml:4: key 'weight' is not known here, expected one of: name, mass, size, "
-            "inertia, rigid_body, thrust_tables, thrusters, fins, "
+            "inertia, rigid_body, thrust_tables, thrusters, fins, shafts, "
             "models, coupled_model. Correct or remove it.");
 }
 
