@@ -175,7 +175,7 @@ int Run() {
   fmt::print(", vehicle {}, seed {}\n", vehicle.name, FLAGS_seed);
   for (const ActiveEffect& effect : effects) fmt::print("hidden: {}\n", UnitText(Describe(effect)));
   if (film) fmt::print("camera log: {}\n", FLAGS_render ? "images" : "detections.csv");
-  PrintStream("command.csv", log.command ? log.command : log.fins);
+  PrintStream("command.csv", log.command ? log.command : log.fins ? log.fins : log.shafts);
   PrintStream("velocity.csv", log.velocity);
   PrintStream("pose.csv", log.pose);
   for (const Remark& remark : log.remarks) fmt::print("{}\n", remark.text);

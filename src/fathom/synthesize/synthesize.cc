@@ -45,12 +45,12 @@ void RequireAxesThatStay(const Experiment& experiment) {
   }
 }
 
-// Thrusters and fins act on several DOFs at once.
+// Thrusters, fins and shafts act on several DOFs at once.
 void RequireForcesAlone(const Vehicle& vehicle, const Experiment& experiment) {
-  if (experiment.thrusters.empty() && experiment.fins.empty()) return;
+  if (experiment.thrusters.empty() && experiment.fins.empty() && experiment.shafts.empty()) return;
   throw InputError(
       fmt::format("vehicle '{}': has no coupled_model, expected one since experiment '{}' drives "
-                  "thrusters or fins. Drive DOFs instead, as surge: {{...}}.",
+                  "thrusters, fins or shafts. Drive DOFs instead, as surge: {{...}}.",
                   vehicle.name,
                   experiment.name));
 }
@@ -157,7 +157,11 @@ Log SynthesizeCoupled(const Vehicle& vehicle, const Experiment& experiment, std:
   log.dofs = vehicle.coupled->dofs;
   const CoupledTruth truth = DriveCoupled(vehicle, experiment, seed);
   AddCoupledCommand(truth, vehicle, experiment, &log);
-  RequireUsable(log.command ? *log.command : *log.fins, "command.csv", experiment);
+  RequireUsable(log.command ? *log.command
+                : log.fins  ? *log.fins
+                            : *log.shafts,
+                "command.csv",
+                experiment);
   if (experiment.velocity) {
     log.velocity = CoupledVelocityStream(truth, experiment, seed, log);
     RequireUsable(*log.velocity, "velocity.csv", experiment);
@@ -181,7 +185,8 @@ Log Synthesize(const Vehicle& vehicle,
                std::uint64_t seed) {
   CHECK_GT(experiment.duration, 0.0);
   CHECK_GT(experiment.command_rate, 0.0);
-  CHECK(!experiment.drives.empty() || !experiment.thrusters.empty() || !experiment.fins.empty());
+  CHECK(!experiment.drives.empty() || !experiment.thrusters.empty() || !experiment.fins.empty() ||
+        !experiment.shafts.empty());
   if (vehicle.coupled) {
     RequireNoEffects(vehicle, effects);
     return SynthesizeCoupled(vehicle, experiment, seed);

@@ -30,8 +30,8 @@ namespace fathom {
 //
 // Throws InputError if the vehicle has no model of a driven DOF, a controlled DOF's axis would be
 // turned by another one, or an effect is of a DOF that is not driven or of a pose that is not
-// logged. Likewise if thrusters or fins are driven and the vehicle has no coupled model or none of
-// that name, and if an effect or turbulence is to act on a coupled vehicle.
+// logged. Likewise if thrusters, fins or shafts are driven and the vehicle has no coupled model or
+// none of that name, and if an effect or turbulence is to act on a coupled vehicle.
 Log Synthesize(const Vehicle& vehicle,
                const Experiment& experiment,
                std::span<const ActiveEffect> effects,

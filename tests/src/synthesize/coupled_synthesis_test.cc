@@ -175,6 +175,37 @@ TEST(CoupledSynthesis, MovesAsTheTextbookSaysUnderThrustersAndAFin) {
   ExpectTheTextbooksMotion(log, vehicle, true);
 }
 
+// Surge alone: 60 du/dt = 0.9 rho D^4 n^2 (0.36 - 0.4 J) - 20 u, by small steps.
+TEST(CoupledSynthesis, IsDrivenByAShaft) {
+  const Vehicle vehicle = ParseVehicleFile(
+      "boat.yaml",
+      "name: boat\n"
+      "shafts:\n"
+      "  - {name: screw, position: [-1, 0, 0], diameter: 0.2, thrust: {linear: [0.36, -0.4]},\n"
+      "     wake: 0.2, thrust_deduction: 0.1}\n"
+      "coupled_model:\n  dofs: [surge]\n  inertia: [60, 1, 1, 1, 1, 1]\n"
+      "  linear_damping: [20, 0, 0, 0, 0, 0]\n");
+  const Log log = Synthesize(
+      vehicle, OfLines("shafts: {screw: {kind: steps, levels: [4, 9, 6], hold: 5}}\n"), 2);
+  EXPECT_FALSE(log.command);
+  EXPECT_FALSE(log.fins);
+  ASSERT_THAT(log.shafts->columns, ElementsAre("shaft_screw"));
+  double u = 0.0, t = 0.0;
+  for (std::size_t k = 0; k < log.velocity->time.size(); ++k) {
+    for (; t < log.velocity->time[k] - 1e-9; t += 1e-3) {
+      std::size_t row = 0;
+      while (row + 1 < log.shafts->time.size() && log.shafts->time[row + 1] <= t + 1e-9) ++row;
+      const double n = log.shafts->values[0][row];
+      const auto rate = [&](double v) {
+        const double J = 0.8 * v / (n * 0.2);
+        return (0.9 * 1000.0 * 0.0016 * n * n * (0.36 - 0.4 * J) - 20.0 * v) / 60.0;
+      };
+      u += 1e-3 * rate(u + 0.5e-3 * rate(u));
+    }
+    EXPECT_NEAR(log.velocity->values[0][k], u, 1e-6) << t;
+  }
+}
+
 // The reader of logs and the prediction of models take it as it is.
 TEST(CoupledSynthesis, MakesALogThatItsOwnModelPredicts) {
   const Vehicle vehicle = CoupledRov();

@@ -60,10 +60,10 @@ struct Drive {
   TurbulenceSpec turbulence = {};
 };
 
-// How one thruster or fin is driven.
+// How one thruster, fin or shaft is driven.
 struct ActuatorDrive {
   std::string name;   // as in the vehicle file
-  InputSignal input;  // a thrust [N], or an angle [rad]
+  InputSignal input;  // a thrust [N], an angle [rad], or turns [Hz]
 };
 
 // What is done with a vehicle and how it is measured; docs/file_formats.md. The vehicle starts with
@@ -75,9 +75,10 @@ struct Experiment {
   double duration = 0.0;            // [s], above 0
   double command_rate = 10.0;       // [Hz], of the command and the controllers, above 0
   double command_resolution = 0.0;  // forces are rounded to multiples of it; 0: not rounded
-  std::vector<Drive> drives;        // in the order of Dof; at least one of these and the next two
+  std::vector<Drive> drives;        // in the order of Dof; at least one of these and the next three
   std::vector<ActuatorDrive> thrusters = {};  // of a coupled vehicle, in place of drives
   std::vector<ActuatorDrive> fins = {};       // of a coupled vehicle, beside either
+  std::vector<ActuatorDrive> shafts = {};     // likewise
   std::optional<VelocitySensor> velocity;
   std::optional<PoseSensor> pose;
   std::vector<TimeInterval> held_out;  // log time [s]

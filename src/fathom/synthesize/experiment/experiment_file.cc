@@ -97,8 +97,8 @@ std::vector<Dof> ReadMeasuredDofs(const YamlMap& map) {
 // Those whose noise an experiment may name.
 std::vector<Dof> DofsWithNoise(const VelocitySensor& sensor, const Experiment& experiment) {
   if (!sensor.dofs.empty()) return sensor.dofs;
-  // Thrusters and fins may move any.
-  if (!experiment.thrusters.empty() || !experiment.fins.empty()) {
+  // Thrusters, fins and shafts may move any.
+  if (!experiment.thrusters.empty() || !experiment.fins.empty() || !experiment.shafts.empty()) {
     return {kAllDofs.begin(), kAllDofs.end()};
   }
   std::vector<Dof> dofs;
@@ -243,13 +243,15 @@ Experiment ParseExperiment(const std::string& name, const std::string& text) {
   }
   experiment.thrusters = ReadActuators(file, "thrusters", experiment.command_rate);
   experiment.fins = ReadActuators(file, "fins", experiment.command_rate);
+  experiment.shafts = ReadActuators(file, "shafts", experiment.command_rate);
   if (!experiment.thrusters.empty() && !experiment.drives.empty()) {
     file.Fail("thrusters",
               fmt::format("stands beside '{}', expected thrusters or forces: a command.csv holds "
                           "one of them.",
                           Name(experiment.drives.front().dof)));
   }
-  if (experiment.drives.empty() && experiment.thrusters.empty() && experiment.fins.empty()) {
+  if (experiment.drives.empty() && experiment.thrusters.empty() && experiment.fins.empty() &&
+      experiment.shafts.empty()) {
     file.Fail("drives no DOF, expected at least one of surge, sway, heave, roll, pitch, yaw.");
   }
   if (const auto map = file.OptionalMap("velocity")) {

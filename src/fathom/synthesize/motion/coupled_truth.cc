@@ -176,13 +176,16 @@ CoupledOutputs RunOf(const CoupledTruth& truth,
   return outputs;
 }
 
-// One row of forces and fins alone, which holds from its stamp on.
+// One row of forces, fins and shafts alone, which holds from its stamp on.
 CoupledInputs RowOf(const CoupledCommand& command, std::size_t row) {
   CoupledInputs inputs;
   inputs.command.time = {command.time[row]};
   inputs.command.force = {command.force[row]};
   for (const CommandedFin& fin : command.fins) {
     inputs.command.fins.push_back({fin.name, fin.arms, {fin.angle[row]}, fin.behind, fin.force});
+  }
+  for (const CommandedShaft& shaft : command.shafts) {
+    inputs.command.shafts.push_back({shaft.shaft, shaft.push, {shaft.turns[row]}});
   }
   return inputs;
 }
@@ -218,6 +221,7 @@ CoupledTruth DriveCoupled(const Vehicle& vehicle,
   RequireDrivesOfModel(vehicle, experiment);
   RequireActuators(vehicle, experiment, experiment.thrusters, vehicle.thrusters, "thruster");
   RequireActuators(vehicle, experiment, experiment.fins, vehicle.fins, "fin");
+  RequireActuators(vehicle, experiment, experiment.shafts, vehicle.shafts, "shaft");
   CoupledTruth truth;
   truth.vehicle = vehicle.name;
   truth.model = *vehicle.coupled;
@@ -250,6 +254,11 @@ CoupledTruth DriveCoupled(const Vehicle& vehicle,
          ValuesOf(experiment.fins, fin.name, "fin", 0.0, command.time, experiment.duration, seed),
          fin.behind,
          FinForceOf(fin)});
+  }
+  for (const Shaft& shaft : vehicle.shafts) {
+    command.shafts.push_back(CommandedShaftOf(shaft));
+    command.shafts.back().turns = ValuesOf(
+        experiment.shafts, shaft.name, "shaft", 0.0, command.time, experiment.duration, seed);
   }
   if (!experiment.drives.empty()) DriveForces(experiment, seed, &truth);
   return truth;

@@ -54,6 +54,10 @@ void AddCoupledCommand(const CoupledTruth& truth,
       AddColumn(*log->command, std::string(ForceColumn(drive.dof)), std::move(values));
     }
   }
+  if (!command.shafts.empty()) log->shafts = AtCommand(truth, experiment);
+  for (const CommandedShaft& shaft : command.shafts) {
+    AddColumn(*log->shafts, "shaft_" + shaft.shaft.name, shaft.turns);
+  }
   if (command.fins.empty()) return;
   log->fins = AtCommand(truth, experiment);
   for (const CommandedFin& fin : command.fins) {
