@@ -7,6 +7,8 @@
 #include "fathom/log/held_command.h"
 #include "fathom/vehicle/extended_model.h"
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,10 +23,23 @@ struct PlannedMotion {
   std::vector<double> displacement;  // from the start [m] or [rad]
 };
 
-// Its velocity's derivatives, a row for each stamp.
+// Its derivatives, a row for each stamp.
 struct MotionDerivatives {
+  // Of the velocity.
   Eigen::MatrixXd by_parameter;  // in the order of FittedModel::covariance
   Eigen::MatrixXd by_start;      // by what a fit leaves free of the start: speed, and excesses
+
+  // Of the displacement; a fit to poses leaves the position at the start free too, last column.
+  Eigen::MatrixXd displacement_by_parameter;
+  Eigen::MatrixXd displacement_by_start;
+};
+
+// Standard deviations of what is measured at each stamp, white.
+struct StampNoise {
+  double velocity = 1.0;  // [m/s] or [rad/s]
+  // [m] or [rad]; infinite: only velocities are measured.
+  double position = std::numeric_limits<double>::infinity();
+  bool MeasuresPosition() const { return std::isfinite(position); }
 };
 
 // Stamps from `period` on to `duration` [s].

@@ -37,8 +37,8 @@ constexpr HiddenCause kHiddenCauses[] = {{"time_offset", "offset", 0.4},
                                          {"thruster_lag", "time_constant", 0.4},
                                          {"thrust_dead_zone", "width", 4.0},
                                          {"coulomb_friction", "force", 2.5},
-                                         {"cubic_damping", "coefficient", 150.0},
-                                         {"steady_current", "speed", 0.05}};
+                                         {"cubic_damping", "coefficient", 300.0},
+                                         {"steady_current", "speed", 0.08}};
 
 struct Verdict {
   std::string name;
@@ -65,6 +65,14 @@ Verdict Diagnosed(const std::vector<std::string>& logs, const std::filesystem::p
     for (const auto& label : cause["alternatives"]) verdict.alternatives.push_back(label);
   }
   return verdict;
+}
+
+// Whether the plan says to log positions.
+bool AdvisesPositions(const nlohmann::json& plan) {
+  const auto& pairs = plan["separations"];
+  return std::any_of(pairs.begin(), pairs.end(), [](const nlohmann::json& pair) {
+    return pair["sigmas_with_positions"].is_number() && pair["sigmas_with_positions"] >= 5.0;
+  });
 }
 
 // The least separation of the true cause from any other, and from which.
@@ -137,11 +145,16 @@ void TryCause(const std::filesystem::path& folder,
     fmt::print("{} | {:34} | no plan | {} | {}\n", seed, effects, before.Line(), run.err);
     return;
   }
-  // Sensor and seed of the next log are those of the vehicle, not of the plan.
-  WriteFile(file("plan/next.yaml"),
-            fmt::format("name: next\nduration: 120\ncommand_rate: 10\nsurge:\n  control: "
-                        "open_loop\n  input: {{kind: file, file: command.csv}}\n{}",
-                        sensor));
+  // Sensor and seed of the next log are those of the vehicle, not of the plan. Positions are logged
+  // where it says so.
+  const bool has_positions = AdvisesPositions(JsonOf(file("plan/plan.json")));
+  WriteFile(
+      file("plan/next.yaml"),
+      fmt::format(
+          "name: next\nduration: 120\ncommand_rate: 10\nsurge:\n  control: "
+          "open_loop\n  input: {{kind: file, file: command.csv}}\n{}{}",
+          sensor,
+          has_positions ? "pose:\n  rate: 10\n  noise: {position: 0.02, angle: 0.01}\n" : ""));
   RunsWell("fathom_synthesize",
            {of_vehicle,
             "--experiment=" + file("plan/next.yaml"),
@@ -150,13 +163,14 @@ void TryCause(const std::filesystem::path& folder,
             "--out=" + file("next")});
   const Verdict after = Diagnosed({file("next")}, file("next.json"));
   const Verdict both = Diagnosed({file("first"), file("next")}, file("both.json"));
-  fmt::print("{} | {:34} | {:5} | {:5} | {} | {} | {} | both: {}\n",
+  fmt::print("{} | {:34} | {:5} | {:5} | {} | {} | {}{} | both: {}\n",
              seed,
              effects,
              after.IsRight(cause.effect) ? "right" : "NOT",
              both.IsRight(cause.effect) ? "right" : "NOT",
              before.Line(),
              ForecastOf(JsonOf(file("plan/plan.json")), cause.effect),
+             has_positions ? "with positions: " : "",
              after.Line(),
              both.Line());
   std::fflush(stdout);
