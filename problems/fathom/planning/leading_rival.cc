@@ -20,7 +20,7 @@ std::optional<PlanRequest> LedByRival(PlanRequest request,
   }
   request.model.model = leader->model.baseline;
   request.model.effects = leader->model.effects;
-  request.model.covariance = InverseOf(InformationOf(derivatives, log.noise.velocity));
+  request.model.covariance = InverseOf(InformationOf(derivatives, log.noise));
   if (!request.model.covariance.allFinite()) return std::nullopt;
   std::rotate(request.rivals.begin(), leader, leader + 1);
   return request;

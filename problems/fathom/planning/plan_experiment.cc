@@ -71,15 +71,18 @@ struct RunStamps {
 };
 
 // A velocity of the search stands for those measured in its period, and so does a position.
-RunStamps StampsOf(const VelocityMeasurement& measurement,
-                   const PositionMeasurement& position,
+RunStamps StampsOf(const PlanRequest& request,
+                   const VelocityMeasurement& measurement,
                    double duration) {
   RunStamps stamps;
   const double measured_period = 1.0 / measurement.rate;
-  stamps.period = std::max({measured_period, kLargestPeriod, duration / kMostStamps});
+  const double least = std::max(kLargestPeriod, duration / kMostStamps);
+  const int num_samples = std::max(1, static_cast<int>(std::round(least / measured_period)));
+  stamps.period = num_samples * measured_period;
   stamps.during = PlannedStamps(duration, stamps.period);
   stamps.and_after = PlannedStamps(duration + kCoastAfterwards, stamps.period);
-  stamps.noise.velocity = measurement.noise * std::sqrt(measured_period / stamps.period);
+  stamps.noise = MeansOf(measurement.noise, ColourOf(request), num_samples);
+  const PositionMeasurement& position = request.limits.position;
   const double position_rate = std::isnan(position.rate) ? measurement.rate : position.rate;
   stamps.noise.position = position.noise / std::sqrt(position_rate * stamps.period);
   return stamps;
@@ -122,7 +125,7 @@ ExperimentPlan PlanExperiment(const PlanRequest& asked) {
   plan.measurement = MeasurementOf(asked);
   const double hold = asked.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(asked.duration / hold));
-  const RunStamps stamps = StampsOf(plan.measurement, asked.limits.position, plan.duration);
+  const RunStamps stamps = StampsOf(asked, plan.measurement, plan.duration);
 
   const RunSetting log = {
       asked.model.dof, SineOfLog(asked, plan.duration), stamps.during, stamps.noise};

@@ -27,7 +27,7 @@ Eigen::MatrixXd InformationUnder(const PlanRequest& request,
   if (!motion) {
     return Eigen::MatrixXd::Zero(request.model.covariance.rows(), request.model.covariance.cols());
   }
-  return InformationOf(derivatives, noise.velocity);
+  return InformationOf(derivatives, noise);
 }
 
 std::vector<PlannedParameter> NamedParameters(const FittedModel& model) {

@@ -5,6 +5,7 @@
 
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/planning/plan_request.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <span>
 #include <vector>

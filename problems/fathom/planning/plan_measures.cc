@@ -32,7 +32,7 @@ CommandMeasure InformationMeasure(const PlanRequest& request, const StampNoise& 
     MotionDerivatives derivatives;
     auto motion = MotionUnder(model, dof, command, stamps, &derivatives);
     if (!motion) return measured;
-    const Eigen::MatrixXd sum = known + InformationOf(derivatives, noise.velocity);
+    const Eigen::MatrixXd sum = known + InformationOf(derivatives, noise);
     measured.value = LogDetOf(stds.asDiagonal() * sum * stds.asDiagonal());
     measured.motion = *std::move(motion);
     return measured;

@@ -193,14 +193,14 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
           kCoastAfterwards,
           100.0 * plan.share_breaking,
           plan.num_models),
-      fmt::format(
-          "The intervals hold for white noise of {:.2g} {} on {:.3g} velocities a second{}; "
-          "coloured noise widens them.",
-          plan.measurement.noise,
-          VelocityUnit(dof),
-          plan.measurement.rate,
-          std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
-                                                    : ", as the limits file says"),
+      fmt::format("The intervals hold for {} noise of {:.2g} {} on {:.3g} velocities a second{}{}.",
+                  ColourOf(request).empty() ? "white" : "coloured",
+                  plan.measurement.noise,
+                  VelocityUnit(dof),
+                  plan.measurement.rate,
+                  std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
+                                                            : ", as the limits file says",
+                  ColourOf(request).empty() ? "; coloured noise widens them" : ""),
       fmt::format("The ordinary sine: {:.3g} {} at {:g} rad/s, as much as the limits leave.",
                   plan.sine.amplitude,
                   ForceUnit(dof),

@@ -7,8 +7,6 @@
 #include "fathom/log/held_command.h"
 #include "fathom/vehicle/extended_model.h"
 
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,14 +30,6 @@ struct MotionDerivatives {
   // Of the displacement; a fit to poses leaves the position at the start free too, last column.
   Eigen::MatrixXd displacement_by_parameter;
   Eigen::MatrixXd displacement_by_start;
-};
-
-// Standard deviations of what is measured at each stamp, white.
-struct StampNoise {
-  double velocity = 1.0;  // [m/s] or [rad/s]
-  // [m] or [rad]; infinite: only velocities are measured.
-  double position = std::numeric_limits<double>::infinity();
-  bool MeasuresPosition() const { return std::isfinite(position); }
 };
 
 // Stamps from `period` on to `duration` [s].

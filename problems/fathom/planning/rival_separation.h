@@ -5,6 +5,7 @@
 
 #include "fathom/planning/planned_motion.h"
 #include "fathom/planning/rival_model.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <span>
 #include <vector>
