@@ -104,6 +104,11 @@ Identification Identify(const Signals& signals,
       TakeOver(summary, &result);
       result.weighting = Name(summary.weighting);
       result.weighting_reason = summary.weighting_reason;
+      // That of learned weights is of whitened residuals, that of poses of displacements.
+      if (summary.IsUsable() && summary.weighting == Weighting::kPlain &&
+          output_error.output == FittedOutput::kVelocity) {
+        result.fitted.residual_autoregression = summary.evidence.noise.coefficients;
+      }
       result.offsets = summary.offsets;
       if (summary.delay_is_open) {
         result.std_with_delay = summary.evidence.covariance_with_time_offset.diagonal().cwiseSqrt();

@@ -31,12 +31,24 @@ struct PlannedSeparation {
   std::string truth, assumed;
   double sigmas = 0.0;  // under the plan
   double sine = 0.0;    // under the ordinary sine
+
+  // Under the plan where positions are measured along, AdvisedPositionNoise() at each velocity.
+  // NaN: not asked, since they are measured anyhow or the pair is told apart.
+  double with_positions = std::numeric_limits<double>::quiet_NaN();
+
+  bool IsDecided() const { return sigmas >= kDecided; }
+  bool PositionsDecide() const { return with_positions >= kDecided; }
+
+  static constexpr double kDecided = 4.95;  // 5.0 as printed
 };
 
 // A quantity over the run with the range that holds 95 % of the models.
 struct PlannedBand {
   std::vector<double> value, low, high;
 };
+
+// What a camera and markers reach without pains, or a tape measure beside a film: 2 cm, 10 mrad.
+inline double AdvisedPositionNoise(Dof dof) { return IsAngular(dof) ? 0.01 : 0.02; }
 
 // The next experiment: docs/plan.md.
 struct ExperimentPlan {

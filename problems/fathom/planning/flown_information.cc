@@ -71,7 +71,7 @@ std::optional<MotionDerivatives> DerivativesOver(const Segment& segment,
 
 Eigen::MatrixXd FlownInformation(const FittedModel& model,
                                  const std::vector<Segment>& flown,
-                                 double noise,
+                                 const StampNoise& noise,
                                  const std::string& name) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(model.covariance.rows(), model.covariance.cols());
   for (const Segment& segment : flown) {
@@ -88,7 +88,10 @@ Eigen::MatrixXd FlownInformation(const FittedModel& model,
 }
 
 Eigen::MatrixXd FlownInformation(const PlanRequest& request) {
-  return FlownInformation(request.model, request.flown, MeasurementOf(request).noise, request.name);
+  return FlownInformation(request.model,
+                          request.flown,
+                          MeansOf(MeasurementOf(request).noise, ColourOf(request), 1),
+                          request.name);
 }
 
 }  // namespace fathom

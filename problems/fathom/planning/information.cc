@@ -7,6 +7,8 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -29,6 +31,34 @@ Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, double noise
   Eigen::MatrixXd information = of_parameters.transpose() * of_parameters;
   information -= mixed.transpose() * start.llt().solve(mixed);
   return information / (noise * noise);
+}
+
+Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, const StampNoise& noise) {
+  if (noise.colour.order() == 0) return InformationOf(derivatives, noise.velocity);
+  // What the start cannot imitate, in columns of unit length.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> start(derivatives.by_start);
+  Eigen::MatrixXd columns = start.householderQ().adjoint() * derivatives.by_parameter;
+  columns.topRows(start.rank()).setZero();
+  columns = start.householderQ() * columns;
+  const Eigen::VectorXd lengths = columns.colwise().norm();
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    if (lengths[i] > 0.0) columns.col(i) /= lengths[i];
+  }
+  ColouredGram coloured(noise.colour, columns.cols());
+  coloured.Add(columns);
+  const Eigen::MatrixXd spread = coloured.EndPiece();  // of the columns times the noise
+  // In the directions that leave a trace: A B^-1 A.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(columns.transpose() * columns);
+  const Eigen::Index num_open =
+      (normal.eigenvalues().array() < kSmallestPivot * normal.eigenvalues().maxCoeff()).count();
+  const Eigen::Index num_told = columns.cols() - num_open;
+  const Eigen::MatrixXd told = normal.eigenvectors().rightCols(num_told);
+  const Eigen::VectorXd traces = normal.eigenvalues().tail(num_told);
+  const Eigen::MatrixXd inner =
+      (told.transpose() * spread * told).llt().solve(Eigen::MatrixXd::Identity(num_told, num_told));
+  const Eigen::MatrixXd scaled = told * traces.asDiagonal() * inner * traces.asDiagonal() *
+                                 told.transpose() / (noise.velocity * noise.velocity);
+  return lengths.asDiagonal() * scaled * lengths.asDiagonal();
 }
 
 double LogDetOf(const Eigen::MatrixXd& matrix) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/planning/planned_motion.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <Eigen/Core>
 
@@ -12,6 +13,11 @@ namespace fathom {
 // The Fisher information that a run gives about the parameters, docs/plan.md (1): what the start
 // could imitate counts for nothing. `noise`: standard deviation of one velocity of the run.
 Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, double noise);
+
+// The inverse of the covariance that plain squares have under coloured noise, docs/plan.md (8):
+// fits do not know the colour. Under white noise the same as above. Directions that leave no trace
+// have none.
+Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, const StampNoise& noise);
 
 // ln det of a positive definite matrix; minus infinity of any other.
 double LogDetOf(const Eigen::MatrixXd& matrix);

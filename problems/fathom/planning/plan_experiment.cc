@@ -38,7 +38,10 @@ constexpr double kWorkWithRivals = 6e6;  // over the runs that a measure takes
 constexpr double kMostMoves = 8000.0;    // a short command needs no more
 
 // The search for the best command, but for the models that must keep the limits.
-CommandTask TaskOf(const PlanRequest& request, double duration, double period, double noise) {
+CommandTask TaskOf(const PlanRequest& request,
+                   double duration,
+                   double period,
+                   const StampNoise& noise) {
   CommandTask task;
   task.dof = request.model.dof;
   task.limits = request.limits;
@@ -64,17 +67,24 @@ CommandTask TaskOf(const PlanRequest& request, double duration, double period, d
 struct RunStamps {
   double period = 0.0;
   std::vector<double> during, and_after;
-  double noise = 0.0;
+  StampNoise noise;
 };
 
-// A velocity of the search stands for those measured in its period.
-RunStamps StampsOf(const VelocityMeasurement& measurement, double duration) {
+// A velocity of the search stands for those measured in its period, and so does a position.
+RunStamps StampsOf(const PlanRequest& request,
+                   const VelocityMeasurement& measurement,
+                   double duration) {
   RunStamps stamps;
   const double measured_period = 1.0 / measurement.rate;
-  stamps.period = std::max({measured_period, kLargestPeriod, duration / kMostStamps});
+  const double least = std::max(kLargestPeriod, duration / kMostStamps);
+  const int num_samples = std::max(1, static_cast<int>(std::round(least / measured_period)));
+  stamps.period = num_samples * measured_period;
   stamps.during = PlannedStamps(duration, stamps.period);
   stamps.and_after = PlannedStamps(duration + kCoastAfterwards, stamps.period);
-  stamps.noise = measurement.noise * std::sqrt(measured_period / stamps.period);
+  stamps.noise = MeansOf(measurement.noise, ColourOf(request), num_samples);
+  const PositionMeasurement& position = request.limits.position;
+  const double position_rate = std::isnan(position.rate) ? measurement.rate : position.rate;
+  stamps.noise.position = position.noise / std::sqrt(position_rate * stamps.period);
   return stamps;
 }
 
@@ -115,7 +125,7 @@ ExperimentPlan PlanExperiment(const PlanRequest& asked) {
   plan.measurement = MeasurementOf(asked);
   const double hold = asked.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(asked.duration / hold));
-  const RunStamps stamps = StampsOf(plan.measurement, plan.duration);
+  const RunStamps stamps = StampsOf(asked, plan.measurement, plan.duration);
 
   const RunSetting log = {
       asked.model.dof, SineOfLog(asked, plan.duration), stamps.during, stamps.noise};

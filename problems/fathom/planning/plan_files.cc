@@ -22,7 +22,8 @@ Json LimitsJson(const PlanLimits& limits) {
           {"speed", limits.speed},
           {"distance", RangeJson(limits.distance)},
           {"thruster_force", limits.thruster_force},
-          {"shortest_hold", limits.shortest_hold}};
+          {"shortest_hold", limits.shortest_hold},
+          {"position_noise", limits.position.noise}};
 }
 
 Json BlocksJson(const ExperimentPlan& plan, double hold) {
@@ -68,7 +69,8 @@ Json SeparationsJson(const ExperimentPlan& plan) {
     list.push_back({{"truth", separation.truth},
                     {"assumed", separation.assumed},
                     {"sigmas", separation.sigmas},
-                    {"sigmas_of_sine", separation.sine}});
+                    {"sigmas_of_sine", separation.sine},
+                    {"sigmas_with_positions", separation.with_positions}});
   }
   return list;
 }

@@ -20,7 +20,7 @@ namespace {
 Eigen::MatrixXd InformationUnder(const PlanRequest& request,
                                  const HeldCommand& command,
                                  std::span<const double> stamps,
-                                 double noise) {
+                                 const StampNoise& noise) {
   MotionDerivatives derivatives;
   const auto motion =
       MotionUnder(request.model.Extended(), request.model.dof, command, stamps, &derivatives);
@@ -76,7 +76,7 @@ ValueRange RangeOf(const std::vector<std::vector<double>>& runs) {
 
 void ForecastParameters(const PlanRequest& request,
                         std::span<const double> stamps,
-                        double noise,
+                        const StampNoise& noise,
                         ExperimentPlan* plan) {
   const Eigen::MatrixXd information = InformationUnder(request, plan->command, stamps, noise);
   const Eigen::MatrixXd flown = FlownInformation(request);
@@ -102,22 +102,29 @@ void ForecastParameters(const PlanRequest& request,
 void ForecastSeparations(const PlanRequest& request,
                          const std::vector<RivalModel>& rivals,
                          std::span<const double> stamps,
-                         double noise,
+                         const StampNoise& noise,
                          ExperimentPlan* plan) {
   const Dof dof = request.model.dof;
-  const auto separation =
-      [&](const RivalModel& truth, const RivalModel& assumed, const HeldCommand& command) {
-        const auto motion = MotionUnder(truth.model, dof, command, stamps);
-        if (!motion) return 0.0;
-        return RefitTo(*motion, assumed.model, {dof, command, stamps, noise}).sigmas;
-      };
+  const auto separation = [&](const RivalModel& truth,
+                              const RivalModel& assumed,
+                              const HeldCommand& command,
+                              const StampNoise& of_stamps) {
+    const auto motion = MotionUnder(truth.model, dof, command, stamps);
+    if (!motion) return 0.0;
+    return RefitTo(*motion, assumed.model, {dof, command, stamps, of_stamps}).sigmas;
+  };
+  StampNoise with_positions = noise;
+  with_positions.position = AdvisedPositionNoise(dof);
   for (std::size_t i = 0; i < rivals.size(); ++i) {
     for (std::size_t k = 0; k < rivals.size(); ++k) {
       if (k == i) continue;
       plan->separations.push_back({rivals[i].label,
                                    rivals[k].label,
-                                   separation(rivals[i], rivals[k], plan->command),
-                                   separation(rivals[i], rivals[k], plan->sine.command)});
+                                   separation(rivals[i], rivals[k], plan->command, noise),
+                                   separation(rivals[i], rivals[k], plan->sine.command, noise)});
+      PlannedSeparation& pair = plan->separations.back();
+      if (noise.MeasuresPosition() || pair.IsDecided()) continue;
+      pair.with_positions = separation(rivals[i], rivals[k], plan->command, with_positions);
     }
   }
   for (const RivalModel& rival : rivals) {

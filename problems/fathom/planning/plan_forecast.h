@@ -5,25 +5,26 @@
 
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/planning/plan_request.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <span>
 #include <vector>
 
 namespace fathom {
 
-// What is to come of plan->command, each into the plan. `noise`: of one velocity at the stamps.
+// What is to come of plan->command, each into the plan. `noise`: at the stamps.
 
 // The intervals of the parameters.
 void ForecastParameters(const PlanRequest& request,
                         std::span<const double> stamps,
-                        double noise,
+                        const StampNoise& noise,
                         ExperimentPlan* plan);
 
 // How far rivals lie apart, and which of them pass a limit.
 void ForecastSeparations(const PlanRequest& request,
                          const std::vector<RivalModel>& rivals,
                          std::span<const double> stamps,
-                         double noise,
+                         const StampNoise& noise,
                          ExperimentPlan* plan);
 
 // The motion with its bands and ranges over `models`, and how many of these break the limits.

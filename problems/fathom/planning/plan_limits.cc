@@ -52,6 +52,10 @@ PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
     if (velocity->Has("rate")) limits.velocity.rate = NumberWithin(*velocity, "rate", 0.1, 10000.0);
     if (velocity->Has("noise")) limits.velocity.noise = Positive(*velocity, "noise");
   }
+  if (const auto position = file.OptionalMap("position")) {
+    if (position->Has("rate")) limits.position.rate = NumberWithin(*position, "rate", 0.1, 10000.0);
+    limits.position.noise = Positive(*position, "noise");
+  }
   file.Finish();
   return limits;
 }

@@ -19,6 +19,12 @@ struct VelocityMeasurement {
                                                             // [m/s] or [rad/s]
 };
 
+// How the position will be measured, as by a camera and markers. An infinite noise: not at all.
+struct PositionMeasurement {
+  double rate = std::numeric_limits<double>::quiet_NaN();  // [Hz]; NaN: as the velocity
+  double noise = std::numeric_limits<double>::infinity();  // standard deviation, white [m] or [rad]
+};
+
 // What an experiment along one DOF may do; docs/file_formats.md, "Limits".
 struct PlanLimits {
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -30,6 +36,7 @@ struct PlanLimits {
   double shortest_hold = 1.0;                   // of one force: the period of the command [s]
   std::optional<double> duration = {};          // [s]
   VelocityMeasurement velocity = {};
+  PositionMeasurement position = {};
 };
 
 // What a log reached: its greatest force and speed, either way. The distance is not limited.

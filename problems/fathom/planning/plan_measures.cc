@@ -22,7 +22,7 @@ constexpr double kWeightSoFar = 0.03;
 }  // namespace
 
 // Of the parameters in their standard deviations so far, so that units do not count.
-CommandMeasure InformationMeasure(const PlanRequest& request, double noise) {
+CommandMeasure InformationMeasure(const PlanRequest& request, const StampNoise& noise) {
   const Eigen::VectorXd stds = request.model.covariance.diagonal().cwiseSqrt();
   const Eigen::MatrixXd known =
       kWeightSoFar * InverseOf(request.model.covariance) + FlownInformation(request);
@@ -44,7 +44,7 @@ CommandMeasure InformationMeasure(const PlanRequest& request, double noise) {
 // parameters.
 CommandMeasure SeparationMeasure(const PlanRequest& request,
                                  std::vector<RivalModel> rivals,
-                                 double noise) {
+                                 const StampNoise& noise) {
   return [=,
           dof = request.model.dof,
           rivals = std::move(rivals),

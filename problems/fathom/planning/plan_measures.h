@@ -5,17 +5,18 @@
 
 #include "fathom/planning/plan_request.h"
 #include "fathom/planning/plan_search.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <vector>
 
 namespace fathom {
 
-// What a command tells of the parameters, docs/plan.md (2). `noise`: of one velocity of the run.
-CommandMeasure InformationMeasure(const PlanRequest& request, double noise);
+// What a command tells of the parameters, docs/plan.md (2). `noise`: at the stamps of the run.
+CommandMeasure InformationMeasure(const PlanRequest& request, const StampNoise& noise);
 
 // How well a command tells rivals apart, docs/plan.md (4).
 CommandMeasure SeparationMeasure(const PlanRequest& request,
                                  std::vector<RivalModel> rivals,
-                                 double noise);
+                                 const StampNoise& noise);
 
 }  // namespace fathom

@@ -87,4 +87,9 @@ VelocityMeasurement MeasurementOf(const PlanRequest& request) {
   return measurement;
 }
 
+std::vector<double> ColourOf(const PlanRequest& request) {
+  if (!std::isnan(request.limits.velocity.noise) || !request.rivals.empty()) return {};
+  return request.model.residual_autoregression.value_or(std::vector<double>());
+}
+
 }  // namespace fathom

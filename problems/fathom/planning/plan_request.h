@@ -50,4 +50,9 @@ void FitForceToThrusters(const std::string& limits_name, PlanRequest* request);
 // InputError where neither does.
 VelocityMeasurement MeasurementOf(const PlanRequest& request);
 
+// The colour of the velocity's noise over samples, as the fit of the model found it; none where the
+// limits say how large the noise is, or where causes are open: what a wrong cause misses is
+// coloured.
+std::vector<double> ColourOf(const PlanRequest& request);
+
 }  // namespace fathom

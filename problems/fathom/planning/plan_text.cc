@@ -31,8 +31,6 @@ std::string HalfShare(double std, double value) {
   return fmt::format("± {} %", RoundedAt(percent, std::max(0, DecimalsFor(percent))));
 }
 
-constexpr double kDecided = 5.0;  // standard deviations between two causes
-
 // The parameter that will be known least, in shares of itself; offsets of the force, which have no
 // size of their own, do not count. Null if there is none.
 const PlannedParameter* WeakestOf(const ExperimentPlan& plan) {
@@ -49,30 +47,48 @@ const PlannedParameter* WeakestOf(const ExperimentPlan& plan) {
 
 std::string Sigmas(double value) { return fmt::format("{:.1f}", value); }
 
-// Which causes will be told apart, and which not.
-std::string SeparationSentence(const ExperimentPlan& plan) {
+// Which causes velocities cannot tell apart, and whether positions would.
+std::string OpenSentence(const PlanRequest& request, const ExperimentPlan& plan) {
   std::vector<std::string> open;
+  bool positions_decide = true, positions_help = false;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlannedSeparation& pair : plan.separations) {
+    if (pair.IsDecided()) continue;
+    open.push_back(
+        fmt::format("{} from {} ({} sigma)", pair.assumed, pair.truth, Sigmas(pair.sigmas)));
+    positions_decide = positions_decide && pair.PositionsDecide();
+    if (!pair.PositionsDecide()) continue;
+    positions_help = true;
+    least = std::min(least, pair.with_positions);
+  }
+  if (open.empty()) return "";
+  std::string text = fmt::format(
+      " It cannot tell {}: no run of this kind within these limits was found that does.",
+      fmt::join(open, ", nor "));
+  if (!positions_help) return text;
+  const Dof dof = request.model.dof;
+  return text + fmt::format(
+                    " Log the position too, as by a camera and markers: known to {:g} {} at each "
+                    "velocity, it tells {} of them apart at {} sigma or more.",
+                    AdvisedPositionNoise(dof),
+                    DisplacementUnit(dof),
+                    positions_decide ? "all" : "some",
+                    Sigmas(least));
+}
+
+std::string SeparationSentence(const PlanRequest& request, const ExperimentPlan& plan) {
+  const std::string text = OpenSentence(request, plan);
   double least = std::numeric_limits<double>::infinity(), of_sine = least;
   for (const PlannedSeparation& pair : plan.separations) {
-    if (std::round(10.0 * pair.sigmas) < 10.0 * kDecided) {
-      open.push_back(
-          fmt::format("{} from {} ({} sigma)", pair.assumed, pair.truth, Sigmas(pair.sigmas)));
-      continue;
-    }
+    if (!pair.IsDecided()) continue;
     least = std::min(least, pair.sigmas);
     of_sine = std::min(of_sine, pair.sine);
   }
-  std::string text;
-  if (!open.empty()) {
-    text += fmt::format(
-        " It cannot tell {}: no run of this kind within these limits was found that does.",
-        fmt::join(open, ", nor "));
-  }
-  if (open.size() == plan.separations.size()) return text;
+  if (std::isinf(least)) return text;
   return text + fmt::format(
                     " {} causes are told apart at {} sigma or more; an ordinary sine gives "
                     "{} or more.",
-                    open.empty() ? "All" : "All other",
+                    text.empty() ? "All" : "All other",
                     Sigmas(least),
                     Sigmas(of_sine));
 }
@@ -143,7 +159,7 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
   if (!plan.IsUsable()) return plan.message;
   const std::string text =
       fmt::format("Command {} for {:g} s as planned.", Name(request.model.dof), plan.duration);
-  if (!plan.separations.empty()) return text + SeparationSentence(plan);
+  if (!plan.separations.empty()) return text + SeparationSentence(request, plan);
   const PlannedParameter* weakest = WeakestOf(plan);
   if (weakest == nullptr) return text;
   if (weakest->after > weakest->before) {
@@ -177,18 +193,25 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
           kCoastAfterwards,
           100.0 * plan.share_breaking,
           plan.num_models),
-      fmt::format(
-          "The intervals hold for white noise of {:.2g} {} on {:.3g} velocities a second{}; "
-          "coloured noise widens them.",
-          plan.measurement.noise,
-          VelocityUnit(dof),
-          plan.measurement.rate,
-          std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
-                                                    : ", as the limits file says"),
+      fmt::format("The intervals hold for {} noise of {:.2g} {} on {:.3g} velocities a second{}{}.",
+                  ColourOf(request).empty() ? "white" : "coloured",
+                  plan.measurement.noise,
+                  VelocityUnit(dof),
+                  plan.measurement.rate,
+                  std::isnan(request.limits.velocity.noise) ? ", as large as the log shows"
+                                                            : ", as the limits file says",
+                  ColourOf(request).empty() ? "; coloured noise widens them" : ""),
       fmt::format("The ordinary sine: {:.3g} {} at {:g} rad/s, as much as the limits leave.",
                   plan.sine.amplitude,
                   ForceUnit(dof),
                   kSineFrequency)};
+  if (std::isfinite(request.limits.position.noise) && !plan.separations.empty()) {
+    comments.push_back(
+        fmt::format("Positions known to {:g} {} count where causes are told apart, not in the "
+                    "intervals.",
+                    request.limits.position.noise,
+                    DisplacementUnit(dof)));
+  }
   if (request.limits_are_of_log) {
     comments.push_back(fmt::format(
         "No limits file was given: force and speed are at most those of the log, {:.3g} {} and "

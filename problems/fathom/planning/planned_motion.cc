@@ -12,6 +12,13 @@
 namespace fathom {
 namespace {
 
+// With a column of the position at the start behind it.
+Eigen::MatrixXd WithPosition(const Eigen::MatrixXd& by_start) {
+  Eigen::MatrixXd columns(by_start.rows(), by_start.cols() + 1);
+  columns << by_start, Eigen::VectorXd::Ones(by_start.rows());
+  return columns;
+}
+
 // Without effects: columns are the parameters, then the initial velocity.
 std::optional<PlannedMotion> BaselineMotion(const UncoupledModel<double>& model,
                                             const HeldCommand& command,
@@ -28,13 +35,20 @@ std::optional<PlannedMotion> BaselineMotion(const UncoupledModel<double>& model,
     is_finite = simulation.Run(model, {}, motion.velocity, motion.displacement);
   } else {
     std::vector<double> columns(num_outputs * Simulation::kNumSensitivities);
+    std::vector<double> of_displacement(columns.size());
     is_finite = simulation.RunWithSensitivities(
-        model, {}, motion.velocity, motion.displacement, columns, {});
-    const Eigen::Map<const SensitivityMatrix> all(
-        columns.data(), static_cast<Eigen::Index>(num_outputs), Simulation::kNumSensitivities);
-    const auto behind_start = all.bottomRows(all.rows() - 1);
-    derivatives->by_parameter = behind_start.leftCols(kNumParameters);
-    derivatives->by_start = behind_start.rightCols(1);
+        model, {}, motion.velocity, motion.displacement, columns, of_displacement);
+    const auto behind_start = [&](const std::vector<double>& values) {
+      const Eigen::Map<const SensitivityMatrix> all(
+          values.data(), static_cast<Eigen::Index>(num_outputs), Simulation::kNumSensitivities);
+      return Eigen::MatrixXd(all.bottomRows(all.rows() - 1));
+    };
+    const Eigen::MatrixXd velocity = behind_start(columns);
+    const Eigen::MatrixXd displacement = behind_start(of_displacement);
+    derivatives->by_parameter = velocity.leftCols(kNumParameters);
+    derivatives->by_start = velocity.rightCols(1);
+    derivatives->displacement_by_parameter = displacement.leftCols(kNumParameters);
+    derivatives->displacement_by_start = WithPosition(displacement.rightCols(1));
   }
   if (!is_finite) return std::nullopt;
   motion.velocity.erase(motion.velocity.begin());
@@ -59,16 +73,24 @@ std::optional<PlannedMotion> MotionWithEffects(const ExtendedModel& model,
                              : simulation.RunWithSensitivities(model, {}, &outputs);
   if (!is_finite) return std::nullopt;
   if (derivatives != nullptr) {
-    const SensitivityMatrix& all = outputs.velocity_sensitivity;
     const auto num_excesses = static_cast<Eigen::Index>(EffectSimulation::ExcessesOf(model).size());
-    const Eigen::Index num_effect_columns =
-        all.cols() - EffectSimulation::kFirstEffectColumn - num_excesses;
-    derivatives->by_parameter.resize(all.rows(), kNumParameters + num_effect_columns);
-    derivatives->by_parameter << all.leftCols(kNumParameters),
-        all.middleCols(EffectSimulation::kFirstEffectColumn, num_effect_columns);
-    derivatives->by_start.resize(all.rows(), 1 + num_excesses);
-    derivatives->by_start << all.col(EffectSimulation::kInitialVelocityColumn),
-        all.rightCols(num_excesses);
+    const auto by_parameter = [&](const SensitivityMatrix& all) {
+      const Eigen::Index num_effect_columns =
+          all.cols() - EffectSimulation::kFirstEffectColumn - num_excesses;
+      Eigen::MatrixXd columns(all.rows(), kNumParameters + num_effect_columns);
+      columns << all.leftCols(kNumParameters),
+          all.middleCols(EffectSimulation::kFirstEffectColumn, num_effect_columns);
+      return columns;
+    };
+    const auto by_start = [&](const SensitivityMatrix& all) {
+      Eigen::MatrixXd columns(all.rows(), 1 + num_excesses);
+      columns << all.col(EffectSimulation::kInitialVelocityColumn), all.rightCols(num_excesses);
+      return columns;
+    };
+    derivatives->by_parameter = by_parameter(outputs.velocity_sensitivity);
+    derivatives->by_start = by_start(outputs.velocity_sensitivity);
+    derivatives->displacement_by_parameter = by_parameter(outputs.displacement_sensitivity);
+    derivatives->displacement_by_start = WithPosition(by_start(outputs.displacement_sensitivity));
   }
   return PlannedMotion{std::move(outputs.velocity), std::move(outputs.displacement)};
 }

@@ -21,10 +21,15 @@ struct PlannedMotion {
   std::vector<double> displacement;  // from the start [m] or [rad]
 };
 
-// Its velocity's derivatives, a row for each stamp.
+// Its derivatives, a row for each stamp.
 struct MotionDerivatives {
+  // Of the velocity.
   Eigen::MatrixXd by_parameter;  // in the order of FittedModel::covariance
   Eigen::MatrixXd by_start;      // by what a fit leaves free of the start: speed, and excesses
+
+  // Of the displacement; a fit to poses leaves the position at the start free too, last column.
+  Eigen::MatrixXd displacement_by_parameter;
+  Eigen::MatrixXd displacement_by_start;
 };
 
 // Stamps from `period` on to `duration` [s].

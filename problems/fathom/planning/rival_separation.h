@@ -5,6 +5,7 @@
 
 #include "fathom/planning/planned_motion.h"
 #include "fathom/planning/rival_model.h"
+#include "fathom/planning/stamp_noise.h"
 
 #include <span>
 #include <vector>
@@ -16,10 +17,10 @@ struct RunSetting {
   Dof dof = Dof::kSurge;
   HeldCommand command;
   std::span<const double> stamps;
-  double noise = 1.0;  // of one velocity [m/s] or [rad/s]
+  StampNoise noise;
 };
 
-// A model as near to another one's motion as Gauss-Newton on its derivatives brings it.
+// A model as near to another one's motion as damped Gauss-Newton steps bring it.
 struct RefittedModel {
   ExtendedModel model;
   double sigmas = 0.0;  // the root of the noncentrality that is left, docs/plan.md (3)
@@ -32,8 +33,8 @@ RefittedModel RefitTo(const PlannedMotion& motion,
 // refitted to the first one's motion under `setting`, which stands for that log.
 std::vector<RivalModel> AgreeingRivals(std::vector<RivalModel> rivals, const RunSetting& setting);
 
-// The separation of each ordered pair of rivals, truth before assumed, by one Gauss-Newton step:
-// for a search. Empty if a run diverges.
+// The separation of each ordered pair of rivals, truth before assumed, as the linear forecast of
+// one damped step has it: for a search. Empty if a run diverges.
 std::vector<double> QuickSeparations(std::span<const RivalModel> rivals, const RunSetting& setting);
 
 }  // namespace fathom

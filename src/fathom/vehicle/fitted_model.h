@@ -55,6 +55,9 @@ struct FittedModel {
 
   FitFigures train;
   FitFigures held_out;
+  // Colour of the velocities that the fit's free runs miss: phi_1 ... of docs/output_error.md (5),
+  // over samples of the rate of `train`. No numbers: white. Nothing: not known.
+  std::optional<std::vector<double>> residual_autoregression;
   std::optional<DataRange> range;  // of the training data; files of before have none
   // How much of the commanded force each thruster had to give, by name: ThrusterSharesOf(). Empty:
   // not known.

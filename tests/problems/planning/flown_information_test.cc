@@ -78,7 +78,7 @@ Eigen::Matrix4d ClosedForm() {
 
 TEST(FlownInformation, IsTheClosedFormOfALinearModel) {
   const Eigen::MatrixXd flown =
-      FlownInformation(LinearModel(), {StepLog()}, kNoiseOfLog, "model.json");
+      FlownInformation(LinearModel(), {StepLog()}, {kNoiseOfLog}, "model.json");
   const Eigen::Matrix4d expected = ClosedForm();
   ASSERT_EQ(flown.rows(), 4);
   for (int i = 0; i < 4; ++i) {
@@ -93,10 +93,10 @@ TEST(FlownInformation, IsTheClosedFormOfALinearModel) {
 // Twice the log tells twice as much, and none tells nothing.
 TEST(FlownInformation, AddsUpOverLogs) {
   const FittedModel model = LinearModel();
-  const Eigen::MatrixXd one = FlownInformation(model, {StepLog()}, kNoiseOfLog, "");
-  const Eigen::MatrixXd two = FlownInformation(model, {StepLog(), StepLog()}, kNoiseOfLog, "");
+  const Eigen::MatrixXd one = FlownInformation(model, {StepLog()}, {kNoiseOfLog}, "");
+  const Eigen::MatrixXd two = FlownInformation(model, {StepLog(), StepLog()}, {kNoiseOfLog}, "");
   EXPECT_LT((two - 2.0 * one).norm(), 1e-9 * one.norm());
-  EXPECT_EQ(FlownInformation(model, {}, kNoiseOfLog, "").norm(), 0.0);
+  EXPECT_EQ(FlownInformation(model, {}, {kNoiseOfLog}, "").norm(), 0.0);
 }
 
 // The model's covariance and the logs, each once.

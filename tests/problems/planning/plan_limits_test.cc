@@ -21,7 +21,8 @@ TEST(PlanLimits, ReadsEveryKey) {
   const PlanLimits limits = ParsePlanLimits("tank.yaml",
                                             "force: 60\nspeed: 0.6\n"
                                             "distance: {back: 3, ahead: 5}\nshortest_hold: 0.5\n"
-                                            "minutes: 2\nvelocity: {rate: 7, noise: 0.02}\n");
+                                            "minutes: 2\nvelocity: {rate: 7, noise: 0.02}\n"
+                                            "position: {rate: 3, noise: 0.04}\n");
   EXPECT_EQ(limits.force, 60.0);
   EXPECT_EQ(limits.speed, 0.6);
   EXPECT_EQ(limits.distance.low, -3.0);
@@ -30,6 +31,8 @@ TEST(PlanLimits, ReadsEveryKey) {
   EXPECT_EQ(limits.duration, 120.0);
   EXPECT_EQ(limits.velocity.rate, 7.0);
   EXPECT_EQ(limits.velocity.noise, 0.02);
+  EXPECT_EQ(limits.position.rate, 3.0);
+  EXPECT_EQ(limits.position.noise, 0.04);
 }
 
 TEST(PlanLimits, AreOpenWhereNothingIsSaid) {
@@ -39,6 +42,7 @@ TEST(PlanLimits, AreOpenWhereNothingIsSaid) {
   EXPECT_EQ(limits.distance.high, PlanLimits::kNoLimit);
   EXPECT_FALSE(limits.duration);
   EXPECT_TRUE(std::isnan(limits.velocity.rate));
+  EXPECT_TRUE(std::isinf(limits.position.noise));
 }
 
 TEST(PlanLimits, NameFileLineAndKeyOfWhatCannotBe) {

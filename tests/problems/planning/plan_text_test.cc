@@ -3,6 +3,9 @@
 
 #include "fathom/planning/plan_text.h"
 
+#include <cmath>
+#include <string>
+
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -35,6 +38,27 @@ TEST(PlanSentence, SaysWhatARunTellsMore) {
 TEST(PlanSentence, PromisesNothingOfARunThatTellsLessThanIsKnown) {
   EXPECT_THAT(SentenceOf(2.0, 8.0), HasSubstr("less than what is known already"));
   EXPECT_THAT(SentenceOf(2.0, 8.0), Not(HasSubstr("instead of")));
+}
+
+std::string SentenceOfPair(double sigmas, double with_positions) {
+  ExperimentPlan plan;
+  plan.message.clear();
+  plan.duration = 60.0;
+  plan.separations = {{.truth = "thruster_lag",
+                       .assumed = "sensor_lag",
+                       .sigmas = sigmas,
+                       .sine = 0.5,
+                       .with_positions = with_positions}};
+  return PlanSentence(PlanRequest(), plan);
+}
+
+TEST(PlanSentence, AdvisesPositionsWhereTheyDecideAndVelocitiesDoNot) {
+  EXPECT_THAT(SentenceOfPair(0.3, 42.0), HasSubstr("Log the position too"));
+  EXPECT_THAT(SentenceOfPair(0.3, 42.0),
+              HasSubstr("known to 0.02 m at each velocity, it tells all "
+                        "of them apart at 42.0 sigma"));
+  EXPECT_THAT(SentenceOfPair(0.3, 2.0), Not(HasSubstr("Log the position")));
+  EXPECT_THAT(SentenceOfPair(6.0, std::nan("")), HasSubstr("All causes are told apart at 6.0"));
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ FittedModel FitTankLog(const Segment& log) {
   fitted.model = summary.model;
   if (!summary.IsUsable()) fitted.model.inertia = std::nan("");
   fitted.covariance = summary.covariance;
+  fitted.residual_autoregression = summary.evidence.noise.coefficients;
   fitted.train.num_samples = static_cast<int>(log.time.size());
   fitted.train.duration = log.time.back() - log.time.front();
   // The mean size of a normal number of this deviation.

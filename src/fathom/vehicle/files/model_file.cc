@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 // With the range of the data that were fitted, where it is known.
 Json FormatFit(const FittedModel& fitted) {
   Json fit = JsonOfFigures<Json>(fitted.train);
+  if (fitted.residual_autoregression) {
+    fit["residual_autoregression"] = *fitted.residual_autoregression;
+  }
   if (fitted.range) {
     fit["speed_range"] = {fitted.range->speed.low, fitted.range->speed.high};
     fit["force_range"] = {fitted.range->force.low, fitted.range->force.high};

@@ -39,7 +39,7 @@ const std::vector<std::string> kKeysOfModel = {"schema",
                                                "log_fingerprints"};
 const std::vector<std::string> kKeysOfFigures = {"mae", "nmae", "n", "duration"};
 const std::vector<std::string> kKeysOfFit = {
-    "mae", "nmae", "n", "duration", "speed_range", "force_range"};
+    "mae", "nmae", "n", "duration", "residual_autoregression", "speed_range", "force_range"};
 const std::vector<std::string> kKeysOfVerdict = {
     "schema",          "log",        "dof",          "verdict",           "sentence",
     "force_unit",      "figures_of", "has_baseline", "baseline",          "causes",
@@ -236,6 +236,10 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
     if (const auto fit = file.MemberIfThere("fit")) {
       fit->RequireKeysOf(kKeysOfFit);
       fitted.train = ReadFigures(*fit);
+      if (const auto colour = fit->MemberIfThere("residual_autoregression")) {
+        std::vector<double>& phi = fitted.residual_autoregression.emplace();
+        for (const JsonValue& value : colour->List()) phi.push_back(value.Number());
+      }
       fitted.range = ReadDataRange(*fit);
     }
     if (const auto held_out = file.MemberIfThere("held_out")) {

@@ -332,6 +332,16 @@ TEST(ModelFile, KeepsTheRangeOfTheData) {
   EXPECT_EQ(out->force.high, 100.5);
 }
 
+TEST(ModelFile, KeepsTheColourOfTheResidual) {
+  FittedModel in = Example();
+  EXPECT_FALSE(ParseModel("m.json", FormatModel(in)).residual_autoregression);
+  in.residual_autoregression = {1.25, -0.375};
+  EXPECT_EQ(ParseModel("m.json", FormatModel(in)).residual_autoregression,
+            in.residual_autoregression);
+  in.residual_autoregression.emplace();  // known to be white
+  EXPECT_TRUE(ParseModel("m.json", FormatModel(in)).residual_autoregression->empty());
+}
+
 TEST(ModelFile, RefusesARangeThatIsNone) {
   FittedModel in = Example();
   in.range = {.speed = {0.5, -0.75}, .force = {-120.0, 100.5}};
