@@ -4,11 +4,13 @@
 // Scores the diagnosis on logs with hidden effects.
 //
 //   hidden_scores --jobs=2 --out=docs/diagnosis_scores.md
+//   hidden_scores --logs=1 --sweep=all --oracle_cache=/tmp/oracle.txt
 //   hidden_scores --only=thruster_lag,time_offset --logs=8 --list --oracle_cache=/tmp/oracle.txt
 
 #include "fathom/base/files/output_file.h"
 #include "fathom/log/write_log.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -17,7 +19,9 @@
 #include "run_logs.h"
 #include "score_board.h"
 #include "scores_page.h"
+#include "swept_rule.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 #include <unistd.h>
@@ -35,6 +39,10 @@ DEFINE_string(only,
 DEFINE_bool(list, false, "print every log with its verdict, as it is done");
 DEFINE_string(out, "", "the page to write, Markdown");
 DEFINE_string(oracle_cache, "", "file that keeps the oracle's answers from run to run");
+DEFINE_string(sweep,
+              "",
+              "threshold of the verdict or the search, or 'all': the logs are diagnosed with half "
+              "and with twice of it, and those whose verdict or causes change are printed");
 DEFINE_string(save, "", "folder to write the logs to instead of diagnosing them");
 
 namespace fathom::hidden {
@@ -63,6 +71,53 @@ int Save(const std::vector<LogPlan>& plans) {
   return 0;
 }
 
+// What a reader would see change.
+bool IsSame(const LogScore& a, const LogScore& b) {
+  return a.verdict == b.verdict && a.named == b.named;
+}
+
+// One line for each change of a threshold, and one for each log that it changes.
+int Sweep(const std::vector<LogPlan>& plans, OracleCache& oracle) {
+  const std::vector<std::string> known = SweptRules();
+  const bool is_known = std::ranges::find(known, FLAGS_sweep) != known.end();
+  if (!is_known && FLAGS_sweep != "all") {
+    std::fprintf(stderr,
+                 "hidden_scores: --sweep=%s is none of %s.\n",
+                 FLAGS_sweep.c_str(),
+                 fmt::format("{}", fmt::join(known, ", ")).c_str());
+    return 1;
+  }
+  const auto run = [&](const DiagnosisOptions& options) {
+    return RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, options);
+  };
+  const auto print = [](const std::string& name, const std::vector<LogScore>& scores, int changed) {
+    const ScoreBoard board = BoardOf(scores);
+    std::printf("%-34s changed %2d of %zu; alone %d, wrong %d, false %d; %.2f s a log\n",
+                name.c_str(),
+                changed,
+                scores.size(),
+                board.separable_one.Of(Outcome::kAlone) + board.separable_two.Of(Outcome::kAlone),
+                board.all_one.Of(Outcome::kWrong) + board.all_two.Of(Outcome::kWrong),
+                board.false_causes,
+                board.diagnosis_seconds / static_cast<double>(scores.size()));
+    std::fflush(stdout);
+  };
+  const std::vector<LogScore> usual = run({});
+  print("as it is", usual, 0);
+  for (const std::string& name : is_known ? std::vector<std::string>{FLAGS_sweep} : known) {
+    for (const double times : {0.5, 2.0}) {
+      const std::vector<LogScore> scores = run(WithRule(name, times));
+      std::vector<std::string> lines;
+      for (std::size_t i = 0; i < scores.size(); ++i) {
+        if (!IsSame(usual[i], scores[i])) lines.push_back("  " + Line(scores[i]));
+      }
+      print(fmt::format("{} x {}", name, times), scores, static_cast<int>(lines.size()));
+      for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+    }
+  }
+  return 0;
+}
+
 int Run() {
   std::vector<LogPlan> plans =
       DrawPlans({15 * FLAGS_logs, FLAGS_logs, 5 * FLAGS_logs, 5 * FLAGS_logs}, FLAGS_seed);
@@ -73,16 +128,18 @@ int Run() {
   }
   if (!FLAGS_save.empty()) return Save(plans);
   OracleCache oracle(FLAGS_oracle_cache);
+  if (!FLAGS_sweep.empty()) return Sweep(plans, oracle);
   std::size_t num_done = 0;
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
-  const auto scores = RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, [&](const LogScore& score) {
-    ++num_done;
-    if (FLAGS_list) {
-      std::printf("%s\n", Line(score).c_str());
-      std::fflush(stdout);
-    }
-    if (is_terminal) std::fprintf(stderr, "\r%zu of %zu ", num_done, plans.size());
-  });
+  const auto scores =
+      RunLogs(plans, FLAGS_seed, FLAGS_jobs, oracle, {}, [&](const LogScore& score) {
+        ++num_done;
+        if (FLAGS_list) {
+          std::printf("%s\n", Line(score).c_str());
+          std::fflush(stdout);
+        }
+        if (is_terminal) std::fprintf(stderr, "\r%zu of %zu ", num_done, plans.size());
+      });
   if (is_terminal) std::fprintf(stderr, "\n");
   std::printf("%s", Summary(scores).c_str());
   const ScoreBoard board = BoardOf(scores);

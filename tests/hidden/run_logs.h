@@ -13,13 +13,14 @@
 
 namespace fathom::hidden {
 
-// Draws every log, asks the oracle, diagnoses and scores, `num_threads` logs at a time. The scores
-// come in the order of the plans, whatever the number of threads; `report` is called as each is
-// done, by one thread at a time.
+// Draws every log, asks the oracle, diagnoses by `options` and scores, `num_threads` logs at a
+// time. The scores come in the order of the plans, whatever the number of threads; `report` is
+// called as each is done, by one thread at a time.
 std::vector<LogScore> RunLogs(const std::vector<LogPlan>& plans,
                               std::uint64_t seed,
                               int num_threads,
                               OracleCache& oracle,
+                              const DiagnosisOptions& options = {},
                               const std::function<void(const LogScore&)>& report = {});
 
 }  // namespace fathom::hidden

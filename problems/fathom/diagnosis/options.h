@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "fathom/diagnosis/judge/verdict_rules.h"
+#include "fathom/diagnosis/search/search_options.h"
 #include "fathom/findings/finding.h"
 #include "fathom/vehicle/effect.h"
 #include "fathom/vehicle/thruster.h"
@@ -36,6 +38,11 @@ struct DiagnosisOptions {
 
   // Of the vehicle, to say which of them a crosstalk comes down to; empty: not known.
   std::vector<Thruster> thrusters;
+
+  // The thresholds of a verdict, and how widely causes are searched. `hidden_scores --sweep` says
+  // what each of them moves.
+  VerdictRules rules = {};
+  SearchOptions search = {};
 
   // Called with what the checks of the data found, before the search; may be empty.
   std::function<void(const std::vector<Finding>&)> on_findings;

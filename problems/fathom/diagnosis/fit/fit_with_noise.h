@@ -9,14 +9,6 @@
 
 namespace fathom {
 
-// What a fit takes its residual for, and is weighed by.
-enum class Criterion {
-  kLearnedNoise,  // sensor noise and disturbance, learned along: of least variance if nothing is
-                  // missing, but what is missing passes for a disturbance where it can
-  kFreeRun,       // white noise, as large in each channel as what the free run misses of it: output
-                  // error's own
-};
-
 // Of the error of a free run: a step that promises less is none where a fit only ranks or predicts,
 // since what they decide is 5 % of an error.
 inline constexpr double kRoughShareOfFreeRun = 1e-3;

@@ -3,12 +3,14 @@
 
 #include "fathom/diagnosis/fit/remaining_structure.h"
 
+#include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/force_response.h"
 #include "fathom/noise/fit_noise.h"
 #include "fathom/noise/whitener.h"
 #include "fathom/solve/decompositions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -182,10 +184,14 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   const ForceResponse response(&data, fit);
   if (response.is_empty()) return {};
   const Points& points = response.points();
-  RemainingStructure remaining = RemainingOf(FreeForces(points), response, data, fit);
+  constexpr int kLooks = 2;
+  std::array<RemainingStructure, kLooks> looks;
+  ParallelFor(kLooks, [&](int k) {
+    looks[k] =
+        RemainingOf(k == 0 ? FreeForces(points) : ThrustOverTime(points), response, data, fit);
+  });
+  auto& [remaining, over_time] = looks;
   if (remaining.num_columns == 0) return remaining;
-  const RemainingStructure over_time = RemainingOf(ThrustOverTime(points), response, data, fit);
-  constexpr double kLooks = 2.0;
   if (over_time.p_value < std::min(remaining.p_value, RemainingStructure::kClear / kLooks)) {
     remaining = over_time;
   }
@@ -196,12 +202,15 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
 FreeForm BestFreeForm(const TrainingData& data, const StructureFit& fit) {
   const ForceResponse response(&data, fit);
   if (response.is_empty()) return {};
+  const auto forms = FormsByInput(response.points());
+  std::vector<RemainingStructure> found(forms.size());
+  ParallelFor(static_cast<int>(forms.size()),
+              [&](int k) { found[k] = RemainingOf(forms[k].second, response, data, fit); });
   FreeForm best;
-  for (const auto& [input, forces] : FormsByInput(response.points())) {
-    const RemainingStructure form = RemainingOf(forces, response, data, fit);
-    if (form.num_columns == 0) continue;
-    const double gain = form.gain - form.num_columns;
-    if (best.input.empty() || gain > best.gain) best = {input, gain};
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    if (found[k].num_columns == 0) continue;
+    const double gain = found[k].gain - found[k].num_columns;
+    if (best.input.empty() || gain > best.gain) best = {forms[k].first, gain};
   }
   return best;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/data/training_data.h"
+#include "fathom/diagnosis/fit/criterion.h"
 #include "fathom/noise/whitener.h"
 #include "fathom/vehicle/extended_model.h"
 
@@ -41,16 +42,6 @@ struct StructureFit {
   // False where it must not be compared with others, since it says nothing of how good its model
   // is.
   bool IsUsable() const { return IsSimulated() && converged; }
-};
-
-// When a search has arrived. By default, a tenth of a standard deviation from the end.
-struct FitPrecision {
-  double gain = 0.01;  // of chi squared, that a step has to promise
-  double share = 0.0;  // of what is left of chi squared, likewise
-  double turn = 0.1;   // of the log-likelihood, that a turn of noise and parameters has to gain
-
-  // The log-likelihood below which no further turn is taken.
-  double least = -std::numeric_limits<double>::infinity();
 };
 
 // Least generalised squared error from `start` under `whitener`, every parameter within its bounds

@@ -3,7 +3,6 @@
 
 #include "fathom/diagnosis/judge/free_run_ladder.h"
 
-#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
@@ -36,14 +35,17 @@ double Total(const std::vector<FreeRun>& runs) {
 
 }  // namespace
 
-bool IsBetterForCertain(const Gain& gain) {
+bool IsBetterForCertain(const Gain& gain, const VerdictRules& rules) {
   if (gain.num_logs > 0 && gain.num_better == gain.num_logs)
-    return gain.value > VerdictRules::kMaterialGain;
-  if (std::isnan(gain.low)) return gain.value > VerdictRules::kMaterialGainWithoutInterval;
-  return gain.low > VerdictRules::kMaterialGain;
+    return gain.value > rules.material_gain;
+  if (std::isnan(gain.low)) return gain.value > rules.material_gain_without_interval;
+  return gain.low > rules.material_gain;
 }
 
-Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int most_causes) {
+Rung ClimbByFreeRuns(const Prepared& prepared,
+                     const WeighedSearch& search,
+                     int most_causes,
+                     const VerdictRules& rules) {
   const HypothesisBook& book = search.found.book;
   const auto parts =
       std::make_shared<const LeftOutParts>(LeaveOut(prepared, HowToLeaveOut(prepared.data, {})));
@@ -66,7 +68,7 @@ Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int 
       const auto& tried = next.runs.unseen.after;
       const bool is_better =
           AreOverTheSame(at.runs.unseen.after, tried) &&
-          IsBetterForCertain(GainOf(Beside(at.runs.unseen, next.runs.unseen), false));
+          IsBetterForCertain(GainOf(Beside(at.runs.unseen, next.runs.unseen), false), rules);
       if (!is_better) continue;
       if (best.choice.chosen == at.choice.chosen || Total(tried) < Total(best.runs.unseen.after)) {
         best = std::move(next);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/judge/confirmation.h"
+#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/free_run_comparison.h"
 
 namespace fathom {
@@ -18,9 +19,12 @@ struct Rung {
 // two on the training data are tried; one is taken if it predicts data that no fit has seen better
 // than what stands, for certain by a twentieth (by a fifth, where they are too few for an
 // interval).
-Rung ClimbByFreeRuns(const Prepared& prepared, const WeighedSearch& search, int most_causes);
+Rung ClimbByFreeRuns(const Prepared& prepared,
+                     const WeighedSearch& search,
+                     int most_causes,
+                     const VerdictRules& rules = {});
 
 // Whether the second model's runs are better than the first's, as a rung is asked to be.
-bool IsBetterForCertain(const Gain& gain);
+bool IsBetterForCertain(const Gain& gain, const VerdictRules& rules = {});
 
 }  // namespace fathom

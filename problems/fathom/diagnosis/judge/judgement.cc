@@ -5,7 +5,6 @@
 
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/judge/free_run_ladder.h"
-#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/left_out_blocks.h"
 #include "fathom/diagnosis/search/suspects.h"
 #include "fathom/vehicle/parameters.h"
@@ -28,36 +27,40 @@ RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
 // True if what a hypothesis that gains so much leaves is more than noise, and a matter. Where there
 // is no baseline to gain over, it is a matter of what is left of the error: of a share of its
 // square much below 1 the gain is as many times the number of samples.
-bool Remains(const Prepared& prepared, const RemainingStructure& remaining, double gain) {
+bool Remains(const Prepared& prepared,
+             const RemainingStructure& remaining,
+             double gain,
+             const VerdictRules& rules) {
   const double all_structure = prepared.has_baseline
                                    ? gain + remaining.gain
                                    : static_cast<double>(prepared.data.bins().size());
   return remaining.p_value < RemainingStructure::kClear &&
-         remaining.gain - remaining.num_columns > VerdictRules::kMaterialRest * all_structure;
+         remaining.gain - remaining.num_columns > rules.material_rest * all_structure;
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
 // `logs`: several that hold nothing out, each left out in turn.
 Choice BestConfirmed(const Prepared& prepared,
                      const std::optional<LeftOutParts>& logs,
-                     const WeighedSearch& search) {
+                     const WeighedSearch& search,
+                     const VerdictRules& rules) {
   const TrainingData& data = prepared.data;
   const auto gain_of = [&](const Choice& at) { return search.found.book[at.chosen].gain; };
   Choice choice = ConfirmedOnAllData(data, search);
   // Unless what is too fine to be told from sampling matters.
   Choice coarse = LeaveOutTheTooFine(data, search, choice);
   if (!coarse.refusals.empty() &&
-      !Remains(prepared, RemainingOf(prepared, coarse), gain_of(choice))) {
+      !Remains(prepared, RemainingOf(prepared, coarse), gain_of(choice), rules)) {
     choice = std::move(coarse);
   }
-  choice = LeaveOutWhatLoses(data, prepared.held_out, search, std::move(choice));
+  choice = LeaveOutWhatLoses(data, prepared.held_out, search, rules, std::move(choice));
   if (prepared.held_out.empty()) {
     if (!logs || choice.chosen == 0) return choice;
-    return LeaveOutTheUnconfirmed(data, *logs, search, std::move(choice));
+    return LeaveOutTheUnconfirmed(data, *logs, search, rules, std::move(choice));
   }
-  if (!Remains(prepared, RemainingOf(prepared, choice), gain_of(choice))) return choice;
+  if (!Remains(prepared, RemainingOf(prepared, choice), gain_of(choice), rules)) return choice;
   // The causes may stand in for what nothing explains; unseen data tell.
-  return LeaveOutWhatDoesNotGain(data, prepared.held_out, search, std::move(choice));
+  return LeaveOutWhatDoesNotGain(data, prepared.held_out, search, rules, std::move(choice));
 }
 
 // Separation from rivals. What nothing explains gains so much per column: then it takes as many
@@ -104,10 +107,12 @@ Judgement Concluded(const Prepared& prepared,
                     const DiagnosisOptions& options) {
   const HypothesisBook& book = search.found.book;
   const RemainingStructure left = RemainingOf(prepared, choice);
+  const VerdictRules& rules = options.rules;
   const auto refusal = RefusalOfAll(book[choice.chosen].suspects,
                                     runs,
                                     prepared.held_out.empty(),
-                                    Remains(prepared, left, book[choice.chosen].gain));
+                                    Remains(prepared, left, book[choice.chosen].gain, rules),
+                                    rules);
   if (refusal) {
     choice.chosen = 0;
     choice.refusals.push_back(*refusal);
@@ -115,7 +120,7 @@ Judgement Concluded(const Prepared& prepared,
   }
   const int chosen = choice.chosen;
   const RemainingStructure remaining = refusal ? RemainingOf(prepared, choice) : left;
-  const bool remains = Remains(prepared, remaining, book[chosen].gain);
+  const bool remains = Remains(prepared, remaining, book[chosen].gain, rules);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
   const bool is_suspected = runs.unseen.by_log && chosen == 0 && !choice.refusals.empty();
@@ -136,7 +141,7 @@ Judgement Concluded(const Prepared& prepared,
 }
 
 DiagnosisOptions AtFirst(DiagnosisOptions options) {
-  options.effort *= VerdictRules::kShareOfWorkAtFirst;
+  options.effort *= options.rules.share_of_work_at_first;
   return options;
 }
 
@@ -150,7 +155,7 @@ Judgement JudgedOnce(const Prepared& prepared,
   if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
     logs = LeaveOut(prepared, LeavingOut::kLogs);
   }
-  Choice choice = BestConfirmed(prepared, logs, search);
+  Choice choice = BestConfirmed(prepared, logs, search, options.rules);
   const std::vector<int>& causes = search.found.book[choice.chosen].suspects;
   const LeavingOut how = HowToLeaveOut(prepared.data, choice.fit().model);
   const auto parts = std::make_shared<const LeftOutParts>(
@@ -176,11 +181,13 @@ Judgement JudgedByLikelihood(const Prepared& prepared,
 
 // True if the free run of what is named leaves more than the sensors' scatter: something may be
 // missing that the noise has taken up.
-bool LeavesMoreThanScatter(const Prepared& prepared, const Judgement& judgement) {
+bool LeavesMoreThanScatter(const Prepared& prepared,
+                           const Judgement& judgement,
+                           const VerdictRules& rules) {
   const Choice& choice = judgement.choice;
   return WanderRatio(prepared.data,
                      choice.chosen == 0 ? prepared.users.residual : choice.fit().residual) >
-         VerdictRules::kMoreThanScatter;
+         rules.more_than_scatter;
 }
 
 // Whether likelihood does not speak against what free runs propose: with the noise learned along it
@@ -196,10 +203,13 @@ bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
 
 // Whether what free runs propose is named where likelihood names nothing: it predicts unseen data
 // better for certain.
-bool IsNamed(const Prepared& prepared, const Judgement& by_likelihood, const Rung& rung) {
+bool IsNamed(const Prepared& prepared,
+             const Judgement& by_likelihood,
+             const Rung& rung,
+             const VerdictRules& rules) {
   const Scored& standing = by_likelihood.runs.unseen;
   return rung.choice.chosen != 0 && AreOverTheSame(standing.after, rung.runs.unseen.after) &&
-         IsBetterForCertain(GainOf(Beside(standing, rung.runs.unseen), false)) &&
+         IsBetterForCertain(GainOf(Beside(standing, rung.runs.unseen), false), rules) &&
          IsLikely(prepared, rung.choice.fit());
 }
 
@@ -214,14 +224,14 @@ Judgement Judge(const Prepared& prepared,
     by_likelihood = JudgedByLikelihood(prepared, suspects, evidence, options);
     if (by_likelihood->choice.chosen != 0 ||
         LeavesNothing(prepared.data, by_likelihood->choice.fit()) ||
-        !LeavesMoreThanScatter(prepared, *by_likelihood)) {
+        !LeavesMoreThanScatter(prepared, *by_likelihood, options.rules)) {
       return *std::move(by_likelihood);
     }
   }
   WeighedSearch search =
       SearchByFreeRuns(prepared, suspects, by_likelihood ? AtFirst(options) : options);
-  Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes);
-  if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung)) {
+  Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes, options.rules);
+  if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung, options.rules)) {
     return *std::move(by_likelihood);
   }
   return Concluded(

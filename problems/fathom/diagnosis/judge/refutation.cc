@@ -4,7 +4,6 @@
 #include "fathom/diagnosis/judge/refutation.h"
 
 #include "fathom/base/median.h"
-#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/search/suspects.h"
 
 #include <algorithm>
@@ -19,19 +18,22 @@ namespace {
 
 constexpr int kMostInstead = 4;  // causes that are tried in the place of others
 
-double TraceOf(const Gain& gain) { return gain.is_in_poses ? VerdictRules::kTraceInPoses : 0.0; }
+double TraceOf(const Gain& gain, const VerdictRules& rules) {
+  return gain.is_in_poses ? rules.trace_in_poses : 0.0;
+}
 
 // For certain, by more than a trace, or by too much as far as the data go.
-bool IsLoss(const Gain& gain, double trace) {
-  return gain.high < -trace || gain.value < -VerdictRules::kLossTooMuch;
+bool IsLoss(const Gain& gain, double trace, const VerdictRules& rules) {
+  return gain.high < -trace || gain.value < -rules.loss_too_much;
 }
 
 // Whether the held-out data speak against a cause, from the runs without it and with it.
-bool Loses(const Scored& scored, bool acts_on_poses_alone) {
+bool Loses(const Scored& scored, bool acts_on_poses_alone, const VerdictRules& rules) {
   const Gain in_velocities = GainOf(scored, false);
   const Gain gain = GainOf(scored, acts_on_poses_alone);
-  const bool is_borne_out = gain.is_in_poses && gain.low > VerdictRules::kMaterialGainInPoses;
-  return !is_borne_out && (IsLoss(in_velocities, 0.0) || IsLoss(gain, TraceOf(gain)));
+  const bool is_borne_out = gain.is_in_poses && gain.low > rules.material_gain_in_poses;
+  return !is_borne_out &&
+         (IsLoss(in_velocities, 0.0, rules) || IsLoss(gain, TraceOf(gain, rules), rules));
 }
 
 // The best hypothesis of at most so many causes without any of some suspects.
@@ -135,30 +137,36 @@ Choice LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search,
 Choice LeaveOutWhatLoses(const TrainingData& data,
                          const std::vector<MeasuredSegment>& held_out,
                          const WeighedSearch& search,
+                         const VerdictRules& rules,
                          Choice choice) {
+  const auto loses = [&](const Scored& runs, bool by_poses) {
+    return Loses(runs, by_poses, rules);
+  };
   return LeaveOutByRuns(
-      data, held_out, search, 1, Refusal::Reason::kLosesBesideOthers, Loses, std::move(choice));
+      data, held_out, search, 1, Refusal::Reason::kLosesBesideOthers, loses, std::move(choice));
 }
 
 Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
                                const std::vector<MeasuredSegment>& held_out,
                                const WeighedSearch& search,
+                               const VerdictRules& rules,
                                Choice choice) {
-  const auto does_not_gain = [](const Scored& runs, bool by_poses) {
-    return Loses(runs, by_poses) || !(GainOf(runs, by_poses).low > 0.0);
+  const auto does_not_gain = [&](const Scored& runs, bool by_poses) {
+    return Loses(runs, by_poses, rules) || !(GainOf(runs, by_poses).low > 0.0);
   };
   return LeaveOutByRuns(
       data, held_out, search, 0, Refusal::Reason::kGainsNothing, does_not_gain, std::move(choice));
 }
 
-bool IsConfirmedByLogs(const Gain& gain) {
+bool IsConfirmedByLogs(const Gain& gain, const VerdictRules& rules) {
   if (gain.low > 0.0) return true;
-  return gain.num_better == gain.num_logs && gain.value > VerdictRules::kLeastGainOfEachLog;
+  return gain.num_better == gain.num_logs && gain.value > rules.least_gain_of_each_log;
 }
 
 Choice LeaveOutTheUnconfirmed(const TrainingData& data,
                               const LeftOutParts& logs,
                               const WeighedSearch& search,
+                              const VerdictRules& rules,
                               Choice choice) {
   const HypothesisBook& book = search.found.book;
   std::map<int, Scored> scored;  // by hypothesis
@@ -180,7 +188,7 @@ Choice LeaveOutTheUnconfirmed(const TrainingData& data,
     std::optional<Refusal> refusal;
     for (const int suspect : causes) {
       const auto gain = gain_by(suspect);
-      if (!gain || IsConfirmedByLogs(*gain)) continue;
+      if (!gain || IsConfirmedByLogs(*gain, rules)) continue;
       refusal = Refusal{
           .reason = Refusal::Reason::kNotConfirmedByLogs, .refused = {suspect}, .loss = *gain};
       break;
@@ -196,19 +204,22 @@ Choice LeaveOutTheUnconfirmed(const TrainingData& data,
   return choice;
 }
 
-std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone) {
+std::optional<Gain> RefutingGain(const Scored& scored,
+                                 bool acts_on_poses_alone,
+                                 const VerdictRules& rules) {
   const Gain gain = GainOf(scored, acts_on_poses_alone);
-  if (IsLoss(gain, TraceOf(gain))) return gain;
+  if (IsLoss(gain, TraceOf(gain, rules), rules)) return gain;
   if (!gain.is_in_poses) return std::nullopt;
   const Gain in_velocities = GainOf(scored, false);
-  if (IsLoss(in_velocities, VerdictRules::kTraceInVelocities)) return in_velocities;
+  if (IsLoss(in_velocities, rules.trace_in_velocities, rules)) return in_velocities;
   return std::nullopt;
 }
 
 std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
                                     const FreeRunComparison& runs,
                                     bool by_left_out_blocks,
-                                    bool remains) {
+                                    bool remains,
+                                    const VerdictRules& rules) {
   if (causes.empty()) return std::nullopt;
   const Gain& gain = runs.gain;
   if (runs.unseen.by_log) {
@@ -216,10 +227,10 @@ std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
     if (gain.num_logs < 3 && remains) {
       return Refusal{.reason = Refusal::Reason::kTwoLogsTellTooLittle, .refused = causes};
     }
-    if (IsConfirmedByLogs(gain)) return std::nullopt;
+    if (IsConfirmedByLogs(gain, rules)) return std::nullopt;
     return Refusal{.reason = Refusal::Reason::kNotConfirmedByLogs, .refused = causes, .loss = gain};
   }
-  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses);
+  const auto loss = RefutingGain(runs.unseen, gain.is_in_poses, rules);
   // Of blocks left out in turn the models are refitted on less: only what is certain counts.
   const bool counts = !by_left_out_blocks || gain.is_in_poses || gain.high < 0.0;
   if (loss && counts) {
@@ -230,7 +241,7 @@ std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
     return Refusal{.reason = Refusal::Reason::kGainsNothing, .refused = causes};
   }
   const double before = runs.train_before.nmae, after = runs.train_after.nmae;
-  if (!(after > (1.0 + VerdictRules::kLossTooMuchInTraining) * before)) return std::nullopt;
+  if (!(after > (1.0 + rules.loss_too_much_in_training) * before)) return std::nullopt;
   return Refusal{.reason = Refusal::Reason::kLosesInTraining,
                  .refused = causes,
                  .nmae_before = before,

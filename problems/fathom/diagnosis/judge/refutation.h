@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/diagnosis/judge/confirmation.h"
+#include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/free_run_comparison.h"
 #include "fathom/diagnosis/measures/held_out.h"
 #include "fathom/diagnosis/measures/left_out_blocks.h"
@@ -25,12 +26,14 @@ Choice LeaveOutTheTooFine(const TrainingData& data, const WeighedSearch& search,
 Choice LeaveOutWhatLoses(const TrainingData& data,
                          const std::vector<MeasuredSegment>& held_out,
                          const WeighedSearch& search,
+                         const VerdictRules& rules,
                          Choice choice);
 
 // The same of every cause that does not gain on them for certain (95 %), the last one as well.
 Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
                                const std::vector<MeasuredSegment>& held_out,
                                const WeighedSearch& search,
+                               const VerdictRules& rules,
                                Choice choice);
 
 // Several logs that hold nothing out: leaves out of a choice every cause of all logs that those
@@ -39,24 +42,28 @@ Choice LeaveOutWhatDoesNotGain(const TrainingData& data,
 Choice LeaveOutTheUnconfirmed(const TrainingData& data,
                               const LeftOutParts& logs,
                               const WeighedSearch& search,
+                              const VerdictRules& rules,
                               Choice choice);
 
 // Whether logs that are left out in turn gain for certain (95 %), or each of them gains. Of two or
 // three logs the interval is so wide that the second counts.
-bool IsConfirmedByLogs(const Gain& gain);
+bool IsConfirmedByLogs(const Gain& gain, const VerdictRules& rules = {});
 
 // The gain by which data that no fit has seen speak against what is named, where that is all there
 // is: for certain, or as far as they go by so much (5 %) that it should not be built on. Nothing if
 // they do not. What acts on the poses alone is judged by them, where a loss of 1 % is a trace, as
 // of a jump before the held-out data; the velocities, which it moves no more than the fit moves,
 // speak against it from half a percent on.
-std::optional<Gain> RefutingGain(const Scored& scored, bool acts_on_poses_alone);
+std::optional<Gain> RefutingGain(const Scored& scored,
+                                 bool acts_on_poses_alone,
+                                 const VerdictRules& rules = {});
 
 // Why nothing of what was chosen is to be named after all; nothing if it is. `by_left_out_blocks`:
 // nothing was held out. `remains`: what the causes leave is more than noise.
 std::optional<Refusal> RefusalOfAll(const std::vector<int>& causes,
                                     const FreeRunComparison& runs,
                                     bool by_left_out_blocks,
-                                    bool remains);
+                                    bool remains,
+                                    const VerdictRules& rules = {});
 
 }  // namespace fathom

@@ -10,36 +10,36 @@ namespace fathom {
 struct VerdictRules {
   // What is left, of all structure [share of the log-likelihood's gain], below which it is no
   // matter.
-  static constexpr double kMaterialRest = 0.05;
+  double material_rest = 0.05;
 
   // Of the work that a search may take: what it gets before it is known whether more is worth it.
-  static constexpr double kShareOfWorkAtFirst = 0.2;
+  double share_of_work_at_first = 0.2;
 
   // RMS error of a free run over what scatters from sample to sample [1], above which the noise may
   // have taken up what is missing.
-  static constexpr double kMoreThanScatter = 2.0;
+  double more_than_scatter = 2.0;
 
   // A cause refuses itself where it loses so much, however wide the interval of the loss is.
-  static constexpr double kLossTooMuch = 0.05;
+  double loss_too_much = 0.05;
 
   // The same of the error in training [share of NMAE].
-  static constexpr double kLossTooMuchInTraining = 0.1;
+  double loss_too_much_in_training = 0.1;
 
   // Losses in the displacements that say nothing, as a jump of the poses before the held-out data
   // leaves; and in the velocities, of a cause that acts on poses alone.
-  static constexpr double kTraceInPoses = 0.01;
-  static constexpr double kTraceInVelocities = 0.005;
+  double trace_in_poses = 0.01;
+  double trace_in_velocities = 0.005;
 
   // A gain in the poses that outweighs a loss in the velocities, for certain.
-  static constexpr double kMaterialGainInPoses = 0.05;
+  double material_gain_in_poses = 0.05;
 
   // Of several logs, each of which gains: what is less is a trace.
-  static constexpr double kLeastGainOfEachLog = 0.01;
+  double least_gain_of_each_log = 0.01;
 
   // A rung of the ladder of free runs is climbed for such a gain, for certain; where the blocks are
   // too few for an interval, for the second.
-  static constexpr double kMaterialGain = 0.05;
-  static constexpr double kMaterialGainWithoutInterval = 0.2;
+  double material_gain = 0.05;
+  double material_gain_without_interval = 0.2;
 };
 
 }  // namespace fathom

@@ -23,6 +23,6 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& wanted,
-                          const SearchOptions& options = {});
+                          const SearchOptions& options);
 
 }  // namespace fathom

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/criterion.h"
 
 namespace fathom {
 

@@ -66,8 +66,8 @@ WeighedSearch SearchByLikelihood(const Prepared& prepared,
   TrainingData thinned(prepared.thinned, baseline.model.baseline, share * inertia);
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
-  SearchResult found =
-      SearchCauses(thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted);
+  SearchResult found = SearchCauses(
+      thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted, wanted.search);
   return {Criterion::kLearnedNoise, suspects, std::move(found), std::move(thinned), baseline};
 }
 
@@ -86,7 +86,7 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
                  WhiteNoise(prepared.data, users.residual));
   };
   const StructureFit rough = fitted(thinned);
-  SearchOptions options;
+  SearchOptions options = wanted.search;
   options.criterion = Criterion::kFreeRun;
   options.effective_share = EffectiveShare(thinned, rough.residual);
   options.precision.share = kRoughShareOfFreeRun;
