@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -50,19 +51,21 @@ void ParallelFor(int count, const std::function<void(int)>& work) {
     }
   };
   std::vector<std::thread> helpers(TakeIdle(count - 1));
+  // The place of the last one to end is this thread's when it goes on.
+  std::atomic<std::size_t> num_left = helpers.size() + 1;
+  const auto leave = [&] {
+    if (--num_left > 0) --num_at_work;
+  };
   for (std::thread& helper : helpers) {
     helper = std::thread([&] {
       is_at_work = true;
       run();
-      --num_at_work;
+      leave();
     });
   }
   run();
-  if (!helpers.empty()) {
-    --num_at_work;
-    for (std::thread& helper : helpers) helper.join();
-    ++num_at_work;
-  }
+  leave();
+  for (std::thread& helper : helpers) helper.join();
   if (is_outermost) --num_at_work;
   is_at_work = !is_outermost;
   for (const std::exception_ptr& failure : failures) {

@@ -4,6 +4,7 @@
 #include "fathom/base/parallel_for.h"
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -87,7 +88,10 @@ TEST(ParallelFor, RunsNoMoreAtOnceThanThereAreThreads) {
     ParallelFor(8, [&](int) {
       const int now = ++running;
       for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) continue;
-      for (int k = 0; k < 100; ++k) std::this_thread::yield();
+      const auto begin = std::chrono::steady_clock::now();
+      do {
+        std::this_thread::yield();
+      } while (most < 2 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
       --running;
     });
   });
