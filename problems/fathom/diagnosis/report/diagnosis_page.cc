@@ -27,10 +27,13 @@
 namespace fathom {
 namespace {
 
-PageSection NextStepsSection(const Diagnosis& diagnosis) {
+PageSection NextStepsSection(const Diagnosis& diagnosis, const std::string& plan_command) {
   PageSection section;
   section.heading = "What to do next";
   section.text = NextSteps(diagnosis);
+  if (!plan_command.empty()) {
+    section.text.push_back("To plan the run that decides: " + plan_command);
+  }
   if (!diagnosis.causes.empty()) section.tables.push_back(CauseTable(diagnosis));
   return section;
 }
@@ -216,14 +219,14 @@ Page NoDiagnosisPage(const Diagnosis& diagnosis, const std::string& why) {
   return page;
 }
 
-Page DiagnosisPage(const Diagnosis& diagnosis) {
+Page DiagnosisPage(const Diagnosis& diagnosis, const std::string& plan_command) {
   Page page;
   page.title = TitleOf(diagnosis);
   page.lead = LeadOf(diagnosis);
   page.warnings = WarningsOf(diagnosis);
   page.facts = FactsOf(diagnosis);
   AddBeforeAndAfter(diagnosis, &page);
-  page.sections.push_back(NextStepsSection(diagnosis));
+  page.sections.push_back(NextStepsSection(diagnosis, plan_command));
   if (!diagnosis.missing_force.time.empty()) {
     page.sections.push_back(MissingForceSection(diagnosis));
   }

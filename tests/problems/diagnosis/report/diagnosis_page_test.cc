@@ -88,6 +88,15 @@ TEST(DiagnosisPage, GoesFromTheErrorToItsCauseToTheEvidence) {
                           "Remarks"));
 }
 
+TEST(DiagnosisPage, GivesTheCommandThatPlansTheDecidingRun) {
+  const std::string command = "fathom_plan --verdict=v.json --duration=120 --out=plan";
+  const auto next_steps = [](const Page& page) { return page.sections.at(1).text; };
+  EXPECT_EQ(next_steps(DiagnosisPage(ExplainedDiagnosis(), command)).back(),
+            "To plan the run that decides: " + command);
+  EXPECT_EQ(next_steps(DiagnosisPage(ExplainedDiagnosis())).size() + 1,
+            next_steps(DiagnosisPage(ExplainedDiagnosis(), command)).size());
+}
+
 // What acts on the poses alone leaves no trace in the velocities: the page shows it where it is.
 TEST(DiagnosisPage, ShowsThePosesWhereTheCauseActsOnThem) {
   Diagnosis diagnosis = ConsistentDiagnosis();
