@@ -5,7 +5,7 @@
 //
 //   fathom_refine --log=LOG --dof=DOF [--json=FILE --model=FILE --trajectory=FILE --report=FILE]
 //   fathom_refine --log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE --window=SECONDS --model=FILE
-//                 --trajectory=FILE --true_poses=FILE]
+//                 --trajectory=FILE --report=FILE --true_poses=FILE]
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
@@ -13,6 +13,7 @@
 #include "fathom/comparison/image_comparison.h"
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
+#include "fathom/coupled_refinement/film_page.h"
 #include "fathom/coupled_refinement/film_refinement.h"
 #include "fathom/coupled_refinement/film_text.h"
 #include "fathom/findings/log_check.h"
@@ -87,7 +88,7 @@ const ToolInfo kInfo = {
     .usage =
         "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]\n"
         "--log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] [--model=FILE] "
-        "[--trajectory=FILE] [--true_poses=FILE]",
+        "[--trajectory=FILE] [--report=FILE] [--true_poses=FILE]",
     .example =
         "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html\n"
         "  fathom_refine --log=dive --dofs=surge,sway,yaw --structure=coriolis --model=plane.json",
@@ -178,7 +179,8 @@ int RunCoupledRefinement() {
   options.identification = CoupledOptionsFromFlags();
   std::vector<std::string> inputs = InputsFromFlags();
   if (!FLAGS_true_poses.empty()) inputs.push_back(FLAGS_true_poses);
-  RequireOutputs({{"model", FLAGS_model}, {"trajectory", FLAGS_trajectory}}, inputs);
+  RequireOutputs(
+      {{"model", FLAGS_model}, {"trajectory", FLAGS_trajectory}, {"report", FLAGS_report}}, inputs);
   const std::optional<Stream> truth = TruePoses();
   std::vector<Log> logs = ReadLogsFromFlags({}, /*may_lack_motion=*/true);
   RequireTrainingData(logs);
@@ -213,6 +215,11 @@ int RunCoupledRefinement() {
                                   {"version", FATHOM_VERSION}};
   if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatCoupledModel(refinement.fitted));
   if (!FLAGS_trajectory.empty()) WriteFilmTrajectory(refinement);
+  if (!FLAGS_report.empty()) {
+    Page page = FilmPage(refinement);
+    page.origin = OriginOfPage(markers.logs);
+    WriteFile(FLAGS_report, RenderPage(page));
+  }
   return kExitUsable;
 }
 
@@ -220,7 +227,6 @@ int RunCoupledRefinement() {
 std::vector<const char*> FlagsOfOneDof() {
   return {"dof",
           "json",
-          "report",
           "initial_guess",
           "clock_offset_std",
           "size_scale_std",

@@ -6,10 +6,10 @@
 #include "fathom/base/names_of_dofs.h"
 #include "fathom/coupled/cause_words.h"
 #include "fathom/coupled/coupled_text.h"
+#include "fathom/coupled/motion_panels.h"
 #include "fathom/report/format_value.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,46 +20,6 @@
 namespace fathom {
 namespace {
 
-Series AlongDof(const char* name,
-                const CoupledPrediction& prediction,
-                std::size_t log,
-                std::size_t segment,
-                Dof dof) {
-  Series series;
-  series.name = name;
-  for (const Vector6& velocity : prediction.velocity[log][segment]) {
-    series.values.push_back(velocity[Index(dof)]);
-  }
-  return series;
-}
-
-// One stretch of a log: what was measured, and free runs of both models.
-TimePanel PanelOf(const CoupledIdentification& identified,
-                  std::size_t log,
-                  std::size_t segment,
-                  Dof dof) {
-  const CoupledData& data = identified.data[log];
-  const CoupledSegment& stretch = data.segments[segment];
-  TimePanel panel;
-  panel.title = identified.data.size() > 1 ? fmt::format("{}, {}", Name(dof), data.log)
-                                           : std::string(Name(dof));
-  panel.quantity = fmt::format("{} velocity", Name(dof));
-  panel.unit = VelocityUnit(dof);
-  panel.time = stretch.time;
-  Series measured;
-  measured.name = "measured";
-  for (const Vector6& velocity : stretch.velocity) measured.values.push_back(velocity[Index(dof)]);
-  panel.measured = std::move(measured);
-  if (identified.diagonal) {
-    panel.responses.push_back(AlongDof("diagonal model", *identified.diagonal, log, segment, dof));
-  }
-  panel.responses.push_back(AlongDof("this model", identified.prediction, log, segment, dof));
-  if (stretch.is_held_out && !stretch.time.empty()) {
-    panel.held_out.push_back({stretch.time.front(), stretch.time.back()});
-  }
-  return panel;
-}
-
 PageSection MotionSection(const CoupledIdentification& identified) {
   PageSection section;
   section.heading = "Measured and simulated";
@@ -68,13 +28,10 @@ PageSection MotionSection(const CoupledIdentification& identified) {
       "starts the measured motion enters nowhere.",
       identified.fitted.horizon)};
   section.tables.push_back(CoupledFigureTable(identified.fitted));
-  for (const Dof dof : identified.fitted.model.dofs) {
-    for (std::size_t log = 0; log < identified.data.size(); ++log) {
-      for (std::size_t s = 0; s < identified.data[log].segments.size(); ++s) {
-        section.time_panels.push_back(PanelOf(identified, log, s, dof));
-      }
-    }
-  }
+  std::vector<NamedPrediction> predictions;
+  if (identified.diagonal) predictions.push_back({"diagonal model", &*identified.diagonal});
+  predictions.push_back({"this model", &identified.prediction});
+  section.time_panels = MotionPanels(identified.data, identified.fitted.model.dofs, predictions);
   return section;
 }
 

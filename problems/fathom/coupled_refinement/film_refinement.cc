@@ -164,9 +164,9 @@ FilmRefinement RefineCoupled(const MarkerLogs& logs, const FilmRefinementOptions
 
   refinement.is_judged_by_velocity =
       std::ranges::all_of(logs.logs, [](const Log& log) { return log.velocity.has_value(); });
-  const std::vector<CoupledData> judges = JudgesOf(logs, vehicle, refinement);
-  refinement.poses_prediction = PredictCoupled(of_poses.fitted.model, judges, window);
-  refinement.joint_prediction = PredictCoupled(refinement.joint.model, judges, window);
+  refinement.judges = JudgesOf(logs, vehicle, refinement);
+  refinement.poses_prediction = PredictCoupled(of_poses.fitted.model, refinement.judges, window);
+  refinement.joint_prediction = PredictCoupled(refinement.joint.model, refinement.judges, window);
   if (!refinement.joint_prediction) {
     refinement.is_usable = false;
     refinement.message = "free runs of the model diverge";

@@ -33,6 +33,7 @@ struct FilmRefinement {
 
   // Free runs of both models against velocity.csv, which neither was fitted to; where there is
   // none, against the derivative of the PnP poses.
+  std::vector<CoupledData> judges;  // the logs by what judges the models
   std::optional<CoupledPrediction> poses_prediction, joint_prediction;
   bool is_judged_by_velocity = false;
 

@@ -13,8 +13,6 @@
 #include <fmt/format.h>
 
 namespace fathom {
-namespace {
-
 Table FilmEntryTable(const FilmRefinement& refinement) {
   Table table = CoupledEntryTable(refinement.fitted);
   const FittedCoupledModel& before = refinement.of_poses.fitted;
@@ -29,10 +27,9 @@ Table FilmEntryTable(const FilmRefinement& refinement) {
 
 Table FilmFigureTable(const FilmRefinement& refinement) {
   Table table;
-  table.caption = fmt::format(
-      "NMAE of free runs, begun anew every {:g} s, against {}:",
-      refinement.fitted.horizon,
-      refinement.is_judged_by_velocity ? "velocity.csv" : "the derivative of the PnP poses");
+  table.caption = fmt::format("NMAE of free runs, begun anew every {:g} s, against {}:",
+                              refinement.fitted.horizon,
+                              FilmJudge(refinement));
   table.columns = {{"DOF"},
                    {"from PnP poses", true},
                    {"joint", true},
@@ -53,6 +50,8 @@ Table FilmFigureTable(const FilmRefinement& refinement) {
   }
   return table;
 }
+
+namespace {
 
 // Of a DOF's deviation: how far it wanders, where it does.
 std::string WanderText(const FilmRefinement& refinement) {
@@ -81,18 +80,26 @@ std::string WanderText(const FilmRefinement& refinement) {
 
 }  // namespace
 
+std::string FilmJudge(const FilmRefinement& refinement) {
+  return refinement.is_judged_by_velocity ? "velocity.csv" : "the derivative of the PnP poses";
+}
+
+std::string FilmCornerSentence(const FilmRefinement& refinement) {
+  int num_outliers = 0;
+  for (const RefinedWindow& window : refinement.joint.windows) num_outliers += window.num_outliers;
+  return fmt::format("Corner sigma {:.3g} px; {} of {} detections far off. {}.",
+                     refinement.joint.processes.corner_sigma,
+                     num_outliers,
+                     refinement.joint.num_detections,
+                     WanderText(refinement));
+}
+
 std::string FormatFilmRefinement(const FilmRefinement& refinement) {
   std::string text;
   if (refinement.of_poses.ladder) text += LadderSentence(*refinement.of_poses.ladder) + "\n";
   text += FormatTable(FilmEntryTable(refinement)) + "\n";
   text += FormatTable(FilmFigureTable(refinement)) + "\n";
-  int num_outliers = 0;
-  for (const RefinedWindow& window : refinement.joint.windows) num_outliers += window.num_outliers;
-  text += fmt::format("Corner sigma {:.3g} px; {} of {} detections far off. {}.\n",
-                      refinement.joint.processes.corner_sigma,
-                      num_outliers,
-                      refinement.joint.num_detections,
-                      WanderText(refinement));
+  text += FilmCornerSentence(refinement) + "\n";
   for (const std::string& caveat : refinement.fitted.caveats) text += "note: " + caveat + "\n";
   return text;
 }

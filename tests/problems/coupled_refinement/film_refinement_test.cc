@@ -5,9 +5,12 @@
 
 #include "fathom/coupled_refinement/film_refinement.h"
 
+#include "fathom/coupled_refinement/film_page.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "error_from.h"
 #include "filmed_plane.h"
@@ -52,6 +55,14 @@ TEST(RefineCoupled, FindsModelAndPathOfAFilmedRun) {
     EXPECT_LT(refinement.fitted.held_out[static_cast<std::size_t>(Index(dof))].nmae, 0.15);
   }
   EXPECT_NEAR(refinement.joint.processes.corner_sigma, 0.3, 0.01);
+
+  const Page page = FilmPage(refinement);
+  ASSERT_EQ(page.sections.size(), 2u);
+  const std::vector<TimePanel>& panels = page.sections[0].time_panels;
+  ASSERT_EQ(panels.size(), 3u);  // a DOF each, held-out part and all
+  EXPECT_EQ(panels[0].held_out.size(), 1u);
+  EXPECT_THAT(panels[0].responses, testing::SizeIs(2));
+  EXPECT_EQ(panels[0].responses[1].values.size(), panels[0].time.size());
 }
 
 TEST(RefineCoupled, FindsTheTruthFromPerfectCorners) {
