@@ -15,6 +15,7 @@
 #include "boat_log.h"
 #include "run_tool.h"
 #include "saved_files.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -103,6 +104,58 @@ TEST_F(CoupledBatch, RunsOnlyTheCoupledModelsWhereTheOthersAreDone) {
   EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("0 logs run now, 2 done before"));
   RunsWell(Run({}));
   EXPECT_EQ(PublicRows(results_), before);
+}
+
+// Twelve dives of one log; the starboard thruster gives that much from dive 7 on.
+class TwelveDives : public CoupledBatch {
+ protected:
+  void WriteDives(double gain_from_dive_7) const {
+    for (unsigned dive = 1; dive <= 12; ++dive) {
+      WriteBoatLog({.starboard_gain = dive < 7 ? 1.0 : gain_from_dive_7, .seed = 100 + dive},
+                   archive_ / fmt::format("dive {}/run", dive));
+    }
+  }
+};
+
+TEST_F(TwelveDives, NameTheThrusterThatWeakensAndNothingElse) {
+  WriteDives(0.8);
+  const fs::path page = folder_ / "r.html";
+  const std::vector<std::string> flags = {"--dofs=surge,yaw", Flag("report", page)};
+  const std::string out = RunsWell(Run(flags)).out;
+  EXPECT_THAT(out,
+              AllOf(StartsWith("From dive 7 on the thrust of thruster starboard is "),
+                    HasSubstr(" % weaker (± "),
+                    HasSubstr("): thruster(starboard).\n12 logs in 12 dives: 12 ok")));
+  // 0.8 within 0.005, five times its std.
+  EXPECT_THAT(Query("SELECT dof, parameter, kind, at, abs(before - 1) < 0.005, "
+                    "abs(after - 0.8) < 0.005, after_std < 0.001, cause FROM changes",
+                    results_),
+              ElementsAre("surge,yaw|thrust_gain.starboard|step|dive 7|1|1|1|thruster(starboard)"));
+  EXPECT_THAT(Query("SELECT * FROM outliers", results_), ElementsAre());
+  // The gain is free in sound dives too: else nothing could be compared.
+  EXPECT_THAT(Query("SELECT count(*) FROM dive_fits WHERE dof = 'surge,yaw' AND usable AND "
+                    "parameter = 'thrust_gain.starboard' AND std > 0",
+                    results_),
+              ElementsAre("12"));
+  EXPECT_THAT(TextOf(page),
+              AllOf(HasSubstr("From dive 7 on the thrust of thruster starboard is "),
+                    HasSubstr("\"parameter\":\"thrust_gain.starboard\"")));
+  // What is known is compared as what was run.
+  const auto rows = PublicRows(results_);
+  WriteTestFile(archive_ / "dive 9/notes.txt", "no log");
+  WriteBoatLog({.starboard_gain = 0.8, .turns = false, .seed = 200}, archive_ / "dive 9/straight");
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr("1 log run now, 12 done before"));
+  fs::remove_all(archive_ / "dive 9/straight");
+  RunsWell(Run(flags));
+  EXPECT_EQ(PublicRows(results_), rows);
+}
+
+TEST_F(TwelveDives, OfASoundBoatNameNothing) {
+  WriteDives(1.0);
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out,
+              StartsWith("No change over 12 dives.\n12 logs in 12 dives: 12 ok"));
+  EXPECT_THAT(Query("SELECT * FROM changes", results_), ElementsAre());
+  EXPECT_THAT(Query("SELECT * FROM outliers", results_), ElementsAre());
 }
 
 TEST_F(CoupledBatch, TellsOfALogWithoutAUsableFit) {

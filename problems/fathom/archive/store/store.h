@@ -62,6 +62,9 @@ class Store {
   // StoredLog::known, by path.
   std::map<std::string, KnownLog> KnownLogs() const;
 
+  // VerdictRow::json of the coupled models, by path.
+  std::map<std::string, std::string> CoupledVerdicts() const;
+
   // Takes out the logs that are not among these paths.
   void RemoveOtherLogs(const std::vector<std::string>& paths);
 
