@@ -106,6 +106,29 @@ TEST_F(CoupledBatch, RunsOnlyTheCoupledModelsWhereTheOthersAreDone) {
   EXPECT_EQ(PublicRows(results_), before);
 }
 
+TEST_F(CoupledBatch, TakesTheVehicleOfTheArchiveForLogsThatNameNone) {
+  WriteTwoRuns();
+  RunsWell(Run({"--dofs=surge,yaw"}));
+  const auto of_logs = Query("SELECT * FROM causes", results_);
+  fs::remove_all(archive_);
+  WriteBoatLog({.starboard_gain = 1.0, .seed = 5, .names_vehicle = false},
+               archive_ / "dive 1/sound");
+  WriteBoatLog({.starboard_gain = 0.6, .seed = 6, .names_vehicle = false},
+               archive_ / "dive 1/weak");
+  RunsWell(Run({"--dofs=surge,yaw"}));
+  EXPECT_THAT(StatesOf(results_)["dive 1/weak"], HasSubstr("names no vehicle file"));
+  WriteBoatFile(archive_ / "boat.yaml");
+  WriteTestFile(archive_ / "archive.yaml", "vehicle: boat.yaml\n");
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("2 logs in 1 dive: 2 ok"));
+  EXPECT_EQ(Query("SELECT * FROM causes", results_), of_logs);
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results_), ElementsAre("boat"));
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("0 logs run now, 2 done before"));
+  // A file that says something else is another question.
+  WriteTestFile(archive_ / "boat.yaml",
+                TextOf(archive_ / "boat.yaml") + "# the same, but for a remark\n");
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("2 logs run now, 0 done before"));
+}
+
 // Twelve dives of one log; the starboard thruster gives that much from dive 7 on.
 class TwelveDives : public CoupledBatch {
  protected:

@@ -38,14 +38,19 @@ std::filesystem::path WriteBoatLog(const Boat& boat, const std::filesystem::path
     r += 1e-3 * (moment - 3.0 * r - 4.0 * r * std::abs(r)) / 5.0;
   }
   WriteTestFile(folder / "log.yaml",
-                "name: boat\ndof: [surge, yaw]\nvehicle: boat.yaml\nthruster_unit: N\n");
-  WriteTestFile(folder / "boat.yaml",
-                "name: boat\nmass: 30\nthrusters:\n"
-                "  - {name: port, position: [0, -0.3, 0], direction: [1, 0, 0]}\n"
-                "  - {name: starboard, position: [0, 0.3, 0], direction: [1, 0, 0]}\n");
+                std::string("name: boat\ndof: [surge, yaw]\nthruster_unit: N\n") +
+                    (boat.names_vehicle ? "vehicle: boat.yaml\n" : ""));
+  if (boat.names_vehicle) WriteBoatFile(folder / "boat.yaml");
   WriteTestFile(folder / "command.csv", command);
   WriteTestFile(folder / "velocity.csv", velocity);
   return folder;
 }
 
 }  // namespace fathom
+void WriteBoatFile(const std::filesystem::path& file) {
+  WriteTestFile(file,
+                "name: boat\nmass: 30\nthrusters:\n"
+                "  - {name: port, position: [0, -0.3, 0], direction: [1, 0, 0]}\n"
+                "  - {name: starboard, position: [0, 0.3, 0], direction: [1, 0, 0]}\n");
+}
+

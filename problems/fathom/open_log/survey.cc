@@ -145,8 +145,16 @@ constexpr double kFirstEpoch = 1e9;
 
 }  // namespace
 
-Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof) {
-  return SurveyOf(OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}));
+Survey SurveyLog(const std::filesystem::path& path,
+                 std::optional<Dof> dof,
+                 const std::filesystem::path& default_vehicle) {
+  Log log = OpenLog(
+      path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}, default_vehicle);
+  const bool has_default =
+      !default_vehicle.empty() && log.vehicle == std::filesystem::absolute(default_vehicle);
+  Survey survey = SurveyOf(std::move(log));
+  if (has_default) survey.vehicle.clear();
+  return survey;
 }
 
 Survey SurveyOf(Log log) {

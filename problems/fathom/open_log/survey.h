@@ -38,8 +38,11 @@ struct Survey {
 // Where the command never changes it cannot either, but several such logs with different commands
 // can.
 //
-// `dof`: of a single CSV. Throws InputError as OpenLog() does.
-Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof);
+// `dof`: of a single CSV. `default_vehicle` as in OpenLog(); Survey::vehicle stays what log.yaml
+// says, or empty. Throws InputError as OpenLog() does.
+Survey SurveyLog(const std::filesystem::path& path,
+                 std::optional<Dof> dof,
+                 const std::filesystem::path& default_vehicle = {});
 
 // The same of a log that was opened already, with what it holds out.
 Survey SurveyOf(Log log);
