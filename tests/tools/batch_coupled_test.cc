@@ -203,6 +203,24 @@ TEST_F(CoupledBatch, TakesTheDofsThatALogMoves) {
   EXPECT_THAT(StatesOf(results_)["straight"], StartsWith("ok: "));
 }
 
+TEST_F(CoupledBatch, SaysWhichDofsThatMoveItLeavesOut) {
+  WriteBoatLog({.seed = 5, .rolls = true}, archive_ / "a");
+  WriteBoatLog({.seed = 6, .rolls = true}, archive_ / "b");
+  const fs::path page = folder_ / "r.html";
+  const std::string said =
+      "Left out of the coupled models, though the vehicle moves so: roll (2 logs, as a: moves by "
+      "0.1 rad/s, and nothing commands it). --dofs=DOF,... models what it names.";
+  const std::vector<std::string> flags = {"--dofs=auto", Flag("report", page)};
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr(said + "\n"));
+  EXPECT_THAT(TextOf(page), HasSubstr(said));
+  EXPECT_THAT(
+      Query("SELECT log, dof, severity FROM findings WHERE id = 'left_out_of_coupled'", results_),
+      ElementsAre("a|roll|yellow", "b|roll|yellow"));
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr(said + "\n"));
+  // Who names the DOFs knows what he leaves out.
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, ::testing::Not(HasSubstr("Left out")));
+}
+
 TEST_F(CoupledBatch, KeepsTheOthersOfALogWhoseCoupledModelCrashes) {
   WriteBoatLog({}, archive_ / "segfault_diagnose");
   const fs::path tools = folder_ / "tools";

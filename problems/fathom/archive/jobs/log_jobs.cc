@@ -285,7 +285,8 @@ std::optional<CoupledRun> RunCoupled(const LogJobOptions& options,
   const std::vector<Dof> dofs =
       options.coupled_dofs->empty() ? MovedDofs(*outcome->survey) : *options.coupled_dofs;
   if (dofs.size() < 2) return std::nullopt;
-  CoupledRun run = {.dofs = JoinedNames(dofs), .diagnose = {}};
+  CoupledRun run = {.dofs = JoinedNames(dofs), .diagnose = {}, .left_out = {}};
+  if (options.coupled_dofs->empty()) run.left_out = outcome->survey->undriven;
   run.diagnose = RunDiagnosis(run.dofs, "--dofs=" + run.dofs, options, settings, book, outcome);
   return run;
 }

@@ -194,6 +194,33 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
   return sentences;
 }
 
+std::string LeftOutSentence(const Tables& tables) {
+  std::map<std::string, std::pair<std::size_t, const FindingRow*>> left_out;
+  for (const FindingRow& row : tables.findings) {
+    if (row.id != kLeftOutOfCoupled) continue;
+    auto& [count, first] = left_out[row.dof];
+    if (count++ == 0) first = &row;
+  }
+  std::vector<std::string> parts;
+  for (const Dof dof : kAllDofs) {
+    const auto found = left_out.find(std::string(Name(dof)));
+    if (found == left_out.end()) continue;
+    const auto& [count, first] = found->second;
+    std::string why = first->text;
+    if (why.ends_with('.')) why.pop_back();
+    parts.push_back(
+        count == 1
+            ? fmt::format("{} ({}: {})", found->first, first->log, why)
+            : fmt::format(
+                  "{} ({}, as {}: {})", found->first, Plural(count, "log"), first->log, why));
+  }
+  if (parts.empty()) return "";
+  return fmt::format(
+      "Left out of the coupled models, though the vehicle moves so: {}. --dofs=DOF,... "
+      "models what it names.",
+      fmt::join(parts, ", "));
+}
+
 std::string CoupledSentence(const Tables& tables) {
   std::map<std::string, std::size_t> verdicts, named;
   std::size_t num_models = 0;

@@ -20,6 +20,10 @@ std::vector<std::string> ChangeSentences(const Tables& tables);
 // whether the changes are those of coupled models. Empty if there is none.
 std::string CoupledSentence(const Tables& tables);
 
+// Which DOFs --dofs=auto leaves out of the coupled models though they move, and why. Empty if there
+// is none.
+std::string LeftOutSentence(const Tables& tables);
+
 // How many logs in how many dives, and what became of them: every log is in one of the counts.
 std::string LogsSentence(const ArchiveReport& report);
 

@@ -124,6 +124,13 @@ std::string AcceptedStructure(const Json& verdict) {
 // A coupled model: its structure stands in the column of the source, the DOFs together in theirs.
 // Its findings are those of the single DOFs, which their programs told.
 void AddCoupled(const std::string& log, const CoupledRun& run, Tables* tables) {
+  for (const UndrivenDof& dof : run.left_out) {
+    tables->findings.push_back({.log = log,
+                                .dof = std::string(Name(dof.dof)),
+                                .severity = "yellow",
+                                .id = std::string(kLeftOutOfCoupled),
+                                .text = dof.why});
+  }
   const Json json = IsUsable(run.diagnose) ? ParseObject(run.diagnose.output) : Json::object();
   FitRow fit = {.log = log,
                 .dof = run.dofs,

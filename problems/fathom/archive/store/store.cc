@@ -345,6 +345,7 @@ Tables Store::ReadSummaryTables() const {
     SelectInto(database_.get(), kByLog, &tables.scores);
     tables.verdicts = SelectVerdicts(database_.get());
     SelectInto(database_.get(), kByLog, &tables.causes);
+    SelectInto(database_.get(), kByLog, &tables.findings);
     SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
     SelectInto(database_.get(), kAsWritten, &tables.changes);
     return tables;

@@ -76,7 +76,8 @@ class Store {
   // The public tables, without VerdictRow::json. Logs, and what is of a log, are by its path.
   Tables ReadTables() const;
 
-  // Of these only what a summary takes: logs, scores, dive_fits, verdicts, causes and changes.
+  // Of these only what a summary takes: logs, scores, dive_fits, verdicts, causes,
+  // findings and changes.
   Tables ReadSummaryTables() const;
 
   // Takes over the runs and contents of another results file that this one lacks. Throws InputError
