@@ -16,6 +16,7 @@
 #include "fathom/identification/family.h"
 #include "fathom/open_log/survey.h"
 #include "fathom/output_error/weighting.h"
+#include "fathom/tool/default_vehicle_flag.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/origin_of_page.h"
@@ -190,7 +191,8 @@ BatchSummary RunBatchWithProgress(const BatchOptions& options) {
 
 int Run() {
   if (!FLAGS_survey.empty()) {
-    fmt::print("{}", FormatSurvey(SurveyLog(FLAGS_survey, DofFromFlag())));
+    fmt::print("{}",
+               FormatSurvey(SurveyLog(FLAGS_survey, DofFromFlag(), DefaultVehicleFromFlag())));
     return kExitUsable;
   }
   const BatchOptions options = OptionsFromFlags();

@@ -62,6 +62,11 @@ DEFINE_double(decay_from,
               "anyway.");
 DEFINE_string(json, "", "Of a free decay: write what it tells to this JSON file.");
 
+DEFINE_string(free,
+              "",
+              "Of --dofs, beside what --structure frees: inertia.sway.yaw,thrust_gain.port, as "
+              "docs/coupled.md names them.");
+
 DECLARE_string(correct);
 DECLARE_string(held_out);
 
@@ -73,8 +78,8 @@ const ToolInfo kInfo = {
     "Identifies the motion model of one degree of freedom, or of several together, from logs.",
     "--log=LOG [--log=LOG ...] --dof=DOF [--family=FAMILY] [--source=SOURCE] [--velocity=FILE] "
     "[--offset=shared|per_log] [--model=FILE] [--decay_from=SECONDS] [--json=FILE]\n"
-    "--log=LOG [--log=LOG ...] --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] "
-    "[--model=FILE]",
+    "--log=LOG [--log=LOG ...] --dofs=DOF,DOF... [--structure=STRUCTURE] [--free=ENTRY,...] "
+    "[--window=SECONDS] [--model=FILE]",
     "fathom_identify --log=data/flatfish --dof=surge --model=surge.json",
     "Several logs, as --log=A --log=B or --log=A,B, are fitted together, each with its own initial "
     "state, and with --offset=per_log its own buoyancy. The family joint uses "
@@ -227,8 +232,21 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
   return kExitUsable;
 }
 
+CoupledIdentificationOptions CoupledOptionsWithFree() {
+  CoupledIdentificationOptions options = CoupledOptionsFromFlags();
+  for (const std::string& name : SplitAtCommas(FLAGS_free)) {
+    options.also_free.push_back(ParseFlag("free", name, ParseFreeEntry));
+  }
+  if (!options.also_free.empty() && !options.structure) {
+    throw InputError(
+        "--free: goes with a structure that is given, expected --structure beside it: "
+        "--structure=auto chooses for itself.");
+  }
+  return options;
+}
+
 int RunCoupledIdentification() {
-  const CoupledIdentificationOptions options = CoupledOptionsFromFlags();
+  const CoupledIdentificationOptions options = CoupledOptionsWithFree();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
   std::vector<Log> logs = ReadLogsFromFlags({});
   // Before the fit, which takes a while.
@@ -251,6 +269,7 @@ int RunCoupledIdentification() {
                                   {"window", fmt::format("{}", FLAGS_window)},
                                   {"version", FATHOM_VERSION}};
   if (!FLAGS_correct.empty()) identified.fitted.provenance["correct"] = FLAGS_correct;
+  if (!FLAGS_free.empty()) identified.fitted.provenance["free"] = FLAGS_free;
   WriteFile(FLAGS_model, FormatCoupledModel(identified.fitted));
   return kExitUsable;
 }
@@ -271,6 +290,10 @@ int Run() {
   if (HasDecayFrom()) of_one_dof.push_back("decay_from");
   RequireFlagsOfOneKind(of_one_dof);
   if (IsCoupledAsked()) return RunCoupledIdentification();
+  if (!FLAGS_free.empty()) {
+    throw InputError(
+        "--free: goes with --dofs, expected none: without it a model of one DOF is made.");
+  }
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(options);

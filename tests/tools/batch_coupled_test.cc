@@ -15,6 +15,7 @@
 #include "boat_log.h"
 #include "run_tool.h"
 #include "saved_files.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -105,6 +106,81 @@ TEST_F(CoupledBatch, RunsOnlyTheCoupledModelsWhereTheOthersAreDone) {
   EXPECT_EQ(PublicRows(results_), before);
 }
 
+TEST_F(CoupledBatch, TakesTheVehicleOfTheArchiveForLogsThatNameNone) {
+  WriteTwoRuns();
+  RunsWell(Run({"--dofs=surge,yaw"}));
+  const auto of_logs = Query("SELECT * FROM causes", results_);
+  fs::remove_all(archive_);
+  WriteBoatLog({.starboard_gain = 1.0, .seed = 5, .names_vehicle = false},
+               archive_ / "dive 1/sound");
+  WriteBoatLog({.starboard_gain = 0.6, .seed = 6, .names_vehicle = false},
+               archive_ / "dive 1/weak");
+  RunsWell(Run({"--dofs=surge,yaw"}));
+  EXPECT_THAT(StatesOf(results_)["dive 1/weak"], HasSubstr("names no vehicle file"));
+  WriteBoatFile(archive_ / "boat.yaml");
+  WriteTestFile(archive_ / "archive.yaml", "vehicle: boat.yaml\n");
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("2 logs in 1 dive: 2 ok"));
+  EXPECT_EQ(Query("SELECT * FROM causes", results_), of_logs);
+  EXPECT_THAT(Query("SELECT DISTINCT vehicle FROM logs", results_), ElementsAre("boat"));
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("0 logs run now, 2 done before"));
+  // A file that says something else is another question.
+  WriteTestFile(archive_ / "boat.yaml",
+                TextOf(archive_ / "boat.yaml") + "# the same, but for a remark\n");
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, HasSubstr("2 logs run now, 0 done before"));
+}
+
+// Twelve dives of one log; the starboard thruster gives that much from dive 7 on.
+class TwelveDives : public CoupledBatch {
+ protected:
+  void WriteDives(double gain_from_dive_7) const {
+    for (unsigned dive = 1; dive <= 12; ++dive) {
+      WriteBoatLog({.starboard_gain = dive < 7 ? 1.0 : gain_from_dive_7, .seed = 100 + dive},
+                   archive_ / fmt::format("dive {}/run", dive));
+    }
+  }
+};
+
+TEST_F(TwelveDives, NameTheThrusterThatWeakensAndNothingElse) {
+  WriteDives(0.8);
+  const fs::path page = folder_ / "r.html";
+  const std::vector<std::string> flags = {"--dofs=surge,yaw", Flag("report", page)};
+  const std::string out = RunsWell(Run(flags)).out;
+  EXPECT_THAT(out,
+              AllOf(StartsWith("From dive 7 on the thrust of thruster starboard is "),
+                    HasSubstr(" % weaker (± "),
+                    HasSubstr("): thruster(starboard).\n12 logs in 12 dives: 12 ok")));
+  // 0.8 within 0.005, five times its std.
+  EXPECT_THAT(Query("SELECT dof, parameter, kind, at, abs(before - 1) < 0.005, "
+                    "abs(after - 0.8) < 0.005, after_std < 0.001, cause FROM changes",
+                    results_),
+              ElementsAre("surge,yaw|thrust_gain.starboard|step|dive 7|1|1|1|thruster(starboard)"));
+  EXPECT_THAT(Query("SELECT * FROM outliers", results_), ElementsAre());
+  // The gain is free in sound dives too: else nothing could be compared.
+  EXPECT_THAT(Query("SELECT count(*) FROM dive_fits WHERE dof = 'surge,yaw' AND usable AND "
+                    "parameter = 'thrust_gain.starboard' AND std > 0",
+                    results_),
+              ElementsAre("12"));
+  EXPECT_THAT(TextOf(page),
+              AllOf(HasSubstr("From dive 7 on the thrust of thruster starboard is "),
+                    HasSubstr("\"parameter\":\"thrust_gain.starboard\"")));
+  // What is known is compared as what was run.
+  const auto rows = PublicRows(results_);
+  WriteTestFile(archive_ / "dive 9/notes.txt", "no log");
+  WriteBoatLog({.starboard_gain = 0.8, .turns = false, .seed = 200}, archive_ / "dive 9/straight");
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr("1 log run now, 12 done before"));
+  fs::remove_all(archive_ / "dive 9/straight");
+  RunsWell(Run(flags));
+  EXPECT_EQ(PublicRows(results_), rows);
+}
+
+TEST_F(TwelveDives, OfASoundBoatNameNothing) {
+  WriteDives(1.0);
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out,
+              StartsWith("No change over 12 dives.\n12 logs in 12 dives: 12 ok"));
+  EXPECT_THAT(Query("SELECT * FROM changes", results_), ElementsAre());
+  EXPECT_THAT(Query("SELECT * FROM outliers", results_), ElementsAre());
+}
+
 TEST_F(CoupledBatch, TellsOfALogWithoutAUsableFit) {
   WriteBoatLog({.turns = false}, archive_ / "straight");
   const std::vector<std::string> flags = {"--dofs=surge,yaw", Flag("report", folder_ / "r.html")};
@@ -125,6 +201,24 @@ TEST_F(CoupledBatch, TakesTheDofsThatALogMoves) {
   RunsWell(Run({"--dofs=auto"}));
   EXPECT_THAT(Query(kCoupledRuns, results_), ElementsAre("0"));
   EXPECT_THAT(StatesOf(results_)["straight"], StartsWith("ok: "));
+}
+
+TEST_F(CoupledBatch, SaysWhichDofsThatMoveItLeavesOut) {
+  WriteBoatLog({.seed = 5, .rolls = true}, archive_ / "a");
+  WriteBoatLog({.seed = 6, .rolls = true}, archive_ / "b");
+  const fs::path page = folder_ / "r.html";
+  const std::string said =
+      "Left out of the coupled models, though the vehicle moves so: roll (2 logs, as a: moves by "
+      "0.1 rad/s, and nothing commands it). --dofs=DOF,... models what it names.";
+  const std::vector<std::string> flags = {"--dofs=auto", Flag("report", page)};
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr(said + "\n"));
+  EXPECT_THAT(TextOf(page), HasSubstr(said));
+  EXPECT_THAT(
+      Query("SELECT log, dof, severity FROM findings WHERE id = 'left_out_of_coupled'", results_),
+      ElementsAre("a|roll|yellow", "b|roll|yellow"));
+  EXPECT_THAT(RunsWell(Run(flags)).out, HasSubstr(said + "\n"));
+  // Who names the DOFs knows what he leaves out.
+  EXPECT_THAT(RunsWell(Run({"--dofs=surge,yaw"})).out, ::testing::Not(HasSubstr("Left out")));
 }
 
 TEST_F(CoupledBatch, KeepsTheOthersOfALogWhoseCoupledModelCrashes) {

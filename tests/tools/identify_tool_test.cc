@@ -343,6 +343,35 @@ TEST(IdentifyTool, MakesOneModelOfSeveralDofsThatFathomSimulateRuns) {
   EXPECT_THAT(ReadColumns(out).names, ::testing::ElementsAre("t", "u", "w"));
 }
 
+TEST(IdentifyTool, FreesWhatItIsToldBesideAStructure) {
+  const std::string model = (EmptyTestFolder() / "model.json").string();
+  const auto flags = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--log=" + kFlatfish, "--model=" + model});
+    return more;
+  };
+  RunsWell("fathom_identify",
+           flags({"--dofs=surge,heave",
+                  "--structure=diagonal",
+                  "--free=linear_damping.surge.heave,inertia.surge"}));
+  const auto parameters = JsonOf(model)["parameters"];
+  EXPECT_EQ(parameters.size(), 9u);
+  EXPECT_GT(parameters["linear_damping.surge.heave"]["std"], 0.0);
+  for (const auto& [more, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--dofs=surge,heave", "--free=inertia.surge"},
+            "--free: goes with a structure that is given"},
+           {{"--dofs=surge,heave", "--structure=diagonal", "--free=inertia.up"},
+            "--free: 'inertia.up' is no entry"},
+           {{"--dofs=surge,heave", "--structure=diagonal", "--free=inertia.sway"},
+            "nothing is there for inertia.sway to be of"},
+           {{"--dofs=surge,heave", "--structure=diagonal", "--free=thrust_gain.port"},
+            "nothing is there for thrust_gain.port to be of"},
+           {{"--dof=surge", "--free=inertia.surge"}, "--free: goes with --dofs"}}) {
+    const ToolRun run = RunToolBinary("fathom_identify", flags(more));
+    EXPECT_EQ(run.exit_code, 1) << said;
+    EXPECT_THAT(run.err, HasSubstr(said));
+  }
+}
+
 TEST(IdentifyTool, RefusesDofsThatAreNone) {
   const auto error = [](const std::string& flag) {
     const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, flag});

@@ -82,6 +82,8 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
   if (!settings.vehicle.empty()) {
     ReadVehicleFile(settings.vehicle);  // says what is wrong with it
     of_logs.vehicle_content = ContentOf(settings.vehicle);
+    of_logs.programs.vehicle = fs::absolute(settings.vehicle);
+    of_logs.programs.vehicle_content = of_logs.vehicle_content;
   }
   of_logs.jobs.families = options.families;
   of_logs.jobs.weighting = options.weighting;

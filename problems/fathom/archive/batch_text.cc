@@ -86,6 +86,7 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
   text += fmt::format(
       "{} run now, {} done before\n", Plural(summary.num_run, "log"), num_logs - summary.num_run);
   if (const std::string coupled = CoupledSentence(tables); !coupled.empty()) text += coupled + "\n";
+  if (const std::string out = LeftOutSentence(tables); !out.empty()) text += out + "\n";
   text += OtherFilesText(summary.other_files);
   bool is_first = true;
   for (const LogRow& row : tables.logs) {

@@ -3,8 +3,11 @@
 
 #include "fathom/archive/changes_of_dives.h"
 
+#include "fathom/archive/store/compared_dofs.h"
+#include "fathom/base/dof.h"
 #include "fathom/base/input_error.h"
 #include "fathom/trends/name_causes.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -18,33 +21,65 @@ namespace {
 
 // One vehicle's dives, counted among themselves.
 struct Course {
+  std::string vehicle;
+  std::string coupled;  // the DOFs of the coupled model that stands for them; empty: there is none
   std::vector<std::string> dives;
   std::vector<DiveEstimate> estimates;
 };
 
+DiveEstimate EstimateOf(const FittedDive& fit, int place) {
+  if (IsOfSeveralDofs(fit.dofs)) {
+    const FittedCoupledModel fitted = ParseCoupledModel(fit.vehicle, fit.model);
+    DiveEstimate estimate;
+    estimate.dive = place;
+    estimate.value.resize(std::ssize(fitted.entries));
+    for (Eigen::Index i = 0; i < estimate.value.size(); ++i) {
+      estimate.value(i) = ValueIn(fitted.model, fitted.entries[static_cast<std::size_t>(i)]);
+    }
+    estimate.covariance = fitted.covariance;
+    estimate.entries = fitted.entries;
+    return estimate;
+  }
+  const FittedModel model = ParseModel(fit.vehicle, fit.model);
+  return {place,
+          ParseDof(fit.dofs),
+          ToVector(model.model),
+          model.covariance.topLeftCorner<kNumParameters, kNumParameters>(),
+          model.thruster_shares};
+}
+
 Course CourseOf(const std::string& vehicle,
                 const std::vector<FittedDive>& fits,
-                const std::vector<std::string>& dives) {
+                const std::vector<std::string>& dives,
+                const Tables& tables) {
   std::set<int> places;
   for (const FittedDive& fit : fits) {
     if (fit.vehicle == vehicle) places.insert(fit.place);
   }
   Course course;
+  course.vehicle = vehicle;
+  course.coupled = CoupledDofsCompared(tables.dive_fits, vehicle);
   std::map<int, int> own_place;
   for (const int place : places) {
     own_place.emplace(place, static_cast<int>(own_place.size()));
     course.dives.push_back(dives.at(static_cast<std::size_t>(place)));
   }
   for (const FittedDive& fit : fits) {
-    if (fit.vehicle != vehicle) continue;
-    const FittedModel model = ParseModel(fit.vehicle, fit.model);
-    course.estimates.push_back({own_place.at(fit.place),
-                                fit.dof,
-                                ToVector(model.model),
-                                model.covariance.topLeftCorner<kNumParameters, kNumParameters>(),
-                                model.thruster_shares});
+    if (fit.vehicle != vehicle || !AreCompared(fit.dofs, course.coupled)) continue;
+    course.estimates.push_back(EstimateOf(fit, own_place.at(fit.place)));
   }
   return course;
+}
+
+// As dive_fits has it. `found`: a change or an outlier.
+template <typename Found>
+std::string DofsOf(const Found& found, const Course& course) {
+  return found.entry ? course.coupled : std::string(Name(found.dof));
+}
+
+template <typename Found>
+std::string ParameterOf(const Found& found) {
+  return found.entry ? NameOf(*found.entry) : std::string(kParameterInfo[found.parameter].name);
 }
 
 // Nothing where there is no vehicle file, or none that can be read: its logs were refused then.
@@ -65,15 +100,14 @@ std::string CauseText(const ChangeEvent& event) {
 }
 
 void AddEvent(const ChangeEvent& event,
-              const std::string& vehicle,
-              const std::vector<std::string>& dives,
+              const Course& course,
               const std::string& before_text,
               Tables* tables) {
   for (const Change& change : event.changes) {
-    tables->changes.push_back({.dof = std::string(Name(change.dof)),
-                               .parameter = kParameterInfo[change.parameter].name,
+    tables->changes.push_back({.dof = DofsOf(change, course),
+                               .parameter = ParameterOf(change),
                                .kind = std::string(Name(change.kind)),
-                               .at = dives.at(static_cast<std::size_t>(change.at)),
+                               .at = course.dives.at(static_cast<std::size_t>(change.at)),
                                .before = change.before,
                                .after = change.after,
                                .before_std = change.before_std,
@@ -81,7 +115,7 @@ void AddEvent(const ChangeEvent& event,
                                .p_value = change.p_value,
                                .cause = CauseText(event),
                                .text = before_text + event.text,
-                               .vehicle = vehicle});
+                               .vehicle = course.vehicle});
   }
 }
 
@@ -94,14 +128,14 @@ void AddChangesOfDives(const std::vector<FittedDive>& fits,
   std::set<std::string> vehicles;
   for (const FittedDive& fit : fits) vehicles.insert(fit.vehicle);
   for (const std::string& vehicle : vehicles) {
-    const Course course = CourseOf(vehicle, fits, dives);
+    const Course course = CourseOf(vehicle, fits, dives, *tables);
     const ChangeOptions options;
     const ChangeSearch search =
         FindChanges(course.estimates, static_cast<int>(course.dives.size()), options);
     for (const ParameterOutlier& outlier : search.outliers) {
       tables->outliers.push_back({course.dives.at(static_cast<std::size_t>(outlier.dive)),
-                                  std::string(Name(outlier.dof)),
-                                  kParameterInfo[outlier.parameter].name,
+                                  DofsOf(outlier, course),
+                                  ParameterOf(outlier),
                                   vehicle});
     }
     const auto file = vehicle_files.find(vehicle);
@@ -110,7 +144,7 @@ void AddChangesOfDives(const std::vector<FittedDive>& fits,
     const std::string before_text = vehicles.size() > 1 ? vehicle + ": " : "";
     for (const ChangeEvent& event :
          NameCauses(search, course.estimates, course.dives, known, options)) {
-      AddEvent(event, vehicle, course.dives, before_text, tables);
+      AddEvent(event, course, before_text, tables);
     }
   }
 }

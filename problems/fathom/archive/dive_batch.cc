@@ -140,17 +140,41 @@ std::vector<Job> PredictionJobs(const BegunFit& fit) {
   return jobs;
 }
 
+void CountDone(DiveRuns* runs, BatchSession* session) {
+  const std::lock_guard lock(session->mutex);
+  ++runs->num_done;
+  if (!session->show || !runs->are_shown) return;
+  session->show({.noun = "dive fit",
+                 .done = runs->num_done,
+                 .total = runs->fits.size() + runs->coupled.size(),
+                 .last_failure = ""});
+}
+
 std::vector<Job> RunFit(const BegunFit& fit) {
   fit.fitted->outcome = RunDiveJobs(fit.task, *fit.programs, fit.Book());
-  DiveRuns& runs = *fit.runs;
-  const std::lock_guard lock(fit.session->mutex);
-  ++runs.num_done;
-  if (fit.session->show && runs.are_shown) {
-    fit.session->show(
-        {.noun = "dive fit", .done = runs.num_done, .total = runs.fits.size(), .last_failure = ""});
-  }
+  CountDone(fit.runs, fit.session);
   const std::optional<RunRecord>& identify = fit.fitted->outcome.identify;
   return identify && IsUsable(*identify) ? PredictionJobs(fit) : std::vector<Job>();
+}
+
+// Those that may begin and have not begun.
+std::vector<Job> NewCoupledJobs(const std::vector<BatchLog>& logs,
+                                const std::map<std::string, int>& place_of,
+                                const ProgramSettings& programs,
+                                DiveRuns* runs,
+                                BatchSession* session) {
+  std::vector<Job> jobs;
+  for (const auto& [key, task] : CoupledDiveTasks(logs, place_of)) {
+    const auto [fitted, is_new] = runs->coupled.try_emplace(key);
+    if (!is_new) continue;
+    std::optional<RunRecord>* const result = &fitted->second;
+    jobs.push_back({[=, task = task, &programs]() -> std::vector<Job> {
+      *result = RunCoupledDiveJob(task, programs, runs->unfinished.Watch(BookOf(session)));
+      CountDone(runs, session);
+      return {};
+    }});
+  }
+  return jobs;
 }
 
 }  // namespace
@@ -163,7 +187,7 @@ std::vector<Job> NewDiveJobs(const std::vector<BatchLog>& logs,
   const Fits fits = FitsOf(logs, place_of);
   const OpenPlaces open_places = OpenPlacesOf(logs, place_of);
   runs->are_shown = open_places.empty();
-  std::vector<Job> jobs;
+  std::vector<Job> jobs = NewCoupledJobs(logs, place_of, options.programs, runs, session);
   for (auto fit = fits.begin(); fit != fits.end(); ++fit) {
     const auto next = NextDive(fits, fit);
     if (!MayBegin(fits, fit, next, open_places)) continue;
@@ -186,14 +210,22 @@ DiveBatch BatchOfDives(const std::vector<BatchLog>& logs, const DiveRuns& runs) 
   DiveBatch batch;
   batch.dives = DivesOf(logs);
   std::vector<FittedDive> fitted;
-  for (const auto& [key, fit] : FitsOf(logs, PlacesOf(batch.dives))) {
+  const auto place_of = PlacesOf(batch.dives);
+  for (const auto& [key, fit] : FitsOf(logs, place_of)) {
     const FittedTask& run = runs.fits.at(key);
     std::ranges::move(RowsOfDive(fit.task, run.outcome, fit.excluded),
                       std::back_inserter(batch.tables.dive_fits));
     std::ranges::copy(run.predictions, std::back_inserter(batch.tables.predictions));
     const std::optional<RunRecord>& identify = run.outcome.identify;
     if (!identify || !IsUsable(*identify)) continue;
-    fitted.push_back({fit.task.vehicle, std::get<int>(key), fit.task.dof, identify->output});
+    fitted.push_back(
+        {fit.task.vehicle, std::get<int>(key), std::string(Name(fit.task.dof)), identify->output});
+  }
+  for (const auto& [key, task] : CoupledDiveTasks(logs, place_of)) {
+    const RunRecord& run = *runs.coupled.at(key);
+    std::ranges::move(RowsOfCoupledDive(task, run), std::back_inserter(batch.tables.dive_fits));
+    if (!IsUsable(run)) continue;
+    fitted.push_back({task.vehicle, std::get<int>(key), task.dofs, run.output});
   }
 
   batch.is_final = runs.unfinished.IsEmpty() &&

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/batch_session.h"
+#include "fathom/archive/coupled_dives.h"
 #include "fathom/archive/jobs/dive_jobs.h"
 #include "fathom/archive/jobs/run_in_parallel.h"
 #include "fathom/archive/jobs/unfinished_runs.h"
@@ -13,6 +14,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -37,6 +39,7 @@ struct FittedTask {
 // The joint fits of a batch that were begun, whether or not they are done.
 struct DiveRuns {
   std::map<FitKey, FittedTask> fits;
+  std::map<CoupledFitKey, std::optional<RunRecord>> coupled;
   std::size_t num_done = 0;
   bool are_shown = false;  // as progress: not before all logs are done
   UnfinishedRuns unfinished;

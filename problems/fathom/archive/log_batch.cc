@@ -168,7 +168,9 @@ class Work {
         followers_(followers),
         session_(*session),
         stored_(session->store->DoneLogs()),
-        known_(session->store->KnownLogs()) {
+        known_(session->store->KnownLogs()),
+        coupled_verdicts_(options.jobs.coupled_dofs ? session->store->CoupledVerdicts()
+                                                    : std::map<std::string, std::string>()) {
     batch_.logs.resize(logs.size());
   }
 
@@ -205,6 +207,9 @@ class Work {
     const auto outcome = known ? OutcomeOf(*known, log, options_.jobs) : std::nullopt;
     if (!outcome) return false;
     batch_.logs[i] = Surveyed(log, *outcome, options_.settings);
+    if (const auto verdict = coupled_verdicts_.find(log.path); verdict != coupled_verdicts_.end()) {
+      batch_.logs[i].coupled = CoupledInVerdict(verdict->second);
+    }
     ++num_surveyed_;
     EndWith(*outcome, DofsOf(*known), &batch_.logs[i]);
     return true;
@@ -250,6 +255,9 @@ class Work {
     const Tables rows = RowsOfLog(outcome);
     BatchLog& log = batch_.logs[i];
     log.is_final = work.unfinished.IsEmpty();
+    if (outcome.coupled && IsUsable(outcome.coupled->diagnose)) {
+      log.coupled = CoupledInVerdict(outcome.coupled->diagnose.output);
+    }
     EndWith(outcome, DofsOf(outcome, rows), &log);
     if (work.has_run || KnownOf(hashed) == nullptr) {
       pending_.push_back({.row = RowOf(outcome, log, options_.programs.version),
@@ -295,6 +303,7 @@ class Work {
   BatchSession& session_;
   const std::map<std::string, std::string> stored_;
   const std::map<std::string, KnownLog> known_;
+  const std::map<std::string, std::string> coupled_verdicts_;  // of known logs
   LogBatch batch_;
   std::vector<StoredLog> pending_;
   std::size_t num_surveyed_ = 0, num_done_ = 0;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/batch_coupled.h"
 #include "fathom/archive/batch_dof.h"
 #include "fathom/archive/batch_session.h"
 #include "fathom/archive/dives/archive_settings.h"
@@ -41,7 +42,8 @@ struct BatchLog {
   bool is_done = false;
   LogState state = LogState::kOk;
   std::vector<BatchDof> dofs;  // that it can identify, alone or with others
-  bool is_final = true;        // false: a later batch has to run it again
+  std::optional<BatchCoupled> coupled;
+  bool is_final = true;  // false: a later batch has to run it again
 };
 
 struct LogBatch {

@@ -69,6 +69,43 @@ std::vector<std::string> FreeGains(const CoupledLogs& logs) {
   return gains;
 }
 
+// Whether the logs, with these DOFs, have what the entry is of.
+bool IsIn(const FreeEntry& entry, const CoupledCommand& command, const std::vector<Dof>& dofs) {
+  if (!IsOfActuator(entry)) {
+    const Dof row = entry.kind == FreeEntry::Kind::kNetBuoyancy ? Dof::kHeave : entry.row;
+    const bool has_column =
+        entry.kind == FreeEntry::Kind::kNetBuoyancy || std::ranges::count(dofs, entry.column) > 0;
+    return has_column && std::ranges::count(dofs, row) > 0;
+  }
+  if (entry.kind != FreeEntry::Kind::kThrustGain) {
+    return std::ranges::any_of(command.fins,
+                               [&](const auto& fin) { return fin.name == entry.actuator; });
+  }
+  return std::ranges::any_of(
+             command.thrusters,
+             [&](const auto& thruster) { return thruster.name == entry.actuator; }) ||
+         std::ranges::any_of(command.shafts, [&](const CommandedShaft& shaft) {
+           return shaft.shaft.name == entry.actuator;
+         });
+}
+
+// The structure with these entries too.
+MotionStructure WithEntries(MotionStructure structure,
+                            const std::vector<FreeEntry>& entries,
+                            const CoupledLogs& logs) {
+  for (const FreeEntry& entry : entries) {
+    if (!IsIn(entry, logs.data.front().inputs.command, structure.dofs)) {
+      throw InputError(
+          fmt::format("{}: nothing is there for {} to be of, expected a thruster or a fin of the "
+                      "vehicle file, or DOFs that are modelled.",
+                      logs.data.front().log,
+                      NameOf(entry)));
+    }
+    if (std::ranges::count(structure.entries, entry) == 0) structure.entries.push_back(entry);
+  }
+  return structure;
+}
+
 // Whether something of a known force drives a DOF.
 bool IsDrivenInNewtons(const CoupledData& log, Dof dof) {
   const CoupledCommand& command = log.inputs.command;
@@ -133,8 +170,10 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
     fit.body = {};  // in kg, which these forces are not
   }
   if (options.structure) {
-    identified.structure =
-        StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held), FreeGains(all));
+    identified.structure = WithEntries(
+        StructureOf(*options.structure, options.dofs, FinsOf(all, fit.held), FreeGains(all)),
+        options.also_free,
+        all);
     identified.fit = FitBlocks(all, identified.structure, fit);
     identified.fitted.structure = std::string(Name(*options.structure));
   } else {

@@ -8,6 +8,7 @@
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
+#include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <optional>
@@ -20,6 +21,7 @@ struct CoupledIdentificationOptions {
   std::vector<Dof> dofs;                       // in the order of Dof, each once
   std::optional<StandardStructure> structure;  // absent: chosen by ClimbLadder()
   CoupledFitOptions fit;
+  std::vector<FreeEntry> also_free = {};  // beside those of `structure`, which is given
 };
 
 struct CoupledIdentification {
@@ -41,7 +43,8 @@ struct CoupledIdentification {
 // One model of several DOFs from one or several logs. The vehicle file that the first log names
 // tells the rigid body and the thrusters.
 //
-// Throws InputError if the logs lack what CoupledDataOf() needs, or differ in their command's unit.
+// Throws InputError if the logs lack what CoupledDataOf() needs, differ in their command's unit, or
+// know nothing of what an entry of `also_free` is of.
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                       const CoupledIdentificationOptions& options);
 

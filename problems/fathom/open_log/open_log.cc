@@ -10,11 +10,19 @@
 
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
+
+void TakeDefaultVehicle(const std::filesystem::path& file, Log* log) {
+  if (file.empty()) return;
+  const bool is_of_it = log->vehicle.empty() || (!log->vehicle.ends_with(".yaml") &&
+                                                 log->vehicle == ReadVehicleFile(file).name);
+  if (is_of_it) log->vehicle = std::filesystem::absolute(file).string();
+}
 
 // Takes the mass, and turns a command of thrusters into forces.
 void UseVehicleFile(Log* log) {
@@ -57,8 +65,12 @@ Log Completed(Log log, bool may_lack_motion) {
 
 }  // namespace
 
-Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options) {
-  return Completed(ReadLog(path, options), options.may_lack_motion);
+Log OpenLog(const std::filesystem::path& path,
+            const ReadLogOptions& options,
+            const std::filesystem::path& default_vehicle) {
+  Log log = ReadLog(path, options);
+  TakeDefaultVehicle(default_vehicle, &log);
+  return Completed(std::move(log), options.may_lack_motion);
 }
 
 Log OpenLogText(const LogText& text, bool may_lack_motion) {

@@ -16,9 +16,14 @@ namespace fathom {
 // whose only motion is detections (TrackDetections); with `may_lack_motion` detections stay what
 // they are. What was passed over on the way is in its remarks.
 //
+// `default_vehicle`: the vehicle file of a log whose log.yaml names no vehicle, or the name in that
+// file. Log::vehicle then is this path. Empty: there is none.
+//
 // Throws InputError as these do, if thruster speeds come without a vehicle file, and if that cannot
 // be read.
-Log OpenLog(const std::filesystem::path& path, const ReadLogOptions& options = {});
+Log OpenLog(const std::filesystem::path& path,
+            const ReadLogOptions& options = {},
+            const std::filesystem::path& default_vehicle = {});
 
 // The same of a log in memory: ParseLog() in place of ReadLog(). A vehicle file is looked for from
 // text.path on.

@@ -77,6 +77,39 @@ bool IsWhite(const Whiteness& sums) {
   return (2.0 - ratio) * std::sqrt(static_cast<double>(sums.count)) / 2.0 < kMostDeviations;
 }
 
+// The root mean square of a column about its mean; NaN of one that is short, at rest or white.
+double MotionOf(const std::vector<double>& column) {
+  std::vector<double> known = column;
+  std::erase_if(known, [](double value) { return !std::isfinite(value); });
+  if (known.size() < kFewestSamples) return std::nan("");
+  Segment segment;
+  segment.velocity = known;
+  const Whiteness sums = WhitenessOf({segment});
+  if (!(sums.sum_of_steps > 0.0) || IsWhite(sums)) return std::nan("");
+  return std::sqrt(sums.sum_of_squares / static_cast<double>(sums.count));
+}
+
+std::vector<UndrivenDof> UndrivenOf(const Log& log, const std::vector<Dof>& candidates) {
+  std::vector<UndrivenDof> undriven;
+  for (const Dof dof : kAllDofs) {
+    const auto* column = log.velocity ? log.velocity->Find(VelocityColumn(dof)) : nullptr;
+    const double motion = column ? MotionOf(*column) : std::nan("");
+    if (std::isnan(motion)) continue;
+    const auto* force = log.command ? log.command->Find(ForceColumn(dof)) : nullptr;
+    const bool is_driven =
+        force && std::ranges::any_of(*force, [](double value) { return value != 0.0; });
+    const bool is_candidate = std::ranges::count(candidates, dof) > 0;
+    if (is_driven && is_candidate) continue;
+    undriven.push_back({dof,
+                        fmt::format("moves by {:.2g} {}, {}.",
+                                    motion,
+                                    VelocityUnit(dof),
+                                    is_driven ? "and `dof` in log.yaml does not name it"
+                                              : "and nothing commands it")});
+  }
+  return undriven;
+}
+
 SurveyedDof LookAt(const Signals& signals) {
   std::size_t count = 0;
   double duration = 0.0;
@@ -145,8 +178,16 @@ constexpr double kFirstEpoch = 1e9;
 
 }  // namespace
 
-Survey SurveyLog(const std::filesystem::path& path, std::optional<Dof> dof) {
-  return SurveyOf(OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}));
+Survey SurveyLog(const std::filesystem::path& path,
+                 std::optional<Dof> dof,
+                 const std::filesystem::path& default_vehicle) {
+  Log log = OpenLog(
+      path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}, default_vehicle);
+  const bool has_default =
+      !default_vehicle.empty() && log.vehicle == std::filesystem::absolute(default_vehicle);
+  Survey survey = SurveyOf(std::move(log));
+  if (has_default) survey.vehicle.clear();
+  return survey;
 }
 
 Survey SurveyOf(Log log) {
@@ -165,6 +206,7 @@ Survey SurveyOf(Log log) {
   if (survey.needs_tracking) return survey;
   if (!has_motion && log.detections && log.command) TrackDetections(&log);
   for (const Dof candidate : candidates) survey.dofs.push_back(LookAt(log, candidate));
+  survey.undriven = UndrivenOf(log, candidates);
   return survey;
 }
 
@@ -174,13 +216,18 @@ std::string FormatSurvey(const Survey& survey) {
     dofs.push_back(
         {{"dof", Name(dof.dof)}, {"why_not", CleanText(dof.why_not)}, {"may_help", dof.may_help}});
   }
+  Json undriven = Json::array();
+  for (const UndrivenDof& dof : survey.undriven) {
+    undriven.push_back({{"dof", Name(dof.dof)}, {"why", dof.why}});
+  }
   const Json json = {{"schema", "fathom-survey-1"},
                      {"dive", survey.dive},
                      {"vehicle", survey.vehicle},
                      {"start", survey.start},
                      {"duration", survey.duration},
                      {"needs_tracking", survey.needs_tracking},
-                     {"dofs", dofs}};
+                     {"dofs", dofs},
+                     {"undriven", undriven}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -197,6 +244,11 @@ Survey ParseSurvey(std::string_view text) {
     survey.start = number("start");
     survey.duration = number("duration");
     survey.needs_tracking = json.at("needs_tracking").get<bool>();
+    // Surveys that an archive keeps may be older than this key.
+    for (const Json& dof : json.value("undriven", Json::array())) {
+      survey.undriven.push_back(
+          {ParseDof(dof.at("dof").get<std::string>()), dof.at("why").get<std::string>()});
+    }
     for (const Json& dof : json.at("dofs")) {
       survey.dofs.push_back({ParseDof(dof.at("dof").get<std::string>()),
                              dof.at("why_not").get<std::string>(),

@@ -28,7 +28,7 @@ std::vector<DiveSeries> SeriesWithout(std::span<const ParameterOutlier> outliers
   std::vector<DiveSeries> series = SeriesOf(estimates, num_dives, kLeastDivesOfSeries);
   for (DiveSeries& one : series) {
     for (const ParameterOutlier& outlier : outliers) {
-      if (outlier.dof != one.dof || outlier.parameter != one.parameter) continue;
+      if (!AreOfOneSeries(outlier, one)) continue;
       const auto place = std::find(one.dive.begin(), one.dive.end(), outlier.dive);
       if (place == one.dive.end()) continue;
       one = WithoutElement(one, static_cast<int>(place - one.dive.begin()));
@@ -223,7 +223,7 @@ bool AddEvents(std::span<const Change> changes, ArchiveEvents* archive) {
     }
     for (std::size_t s = 0; s < archive->series.size(); ++s) {
       const DiveSeries& one = archive->series[s];
-      if (one.dof == change.dof && one.parameter == change.parameter) event->found[s] = 1;
+      if (AreOfOneSeries(one, change)) event->found[s] = 1;
     }
   }
   return archive->events.size() > known;
@@ -250,7 +250,8 @@ std::vector<KnownChange> KnownOf(const ArchiveEvents& archive) {
   for (const ArchiveEvent& event : archive.events) {
     for (std::size_t s = 0; s < archive.series.size(); ++s) {
       if (!event.column.moves[s]) continue;
-      known.push_back({archive.series[s].dof, archive.series[s].parameter, event.column.column});
+      const DiveSeries& one = archive.series[s];
+      known.push_back({one.dof, one.parameter, event.column.column, one.entry});
     }
   }
   return known;

@@ -31,9 +31,7 @@ std::vector<SeriesModel> StartModels(std::span<const DiveEstimate> estimates,
   for (DiveSeries& series : SeriesOf(estimates, num_dives, kLeastDives)) {
     SeriesModel model{std::move(series), {}, {}};
     for (const KnownChange& change : known) {
-      const bool is_of_it =
-          change.dof == model.series.dof && change.parameter == model.series.parameter;
-      if (is_of_it) model.known.push_back(change.column);
+      if (AreOfOneSeries(change, model.series)) model.known.push_back(change.column);
     }
     models.push_back(std::move(model));
   }
@@ -87,7 +85,7 @@ Round ScanAll(std::span<const DiveEstimate> estimates,
 
 ParameterOutlier RemoveOutlier(int element, SeriesModel* model) {
   const DiveSeries& series = model->series;
-  const ParameterOutlier outlier{series.dive[element], series.dof, series.parameter};
+  const ParameterOutlier outlier{series.dive[element], series.dof, series.parameter, series.entry};
   model->series = WithoutElement(series, element);
   return outlier;
 }
@@ -106,15 +104,21 @@ void Consider(const Finding& finding, double rate, std::optional<Finding>* best)
     *best = finding;
 }
 
-// By DOF: of parameters whose noise goes together the most telling one comes first, and the others
-// are judged beside it.
-std::array<std::optional<Finding>, 6> TellingFindings(const Round& round,
-                                                      const CommonScale& changes,
-                                                      const CommonScale& dives,
-                                                      const ChangeOptions& options) {
-  std::array<std::optional<Finding>, 6> findings;
+// Parameters whose noise goes together: those of one DOF, and all of a coupled model.
+constexpr std::size_t kNumGroups = 7;
+
+std::size_t GroupOf(const DiveSeries& series) {
+  return series.entry ? kNumGroups - 1 : static_cast<std::size_t>(Index(series.dof));
+}
+
+// By group: the most telling parameter of it comes first, and the others are judged beside it.
+std::array<std::optional<Finding>, kNumGroups> TellingFindings(const Round& round,
+                                                               const CommonScale& changes,
+                                                               const CommonScale& dives,
+                                                               const ChangeOptions& options) {
+  std::array<std::optional<Finding>, kNumGroups> findings;
   for (std::size_t s = 0; s < round.scans.size(); ++s) {
-    std::optional<Finding>& best = findings[Index(round.series[s].dof)];
+    std::optional<Finding>& best = findings[GroupOf(round.series[s])];
     const ScanCandidate change = BestChange(round.scans[s]);
     const ScanCandidate dive = BestDive(round.scans[s]);
     const double change_p = PValue(changes.largest, changes.OnScale(s, change.statistic));
@@ -131,7 +135,7 @@ int NumDraws(int num_dives, const ChangeOptions& options) {
   return num_dives > kManyDives ? std::min(options.num_draws, kFewDraws) : options.num_draws;
 }
 
-// Adds one more change or outlier to every DOF that has one which quiet archives do not. False if
+// Adds one more change or outlier to every group that has one which quiet archives do not. False if
 // there is none.
 bool AddTheTelling(std::span<const DiveEstimate> estimates,
                    int num_dives,
@@ -187,7 +191,8 @@ ChangeSearch FindChanges(std::span<const DiveEstimate> estimates,
     search.scatter.push_back({model.series.dof,
                               model.series.parameter,
                               model.series.scale * std::sqrt(last.tau_squared[s]),
-                              static_cast<int>(model.series.dive.size())});
+                              static_cast<int>(model.series.dive.size()),
+                              model.series.entry});
     for (std::size_t i = 0; i < model.found.size(); ++i) {
       search.changes.push_back(ChangeOf(model, i, last.tau_squared[s], num_dives));
     }

@@ -8,6 +8,7 @@
 #include "fathom/trends/column.h"
 #include "fathom/trends/dive_estimate.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct ParameterOutlier {
   int dive = 0;
   Dof dof = Dof::kSurge;
   int parameter = 0;
+  std::optional<FreeEntry> entry = {};  // of a coupled model
 
   bool operator==(const ParameterOutlier&) const = default;
 };
@@ -28,6 +30,7 @@ struct ScatterBetweenDives {
   int parameter = 0;
   double std = 0.0;   // [unit of the parameter]
   int num_dives = 0;  // of the series, without outliers
+  std::optional<FreeEntry> entry = {};
 };
 
 // A change that is in the model from the start.
@@ -35,6 +38,7 @@ struct KnownChange {
   Dof dof = Dof::kSurge;
   int parameter = 0;
   Column column;
+  std::optional<FreeEntry> entry = {};
 };
 
 struct ChangeSearch {
@@ -45,12 +49,13 @@ struct ChangeSearch {
 
 // What changes over the dives of a vehicle beyond `known`: docs/archive_trends.md (1) to (6).
 //
-// Each series, one parameter of one DOF, is a mean with steps, at most one linear trend, scatter
+// Each series, one number of a model, is a mean with steps, at most one linear trend, scatter
 // between dives and the noise of each dive. In turn the most telling step, trend or outlying dive
 // is added, as long as a quiet archive would show the like less often than the options allow.
 // A series of fewer than five dives is not searched, and a step has two dives on either side.
 //
-// CHECKs the options. At most one estimate of each dive and DOF; dives that are missing, NaN or
+// CHECKs the options. At most one estimate of each dive and DOF, a coupled one counting as that of
+// all its DOFs; dives that are missing, NaN or
 // have no positive variance are left out.
 ChangeSearch FindChanges(std::span<const DiveEstimate> estimates,
                          int num_dives,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 namespace fathom {
 namespace {
@@ -31,6 +32,29 @@ std::string Listed(const std::vector<std::string>& items) {
     text += items[i];
   }
   return text;
+}
+
+// "inertia in surge", "thrust gain of port", "inertia that couples sway and yaw".
+std::string NameOfNumber(const DiveSeries& one) {
+  const std::string dof(Name(one.dof));
+  std::string name =
+      one.entry ? NameOf(*one.entry) : std::string(kParameterInfo[one.parameter].name);
+  name = name.substr(0, name.find('.'));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (one.IsOfActuator()) return name + " of " + one.entry->actuator;
+  if (!one.entry || one.entry->row == one.entry->column) return name + " in " + dof;
+  const std::string column(Name(one.entry->column));
+  return one.entry->kind == FreeEntry::Kind::kInertia
+             ? name + " that couples " + dof + " and " + column
+             : name + " in " + dof + " by " + column;
+}
+
+// With a space before it; empty of a number without one.
+std::string UnitOfNumber(const DiveSeries& one) {
+  const std::string unit =
+      one.entry ? UnitOf(*one.entry)
+                : ParameterUnit(one.parameter, one.dof, std::string(ForceUnit(one.dof)));
+  return unit == "1" ? "" : " " + UnitText(unit);
 }
 
 struct Teller {
@@ -62,6 +86,7 @@ struct Teller {
   std::string Dofs(bool with_angular = true) const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
+      if (series[event.series[i]].IsOfActuator()) continue;
       const Dof dof = series[event.series[i]].dof;
       if (IsAngular(dof) && !with_angular) continue;
       const std::string name(Name(dof));
@@ -80,20 +105,16 @@ struct Teller {
   std::string Parameters(bool with_linear = true) const {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
-      if (!IsTold(i) || (!with_linear && !IsAngular(series[event.series[i]].dof))) continue;
+      if (!IsTold(i) || (!with_linear && HasMass(series[event.series[i]]))) continue;
       const DiveSeries& one = series[event.series[i]];
       const Number number = Difference(i);
-      std::string name = kParameterInfo[one.parameter].name;
-      std::replace(name.begin(), name.end(), '_', ' ');
-      const std::string unit =
-          UnitText(ParameterUnit(one.parameter, one.dof, std::string(ForceUnit(one.dof))));
+      const std::string unit = UnitOfNumber(one);
       const bool grows = number.value > 0.0;
-      std::string item = "the " + name + " in " + std::string(Name(one.dof));
+      std::string item = "the " + NameOfNumber(one);
       if (IsTrend()) {
-        item +=
-            (grows ? " grows by " : " falls by ") + WithDeviation(number, " " + unit + " a dive");
+        item += (grows ? " grows by " : " falls by ") + WithDeviation(number, unit + " a dive");
       } else {
-        item += " is " + WithDeviation(number, " " + unit + (grows ? " larger" : " smaller"));
+        item += " is " + WithDeviation(number, unit + (grows ? " larger" : " smaller"));
       }
       items.push_back(item);
     }
@@ -107,19 +128,39 @@ struct Teller {
                       const Number& share) const {
     const Number percent{100.0 * PerDive() * share.value, 100.0 * PerDive() * share.std};
     const bool grows = percent.value > 0.0;
+    const std::string dofs = Dofs();
+    const std::string where = dofs.empty() ? "" : " in " + dofs;
     if (!IsTrend()) {
-      return what + " is " + WithDeviation(percent, " % " + (grows ? more : less)) + " in " +
-             Dofs();
+      return what + " is " + WithDeviation(percent, " % " + (grows ? more : less)) + where;
     }
     return what + (grows ? " grows by " : " falls by ") + WithDeviation(percent, " % a dive") +
-           " in " + Dofs();
+           where;
+  }
+
+  // Whether a number is a mass, or a moment of one.
+  static bool HasMass(const DiveSeries& one) {
+    return one.parameter == kInertia && !IsAngular(one.dof);
+  }
+
+  // What a pattern that moves the gain of one thruster alone says of it; nothing of any other.
+  std::optional<Number> Gain() const {
+    std::optional<Number> gain;
+    for (std::size_t i = 0; i < event.series.size(); ++i) {
+      const DiveSeries& one = series[event.series[i]];
+      if (!IsTold(i)) continue;
+      if (!one.entry || one.entry->kind != FreeEntry::Kind::kThrustGain || gain) return {};
+      const double before = event.before(i);
+      const Number difference = Difference(i);
+      gain = {difference.value / (one.scale * before), difference.std / (one.scale * before)};
+    }
+    return gain;
   }
 
   std::string Payload() const {
     // The mass that the DOFs agree on.
     double weight = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
-      if (!IsTold(i) || IsAngular(series[event.series[i]].dof)) continue;
+      if (!IsTold(i) || !HasMass(series[event.series[i]])) continue;
       const Number number = Difference(i);
       weight += std::pow(number.std, -2);
       sum += number.value * std::pow(number.std, -2);
@@ -135,6 +176,12 @@ struct Teller {
     return "the vehicle is " + WithDeviation(mass, " kg " + how) + rest;
   }
 
+  // "the thrust of thruster port"
+  std::string Thrust() const {
+    if (named.cause.rfind("thruster(", 0) != 0) return "the thrust";
+    return "the thrust of thruster " + named.cause.substr(9, named.cause.size() - 10);
+  }
+
   std::string Sentence() const {
     if (named.cause == "payload") return Payload();
     const double f = named.fit.factor;
@@ -144,11 +191,12 @@ struct Teller {
       return Percent("damping", "larger", "smaller", {f / (1.0 - f), slope * named.fit.factor_std});
     }
     if (named.pattern.HasFactor()) {
-      std::string what = "the thrust";
-      if (named.cause.rfind("thruster(", 0) == 0) {
-        what += " of thruster " + named.cause.substr(9, named.cause.size() - 10);
-      }
-      return Percent(what, "stronger", "weaker", {-f, named.fit.factor_std});
+      return Percent(Thrust(), "stronger", "weaker", {-f, named.fit.factor_std});
+    }
+    if (const auto gain = Gain(); gain && named.cause != "unnamed") {
+      // Difference() of a trend is that of one dive already.
+      return Percent(
+          Thrust(), "stronger", "weaker", {gain->value / PerDive(), gain->std / PerDive()});
     }
     return Parameters();
   }

@@ -46,6 +46,7 @@ Change ChangeOf(const SeriesModel& model,
   Change change;
   change.dof = series.dof;
   change.parameter = series.parameter;
+  change.entry = series.entry;
   change.kind = column.kind;
   change.at = column.at;
   change.before = series.scale * before.dot(coefficients);

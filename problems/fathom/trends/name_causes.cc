@@ -33,6 +33,7 @@ std::vector<Change> ChangesOf(const ArchiveEvents& archive,
     Change change;
     change.dof = one.dof;
     change.parameter = one.parameter;
+    change.entry = one.entry;
     change.kind = event.column.column.kind;
     change.at = event.column.column.at;
     const double scale = one.scale;
@@ -42,8 +43,7 @@ std::vector<Change> ChangesOf(const ArchiveEvents& archive,
     change.after_std = scale * std::sqrt(fit.covariance(i, i) + fit.covariance(m + i, m + i) +
                                          2.0 * fit.covariance(i, m + i));
     for (const Change& other : found) {
-      const bool is_it = other.dof == change.dof && other.parameter == change.parameter &&
-                         other.kind == change.kind;
+      const bool is_it = AreOfOneSeries(other, change) && other.kind == change.kind;
       const bool is_there =
           change.kind == ChangeKind::kTrend || std::abs(other.at - change.at) <= 1;
       if (is_it && is_there) change.p_value = other.p_value;

@@ -16,13 +16,22 @@ constexpr double kLeastShare = 0.02;      // of a DOF's thrust, for a thruster t
 constexpr double kLeastEigenvalue = 1.5;  // of a correlation of 0.5 between two parameters
 constexpr double kLeastPartInDirection = 0.3;
 
+bool IsOfKind(const DiveSeries& series, FreeEntry::Kind kind) {
+  return series.entry && series.entry->kind == kind;
+}
+
 bool IsDamping(const DiveSeries& series) {
+  if (IsOfKind(series, FreeEntry::Kind::kLinearDamping) ||
+      IsOfKind(series, FreeEntry::Kind::kQuadraticDamping)) {
+    return true;
+  }
   return series.parameter == kQuadraticDamping || series.parameter == kLinearDamping;
 }
 
 std::vector<Dof> DofsOf(std::span<const DiveSeries> series) {
   std::vector<Dof> dofs;
   for (const DiveSeries& one : series) {
+    if (one.IsOfActuator()) continue;
     if (dofs.empty() || dofs.back() != one.dof) dofs.push_back(one.dof);
   }
   return dofs;
@@ -51,8 +60,10 @@ void AddPayload(std::span<const DiveSeries> series, std::vector<Pattern>* patter
   Eigen::VectorXd same_mass = Eigen::VectorXd::Zero(mass.share.size());
   std::vector<Eigen::Index> moments;
   for (Eigen::Index s = 0; s < same_mass.size(); ++s) {
-    if (series[s].parameter != kInertia) continue;
-    if (IsAngular(series[s].dof)) {
+    const bool couples = IsOfKind(series[s], FreeEntry::Kind::kInertia) &&
+                         series[s].entry->row != series[s].entry->column;
+    if (series[s].parameter != kInertia && !couples) continue;
+    if (IsAngular(series[s].dof) || couples) {
       moments.push_back(s);
     } else {
       same_mass(s) = 1.0 / series[s].scale;
@@ -114,6 +125,22 @@ Eigen::MatrixXd ShareOfDives(std::span<const DiveSeries> series,
   return shares.array().isNaN().all() ? Eigen::MatrixXd() : shares;
 }
 
+// Of the gains of thrusters that a coupled model holds: each alone.
+void AddGains(std::span<const DiveSeries> series, std::vector<Pattern>* patterns) {
+  for (Eigen::Index s = 0; s < std::ssize(series); ++s) {
+    if (!IsOfKind(series[s], FreeEntry::Kind::kThrustGain)) continue;
+    Pattern pattern = Empty("thruster(" + series[s].entry->actuator + ")", series);
+    FreeSize(s, &pattern);
+    patterns->push_back(pattern);
+  }
+}
+
+bool HasGainOf(const std::string& thruster, std::span<const DiveSeries> series) {
+  return std::ranges::any_of(series, [&](const DiveSeries& one) {
+    return IsOfKind(one, FreeEntry::Kind::kThrustGain) && one.entry->actuator == thruster;
+  });
+}
+
 void AddThrusters(std::span<const DiveSeries> series,
                   std::span<const DiveEstimate> estimates,
                   int num_dives,
@@ -126,8 +153,10 @@ void AddThrusters(std::span<const DiveSeries> series,
   }
   const Eigen::MatrixXd capability = allocation.cwiseAbs() * coefficients.asDiagonal();
   for (Eigen::Index k = 0; k < coefficients.size(); ++k) {
+    if (HasGainOf(vehicle.thrusters[k].name, series)) continue;
     Pattern pattern = Empty("thruster(" + vehicle.thrusters[k].name + ")", series);
     for (Eigen::Index s = 0; s < pattern.share.size(); ++s) {
+      if (series[s].IsOfActuator()) continue;
       const int row = Index(series[s].dof);
       const double share = capability(row, k) / std::max(capability.row(row).sum(), 1e-300);
       if (share >= kLeastShare) pattern.share(s) = share;
@@ -148,13 +177,16 @@ void AddThrust(std::span<const DiveSeries> series,
     for (const Dof dof : DofsOf(series)) {
       Pattern pattern = Empty("thrust(" + std::string(Name(dof)) + ")", series);
       for (Eigen::Index s = 0; s < pattern.share.size(); ++s) {
-        if (series[s].dof == dof) pattern.share(s) = 1.0;
+        if (series[s].dof == dof && !series[s].IsOfActuator()) pattern.share(s) = 1.0;
       }
       patterns->push_back(pattern);
     }
   }
+  AddGains(series, patterns);
   Pattern battery = Empty("battery", series);
-  battery.share.setOnes();
+  for (Eigen::Index s = 0; s < battery.share.size(); ++s) {
+    battery.share(s) = series[s].IsOfActuator() ? 0.0 : 1.0;
+  }
   patterns->push_back(battery);
 }
 
@@ -177,7 +209,7 @@ void AddExcitation(std::span<const DiveSeries> series,
   for (const Dof dof : DofsOf(series)) {
     std::vector<Eigen::Index> rows;
     for (Eigen::Index s = 0; s < mean_correlation.rows(); ++s) {
-      if (series[s].dof == dof) rows.push_back(s);
+      if (series[s].dof == dof && !series[s].IsOfActuator()) rows.push_back(s);
     }
     const Eigen::MatrixXd correlation = mean_correlation(rows, rows);
     const SymmetricEigen eigen = EigenOf(correlation);

@@ -51,9 +51,10 @@ QuietArchives DrawQuietArchives(std::span<const DiveBlock> blocks,
   for (const DiveSeries& one : series) values.emplace_back(one.value.size());
   QuietArchives quiet{Eigen::MatrixXd(num_draws, series.size()),
                       Eigen::MatrixXd(num_draws, series.size())};
+  Eigen::VectorXd white;
   for (int draw = 0; draw < num_draws; ++draw) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-      Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kNumParameters, 1> white(factors[b].rows());
+      white.resize(factors[b].rows());
       for (double& number : white) number = random.Normal();
       for (Eigen::Index i = 0; i < white.size(); ++i) {
         values[blocks[b].series[i]](blocks[b].element[i]) =

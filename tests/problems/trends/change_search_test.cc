@@ -116,6 +116,22 @@ FoundSteps FindSteps(const DrawnArchive& archive, int num_archives) {
   return {count(is_found), count(is_placed), count(is_first)};
 }
 
+// The rate of 5 % over 200 archives, and two standard deviations of the count more.
+TEST(ChangeSearch, FindsNothingInCoupledModelsThatStay) {
+  const int num_archives = 200, num_dives = 12;
+  std::vector<char> has_change(num_archives);
+  SideBySide(num_archives, 2, [&](std::size_t i) {
+    RandomStream random(i, "archive");
+    const std::vector<DiveEstimate> estimates = DrawQuietCoupled(num_dives, &random);
+    ChangeOptions options;
+    options.num_draws = 199;
+    has_change[i] = FindChanges(estimates, num_dives, options).changes.empty() ? 0 : 1;
+  });
+  const auto count = std::count(has_change.begin(), has_change.end(), 1);
+  RecordProperty("with_change", static_cast<int>(count));
+  EXPECT_LE(count, 0.05 * num_archives + 2.0 * std::sqrt(0.05 * num_archives));
+}
+
 TEST(ChangeSearch, FindsAStepAtItsDive) {
   const int num_archives = 300;
   const FoundSteps steps = FindSteps(TurbulentArchive(), num_archives);

@@ -52,4 +52,37 @@ inline std::vector<DiveEstimate> DrawQuiet(const DrawnArchive& archive, RandomSt
   return estimates;
 }
 
+// Coupled models of surge, sway and yaw, with the gain of one thruster and the righting moment in
+// roll; correlations of 0.5 within each dive. By dive.
+inline std::vector<DiveEstimate> DrawQuietCoupled(int num_dives, RandomStream* random) {
+  const std::vector<FreeEntry> entries = {InertiaEntry(Dof::kSurge, Dof::kSurge),
+                                          InertiaEntry(Dof::kSway, Dof::kSway),
+                                          InertiaEntry(Dof::kYaw, Dof::kYaw),
+                                          InertiaEntry(Dof::kSway, Dof::kYaw),
+                                          LinearDampingEntry(Dof::kSurge, Dof::kSurge),
+                                          LinearDampingEntry(Dof::kYaw, Dof::kYaw),
+                                          RightingMomentEntry(Dof::kRoll),
+                                          OffsetEntry(Dof::kYaw),
+                                          ThrustGainEntry("lateral")};
+  const auto size = static_cast<Eigen::Index>(entries.size());
+  Eigen::VectorXd truth(size), std(size);
+  truth << 140.0, 180.0, 12.0, 8.0, 60.0, 6.0, 20.0, 0.3, 1.0;
+  std << 2.0, 2.0, 0.2, 0.3, 1.5, 0.1, 0.4, 0.02, 0.02;
+  const Eigen::MatrixXd correlation =
+      0.5 * (Eigen::MatrixXd::Identity(size, size) + Eigen::MatrixXd::Ones(size, size));
+  std::vector<DiveEstimate> estimates;
+  for (int dive = 0; dive < num_dives; ++dive) {
+    DiveEstimate estimate;
+    estimate.dive = dive;
+    estimate.entries = entries;
+    const Eigen::VectorXd own = std * (0.7 + 0.8 * random->Uniform());
+    estimate.covariance = own.asDiagonal() * correlation * own.asDiagonal();
+    Eigen::VectorXd white(size);
+    for (double& number : white) number = random->Normal();
+    estimate.value = truth + estimate.covariance.llt().matrixL() * white;
+    estimates.push_back(estimate);
+  }
+  return estimates;
+}
+
 }  // namespace fathom

@@ -61,6 +61,23 @@ TEST(EventText, TellsHowWeakAThrusterIs) {
             "thruster(port).");
 }
 
+TEST(EventText, TellsTheGainOfAThrusterOfACoupledModel) {
+  TextCase test;
+  test.series[1].entry = ThrustGainEntry("port");
+  test.series[1].scale = 0.01;  // 0.8 before, 0.04 more after
+  test.named.cause = "thruster(port)";
+  test.named.pattern.directions << 0.0, 1.0, 0.0, 0.0;
+  EXPECT_EQ(test.Text({ChangeKind::kStep, 1}),
+            "From dive b on the thrust of thruster port is 5.0 % stronger (± 1.2): "
+            "thruster(port).");
+  EXPECT_EQ(test.Text({ChangeKind::kTrend, 0}),
+            "The thrust of thruster port grows by 1.2 % a dive (± 0.3): thruster(port).");
+  test.named.cause = "unnamed";
+  EXPECT_EQ(test.Text({ChangeKind::kStep, 1}),
+            "From dive b on the thrust gain of port is 0.040 larger (± 0.010): no known cause "
+            "fits.");
+}
+
 TEST(EventText, TellsTheParametersOfWhatHasNoName) {
   TextCase test;
   test.named.cause = "unnamed";

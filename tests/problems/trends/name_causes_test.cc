@@ -3,6 +3,7 @@
 
 #include "fathom/trends/name_causes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -63,6 +64,59 @@ Effect From(int at, const Effect& effect) {
   return [=](DiveEstimate* estimate) {
     if (estimate->dive >= at) effect(estimate);
   };
+}
+
+struct Difference {
+  FreeEntry entry;
+  double size;
+};
+
+// Of coupled models over twelve dives, of which those from the seventh on differ so.
+std::vector<ChangeEvent> CoupledEvents(const std::vector<Difference>& differences) {
+  constexpr int kNumDives = 12;
+  RandomStream random(3, "archive");
+  std::vector<DiveEstimate> estimates = DrawQuietCoupled(kNumDives, &random);
+  for (DiveEstimate& estimate : estimates) {
+    if (estimate.dive < 6) continue;
+    for (const Difference& one : differences) {
+      const auto found = std::find(estimate.entries.begin(), estimate.entries.end(), one.entry);
+      estimate.value(found - estimate.entries.begin()) += one.size;
+    }
+  }
+  const ChangeOptions options;
+  return NameCauses(FindChanges(estimates, kNumDives, options),
+                    estimates,
+                    DiveNames(kNumDives),
+                    ThreeThrusters(),
+                    options);
+}
+
+TEST(NameCauses, NamesTheNumberOfACoupledModelThatChanges) {
+  struct Case {
+    std::vector<Difference> differences;
+    std::string cause, text;
+  };
+  for (const Case& one : std::vector<Case>{
+           {{{ThrustGainEntry("lateral"), -0.2}},
+            "thruster(lateral)",
+            "From dive 6 on the thrust of thruster lateral is "},
+           {{{RightingMomentEntry(Dof::kRoll), -4.0}},
+            "unnamed",
+            "From dive 6 on the righting moment in roll is "},
+           {{{InertiaEntry(Dof::kSurge, Dof::kSurge), 14.0},
+             {InertiaEntry(Dof::kSway, Dof::kSway), 14.0},
+             {InertiaEntry(Dof::kSway, Dof::kYaw), 3.0}},
+            "payload",
+            "From dive 6 on the vehicle is "},
+           {{{OffsetEntry(Dof::kYaw), 0.2}}, "ballast", "From dive 6 on the offset in yaw is "}}) {
+    const std::vector<ChangeEvent> events = CoupledEvents(one.differences);
+    ASSERT_THAT(CausesOf(events), ElementsAre(one.cause)) << one.text;
+    EXPECT_THAT(events[0].text, ::testing::StartsWith(one.text));
+    for (const Difference& difference : one.differences) {
+      const auto is_it = [&](const Change& change) { return change.entry == difference.entry; };
+      EXPECT_TRUE(std::ranges::any_of(events[0].changes, is_it)) << one.text;
+    }
+  }
 }
 
 TEST(NameCauses, NamesEachCauseFromItsPattern) {

@@ -8,6 +8,7 @@
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/open_log/open_log.h"
 #include "fathom/tool/correct_flag.h"
+#include "fathom/tool/default_vehicle_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/print_text.h"
@@ -105,7 +106,7 @@ Log ReadLogFromFlags(const std::string& path,
   options.corrections = CorrectionsFromFlag();
   options.may_lack_motion = may_lack_motion;
   options.may_lack_command = may_lack_command;
-  Log log = OpenLog(path, options);
+  Log log = OpenLog(path, options, DefaultVehicleFromFlag());
   PrintRemarks(log, 0);
   return log;
 }

@@ -153,6 +153,7 @@ bool Track(const LogJobOptions& options,
   return MakeLog({.program = "fathom_track",
                   .contents = {outcome->content},
                   .places = {"--log=" + outcome->place.string()},
+                  .takes_vehicle = false,
                   .output = "summary"},
                  options,
                  settings,
@@ -171,6 +172,7 @@ bool NeedsNoMap(const FoundLog& log,
                                     .contents = {outcome->content},
                                     .flags = {"--suggest"},
                                     .places = places,
+                                    .takes_vehicle = false,
                                     .output = "json"},
                                    settings,
                                    book);
@@ -203,12 +205,14 @@ bool Import(const FoundLog& log,
   if (!log.vehicle.empty()) places.push_back("--vehicle=" + log.vehicle);
   if (log.map.empty() && !NeedsNoMap(log, places, settings, book, outcome)) return false;
   if (!log.map.empty()) places.push_back("--map=" + log.map);
-  return MakeLog(
-      {.program = "fathom_import", .contents = {outcome->content}, .places = std::move(places)},
-      options,
-      settings,
-      book,
-      outcome);
+  return MakeLog({.program = "fathom_import",
+                  .contents = {outcome->content},
+                  .places = std::move(places),
+                  .takes_vehicle = false},
+                 options,
+                 settings,
+                 book,
+                 outcome);
 }
 
 // The diagnosis of one DOF, or of several together; with its page where pages are asked for.
@@ -281,7 +285,8 @@ std::optional<CoupledRun> RunCoupled(const LogJobOptions& options,
   const std::vector<Dof> dofs =
       options.coupled_dofs->empty() ? MovedDofs(*outcome->survey) : *options.coupled_dofs;
   if (dofs.size() < 2) return std::nullopt;
-  CoupledRun run = {.dofs = JoinedNames(dofs), .diagnose = {}};
+  CoupledRun run = {.dofs = JoinedNames(dofs), .diagnose = {}, .left_out = {}};
+  if (options.coupled_dofs->empty()) run.left_out = outcome->survey->undriven;
   run.diagnose = RunDiagnosis(run.dofs, "--dofs=" + run.dofs, options, settings, book, outcome);
   return run;
 }

@@ -41,6 +41,7 @@ struct DofRuns {
 struct CoupledRun {
   std::string dofs;  // JoinedNames()
   RunRecord diagnose;
+  std::vector<UndrivenDof> left_out;  // where the batch chose the DOFs
 };
 
 struct LogOutcome {

@@ -64,11 +64,17 @@ std::string TakeFile(const fs::path& file) {
   return text;
 }
 
+bool TakesVehicle(const ProgramCall& call, const ProgramSettings& settings) {
+  return call.takes_vehicle && !settings.vehicle.empty();
+}
+
 }  // namespace
 
 std::string KeyOf(const ProgramCall& call, const ProgramSettings& settings) {
+  std::vector<std::string> contents = call.contents;
+  if (TakesVehicle(call, settings)) contents.push_back(settings.vehicle_content);
   return DigestOf(
-      {call.program, settings.version, DigestOf(call.contents), DigestOf(call.flags), call.output});
+      {call.program, settings.version, DigestOf(contents), DigestOf(call.flags), call.output});
 }
 
 RunRecord RunProgram(const ProgramCall& call,
@@ -85,6 +91,9 @@ RunRecord RunProgram(const ProgramCall& call,
                           .limits = settings.limits,
                           .most_output = std::size_t{16} << 20};
   command.arguments.insert(command.arguments.end(), call.places.begin(), call.places.end());
+  if (TakesVehicle(call, settings)) {
+    command.arguments.push_back("--default_vehicle=" + settings.vehicle.string());
+  }
   run.arguments = CleanText(fmt::format("{}", fmt::join(command.arguments, " ")));
   if (!call.output.empty()) {
     command.arguments.push_back(fmt::format("--{}={}", call.output, file.string()));

@@ -18,6 +18,10 @@ struct ProgramSettings {
   std::filesystem::path work;   // a folder for the files that pass between them
   std::string version;          // of Fathom
   ChildLimits limits;           // of each
+
+  // The vehicle file of archive.yaml, and its digest; empty: there is none.
+  std::filesystem::path vehicle;
+  std::string vehicle_content;
 };
 
 struct ProgramCall {
@@ -25,6 +29,7 @@ struct ProgramCall {
   std::vector<std::string> contents = {};  // digests of what it reads
   std::vector<std::string> flags = {};     // that decide what comes out: "--dof=surge"
   std::vector<std::string> places = {};    // what does not: where it reads, "--log=...", and how
+  bool takes_vehicle = true;               // of archive.yaml, for logs that name none
   std::string output = {};                 // the flag of its JSON file; empty: it is on stdout
 };
 

@@ -5,6 +5,7 @@
 
 #include "fathom/archive/report/dives_apart.h"
 #include "fathom/archive/report/log_states.h"
+#include "fathom/archive/store/compared_dofs.h"
 #include "fathom/base/plural.h"
 
 #include <algorithm>
@@ -183,9 +184,6 @@ std::vector<std::string> SentencesOfVehicles(const Tables& tables) {
   return sentences;
 }
 
-// "surge,sway,yaw", of a coupled model.
-bool IsOfSeveralDofs(const std::string& dof) { return dof.find(',') != std::string::npos; }
-
 }  // namespace
 
 std::vector<std::string> ChangeSentences(const Tables& tables) {
@@ -194,6 +192,33 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
     sentences.push_back(std::move(poor));
   }
   return sentences;
+}
+
+std::string LeftOutSentence(const Tables& tables) {
+  std::map<std::string, std::pair<std::size_t, const FindingRow*>> left_out;
+  for (const FindingRow& row : tables.findings) {
+    if (row.id != kLeftOutOfCoupled) continue;
+    auto& [count, first] = left_out[row.dof];
+    if (count++ == 0) first = &row;
+  }
+  std::vector<std::string> parts;
+  for (const Dof dof : kAllDofs) {
+    const auto found = left_out.find(std::string(Name(dof)));
+    if (found == left_out.end()) continue;
+    const auto& [count, first] = found->second;
+    std::string why = first->text;
+    if (why.ends_with('.')) why.pop_back();
+    parts.push_back(
+        count == 1
+            ? fmt::format("{} ({}: {})", found->first, first->log, why)
+            : fmt::format(
+                  "{} ({}, as {}: {})", found->first, Plural(count, "log"), first->log, why));
+  }
+  if (parts.empty()) return "";
+  return fmt::format(
+      "Left out of the coupled models, though the vehicle moves so: {}. --dofs=DOF,... "
+      "models what it names.",
+      fmt::join(parts, ", "));
 }
 
 std::string CoupledSentence(const Tables& tables) {
@@ -217,9 +242,16 @@ std::string CoupledSentence(const Tables& tables) {
   }
   std::string text =
       fmt::format("{}: {}.", Plural(num_models, "coupled model"), fmt::join(counts, ", "));
-  if (names.empty()) return text;
-  return text +
-         fmt::format(" {} {}.", num_models == 1 ? "It names" : "They name", fmt::join(names, ", "));
+  if (!names.empty()) {
+    text +=
+        fmt::format(" {} {}.", num_models == 1 ? "It names" : "They name", fmt::join(names, ", "));
+  }
+  const bool are_compared = std::ranges::any_of(tables.dive_fits, [&](const DiveFitRow& row) {
+    return IsOfSeveralDofs(row.dof) &&
+           CoupledDofsCompared(tables.dive_fits, row.vehicle) == row.dof;
+  });
+  return are_compared ? text + " What changes along their DOFs is told by those of whole dives."
+                      : text;
 }
 
 std::string LogsSentence(const ArchiveReport& report) {

@@ -16,9 +16,13 @@ namespace fathom {
 // poor, that changes can hide behind that. At least one sentence.
 std::vector<std::string> ChangeSentences(const Tables& tables);
 
-// "12 coupled models: 10 consistent, 2 explained. They name thrust_gain.port (2 logs)." Empty if
-// there is none.
+// "12 coupled models: 10 consistent, 2 explained. They name thrust_gain.port (2 logs).", and
+// whether the changes are those of coupled models. Empty if there is none.
 std::string CoupledSentence(const Tables& tables);
+
+// Which DOFs --dofs=auto leaves out of the coupled models though they move, and why. Empty if there
+// is none.
+std::string LeftOutSentence(const Tables& tables);
 
 // How many logs in how many dives, and what became of them: every log is in one of the counts.
 std::string LogsSentence(const ArchiveReport& report);

@@ -67,10 +67,11 @@ std::string CoupledModelsHtml(const ArchiveReport& report) {
                                      HtmlText(fit.message));
   }
   if (rows.empty()) return "";
+  const std::string out = LeftOutSentence(report.tables);
+  const std::string left_out = out.empty() ? "" : "<p class=\"text\">" + HtmlText(out) + "</p>\n";
   return "<section id=\"coupled\">\n<h2>Coupled models</h2>\n"
          "<p class=\"text\">" +
-         HtmlText(CoupledSentence(report.tables)) +
-         "</p>\n"
+         HtmlText(CoupledSentence(report.tables)) + "</p>\n" + left_out +
          "<p class=\"hint\">One model of several degrees of freedom for each log: the structure "
          "that the data show, and the numbers beyond a diagonal model, ± one standard "
          "deviation.</p>\n<div class=\"table\"><table class=\"coupled-models\">\n<thead><tr>"

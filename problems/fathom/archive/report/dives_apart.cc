@@ -3,6 +3,7 @@
 
 #include "fathom/archive/report/dives_apart.h"
 
+#include "fathom/archive/store/compared_dofs.h"
 #include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 
@@ -99,7 +100,9 @@ std::string SentenceOf(const Fits& fits) {
 
 std::string DivesApartSentence(const Tables& tables, const std::string& vehicle) {
   std::map<std::pair<std::string, std::string>, Fits> by_parameter;
+  const std::string coupled = CoupledDofsCompared(tables.dive_fits, vehicle);
   for (const DiveFitRow& row : tables.dive_fits) {
+    if (!AreCompared(row.dof, coupled)) continue;
     if (row.vehicle != vehicle || !row.usable || !(row.std > 0.0) || !std::isfinite(row.value)) {
       continue;
     }

@@ -5,18 +5,15 @@
 
 #include "fathom/archive/store/tables.h"
 
-#include <cstddef>
 #include <string>
 
 namespace fathom {
 
-// Of fewer dives with a usable joint fit nothing is said about change.
-inline constexpr std::size_t kFewestDivesForChange = 5;
-
 // Says which parameter of a vehicle differs most between dives, where dives differ by far more than
 // their intervals: how far, and which dives stand together. For example of dives in pairs, each
 // pair with another hull, where no step can be placed. Parameters that have a change in `changes`
-// are left to it. Empty where the dives agree, or too few say something (kFewestDivesForChange).
+// are left to it, and DOFs that a coupled model stands for to that (CoupledDofsCompared). Empty
+// where the dives agree, or too few say something (kFewestDivesForChange).
 std::string DivesApartSentence(const Tables& tables, const std::string& vehicle);
 
 }  // namespace fathom

@@ -107,7 +107,7 @@ json ChartJson(const std::vector<const DiveFitRow*>& rows, const Places& places)
     ticks.push_back({ToSevenDigits(tick), TickLabel(tick, step)});
   }
   return {{"parameter", rows.front()->parameter},
-          {"unit", UnitText(rows.front()->unit)},
+          {"unit", rows.front()->unit == "1" ? "" : UnitText(rows.front()->unit)},
           {"lower_bound", panel.lower_bound},  // null where there is none
           {"range", {ToSevenDigits(range.from), ToSevenDigits(range.to)}},
           {"ticks", std::move(ticks)},

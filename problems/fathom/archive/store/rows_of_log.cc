@@ -124,6 +124,13 @@ std::string AcceptedStructure(const Json& verdict) {
 // A coupled model: its structure stands in the column of the source, the DOFs together in theirs.
 // Its findings are those of the single DOFs, which their programs told.
 void AddCoupled(const std::string& log, const CoupledRun& run, Tables* tables) {
+  for (const UndrivenDof& dof : run.left_out) {
+    tables->findings.push_back({.log = log,
+                                .dof = std::string(Name(dof.dof)),
+                                .severity = "yellow",
+                                .id = std::string(kLeftOutOfCoupled),
+                                .text = dof.why});
+  }
   const Json json = IsUsable(run.diagnose) ? ParseObject(run.diagnose.output) : Json::object();
   FitRow fit = {.log = log,
                 .dof = run.dofs,
@@ -159,6 +166,14 @@ std::string LeftOutText(const std::vector<LeftOutLog>& logs) {
   std::vector<std::string> texts;
   for (const LeftOutLog& log : logs) texts.push_back(fmt::format("{} ({})", log.path, log.why));
   return texts.empty() ? "" : fmt::format("Left out: {}.", fmt::join(texts, ", "));
+}
+
+// A row for each number of a model file, like `row` in all else.
+std::vector<DiveFitRow> RowsOfModel(const std::string& model, const DiveFitRow& row) {
+  std::vector<DiveFitRow> rows;
+  const Json json = ParseObject(model);
+  AddParameters(Part(json, "parameters"), row, &rows);
+  return rows;
 }
 
 std::string Joined(const std::string& a, const std::string& b) {
@@ -197,16 +212,21 @@ std::vector<DiveFitRow> RowsOfDive(const DiveTask& task,
     row.message = Joined(why, row.message);
     return {row};
   }
-  std::vector<DiveFitRow> rows;
-  const Json model = ParseObject(outcome.identify->output);
-  for (const auto& [name, parameter] : Part(model, "parameters").items()) {
-    row.parameter = name;
-    row.value = Number(parameter, "value");
-    row.std = Number(parameter, "std");
-    row.unit = Text(parameter, "unit");
-    rows.push_back(row);
-  }
-  return rows;
+  return RowsOfModel(outcome.identify->output, row);
+}
+
+std::vector<DiveFitRow> RowsOfCoupledDive(const CoupledDiveTask& task, const RunRecord& run) {
+  DiveFitRow row = {.dive = task.dive,
+                    .dof = task.dofs,
+                    .usable = IsUsable(run),
+                    .parameter = "",
+                    .unit = "",
+                    .logs = static_cast<int>(task.logs.size()),
+                    .message = "",
+                    .vehicle = task.vehicle};
+  if (row.usable) return RowsOfModel(run.output, row);
+  row.message = WhyNot(run);
+  return {row};
 }
 
 }  // namespace fathom

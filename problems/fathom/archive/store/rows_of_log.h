@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/jobs/coupled_dive_job.h"
 #include "fathom/archive/jobs/dive_jobs.h"
 #include "fathom/archive/jobs/log_jobs.h"
 #include "fathom/archive/store/tables.h"
@@ -21,5 +22,8 @@ Tables RowsOfLog(const LogOutcome& outcome);
 std::vector<DiveFitRow> RowsOfDive(const DiveTask& task,
                                    const DiveOutcome& outcome,
                                    const std::vector<LeftOutLog>& excluded);
+
+// Likewise of the coupled fit of a dive.
+std::vector<DiveFitRow> RowsOfCoupledDive(const CoupledDiveTask& task, const RunRecord& run);
 
 }  // namespace fathom

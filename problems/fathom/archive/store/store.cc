@@ -273,6 +273,17 @@ std::map<std::string, KnownLog> Store::KnownLogs() const {
   });
 }
 
+std::map<std::string, std::string> Store::CoupledVerdicts() const {
+  return Named(*database_, [&] {
+    std::map<std::string, std::string> verdicts;
+    SQLite::Statement query(*database_, "SELECT log, json FROM verdicts WHERE dof LIKE '%,%'");
+    while (query.executeStep()) {
+      verdicts[query.getColumn(0).getString()] = query.getColumn(1).getString();
+    }
+    return verdicts;
+  });
+}
+
 void Store::RemoveOtherLogs(const std::vector<std::string>& paths) {
   Named(*database_, [&] {
     const std::set<std::string> kept(paths.begin(), paths.end());
@@ -334,6 +345,7 @@ Tables Store::ReadSummaryTables() const {
     SelectInto(database_.get(), kByLog, &tables.scores);
     tables.verdicts = SelectVerdicts(database_.get());
     SelectInto(database_.get(), kByLog, &tables.causes);
+    SelectInto(database_.get(), kByLog, &tables.findings);
     SelectInto(database_.get(), kAsWritten, &tables.dive_fits);
     SelectInto(database_.get(), kAsWritten, &tables.changes);
     return tables;

@@ -62,6 +62,9 @@ class Store {
   // StoredLog::known, by path.
   std::map<std::string, KnownLog> KnownLogs() const;
 
+  // VerdictRow::json of the coupled models, by path.
+  std::map<std::string, std::string> CoupledVerdicts() const;
+
   // Takes out the logs that are not among these paths.
   void RemoveOtherLogs(const std::vector<std::string>& paths);
 
@@ -73,7 +76,8 @@ class Store {
   // The public tables, without VerdictRow::json. Logs, and what is of a log, are by its path.
   Tables ReadTables() const;
 
-  // Of these only what a summary takes: logs, scores, dive_fits, verdicts, causes and changes.
+  // Of these only what a summary takes: logs, scores, dive_fits, verdicts, causes,
+  // findings and changes.
   Tables ReadSummaryTables() const;
 
   // Takes over the runs and contents of another results file that this one lacks. Throws InputError

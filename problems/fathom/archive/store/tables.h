@@ -85,6 +85,9 @@ struct CauseRow {
   double heldout_gain = kNoNumber;
 };
 
+// FindingRow::id of a DOF that moves, and that --dofs=auto leaves out of the coupled model.
+inline constexpr std::string_view kLeftOutOfCoupled = "left_out_of_coupled";
+
 // What the checks of the data found before any fit.
 struct FindingRow {
   std::string log, dof;

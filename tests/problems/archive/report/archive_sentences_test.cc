@@ -57,6 +57,21 @@ TEST(CoupledSentence, CountsVerdictsAndWhatTheyName) {
             "3 coupled models: 1 consistent, 2 explained. They name thrust_gain.port (2 logs).");
 }
 
+TEST(CoupledSentence, SaysThatChangesAreThoseOfCoupledModels) {
+  ArchiveReport report;
+  report.tables.verdicts.push_back({"a", "surge,yaw", "consistent", "", ""});
+  AddDives(5, true, "rov", &report);
+  EXPECT_EQ(CoupledSentence(report.tables), "1 coupled model: 1 consistent.");
+  for (std::size_t dive = 0; dive < 5; ++dive) {
+    DiveFitRow row = report.tables.dive_fits[dive];
+    row.dof = "surge,yaw";
+    report.tables.dive_fits.push_back(row);
+  }
+  EXPECT_EQ(CoupledSentence(report.tables),
+            "1 coupled model: 1 consistent. What changes along their DOFs is told by those of "
+            "whole dives.");
+}
+
 TEST(ChangeSentences, TellThatNothingChanged) {
   ArchiveReport report;
   AddDives(12, true, "", &report);

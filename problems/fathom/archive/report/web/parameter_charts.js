@@ -170,7 +170,8 @@ const loneTable = (charts, names) => {
 const showParameterCharts = (place, groups, dives) => {
   const vehicles = new Set(groups.map(({vehicle}) => vehicle));
   for (const {vehicle, dof, dives: own, charts} of groups) {
-    place.append(element("h3", "", capitalised(vehicles.size > 1 && vehicle ? `${dof}, ${vehicle}` : dof)));
+    const dofs = dof.split(",").join(", ");
+    place.append(element("h3", "", capitalised(vehicles.size > 1 && vehicle ? `${dofs}, ${vehicle}` : dofs)));
     if (!charts.length) {
       place.append(element("p", "hint", "No dive has a usable joint fit."));
       continue;
