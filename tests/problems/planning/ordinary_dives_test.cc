@@ -5,13 +5,17 @@
 #include "fathom/output_error/output_error.h"
 #include "fathom/planning/ordinary/judge_dives.h"
 #include "fathom/planning/ordinary/ordinary_text.h"
+#include "fathom/planning/ordinary/run_normal.h"
+#include "fathom/planning/ordinary/simple_manoeuvres.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "tank_trial.h"
+#include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -191,6 +195,39 @@ TEST(JudgeDives, ForecastsWhatMoreDivesAndAFasterRateGive) {
               0.2);
 }
 
+// The manoeuvre is flown beside the dive, and both are fitted.
+TEST(JudgeDives, ForecastsWhatAManoeuvreGives) {
+  const auto slow_pilot = [](double t) { return 0.5 * LazyPilot(t); };
+  const OrdinaryRequest request = RequestFor({Dive(180.0, slow_pilot, 8)});
+  const OrdinaryDives dives = JudgeDives(request);
+  ASSERT_TRUE(dives.IsUsable()) << dives.message;
+  const auto is_manoeuvre = [](const Remedy& one) { return one.kind == RemedyKind::kManoeuvre; };
+  const auto remedy = std::ranges::find_if(dives.remedies, is_manoeuvre);
+  ASSERT_NE(remedy, dives.remedies.end());
+  double force = 0.0, speed = 0.0;
+  for (const double f : request.segments[0].command.value) force = std::max(force, std::abs(f));
+  for (const double v : request.segments[0].velocity) speed = std::max(speed, std::abs(v));
+  int num_found = 0;
+  // The greatest speed of the dive is that of 99 % of its samples: sizes may differ by a step.
+  for (const double share : {0.9, 0.92, 0.94, 0.96, 0.98, 1.0}) {
+    for (const SimpleManoeuvre& manoeuvre :
+         SimpleManoeuvres(request.model, force, share * speed, 60.0)) {
+      if (remedy->words != "drive for a minute: " + manoeuvre.words || num_found > 0) continue;
+      ++num_found;
+      const Segment flown =
+          MeasuredRun(RunTruth(kTruth, manoeuvre.command, 60.0), manoeuvre.command, 12);
+      const OutputErrorSummary fitted = FitOf({request.segments[0], flown});
+      ASSERT_TRUE(fitted.IsUsable()) << fitted.message;
+      const auto weakest = static_cast<Eigen::Index>(dives.all.weakest);
+      const double half_interval = kStdsOf95 * std::sqrt(fitted.covariance(weakest, weakest));
+      EXPECT_NEAR(
+          remedy->share * dives.parameters[dives.all.weakest].size / half_interval, 1.0, 0.2)
+          << manoeuvre.words;
+    }
+  }
+  EXPECT_EQ(num_found, 1) << remedy->words;
+}
+
 // Nothing is commanded: nothing tells the inertia.
 TEST(JudgeDives, SaysWhereNoStretchTells) {
   OrdinaryRequest request = RequestFor({Dive(120.0, LazyPilot, 3)});
@@ -208,6 +245,45 @@ TEST(JudgeDives, SaysWhereNoStretchTells) {
   const OrdinaryDives dives = JudgeDives(request);
   EXPECT_FALSE(dives.IsUsable());
   EXPECT_THAT(OrdinarySentence(request, dives), HasSubstr("no stretch of them will"));
+}
+
+// A and B of generic columns, by the closed forms; a colour of one coefficient.
+TEST(RunNormal, IsThatOfPlainSquaresUnderColouredNoise) {
+  constexpr double kPhi = 0.63, kSigma = 0.17;
+  constexpr int kRows = 57;
+  MotionDerivatives derivatives;
+  derivatives.by_parameter.resize(kRows, 3);
+  derivatives.by_start.resize(kRows, 1);
+  std::vector<double> stamps;
+  for (int i = 0; i < kRows; ++i) {
+    stamps.push_back(0.3 * i);
+    derivatives.by_start(i, 0) = std::exp(-0.07 * i);
+    derivatives.by_parameter.row(i) << 2.1 * std::sin(0.31 * i), 0.04 * i, 900.0;
+  }
+  const FitNoise noise = {false, MeansOf(kSigma, std::vector<double>{kPhi}, 1)};
+  const RunNormal normal = NormalOfRun(derivatives, stamps, {0, 2}, noise);
+  Eigen::MatrixXd X(kRows, 2), Gamma(kRows, kRows);
+  X << derivatives.by_parameter.col(0), derivatives.by_parameter.col(2);
+  const Eigen::VectorXd start = derivatives.by_start.col(0).normalized();
+  X -= start * (start.transpose() * X);
+  for (int i = 0; i < kRows; ++i) {
+    for (int k = 0; k < kRows; ++k) Gamma(i, k) = std::pow(kPhi, std::abs(i - k));
+  }
+  const Eigen::MatrixXd A = X.transpose() * X;
+  const Eigen::MatrixXd B = kSigma * kSigma * X.transpose() * Gamma * X;
+  EXPECT_LT((normal.A - A).norm(), 1e-9 * A.norm());
+  EXPECT_LT((normal.B - B).norm(), 1e-6 * B.norm());
+  const Eigen::MatrixXd expected = A * B.inverse() * A;
+  EXPECT_LT((normal.Information() - expected).norm(), 1e-5 * expected.norm());
+  EXPECT_EQ(RunNormal::Zero(2).Information().norm(), 0.0);
+}
+
+TEST(OrdinaryText, CountsChoices) {
+  EXPECT_EQ(PlaceName(1), "1st");
+  EXPECT_EQ(PlaceName(2), "2nd");
+  EXPECT_EQ(PlaceName(3), "3rd");
+  EXPECT_EQ(PlaceName(8), "8th");
+  EXPECT_EQ(PlaceName(11), "11th");
 }
 
 TEST(CutAtNaturalEnds, CutsWhereTheVehicleIsSlowAndItsCommandSteady) {
