@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The next experiment, from a model or a verdict and the limits of the place.
+// The next experiment, from a model or a verdict and the limits of the place; or which stretches of
+// ordinary dives do instead.
 //
 //   fathom_plan --model=surge.json --limits=tank.yaml --duration=120 --out=plan
+//   fathom_plan --ordinary --log=dive_1 --log=dive_2 --dof=surge
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/input_file.h"
@@ -25,6 +27,7 @@
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/log_flags.h"
+#include "fathom/tool/ordinary_plan.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_text.h"
@@ -39,6 +42,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -69,6 +73,11 @@ DEFINE_string(out,
               "",
               "Folder for command.csv, experiment.yaml and plan.json, and what --vehicle adds.");
 DEFINE_string(report, "", "Write a page to this file (HTML).");
+DEFINE_bool(ordinary,
+            false,
+            "Plan no experiment: say which stretches of the ordinary dives of --log tell the "
+            "parameters, and what to log.");
+DEFINE_string(json, "", "With --ordinary: write what was found to this file (JSON).");
 
 DECLARE_string(log);
 
@@ -85,10 +94,14 @@ const ToolInfo kInfo = {
         "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --log=LOG "
         "--seed=1 "
         "--out=FOLDER "
+        "--report=PAGE.html]\n"
+        "--ordinary --log=LOG [--log=LOG ... --dof=DOF --model=FILE --json=FILE "
         "--report=PAGE.html]",
     .example =
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
-        "  fathom_plan --model=surge.json --limits=data/limits/tank.yaml --duration=120 --out=plan",
+        "  fathom_plan --model=surge.json --limits=data/limits/tank.yaml --duration=120 "
+        "--out=plan\n"
+        "  fathom_plan --ordinary --log=data/flatfish --dof=surge",
     .details =
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
         "of the same length. --out holds command.csv, experiment.yaml for fathom_synthesize and "
@@ -96,9 +109,14 @@ const ToolInfo kInfo = {
         "pulses.csv [us] and plan.lua, which plays them on ArduSub. "
         "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
         "they "
-        "tell counts as flown already. docs/plan.md.",
+        "tell counts as flown already. "
+        "--ordinary plans nothing: it says which stretches of the logs, cut at 30 to 120 s, tell "
+        "the parameters about as well as all of them, and what manoeuvre or recorded channel the "
+        "weakest one lacks. docs/plan.md.",
     .repeatable_flags = {"log"},
-    .exit_codes = "0: a plan; 1: input or flags cannot be used; 2: no command keeps the limits"};
+    .exit_codes =
+        "0: a plan, or what ordinary dives tell; 1: input or flags cannot be used; 2: no command "
+        "keeps the limits, or ordinary dives give no model"};
 
 double DurationOf(const PlanLimits& limits) {
   if (std::isnan(FLAGS_duration)) {
@@ -252,7 +270,30 @@ void Print(const PlanRequest& request, const ExperimentPlan& plan) {
   }
 }
 
+// The dives are over: nothing is commanded, so that nothing limits it.
+int RunOrdinary() {
+  for (const char* flag : {"verdict", "limits", "vehicle", "out"}) {
+    if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
+    throw InputError(fmt::format(
+        "--{}: goes with an experiment that is planned, expected none with --ordinary.", flag));
+  }
+  for (const auto& [flag, value] :
+       {std::pair{"voltage", FLAGS_voltage}, {"duration", FLAGS_duration}}) {
+    if (std::isnan(value)) continue;
+    throw InputError(fmt::format(
+        "--{}: goes with an experiment that is planned, expected none with --ordinary.", flag));
+  }
+  if (!gflags::GetCommandLineFlagInfoOrDie("seed").is_default) {
+    throw InputError("--seed: goes with a search, expected none with --ordinary.");
+  }
+  return RunOrdinaryPlan({FLAGS_model, FLAGS_json, FLAGS_report});
+}
+
 int Run() {
+  if (FLAGS_ordinary) return RunOrdinary();
+  if (!FLAGS_json.empty()) {
+    throw InputError("--json: goes with --ordinary, expected none: --out holds plan.json.");
+  }
   const std::string file = InputFile();
   RequireOnePath("limits", FLAGS_limits);
   RequireOnePath("vehicle", FLAGS_vehicle);

@@ -7,8 +7,8 @@
 #include "fathom/planning/flown_information.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/kept_limits.h"
+#include "fathom/planning/named_parameters.h"
 #include "fathom/planning/rival_separation.h"
-#include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,25 +28,6 @@ Eigen::MatrixXd InformationUnder(const PlanRequest& request,
     return Eigen::MatrixXd::Zero(request.model.covariance.rows(), request.model.covariance.cols());
   }
   return InformationOf(derivatives, noise);
-}
-
-std::vector<PlannedParameter> NamedParameters(const FittedModel& model) {
-  std::vector<PlannedParameter> parameters;
-  const ParameterVector values = ToVector(model.model);
-  for (int i = 0; i < kNumParameters; ++i) {
-    parameters.push_back({.name = kParameterInfo[i].name,
-                          .unit = ParameterUnit(i, model.dof, model.force_unit),
-                          .value = values[i]});
-  }
-  for (const ActiveEffect& active : model.effects) {
-    for (std::size_t k = 0; k < active.values.size(); ++k) {
-      const EffectParameter& parameter = active.effect->info().parameters[k];
-      parameters.push_back({.name = KeyOf(active, parameter),
-                            .unit = UnitOf(parameter.quantity, model.dof, model.force_unit),
-                            .value = active.values[k]});
-    }
-  }
-  return parameters;
 }
 
 // Between the quantiles of 2.5 and 97.5 % at each stamp.

@@ -12,27 +12,31 @@
 
 namespace fathom {
 
+void RequireOwnEffects(const ExtendedModel& model, Dof dof, const std::string& name) {
+  for (const ActiveEffect& active : model.effects) {
+    const EffectInfo& info = active.effect->info();
+    if (!info.has_partner() && !info.needs_pose) continue;
+    throw InputError(
+        fmt::format("{}: {} needs another DOF or poses, expected effects of {} and its velocity "
+                    "alone: others are not planned yet.",
+                    name,
+                    LabelOf(info, active.setting),
+                    Name(dof)));
+  }
+}
+
 void RequirePlannable(const PlanRequest& request) {
-  if (request.model.force_unit != ForceUnit(request.model.dof)) {
+  const Dof dof = request.model.dof;
+  if (request.model.force_unit != ForceUnit(dof)) {
     throw InputError(fmt::format("{}: commands are in {}, expected {}: forces are planned.",
                                  request.name,
                                  request.model.force_unit,
-                                 ForceUnit(request.model.dof)));
+                                 ForceUnit(dof)));
   }
-  const auto require = [&](const ExtendedModel& model) {
-    for (const ActiveEffect& active : model.effects) {
-      const EffectInfo& info = active.effect->info();
-      if (!info.has_partner() && !info.needs_pose) continue;
-      throw InputError(
-          fmt::format("{}: {} needs another DOF or poses, expected effects of {} and its velocity "
-                      "alone: others are not planned yet.",
-                      request.name,
-                      LabelOf(info, active.setting),
-                      Name(request.model.dof)));
-    }
-  };
-  require(request.model.Extended());
-  for (const RivalModel& rival : request.rivals) require(rival.model);
+  RequireOwnEffects(request.model.Extended(), dof, request.name);
+  for (const RivalModel& rival : request.rivals) {
+    RequireOwnEffects(rival.model, dof, request.name);
+  }
 }
 
 void FitForceToThrusters(const std::string& limits_name, PlanRequest* request) {

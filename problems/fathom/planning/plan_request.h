@@ -38,6 +38,9 @@ struct PlanRequest {
   std::vector<RivalModel> rivals = {};
 };
 
+// Throws InputError for effects that need another DOF or poses; `name`: of the model's file.
+void RequireOwnEffects(const ExtendedModel& model, Dof dof, const std::string& name);
+
 // Throws InputError for commands in another unit than N or N m, and for effects that need another
 // DOF or poses.
 void RequirePlannable(const PlanRequest& request);

@@ -15,7 +15,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kMass = 42.0, kDamping = 7.0, kBuoyancy = 1.3, kForce = 9.7;
+constexpr double kMass = 42.0, kDamping = 7.0, kOffset = 1.3, kForce = 9.7;
 constexpr double kNoiseOfLog = 0.013;
 
 // m dv/dt + d v + b = F from rest is v = V (1 - e), V = (F - b) / d, e = exp(-d t / m).
@@ -24,7 +24,7 @@ struct Instant {
   explicit Instant(double time)
       : t(time),
         e(std::exp(-kDamping / kMass * time)),
-        V((kForce - kBuoyancy) / kDamping),
+        V((kForce - kOffset) / kDamping),
         a(kDamping / kMass) {}
   double Velocity() const { return V * (1.0 - e); }
   // By inertia, quadratic damping (of which there is none), linear damping, buoyancy; by the start.
@@ -53,7 +53,7 @@ FittedModel LinearModel() {
   FittedModel model;
   model.dof = Dof::kSurge;
   model.force_unit = "N";
-  model.model = {kMass, 0.0, kDamping, kBuoyancy};
+  model.model = {kMass, 0.0, kDamping, kOffset};
   model.covariance = Eigen::Vector4d(4.0, 1.0, 0.25, 0.01).asDiagonal();
   model.covariance(0, 2) = model.covariance(2, 0) = 0.3;
   model.train.mae = 0.01;
