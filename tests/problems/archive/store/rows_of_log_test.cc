@@ -71,7 +71,7 @@ const char kCoupledVerdict[] = R"({"verdict": "explained", "sentence": "Port is 
 LogOutcome CoupledOutcome(const RunRecord& run) {
   LogOutcome outcome;
   outcome.path = "dive/run";
-  outcome.coupled = {.dofs = "surge,yaw", .diagnose = run};
+  outcome.coupled = {.dofs = "surge,yaw", .diagnose = run, .left_out = {}};
   return outcome;
 }
 
