@@ -166,6 +166,7 @@ void PrintCandidates(const Diagnosis& diagnosis, const std::function<void(const 
             fmt::format("\n{} --verdict and --report list them all.\n", NonePassesText(diagnosis)));
 }
 
+// `plan_command`: plans the deciding experiment; may be empty.
 void Print(const Diagnosis& diagnosis, const std::string& plan_command) {
   PrintText(stdout,
             fmt::format("{}: {}\n{}\n",
@@ -192,13 +193,6 @@ void Print(const Diagnosis& diagnosis, const std::string& plan_command) {
     PrintText(stdout, fmt::format("next, to plan the deciding run: {}\n", plan_command));
   }
   for (const std::string& remark : diagnosis.remarks) PrintText(stdout, "note: " + remark + "\n");
-}
-
-// Plans the run that decides between causes; empty where there is nothing to decide.
-std::string PlanCommand(const std::string& verdict) {
-  if (!FLAGS_verdict.empty()) return PlanCommandOfVerdict(verdict, FLAGS_verdict);
-  const std::string command = PlanCommandOfVerdict(verdict, "verdict.json");
-  return command.empty() ? "" : command + " (of this verdict, kept by --verdict=verdict.json)";
 }
 
 void WritePage(Page page, const Logs& logs) {
@@ -306,9 +300,12 @@ int Run() {
       if (remark.kind != RemarkKind::kGeneral) diagnosis.remarks.push_back(remark.text);
     }
   }
-  const std::string verdict = FormatVerdict(diagnosis, logs.fingerprints);
-  if (!FLAGS_verdict.empty()) WriteFile(FLAGS_verdict, verdict);
-  const std::string plan_command = PlanCommand(verdict);
+  std::string plan_command;
+  if (!FLAGS_verdict.empty()) {
+    const std::string verdict = FormatVerdict(diagnosis, logs.fingerprints);
+    WriteFile(FLAGS_verdict, verdict);
+    plan_command = PlanCommandOfVerdict(verdict, FLAGS_verdict);
+  }
   if (!FLAGS_report.empty()) WritePage(DiagnosisPage(diagnosis, plan_command), logs);
   Print(diagnosis, plan_command);
   return 0;

@@ -12,8 +12,10 @@
 #include "fathom/archive/log_batch.h"
 #include "fathom/archive/log_contents.h"
 #include "fathom/archive/store/store.h"
+#include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/path_text.h"
+#include "fathom/base/files/yaml_without.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_content.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -83,7 +85,8 @@ LogBatchOptions LogOptionsOf(const BatchOptions& options, const ArchiveSettings&
     ReadVehicleFile(settings.vehicle);  // says what is wrong with it
     of_logs.vehicle_content = ContentOf(settings.vehicle);
     of_logs.programs.vehicle = fs::absolute(settings.vehicle);
-    of_logs.programs.vehicle_content = of_logs.vehicle_content;
+    // Its name changes no number.
+    of_logs.programs.vehicle_content = DigestOf(YamlWithout(ReadFile(settings.vehicle), "name"));
   }
   of_logs.jobs.families = options.families;
   of_logs.jobs.weighting = options.weighting;

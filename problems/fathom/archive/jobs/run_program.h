@@ -19,7 +19,7 @@ struct ProgramSettings {
   std::string version;          // of Fathom
   ChildLimits limits;           // of each
 
-  // The vehicle file of archive.yaml, and its digest; empty: there is none.
+  // The vehicle file of archive.yaml, and the digest of what of it decides; empty: there is none.
   std::filesystem::path vehicle;
   std::string vehicle_content;
 };
