@@ -78,7 +78,7 @@ std::string DofsOf(const Found& found, const Course& course) {
 }
 
 template <typename Found>
-std::string ParameterOf(const Found& found) {
+std::string NumberName(const Found& found) {
   return found.entry ? NameOf(*found.entry) : std::string(kParameterInfo[found.parameter].name);
 }
 
@@ -105,7 +105,7 @@ void AddEvent(const ChangeEvent& event,
               Tables* tables) {
   for (const Change& change : event.changes) {
     tables->changes.push_back({.dof = DofsOf(change, course),
-                               .parameter = ParameterOf(change),
+                               .parameter = NumberName(change),
                                .kind = std::string(Name(change.kind)),
                                .at = course.dives.at(static_cast<std::size_t>(change.at)),
                                .before = change.before,
@@ -135,7 +135,7 @@ void AddChangesOfDives(const std::vector<FittedDive>& fits,
     for (const ParameterOutlier& outlier : search.outliers) {
       tables->outliers.push_back({course.dives.at(static_cast<std::size_t>(outlier.dive)),
                                   DofsOf(outlier, course),
-                                  ParameterOf(outlier),
+                                  NumberName(outlier),
                                   vehicle});
     }
     const auto file = vehicle_files.find(vehicle);

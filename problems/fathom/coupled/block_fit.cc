@@ -41,24 +41,6 @@ MotionStructure PartOf(const MotionStructure& structure, const std::vector<Dof>&
   return part;
 }
 
-// The parameter of docs/models.md (1) that an entry is; -1 of one that is none of them.
-int ParameterOf(const FreeEntry& entry) {
-  if (entry.row != entry.column) return -1;
-  switch (entry.kind) {
-    case Kind::kInertia:
-      return kInertia;
-    case Kind::kQuadraticDamping:
-      return kQuadraticDamping;
-    case Kind::kLinearDamping:
-      return kLinearDamping;
-    case Kind::kOffset:
-    case Kind::kNetBuoyancy:
-      return kBuoyancy;
-    default:
-      return -1;
-  }
-}
-
 // Whether a fin or a shaft pushes along a DOF, that of the block.
 bool IsSteered(const CoupledData& log, Dof dof) {
   return std::ranges::any_of(

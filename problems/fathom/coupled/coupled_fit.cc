@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 #include "fathom/coupled/momentum_start.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_scores.h"
@@ -58,7 +59,7 @@ double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_en
 double SpreadOf(std::vector<double> values) {
   if (values.empty()) return 1.0;
   for (double& value : values) value = std::abs(value);
-  return 1.4826 * Median(std::move(values));
+  return RobustStd(std::move(values));
 }
 
 std::vector<std::vector<double>> PiecesOf(const std::vector<WindowResiduals>& residuals,

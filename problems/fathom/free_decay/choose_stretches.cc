@@ -4,6 +4,7 @@
 #include "fathom/free_decay/choose_stretches.h"
 
 #include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 #include "fathom/signal/signals.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ SmoothSpeed SmoothSpeedOf(std::span<const double> time, std::span<const double> 
     // The second difference of a smooth motion is small: what is left is noise, sqrt(6) of it.
     if (i > 1) steps.push_back(std::abs(velocity[i] - 2.0 * velocity[i - 1] + velocity[i - 2]));
   }
-  const double noise = steps.empty() ? 0.0 : 1.4826 * Median(std::move(steps)) / std::sqrt(6.0);
+  const double noise = steps.empty() ? 0.0 : RobustStd(std::move(steps)) / std::sqrt(6.0);
   const double left = noise / std::sqrt(static_cast<double>(2 * w + 1));
   smooth.tolerance = kDeviations * left + kShareOfPeak * peak;
   return smooth;

@@ -5,7 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
-#include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 #include "fathom/free_decay/decay_covariance.h"
 #include "fathom/free_decay/decay_guess.h"
 #include "fathom/free_decay/decay_search.h"
@@ -30,13 +30,13 @@ std::vector<int> BoundedRates(const FreeDecayOptions& options) {
   return bounded;
 }
 
-// As output error has it: 1.4826 times the median size, at least what rounding leaves.
+// As output error has it: at least what rounding leaves.
 double SigmaOf(const Eigen::VectorXd& residual, double scale) {
   std::vector<double> size(static_cast<std::size_t>(residual.size()));
   for (std::size_t i = 0; i < size.size(); ++i) {
     size[i] = std::abs(residual[static_cast<Eigen::Index>(i)]);
   }
-  return std::max(1.4826 * Median(std::move(size)), 1e-10 * scale);
+  return std::max(RobustStd(std::move(size)), 1e-10 * scale);
 }
 
 struct DecayPoint {

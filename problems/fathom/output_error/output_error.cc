@@ -4,7 +4,7 @@
 #include "fathom/output_error/output_error.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 #include "fathom/output_error/caveats.h"
 #include "fathom/output_error/coarse_segments.h"
 #include "fathom/output_error/initial_guess.h"
@@ -28,8 +28,7 @@ const std::vector<double>& Measured(const Segment& segment, FittedOutput output)
   return output == FittedOutput::kVelocity ? segment.velocity : segment.position;
 }
 
-// Robust standard deviation of the measurement about the present simulation: 1.4826 times the
-// median absolute residual.
+// Robust standard deviation of the measurement about the present simulation.
 double ResidualSpread(const std::vector<ShootingWindow>& windows, const WindowUnknowns& unknowns) {
   std::vector<double> sizes;
   for (size_t w = 0; w < windows.size(); ++w) {
@@ -39,7 +38,7 @@ double ResidualSpread(const std::vector<ShootingWindow>& windows, const WindowUn
     }
   }
   CHECK(!sizes.empty()) << "The search has converged, so its end can be simulated.";
-  return 1.4826 * Median(std::move(sizes));
+  return RobustStd(std::move(sizes));
 }
 
 double RootMeanSquare(std::span<const Segment> segments, FittedOutput output) {

@@ -17,25 +17,6 @@ constexpr std::size_t kLongestEcho = 100000;  // [samples]
 constexpr double kSilence = 1e-9;             // of an echo against the first
 constexpr std::size_t kHighestOrder = 20;
 
-// The autoregression that has these covariances: Levinson's recursion.
-Autoregression WithCovariances(const std::vector<double>& covariances, std::size_t order) {
-  Autoregression found;
-  found.innovation_variance = covariances[0];
-  for (std::size_t p = 0; p < order; ++p) {
-    double left = covariances[p + 1];
-    for (std::size_t i = 0; i < p; ++i) left -= found.coefficients[i] * covariances[p - i];
-    const double reflection = left / found.innovation_variance;
-    std::vector<double> next = found.coefficients;
-    for (std::size_t i = 0; i < p; ++i) {
-      next[i] -= reflection * found.coefficients[p - 1 - i];
-    }
-    next.push_back(reflection);
-    found.coefficients = std::move(next);
-    found.innovation_variance *= 1.0 - reflection * reflection;
-  }
-  return found;
-}
-
 }  // namespace
 
 std::vector<double> CorrelationsOf(std::span<const double> coefficients, int count) {
@@ -88,7 +69,7 @@ StampNoise MeansOf(double velocity, std::span<const double> coefficients, int nu
   StampNoise noise;
   noise.velocity = velocity * std::sqrt(means[0]);
   for (std::size_t k = order + 1; k-- > 0;) means[k] /= means[0];
-  noise.colour = WithCovariances(means, order);
+  noise.colour = AutoregressionOf(means);
   return noise;
 }
 

@@ -38,24 +38,6 @@ struct Member {
   int number = 0;
 };
 
-int ParameterOf(const FreeEntry& entry) {
-  using Kind = FreeEntry::Kind;
-  if (IsOfActuator(entry) || entry.row != entry.column) return kNoParameter;
-  switch (entry.kind) {
-    case Kind::kInertia:
-      return kInertia;
-    case Kind::kQuadraticDamping:
-      return kQuadraticDamping;
-    case Kind::kLinearDamping:
-      return kLinearDamping;
-    case Kind::kOffset:
-    case Kind::kNetBuoyancy:
-      return kBuoyancy;
-    default:
-      return kNoParameter;
-  }
-}
-
 SeriesKey KeyOf(const DiveEstimate& estimate, int number) {
   if (estimate.entries.empty()) return {estimate.dof, number};
   const FreeEntry& entry = estimate.entries[static_cast<std::size_t>(number)];

@@ -3,7 +3,7 @@
 
 #include "fathom/simulate/fitted_start.h"
 
-#include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 #include "fathom/simulate/effect_simulation.h"
 #include "fathom/simulate/run_start.h"
 #include "fathom/solve/decompositions.h"
@@ -73,7 +73,7 @@ void TakeOutOutliers(const std::vector<double>& shown,
   std::vector<double> miss;
   for (size_t i = 0; i < value->size(); ++i) miss.push_back(std::abs((*value)[i] - shown[i]));
   if (miss.empty()) return;
-  const double far = kFar * 1.4826 * Median(miss);
+  const double far = kFar * RobustStd(miss);
   size_t kept = 0;
   for (size_t i = 0; i < miss.size(); ++i) {
     if (miss[i] > far) continue;

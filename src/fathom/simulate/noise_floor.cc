@@ -3,7 +3,7 @@
 
 #include "fathom/simulate/noise_floor.h"
 
-#include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 
 #include <cmath>
 #include <cstddef>
@@ -36,7 +36,7 @@ double MeanOf(const std::vector<double>& values) {
 double ScatterVariance(std::span<const FreeRun> runs) {
   std::vector<double> sizes = SecondDifferences(runs);
   if (sizes.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double std = 1.4826 * Median(std::move(sizes));
+  const double std = RobustStd(std::move(sizes));
   return std * std / 6.0;
 }
 

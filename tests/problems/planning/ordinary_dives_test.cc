@@ -260,7 +260,7 @@ TEST(RunNormal, IsThatOfPlainSquaresUnderColouredNoise) {
     derivatives.by_start(i, 0) = std::exp(-0.07 * i);
     derivatives.by_parameter.row(i) << 2.1 * std::sin(0.31 * i), 0.04 * i, 900.0;
   }
-  const FitNoise noise = {false, MeansOf(kSigma, std::vector<double>{kPhi}, 1)};
+  const RunNoise noise = {false, MeansOf(kSigma, std::vector<double>{kPhi}, 1)};
   const RunNormal normal = NormalOfRun(derivatives, stamps, {0, 2}, noise);
   Eigen::MatrixXd X(kRows, 2), Gamma(kRows, kRows);
   X << derivatives.by_parameter.col(0), derivatives.by_parameter.col(2);

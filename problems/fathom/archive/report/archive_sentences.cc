@@ -250,7 +250,7 @@ std::string CoupledSentence(const Tables& tables) {
     return IsOfSeveralDofs(row.dof) &&
            CoupledDofsCompared(tables.dive_fits, row.vehicle) == row.dof;
   });
-  return are_compared ? text + " What changes along their DOFs is told by those of whole dives."
+  return are_compared ? text + " Changes along their DOFs are told from one coupled model a dive."
                       : text;
 }
 

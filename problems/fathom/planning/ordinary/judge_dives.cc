@@ -7,9 +7,9 @@
 #include "fathom/base/quantile.h"
 #include "fathom/planning/named_parameters.h"
 #include "fathom/planning/ordinary/dive_stretches.h"
-#include "fathom/planning/ordinary/fit_noise.h"
 #include "fathom/planning/ordinary/ordinary_knowledge.h"
 #include "fathom/planning/ordinary/ordinary_remedies.h"
+#include "fathom/planning/ordinary/run_noise.h"
 #include "fathom/planning/ordinary/run_normal.h"
 #include "fathom/planning/plan_request.h"
 #include "fathom/planning/segment_derivatives.h"
@@ -90,7 +90,7 @@ std::vector<SegmentRun> RunsOver(const OrdinaryRequest& request) {
   return runs;
 }
 
-FitNoise NoiseOver(const OrdinaryRequest& request, const std::vector<SegmentRun>& runs) {
+RunNoise NoiseOver(const OrdinaryRequest& request, const std::vector<SegmentRun>& runs) {
   const bool is_position = std::ranges::none_of(
       request.segments, [](const Segment& segment) { return segment.position.empty(); });
   std::vector<ComparedSegment> compared;
@@ -100,7 +100,7 @@ FitNoise NoiseOver(const OrdinaryRequest& request, const std::vector<SegmentRun>
                         is_position ? runs[s].motion.displacement : runs[s].motion.velocity,
                         is_position ? &derivatives.displacement_by_start : &derivatives.by_start});
   }
-  const FitNoise noise = NoiseOfRuns(compared, is_position);
+  const RunNoise noise = NoiseOfRuns(compared, is_position);
   if (noise.noise.velocity > 0.0) return noise;
   throw InputError(fmt::format(
       "--log: {} misses nothing of these logs, expected noise, by which intervals are told.",
@@ -155,7 +155,7 @@ OrdinaryDives JudgeDives(const OrdinaryRequest& request) {
   const std::vector<Eigen::Index> places = SharedPlaces(model);
   const OrdinaryReach reach = ReachOf(request.segments);
   const std::vector<SegmentRun> runs = RunsOver(request);
-  const FitNoise noise = NoiseOver(request, runs);
+  const RunNoise noise = NoiseOver(request, runs);
 
   OrdinaryDives dives;
   dives.parameters = SizedParameters(request.model, places, reach);
@@ -177,8 +177,7 @@ OrdinaryDives JudgeDives(const OrdinaryRequest& request) {
   if (std::isinf(dives.all.share)) {
     dives.message =
         "The logs together do not tell all parameters: no stretch of them will. Give a log in "
-        "which "
-        "the vehicle is driven along this DOF.";
+        "which the vehicle is driven along this DOF.";
     return dives;
   }
   dives.message.clear();

@@ -64,7 +64,7 @@ Remedy BestManoeuvre(const RemedyTask& task) {
 
 Remedy PositionRemedy(const RemedyTask& task) {
   const double noise = AdvisedPositionNoise(task.request.model.dof);
-  FitNoise of_positions;
+  RunNoise of_positions;
   of_positions.is_position = true;
   of_positions.noise.velocity = noise;
   RunNormal sum = RunNormal::Zero(task.of_all.A.rows());

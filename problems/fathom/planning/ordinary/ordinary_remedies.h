@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "fathom/planning/ordinary/fit_noise.h"
 #include "fathom/planning/ordinary/ordinary_dives.h"
+#include "fathom/planning/ordinary/run_noise.h"
 #include "fathom/planning/ordinary/run_normal.h"
 #include "fathom/planning/segment_derivatives.h"
 
@@ -26,7 +26,7 @@ struct RemedyTask {
   const OrdinaryDives& dives;               // parameters, all, rate
   const std::vector<Eigen::Index>& places;  // of the parameters in the covariance
   const OrdinaryReach& reach;
-  const FitNoise& noise;
+  const RunNoise& noise;
   const RunNormal& of_all;              // of all logs
   const std::vector<SegmentRun>& runs;  // over all segments
 };

@@ -138,8 +138,7 @@ std::string OrdinarySentence(const OrdinaryRequest& request, const OrdinaryDives
   const std::string& name = dives.parameters[chosen.weakest].name;
   std::string text = fmt::format(
       "Of {} of {}, {} of {} tell{} {}: {}. The widest interval is then that of {}, {}; by all "
-      "logs "
-      "{}{}.",
+      "logs {}{}.",
       LengthText(dives.duration),
       Name(request.model.dof),
       Plural(dives.chosen.size(), "part"),

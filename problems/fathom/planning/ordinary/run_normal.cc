@@ -48,7 +48,7 @@ Eigen::MatrixXd RunNormal::Information() const {
 RunNormal NormalOfRun(const MotionDerivatives& derivatives,
                       std::span<const double> stamps,
                       const std::vector<Eigen::Index>& places,
-                      const FitNoise& noise) {
+                      const RunNoise& noise) {
   const bool is_position = noise.is_position;
   const Eigen::MatrixXd& by_parameter =
       is_position ? derivatives.displacement_by_parameter : derivatives.by_parameter;

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/planning/ordinary/fit_noise.h"
+#include "fathom/planning/ordinary/run_noise.h"
 #include "fathom/planning/planned_motion.h"
 
 #include <span>
@@ -37,6 +37,6 @@ struct RunNormal {
 RunNormal NormalOfRun(const MotionDerivatives& derivatives,
                       std::span<const double> stamps,
                       const std::vector<Eigen::Index>& places,
-                      const FitNoise& noise);
+                      const RunNoise& noise);
 
 }  // namespace fathom

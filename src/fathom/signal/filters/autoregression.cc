@@ -108,6 +108,21 @@ Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int ma
   return best;
 }
 
+Autoregression AutoregressionOf(std::span<const double> covariances) {
+  Autoregression found;
+  found.innovation_variance = covariances[0];
+  for (std::size_t order = 0; order + 1 < covariances.size(); ++order) {
+    double left = covariances[order + 1];
+    for (std::size_t i = 0; i < order; ++i) {
+      left -= found.coefficients[i] * covariances[order - i];
+    }
+    const double reflection = left / found.innovation_variance;
+    Extend(reflection, &found.coefficients);
+    found.innovation_variance *= 1.0 - reflection * reflection;
+  }
+  return found;
+}
+
 ColouredGram::ColouredGram(Autoregression noise, Eigen::Index num_columns)
     : noise_(std::move(noise)),
       gram_(Eigen::MatrixXd::Zero(num_columns, num_columns)),

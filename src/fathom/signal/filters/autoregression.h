@@ -27,6 +27,10 @@ struct Autoregression {
 // after ten orders in a row that bring nothing. Hand the pieces over with std::move to save a copy.
 Autoregression FitAutoregression(std::vector<std::vector<double>> pieces, int max_order);
 
+// The recursion of these covariances of samples 0, 1, 2 ... apart, at least one, the first above 0;
+// its order is one below their number. By Levinson's method.
+Autoregression AutoregressionOf(std::span<const double> covariances);
+
 // The variance of sum_i J_i e_i over the samples i of one piece: J' Gamma J, where Gamma is the
 // covariance matrix of the noise, docs/output_error.md (6). Rows of J belong to consecutive samples
 // and arrive in the order of time, some at once; they are not kept.

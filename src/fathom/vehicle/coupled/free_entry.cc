@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -126,6 +127,23 @@ bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
          entry.kind == EntryKind::kFinStuck;
+}
+
+int ParameterOf(const FreeEntry& entry) {
+  if (entry.row != entry.column) return -1;
+  switch (entry.kind) {
+    case EntryKind::kInertia:
+      return kInertia;
+    case EntryKind::kQuadraticDamping:
+      return kQuadraticDamping;
+    case EntryKind::kLinearDamping:
+      return kLinearDamping;
+    case EntryKind::kOffset:
+    case EntryKind::kNetBuoyancy:
+      return kBuoyancy;
+    default:
+      return -1;
+  }
 }
 
 std::string NameOf(const FreeEntry& entry) {

@@ -68,6 +68,10 @@ FreeEntry FinStuckEntry(const std::string& fin);
 // Whether it belongs to a thruster or a fin instead of a row and a column.
 bool IsOfActuator(const FreeEntry& entry);
 
+// Which of kParameterInfo, the parameters of a model of one DOF, it is along its own DOF; -1 of a
+// coupling, and of what a model of one DOF has not.
+int ParameterOf(const FreeEntry& entry);
+
 std::string NameOf(const FreeEntry& entry);
 
 // Throws InputError, with what was found and expected, for what names no entry: "'inertia.up' is no

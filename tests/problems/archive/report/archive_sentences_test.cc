@@ -67,9 +67,10 @@ TEST(CoupledSentence, SaysThatChangesAreThoseOfCoupledModels) {
     row.dof = "surge,yaw";
     report.tables.dive_fits.push_back(row);
   }
-  EXPECT_EQ(CoupledSentence(report.tables),
-            "1 coupled model: 1 consistent. What changes along their DOFs is told by those of "
-            "whole dives.");
+  EXPECT_EQ(
+      CoupledSentence(report.tables),
+      "1 coupled model: 1 consistent. Changes along their DOFs are told from one coupled model "
+      "a dive.");
 }
 
 TEST(ChangeSentences, TellThatNothingChanged) {

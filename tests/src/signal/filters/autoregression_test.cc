@@ -32,6 +32,19 @@ TEST(FitAutoregression, RecoversTheRecursionOverSeveralPieces) {
   EXPECT_NEAR(noise.innovation_variance, 0.09, 4.0 * 0.09 * std::sqrt(2.0 / 27000));
 }
 
+// Of e_i = 1.2 e_{i-1} - 0.5 e_{i-2} + w_i: rho_1 = 1.2 / 1.5, rho_k = 1.2 rho_{k-1} - 0.5
+// rho_{k-2}, and the innovation's share of the variance is 1 - 1.2 rho_1 + 0.5 rho_2.
+TEST(AutoregressionOf, CovariancesOfARecursionIsThatRecursion) {
+  const double first = 1.2 / 1.5, second = 1.2 * first - 0.5, third = 1.2 * second - 0.5 * first;
+  const std::vector<double> covariances = {4.0, 4.0 * first, 4.0 * second, 4.0 * third};
+  const Autoregression noise = AutoregressionOf(covariances);
+  ASSERT_EQ(noise.order(), 3);
+  EXPECT_NEAR(noise.coefficients[0], 1.2, 1e-12);
+  EXPECT_NEAR(noise.coefficients[1], -0.5, 1e-12);
+  EXPECT_NEAR(noise.coefficients[2], 0.0, 1e-12);
+  EXPECT_NEAR(noise.innovation_variance, 4.0 * (1.0 - 1.2 * first + 0.5 * second), 1e-12);
+}
+
 TEST(FitAutoregression, FindsAlmostNothingInWhiteNoise) {
   const std::vector<std::vector<double>> pieces = {SimulateAr2(0.0, 0.0, 2.0, 20000, 3)};
   const Autoregression noise = FitAutoregression(pieces, 12);

@@ -3,6 +3,8 @@
 
 #include "fathom/vehicle/coupled/free_entry.h"
 
+#include "fathom/vehicle/parameters.h"
+
 #include <string>
 
 #include "error_from.h"
@@ -30,6 +32,16 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "fin_neutral.rudder",
                                  "fin_stuck.rudder"}) {
     EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
+  }
+}
+
+TEST(FreeEntry, IsAParameterOfOneDofOnTheDiagonalAlone) {
+  EXPECT_EQ(ParameterOf(ParseFreeEntry("inertia.yaw")), kInertia);
+  EXPECT_EQ(ParameterOf(ParseFreeEntry("offset.surge")), kBuoyancy);
+  EXPECT_EQ(ParameterOf(ParseFreeEntry("net_buoyancy")), kBuoyancy);
+  EXPECT_EQ(ParameterOf(ParseFreeEntry("linear_damping.sway")), kLinearDamping);
+  for (const char* name : {"inertia.sway.yaw", "righting_moment.roll", "thrust_gain.port"}) {
+    EXPECT_EQ(ParameterOf(ParseFreeEntry(name)), -1) << name;
   }
 }
 

@@ -15,7 +15,7 @@
 namespace fathom {
 
 // What a fit is made to, and how far from it the model stays.
-struct FitNoise {
+struct RunNoise {
   bool is_position = false;  // displacements, where there are poses; else velocities
   StampNoise noise;          // `velocity`: of one sample of that output, [m/s], [rad/s], [m], [rad]
 
@@ -36,6 +36,6 @@ std::vector<SampleRange> UnbrokenRanges(std::span<const double> time);
 // Size and colour of what the runs of a model miss, less what another start would take up: as
 // docs/output_error.md (5) has it, residuals beyond three robust standard deviations cut off there.
 // Runs are all of velocities or all of displacements.
-FitNoise NoiseOfRuns(std::span<const ComparedSegment> runs, bool is_position);
+RunNoise NoiseOfRuns(std::span<const ComparedSegment> runs, bool is_position);
 
 }  // namespace fathom

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/planning/ordinary/fit_noise.h"
+#include "fathom/planning/ordinary/run_noise.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/robust_std.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kCutOff = 3.0;           // robust standard deviations
-constexpr double kStdsOfMedian = 1.4826;  // a normal number's, by the median of its size
+constexpr double kCutOff = 3.0;  // robust standard deviations
 
 std::vector<double> ResidualOf(const ComparedSegment& run, bool is_position) {
   const std::vector<double>& measured = is_position ? run.segment->position : run.segment->velocity;
@@ -38,7 +38,7 @@ std::vector<double> Damped(std::vector<double> coefficients) {
 
 }  // namespace
 
-double FitNoise::NeighbourCorrelation() const {
+double RunNoise::NeighbourCorrelation() const {
   return CorrelationsOf(noise.colour.coefficients, 2)[1];
 }
 
@@ -46,7 +46,7 @@ std::vector<SampleRange> UnbrokenRanges(std::span<const double> time) {
   return SplitAtGaps({time.begin(), time.end()}, {}, 0, 1.8 * MedianStep(time));
 }
 
-FitNoise NoiseOfRuns(std::span<const ComparedSegment> runs, bool is_position) {
+RunNoise NoiseOfRuns(std::span<const ComparedSegment> runs, bool is_position) {
   std::vector<std::vector<double>> residuals;
   std::vector<double> sizes;
   for (const ComparedSegment& run : runs) {
@@ -58,7 +58,7 @@ FitNoise NoiseOfRuns(std::span<const ComparedSegment> runs, bool is_position) {
     }
   }
   const auto count = static_cast<double>(sizes.size());
-  const double most = kCutOff * kStdsOfMedian * Median(std::move(sizes));
+  const double most = kCutOff * RobustStd(std::move(sizes));
   double squares = 0.0;
   for (std::vector<double>& residual : residuals) {
     for (double& miss : residual) {
