@@ -3,13 +3,66 @@
 
 #include "fathom/free_decay/decay_search.h"
 
+#include "fathom/solve/root_huber.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Cholesky>
+#include <ceres/cost_function.h>
+#include <ceres/problem.h>
 
 namespace fathom {
+namespace {
+
+using JacobianMap =
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+// The residuals of all stretches, one by one under Huber's loss, by the block of all unknowns.
+class DecayCost final : public ceres::CostFunction {
+ public:
+  // The stretches must outlive this.
+  DecayCost(std::span<const DecayStretch> stretches,
+            DecayOutput output,
+            double sigma,
+            double k,
+            Eigen::Index num_samples)
+      : stretches_(stretches), output_(output), sigma_(sigma), k_(k) {
+    const int num_stretches = static_cast<int>(stretches.size());
+    set_num_residuals(static_cast<int>(num_samples));
+    mutable_parameter_block_sizes()->push_back(kNumDecayRates +
+                                               DecayUnknowns::kPerStretch * num_stretches);
+  }
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
+    const int num_unknowns = parameter_block_sizes().front();
+    const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(blocks[0], num_unknowns);
+    const auto at = DecayResidualsAt(point, stretches_, output_);
+    if (!at) return false;
+    double* const jacobian = jacobians == nullptr ? nullptr : jacobians[0];
+    for (Eigen::Index i = 0; i < at->residual.size(); ++i) {
+      const RootHuber loss = RootHuber::Of(at->residual[i] / sigma_, k_);
+      residuals[i] = loss.value;
+      if (jacobian == nullptr) continue;
+      JacobianMap(jacobian, num_residuals(), num_unknowns).row(i) =
+          loss.derivative / sigma_ * at->jacobian.row(i);
+    }
+    return true;
+  }
+
+ private:
+  const std::span<const DecayStretch> stretches_;
+  const DecayOutput output_;
+  const double sigma_, k_;
+};
+
+}  // namespace
+
+std::vector<int> BoundedRates(const FreeDecayOptions& options) {
+  std::vector<int> bounded = {kLinearRate, kQuadraticRate};
+  if (options.has_stiffness) bounded.push_back(kStiffnessRate);
+  return bounded;
+}
 
 DecayUnknowns::DecayUnknowns(std::size_t num_stretches, const FreeDecayOptions& options)
     : num_stretches_(static_cast<int>(num_stretches)) {
@@ -59,92 +112,30 @@ std::optional<DecayResiduals> DecayResidualsAt(const Eigen::VectorXd& point,
   return all;
 }
 
-DecaySearch::DecaySearch(std::span<const DecayStretch> stretches,
-                         DecayOutput output,
-                         std::vector<int> fixed,
-                         double sigma,
-                         double k,
-                         Eigen::VectorXd* point)
-    : stretches_(stretches),
-      output_(output),
-      fixed_(std::move(fixed)),
-      sigma_(sigma),
-      k_(k),
-      point_(point) {}
-
-double DecaySearch::CostOf(const Eigen::VectorXd& residual) const {
-  double cost = 0.0;
-  for (const double value : residual) {
-    const double r = std::abs(value) / sigma_;
-    cost += r <= k_ ? r * r / 2.0 : k_ * r - k_ * k_ / 2.0;
+DecayPoint SearchDecay(const Eigen::VectorXd& start,
+                       std::span<const DecayStretch> stretches,
+                       const FreeDecayOptions& options,
+                       double sigma,
+                       double k) {
+  DecayPoint found = {start, {}};
+  const auto first = DecayResidualsAt(start, stretches, options.output);
+  if (!first) {
+    found.solve.message = "The simulation does not stay finite.";
+    return found;
   }
-  return cost;
-}
-
-BoundedSearch::Optimum DecaySearch::Solve(const std::vector<int>& held) {
-  constexpr int kMostIterations = 60;
-  constexpr double kSmallestGain = 1e-11, kMostDamping = 1e12;
-  std::vector<bool> is_still(static_cast<std::size_t>(point_->size()), false);
-  for (const int unknown : fixed_) is_still[static_cast<std::size_t>(unknown)] = true;
-  for (const int unknown : held) is_still[static_cast<std::size_t>(unknown)] = true;
-
-  Optimum optimum;
-  auto now = DecayResidualsAt(*point_, stretches_, output_);
-  if (!now) {
-    optimum.message = "The simulation does not stay finite.";
-    return optimum;
-  }
-  optimum.cost = CostOf(now->residual);
-  double damping = 1e-3;
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    Eigen::VectorXd weight(now->residual.size());
-    for (Eigen::Index i = 0; i < weight.size(); ++i) {
-      const double r = std::abs(now->residual[i]) / sigma_;
-      weight[i] = (r <= k_ ? 1.0 : k_ / r) / (sigma_ * sigma_);
-    }
-    const Eigen::MatrixXd weighted = weight.asDiagonal() * now->jacobian;
-    Eigen::MatrixXd H = weighted.transpose() * now->jacobian;
-    Eigen::VectorXd g = weighted.transpose() * now->residual;
-    for (Eigen::Index j = 0; j < g.size(); ++j) {
-      if (!is_still[static_cast<std::size_t>(j)] && H(j, j) > 0.0) continue;
-      H.row(j).setZero();
-      H.col(j).setZero();
-      H(j, j) = 1.0;
-      g[j] = 0.0;
-    }
-    bool has_moved = false;
-    double gain = 0.0;
-    while (damping < kMostDamping) {
-      Eigen::MatrixXd damped = H;
-      damped.diagonal() *= 1.0 + damping;
-      const Eigen::VectorXd trial = *point_ - damped.ldlt().solve(g);
-      auto there = DecayResidualsAt(trial, stretches_, output_);
-      const double cost = there ? CostOf(there->residual) : optimum.cost;
-      if (there && cost < optimum.cost) {
-        gain = optimum.cost - cost;
-        optimum.cost = cost;
-        *point_ = trial;
-        now = std::move(there);
-        damping = std::max(damping / 10.0, 1e-12);
-        has_moved = true;
-        break;
-      }
-      damping *= 10.0;
-    }
-    // Where no step lowers the cost, it is at its rounding.
-    if (!has_moved || gain <= kSmallestGain * optimum.cost) {
-      optimum.converged = true;
-      return optimum;
-    }
-  }
-  optimum.message = "The search did not converge.";
-  return optimum;
-}
-
-std::vector<double> DecaySearch::Point() const { return {point_->begin(), point_->end()}; }
-
-void DecaySearch::GoTo(const std::vector<double>& point) {
-  *point_ = Eigen::Map<const Eigen::VectorXd>(point.data(), point_->size());
+  double* const unknowns = found.unknowns.data();
+  ceres::Problem problem;
+  problem.AddResidualBlock(
+      new DecayCost(stretches, options.output, sigma, k, first->residual.size()),
+      nullptr,
+      unknowns);
+  found.solve = SolveWithBounds({.is_dense = true},
+                                BoundedRates(options),
+                                DecayUnknowns(stretches.size(), options).fixed(),
+                                unknowns,
+                                &problem);
+  if (!found.solve.converged) found.solve.message = "The search did not converge.";
+  return found;
 }
 
 }  // namespace fathom

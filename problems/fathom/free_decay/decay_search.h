@@ -6,7 +6,7 @@
 #include "fathom/free_decay/decay_motion.h"
 #include "fathom/free_decay/decay_options.h"
 #include "fathom/free_decay/decay_stretch.h"
-#include "fathom/solve/active_set.h"
+#include "fathom/solve/solve_with_bounds.h"
 
 #include <cstddef>
 #include <optional>
@@ -39,6 +39,9 @@ class DecayUnknowns {
   std::vector<int> fixed_;
 };
 
+// The rates that are never below 0.
+std::vector<int> BoundedRates(const FreeDecayOptions& options);
+
 // Residuals, simulated minus measured, and their derivatives by all unknowns.
 struct DecayResiduals {
   Eigen::VectorXd residual;
@@ -52,31 +55,17 @@ std::optional<DecayResiduals> DecayResidualsAt(const Eigen::VectorXd& point,
                                                std::span<const DecayStretch> stretches,
                                                DecayOutput output);
 
-// Huber's loss of the residuals over `sigma` by the unknowns, by Levenberg and Marquardt's method.
-class DecaySearch : public BoundedSearch {
- public:
-  // `k`: infinite for squares.
-  DecaySearch(std::span<const DecayStretch> stretches,
-              DecayOutput output,
-              std::vector<int> fixed,
-              double sigma,
-              double k,
-              Eigen::VectorXd* point);
-
-  Optimum Solve(const std::vector<int>& held) override;
-  double Value(int unknown) const override { return (*point_)[unknown]; }
-  void SetToZero(int unknown) override { (*point_)[unknown] = 0.0; }
-  std::vector<double> Point() const override;
-  void GoTo(const std::vector<double>& point) override;
-
- private:
-  double CostOf(const Eigen::VectorXd& residual) const;
-
-  std::span<const DecayStretch> stretches_;
-  DecayOutput output_;
-  std::vector<int> fixed_;
-  double sigma_, k_;
-  Eigen::VectorXd* point_;
+struct DecayPoint {
+  Eigen::VectorXd unknowns;
+  BoundedSolve solve;
 };
+
+// Where Huber's loss of the residuals over `sigma` is least, with no damping and no stiffness below
+// 0. `k`: infinite for squares.
+DecayPoint SearchDecay(const Eigen::VectorXd& start,
+                       std::span<const DecayStretch> stretches,
+                       const FreeDecayOptions& options,
+                       double sigma,
+                       double k);
 
 }  // namespace fathom

@@ -24,12 +24,6 @@ namespace {
 constexpr std::array<const char*, kNumDecayRates> kNames = {
     "linear damping", "quadratic damping", "stiffness", "constant force"};
 
-std::vector<int> BoundedRates(const FreeDecayOptions& options) {
-  std::vector<int> bounded = {kLinearRate, kQuadraticRate};
-  if (options.has_stiffness) bounded.push_back(kStiffnessRate);
-  return bounded;
-}
-
 // As output error has it: at least what rounding leaves.
 double SigmaOf(const Eigen::VectorXd& residual, double scale) {
   std::vector<double> size(static_cast<std::size_t>(residual.size()));
@@ -37,25 +31,6 @@ double SigmaOf(const Eigen::VectorXd& residual, double scale) {
     size[i] = std::abs(residual[static_cast<Eigen::Index>(i)]);
   }
   return std::max(RobustStd(std::move(size)), 1e-10 * scale);
-}
-
-struct DecayPoint {
-  Eigen::VectorXd unknowns;
-  BoundedOptimum optimum;
-};
-
-DecayPoint SearchFrom(const Eigen::VectorXd& start,
-                      std::span<const DecayStretch> stretches,
-                      const FreeDecayOptions& options,
-                      double sigma,
-                      double k) {
-  constexpr double kResolution = 1e-9;
-  DecayPoint found;
-  found.unknowns = start;
-  const DecayUnknowns unknowns(stretches.size(), options);
-  DecaySearch search(stretches, options.output, unknowns.fixed(), sigma, k, &found.unknowns);
-  found.optimum = SearchActiveSet(BoundedRates(options), kResolution, &search);
-  return found;
 }
 
 // The damping rate at the root mean square speed, in standard deviations: what tells a decay.
@@ -121,33 +96,31 @@ FreeDecaySummary FitFreeDecay(std::span<const DecayStretch> stretches,
 
   // From two starts, as the one of least squares may be biased far by noise.
   Eigen::VectorXd start = DecayGuess(stretches, options);
-  DecayPoint found = SearchFrom(start, stretches, options, scale, kInfinite);
+  DecayPoint found = SearchDecay(start, stretches, options, scale, kInfinite);
   start[kLinearRate] = 3.0 * static_cast<double>(stretches.size()) / summary.duration;
   start[kQuadraticRate] = 0.0;
-  const DecayPoint other = SearchFrom(start, stretches, options, scale, kInfinite);
-  if (!found.optimum.converged ||
-      (other.optimum.converged && other.optimum.cost < found.optimum.cost)) {
+  const DecayPoint other = SearchDecay(start, stretches, options, scale, kInfinite);
+  if (!found.solve.converged || (other.solve.converged && other.solve.cost < found.solve.cost)) {
     found = other;
   }
   auto residuals = DecayResidualsAt(found.unknowns, stretches, options.output);
   double sigma = scale;
-  for (int pass = 0; pass < kMostPasses && residuals && found.optimum.converged; ++pass) {
+  for (int pass = 0; pass < kMostPasses && residuals && found.solve.converged; ++pass) {
     const double next = SigmaOf(residuals->residual, scale);
     if (pass > 0 && std::abs(next - sigma) < 0.1 * sigma) break;
     sigma = next;
-    found = SearchFrom(found.unknowns, stretches, options, sigma, options.huber_k);
+    found = SearchDecay(found.unknowns, stretches, options, sigma, options.huber_k);
     residuals = DecayResidualsAt(found.unknowns, stretches, options.output);
   }
-  if (!residuals || !found.optimum.converged) {
-    summary.message =
-        found.optimum.message.empty() ? "The search did not converge." : found.optimum.message;
+  if (!residuals || !found.solve.converged) {
+    summary.message = found.solve.message;
     return summary;
   }
 
   for (std::size_t rate = 0; rate < kNumDecayRates; ++rate) {
     summary.rates[rate] = found.unknowns[static_cast<Eigen::Index>(rate)];
   }
-  for (const int held : found.optimum.held) {
+  for (const int held : found.solve.held) {
     summary.on_bound[static_cast<std::size_t>(held)] = true;
   }
   summary.covariance = DecayCovariance(

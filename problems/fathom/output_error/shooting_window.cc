@@ -3,8 +3,8 @@
 
 #include "fathom/output_error/shooting_window.h"
 
-#include "fathom/output_error/root_huber.h"
 #include "fathom/solve/decompositions.h"
+#include "fathom/solve/root_huber.h"
 
 #include <algorithm>
 #include <array>
