@@ -3,12 +3,12 @@
 
 #include "fathom/planning/information.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -36,10 +36,10 @@ Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, double noise
 Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, const StampNoise& noise) {
   if (noise.colour.order() == 0) return InformationOf(derivatives, noise.velocity);
   // What the start cannot imitate, in columns of unit length.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> start(derivatives.by_start);
-  Eigen::MatrixXd columns = start.householderQ().adjoint() * derivatives.by_parameter;
-  columns.topRows(start.rank()).setZero();
-  columns = start.householderQ() * columns;
+  const PivotedQr start(derivatives.by_start);
+  Eigen::MatrixXd columns = start.TransposedQTimes(derivatives.by_parameter);
+  columns.topRows(start.Rank()).setZero();
+  columns = start.QTimes(columns);
   const Eigen::VectorXd lengths = columns.colwise().norm();
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
     if (lengths[i] > 0.0) columns.col(i) /= lengths[i];
@@ -48,12 +48,12 @@ Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, const StampN
   coloured.Add(columns);
   const Eigen::MatrixXd spread = coloured.EndPiece();  // of the columns times the noise
   // In the directions that leave a trace: A B^-1 A.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(columns.transpose() * columns);
+  const SymmetricEigen normal = EigenOf(columns.transpose() * columns);
   const Eigen::Index num_open =
-      (normal.eigenvalues().array() < kSmallestPivot * normal.eigenvalues().maxCoeff()).count();
+      (normal.values.array() < kSmallestPivot * normal.values.maxCoeff()).count();
   const Eigen::Index num_told = columns.cols() - num_open;
-  const Eigen::MatrixXd told = normal.eigenvectors().rightCols(num_told);
-  const Eigen::VectorXd traces = normal.eigenvalues().tail(num_told);
+  const Eigen::MatrixXd told = normal.vectors.rightCols(num_told);
+  const Eigen::VectorXd traces = normal.values.tail(num_told);
   const Eigen::MatrixXd inner =
       (told.transpose() * spread * told).llt().solve(Eigen::MatrixXd::Identity(num_told, num_told));
   const Eigen::MatrixXd scaled = told * traces.asDiagonal() * inner * traces.asDiagonal() *

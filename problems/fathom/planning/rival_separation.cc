@@ -3,6 +3,7 @@
 
 #include "fathom/planning/rival_separation.h"
 
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -110,8 +110,8 @@ class LinearRun {
     run.box_ = BoxOf(model);
     run.measured_ = MeasuredOf(*motion, setting);
     const MeasuredColumns columns = MeasuredOf(derivatives, setting);
-    run.start_ = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(columns.by_start);
-    run.num_start_ = run.start_.rank();
+    run.start_ = PivotedQr(columns.by_start);
+    run.num_start_ = run.start_.Rank();
     run.columns_ = run.WithoutStart(columns.by_parameter);
     run.scales_ = run.columns_.colwise().norm().cwiseMax(1e-12).cwiseInverse();
     run.columns_ *= run.scales_.asDiagonal();
@@ -123,7 +123,7 @@ class LinearRun {
 
   // What a start cannot imitate: the rows of Q' behind the start's, as long as the rest.
   Eigen::MatrixXd WithoutStart(const Eigen::MatrixXd& columns) const {
-    const Eigen::MatrixXd turned = start_.householderQ().adjoint() * columns;
+    const Eigen::MatrixXd turned = start_.TransposedQTimes(columns);
     return turned.bottomRows(turned.rows() - num_start_);
   }
 
@@ -176,7 +176,7 @@ class LinearRun {
  private:
   ParameterBox box_;
   Eigen::VectorXd measured_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> start_;
+  PivotedQr start_;
   Eigen::Index num_start_ = 0;
   Eigen::MatrixXd columns_;  // of unit length
   Eigen::VectorXd scales_;   // that made them so

@@ -32,6 +32,20 @@ Eigen::Index RankOf(const Eigen::MatrixXd& matrix, double threshold) {
   return qr.rank();
 }
 
+PivotedQr::PivotedQr(const Eigen::MatrixXd& matrix) : qr_(matrix) {}
+
+Eigen::Index PivotedQr::Rank() const { return qr_.rank(); }
+
+Eigen::MatrixXd PivotedQr::QTimes(const Eigen::MatrixXd& columns) const {
+  return qr_.householderQ() * columns;
+}
+
+Eigen::MatrixXd PivotedQr::TransposedQTimes(const Eigen::MatrixXd& columns) const {
+  return qr_.householderQ().adjoint() * columns;
+}
+
+Eigen::VectorXd PivotedQr::Solve(const Eigen::VectorXd& right) const { return qr_.solve(right); }
+
 Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
   return matrix.completeOrthogonalDecomposition().solve(right);
 }

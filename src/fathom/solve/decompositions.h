@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 // Decompositions of dense matrices, by Eigen and compiled once: its templates take seconds in each
 // file that uses one.
@@ -28,6 +29,22 @@ struct ColumnSpace {
 ColumnSpace ColumnSpaceOf(const Eigen::MatrixXd& matrix, double threshold);
 
 Eigen::Index RankOf(const Eigen::MatrixXd& matrix, double threshold);
+
+// Q R of a matrix whose columns are pivoted; the first `rank` columns of the square Q span it.
+class PivotedQr {
+ public:
+  PivotedQr() = default;
+  explicit PivotedQr(const Eigen::MatrixXd& matrix);
+
+  Eigen::Index Rank() const;
+  Eigen::MatrixXd QTimes(const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd TransposedQTimes(const Eigen::MatrixXd& columns) const;
+  // The x with the least |matrix x - right| that has as many entries besides 0 as the rank.
+  Eigen::VectorXd Solve(const Eigen::VectorXd& right) const;
+
+ private:
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
+};
 
 // The shortest x with the least |matrix x - right|, column by column.
 Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);

@@ -7,6 +7,7 @@
 
 #include "fathom/noise/fit_noise.h"
 #include "fathom/noise/whitener.h"
+#include "fathom/solve/decompositions.h"
 
 #include <array>
 #include <chrono>
@@ -18,7 +19,6 @@
 
 #include "dense_covariance.h"
 #include "null_noises.h"
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -80,8 +80,7 @@ ScoredColumns Score(const NoiseModel& model,
   all << signatures.design, signatures.columns, e;
   Whitener(model, samples).Apply(all, all);
   const Eigen::MatrixXd D = all.leftCols(5);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(D);
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(e.size(), 5);
+  const Eigen::MatrixXd Q = PivotedQr(D).QTimes(Eigen::MatrixXd::Identity(e.size(), 5));
   const Eigen::MatrixXd rest = all.rightCols(5) - Q * (Q.transpose() * all.rightCols(5));
   ScoredColumns scored;
   for (int c = 0; c < 4; ++c) {
@@ -157,12 +156,12 @@ Tallies ScoreDraws(const NullNoise& noise,
                    int num_draws,
                    unsigned seed) {
   const Signatures signatures = MakeSignatures(samples);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(signatures.design);
+  const PivotedQr qr(signatures.design);
   DenseDraws draws(noise.model, samples, seed);
   Tallies tallies{std::vector<Tally>(variants.size()), 0.0, std::vector<double>(variants.size())};
   for (int draw = 0; draw < num_draws; ++draw) {
     Eigen::VectorXd e = draws.Draw();
-    e -= signatures.design * qr.solve(e);
+    e -= signatures.design * qr.Solve(e);
     const ScoredColumns oracle = Score(noise.model, samples, signatures, e);
     for (size_t k = 0; k < variants.size(); ++k) {
       if (variants[k].is_oracle) {

@@ -3,6 +3,8 @@
 
 #include "fathom/noise/fit_noise.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -10,7 +12,7 @@
 #include <vector>
 
 #include "dense_covariance.h"
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -138,7 +140,7 @@ TEST(FitNoise, RestrictedLikelihoodIsThatOfTheComplement) {
   const NoiseFit fit = FitNoise(samples, Span(e), D, {});
   ASSERT_TRUE(fit.IsUsable()) << fit.message;
   const Eigen::MatrixXd dense = D;
-  const Eigen::MatrixXd Q = dense.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, n);
+  const Eigen::MatrixXd Q = PivotedQr(dense).QTimes(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd base = Q.rightCols(n - D.cols());
   const Eigen::MatrixXd S = base.transpose() * DenseCovariance(fit.model).Of(samples) * base;
   const Eigen::LLT<Eigen::MatrixXd> llt(S);
@@ -170,13 +172,13 @@ TEST(FitNoise, RestrictedLikelihoodRemovesTheBiasOfFittedColumns) {
   const auto samples = VelocitySamples(300.0, 0.4);
   const RowMajorMatrix D = SlowDesign(samples);
   const Eigen::MatrixXd dense = D;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(dense);
+  const PivotedQr qr(dense);
   DenseDraws draws(truth, samples, 4);
   double plain = 0.0, restricted = 0.0;
   const int num_runs = 60;
   for (int run = 0; run < num_runs; ++run) {
     Eigen::VectorXd e = draws.Draw();
-    e -= dense * qr.solve(e);
+    e -= dense * qr.Solve(e);
     FitNoiseOptions options;
     options.start = truth;  // no coloured noise beside the disturbance
     const NoiseFit ml = FitNoise(samples, Span(e), NoDesign(samples.size()), options);

@@ -6,12 +6,11 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/base/robust_std.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -23,8 +22,7 @@ std::vector<double> ResidualOf(const ComparedSegment& run, bool is_position) {
   using Column = Eigen::Map<const Eigen::VectorXd>;
   const auto size = static_cast<Eigen::Index>(measured.size());
   Eigen::VectorXd residual = Column(measured.data(), size) - Column(run.simulated.data(), size);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> start(*run.by_start);
-  residual -= *run.by_start * start.solve(residual);
+  residual -= *run.by_start * PivotedQr(*run.by_start).Solve(residual);
   return {residual.data(), residual.data() + residual.size()};
 }
 

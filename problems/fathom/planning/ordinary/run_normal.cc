@@ -3,11 +3,11 @@
 
 #include "fathom/planning/ordinary/run_normal.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <limits>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 namespace fathom {
 namespace {
@@ -32,11 +32,11 @@ Eigen::MatrixXd RunNormal::Information() const {
   const Eigen::VectorXd scales =
       (lengths.array() > 0.0).select(lengths.array().inverse(), 0.0).matrix();
   const Eigen::MatrixXd scaled = scales.asDiagonal() * A * scales.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(scaled);
+  const SymmetricEigen normal = EigenOf(scaled);
   const Eigen::Index num_told =
-      (normal.eigenvalues().array() > kLeastTrace * normal.eigenvalues().maxCoeff()).count();
-  const Eigen::MatrixXd told = normal.eigenvectors().rightCols(num_told);
-  const Eigen::VectorXd traces = normal.eigenvalues().tail(num_told);
+      (normal.values.array() > kLeastTrace * normal.values.maxCoeff()).count();
+  const Eigen::MatrixXd told = normal.vectors.rightCols(num_told);
+  const Eigen::VectorXd traces = normal.values.tail(num_told);
   const Eigen::MatrixXd spread =
       told.transpose() * scales.asDiagonal() * B * scales.asDiagonal() * told;
   const Eigen::MatrixXd inner = spread.llt().solve(Eigen::MatrixXd::Identity(num_told, num_told));
@@ -52,11 +52,10 @@ RunNormal NormalOfRun(const MotionDerivatives& derivatives,
   const bool is_position = noise.is_position;
   const Eigen::MatrixXd& by_parameter =
       is_position ? derivatives.displacement_by_parameter : derivatives.by_parameter;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> start(
-      is_position ? derivatives.displacement_by_start : derivatives.by_start);
-  Eigen::MatrixXd columns = start.householderQ().adjoint() * by_parameter(Eigen::all, places);
-  columns.topRows(start.rank()).setZero();
-  columns = start.householderQ() * columns;
+  const PivotedQr start(is_position ? derivatives.displacement_by_start : derivatives.by_start);
+  Eigen::MatrixXd columns = start.TransposedQTimes(by_parameter(Eigen::all, places));
+  columns.topRows(start.Rank()).setZero();
+  columns = start.QTimes(columns);
   RunNormal normal = {columns.transpose() * columns, {}};
   const double variance = noise.noise.velocity * noise.noise.velocity;
   if (noise.noise.colour.order() == 0) {
