@@ -136,8 +136,11 @@ void AddBlock(const CoupledSummary& block, const MotionStructure& structure, Cou
     }
   }
   all->on_bound.insert(all->on_bound.end(), block.on_bound.begin(), block.on_bound.end());
+  all->open_inertias.insert(
+      all->open_inertias.end(), block.open_inertias.begin(), block.open_inertias.end());
   all->undetermined.insert(
       all->undetermined.end(), block.undetermined.begin(), block.undetermined.end());
+  all->priors.insert(all->priors.end(), block.priors.begin(), block.priors.end());
   all->noise.insert(all->noise.end(), block.noise.begin(), block.noise.end());
   all->num_iterations += block.num_iterations;
   all->num_rows += block.num_rows;
@@ -149,11 +152,21 @@ void AddBlock(const CoupledSummary& block, const MotionStructure& structure, Cou
   all->determined = all->determined && block.determined;
 }
 
-}  // namespace
+// One block, or all of them together.
+CoupledSummary FitPart(const CoupledLogs& logs,
+                       const std::vector<CoupledData>& data,
+                       const MotionStructure& part,
+                       const CoupledFitOptions& options) {
+  if (IsUncoupled(logs, part)) {
+    CoupledSummary fit = FitUncoupled(logs, part, options);
+    if (fit.IsUsable()) return fit;
+  }
+  return FitCoupled(data, part, options);
+}
 
-CoupledSummary FitBlocks(const CoupledLogs& logs,
-                         const MotionStructure& structure,
-                         const CoupledFitOptions& options) {
+CoupledSummary FitAll(const CoupledLogs& logs,
+                      const MotionStructure& structure,
+                      const CoupledFitOptions& options) {
   const auto blocks = BlocksOf(structure, Partners(logs.data), options.held);
   const bool has_gain =
       std::any_of(structure.entries.begin(), structure.entries.end(), IsOfActuator);
@@ -161,9 +174,7 @@ CoupledSummary FitBlocks(const CoupledLogs& logs,
   const bool has_shaft = std::ranges::any_of(
       logs.data, [](const CoupledData& log) { return !log.inputs.command.shafts.empty(); });
   if (blocks.size() == 1 || has_gain || has_shaft) {
-    const MotionStructure& all = structure;
-    return IsUncoupled(logs, all) ? FitUncoupled(logs, all, options)
-                                  : FitCoupled(logs.data, all, options);
+    return FitPart(logs, logs.data, structure, options);
   }
   CoupledSummary summary;
   const auto size = static_cast<Eigen::Index>(structure.entries.size());
@@ -177,13 +188,22 @@ CoupledSummary FitBlocks(const CoupledLogs& logs,
   summary.cost = 0.0;
   for (const std::vector<Dof>& block : blocks) {
     const MotionStructure part = PartOf(structure, block);
-    CoupledSummary of_block = IsUncoupled(logs, part)
-                                  ? FitUncoupled(logs, part, options)
-                                  : FitCoupled(WithDofs(logs.data, block), part, options);
+    CoupledSummary of_block = FitPart(logs, WithDofs(logs.data, block), part, options);
     of_block.model.dofs = block;
     AddBlock(of_block, structure, &summary);
   }
   return summary;
+}
+
+}  // namespace
+
+CoupledSummary FitBlocks(const CoupledLogs& logs,
+                         const MotionStructure& structure,
+                         const CoupledFitOptions& options) {
+  CoupledSummary fit = FitAll(logs, structure, options);
+  CoupledFitOptions with_priors = options;
+  with_priors.priors = InertiasAlike(fit.model, fit.open_inertias, structure.entries);
+  return with_priors.priors.empty() ? fit : FitAll(logs, structure, with_priors);
 }
 
 }  // namespace fathom

@@ -72,6 +72,9 @@ std::string Meaning(const FreeEntry& entry) {
   if (entry.kind == Kind::kFinStuck) {
     return fmt::format("Fin {} is stuck at one angle, whatever is commanded", entry.actuator);
   }
+  if (entry.kind == Kind::kThrustAngle) {
+    return "The thrust is turned against the axes of the velocity, above 0 to starboard";
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -165,6 +168,11 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
           "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
           "the vehicle file.",
           cause.entry.actuator));
+    }
+    if (cause.entry.kind == Kind::kThrustAngle) {
+      steps.push_back(
+          "Look at what tells the heading, compass or IMU: by this angle it stands askew in the "
+          "vehicle, or is deflected. If it does not, the thrusters are turned.");
     }
     if (cause.entry.kind == Kind::kFinForce || cause.entry.kind == Kind::kFinStuck) {
       steps.push_back(

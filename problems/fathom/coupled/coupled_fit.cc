@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -182,15 +183,14 @@ Eigen::MatrixXd CovarianceOf(const WindowScores& at, int num_rows, int num_unkno
   return wider.asDiagonal() * model * wider.asDiagonal();
 }
 
-// Inertias of DOFs that neither these data nor the dry mass tell: the 95 % interval reaches 0.
-std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary, const RigidBody& body) {
-  const Matrix6 known = KnownInertia(body);
+// Inertias of DOFs that these data do not tell: the 95 % interval reaches 0.
+std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary) {
   std::vector<FreeEntry> found;
   for (std::size_t k = 0; k < summary.entries.size(); ++k) {
     const FreeEntry& entry = summary.entries[k];
-    if (entry.kind != FreeEntry::Kind::kInertia || entry.row != entry.column) continue;
+    if (!IsOwnInertia(entry)) continue;
+    if (std::ranges::count(summary.priors, entry, &EntryPrior::entry) > 0) continue;
     const auto at = static_cast<Eigen::Index>(k);
-    if (known(Index(entry.row), Index(entry.row)) > 0.0) continue;
     if (!(ValueIn(summary.model, entry) > 1.96 * std::sqrt(summary.covariance(at, at)))) {
       found.push_back(entry);
     }
@@ -286,14 +286,20 @@ std::vector<std::string> CoupledFitOptions::Problems() const {
   return problems;
 }
 
-CoupledSummary FitCoupled(std::span<const CoupledData> logs,
-                          const MotionStructure& structure,
-                          const CoupledFitOptions& options) {
+namespace {
+
+CoupledSummary FitWithPriors(std::span<const CoupledData> logs,
+                             const MotionStructure& structure,
+                             const CoupledFitOptions& options) {
   if (const auto problems = options.Problems(); !problems.empty()) {
     throw InputError("CoupledFitOptions: " + problems.front() + ".");
   }
   CoupledSummary summary;
   summary.entries = structure.entries;
+  std::ranges::copy_if(
+      options.priors, std::back_inserter(summary.priors), [&](const EntryPrior& prior) {
+        return std::ranges::count(structure.entries, prior.entry) > 0;
+      });
   const auto size = static_cast<Eigen::Index>(structure.entries.size());
   summary.covariance =
       Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
@@ -303,6 +309,7 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   problem.channels = ChannelsOf(logs);
   problem.free = FreeStartOf(logs, problem.channels);
   problem.body = options.body;
+  problem.priors = summary.priors;
   if (problem.windows.empty()) {
     summary.message = "nothing is left to train on: the held-out intervals take all of the data";
     return summary;
@@ -370,7 +377,11 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     if (is_given && !options.learns_noise) break;
     if (!is_white && move < kSettled) break;
   }
-  if (!best.converged) return summary;
+  if (!best.converged) {
+    std::ranges::copy_if(
+        structure.entries, std::back_inserter(summary.open_inertias), IsOwnInertia);
+    return summary;
+  }
   summary.model = point.model;
   const WindowSearch& search = best;
   summary.converged = true;
@@ -391,16 +402,25 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
     summary.message = "the simulation diverges";
     return summary;
   }
+  scores.normal += OfPriors(problem, point.model);
   summary.undetermined = UndeterminedIn(scores.normal, structure.entries);
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {
+    summary.open_inertias = summary.undetermined;
+    std::erase_if(summary.open_inertias, [](const FreeEntry& e) { return !IsOwnInertia(e); });
     summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
     return summary;
   }
   const int num_unknowns = static_cast<int>(structure.entries.size()) +
                            problem.free.size() * static_cast<int>(problem.windows.size());
   summary.covariance = CovarianceOf(scores, summary.num_rows, num_unknowns);
-  summary.undetermined = InertiasThatMayBe0(summary, options.body);
+  summary.open_inertias = InertiasThatMayBe0(summary);
+  // The dry mass, where it is known, holds one above 0.
+  const Matrix6 known = KnownInertia(options.body);
+  std::ranges::copy_if(
+      summary.open_inertias, std::back_inserter(summary.undetermined), [&](const FreeEntry& entry) {
+        return !(known(Index(entry.row), Index(entry.row)) > 0.0);
+      });
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {
     summary.message = fmt::format(
@@ -412,6 +432,20 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   summary.on_bound = OnBound(summary, options.body);
   summary.message = "converged";
   return summary;
+}
+
+}  // namespace
+
+CoupledSummary FitCoupled(std::span<const CoupledData> logs,
+                          const MotionStructure& structure,
+                          const CoupledFitOptions& options) {
+  CoupledSummary fit = FitWithPriors(logs, structure, options);
+  const auto priors = InertiasAlike(fit.model, fit.open_inertias, structure.entries);
+  if (priors.empty()) return fit;
+  CoupledFitOptions again = options;
+  again.start = fit.model;
+  again.priors.insert(again.priors.end(), priors.begin(), priors.end());
+  return FitWithPriors(logs, structure, again);
 }
 
 }  // namespace fathom

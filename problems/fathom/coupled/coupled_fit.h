@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/coupled/entry_prior.h"
 #include "fathom/coupled/fitted_channel.h"
 #include "fathom/coupled/row_whitener.h"
 #include "fathom/simulate/coupled/coupled_data.h"
@@ -47,6 +48,9 @@ struct CoupledFitOptions {
   // or empty: as measured.
   std::vector<CoupledState> window_starts;
 
+  // What is known before any data.
+  std::vector<EntryPrior> priors;
+
   // What the residuals are taken for at first, as another fit found them. Of other channels than
   // this fit's, or empty: white noise, whose colour is then learned.
   std::vector<ChannelNoise> noise;
@@ -72,10 +76,13 @@ struct CoupledSummary {
 
   CoupledModel model;
   std::vector<FreeEntry> entries;
-  Eigen::MatrixXd covariance;       // of the entries, in their order
-  std::vector<FreeEntry> on_bound;  // pressed against what keeps the model physical
+  Eigen::MatrixXd covariance;            // of the entries, in their order
+  std::vector<FreeEntry> on_bound;       // pressed against what keeps the model physical
+  std::vector<FreeEntry> open_inertias;  // of a DOF, that may be 0 as far as the data tell
   std::vector<FreeEntry>
       undetermined;  // that trade against each other without a trace, or may be 0
+
+  std::vector<EntryPrior> priors;  // that held entries which the data leave open
 
   std::vector<CoupledState> starts;  // of the windows, in their order
   std::vector<ChannelNoise> noise;

@@ -221,6 +221,16 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
         "`thrust: {{linear: [K_0, K_1]}}`, K_T over J, mends it.",
         shaft.shaft.name));
   }
+  for (const EntryPrior& prior : result.priors) {
+    fitted.caveats.push_back(fmt::format(
+        "These data do not tell {0}: nothing drives that DOF hard enough. It is taken for {1:.3g} "
+        "{2}, as of the other axes, within a factor of four, and what else is said of {3} grows "
+        "with it. Drive {3}, or tell the mass, to know it.",
+        NameOf(prior.entry),
+        prior.centre,
+        UnitOf(prior.entry, fitted.force_unit),
+        Name(prior.entry.row)));
+  }
   if (!result.on_bound.empty()) {
     fitted.caveats.push_back(
         fmt::format("Ended on what a body can be, no damping below 0 and no inertia below the "

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 namespace fathom {
 namespace {
 
@@ -26,6 +28,10 @@ double NormalQuantile(double p) {
     (std::erfc(z / std::numbers::sqrt2) > p ? low : high) = z;
   }
   return low;
+}
+
+Eigen::Index PlaceOf(const CoupledSummary& fit, const FreeEntry& entry) {
+  return std::ranges::find(fit.entries, entry) - fit.entries.begin();
 }
 
 bool Holds(const MotionStructure& structure, const FreeEntry& entry) {
@@ -49,6 +55,8 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
       all.push_back(LinearDampingEntry(row, column));
     }
   }
+  const auto models = [&](Dof dof) { return std::ranges::count(structure.dofs, dof) > 0; };
+  if (models(Dof::kSurge) && models(Dof::kSway)) all.push_back(ThrustAngleEntry());
   for (const std::string& thruster : options.thrusters) all.push_back(ThrustGainEntry(thruster));
   for (const StructureFin& fin : options.fins) {
     all.push_back(FinNeutralEntry(fin.name));
@@ -94,6 +102,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
   CoupledFitOptions again = options;
   again.start = search->fit.model;
   again.noise = search->fit.noise;
+  again.priors = search->fit.priors;
   SetValue(gone, WithoutEffect(gone, options.held), &*again.start);
   search->fit = FitCoupled(logs, search->structure, again);
   return search->fit.IsUsable();
@@ -102,7 +111,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
 }  // namespace
 
 double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
-  const auto at = std::find(fit.entries.begin(), fit.entries.end(), entry) - fit.entries.begin();
+  const Eigen::Index at = PlaceOf(fit, entry);
   return std::sqrt(fit.covariance(at, at));
 }
 
@@ -113,7 +122,15 @@ double WithoutEffect(const FreeEntry& entry, const CoupledModel& held) {
 
 double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const CoupledModel& held) {
   if (entry.kind == FreeEntry::Kind::kFinStuck) return std::numeric_limits<double>::infinity();
-  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry, held)) / StdOf(fit, entry);
+  // Where a prior holds the scale of a DOF, what is unsure of that says nothing of whether the
+  // entry is there.
+  std::vector<Eigen::Index> given;
+  for (const EntryPrior& prior : fit.priors) given.push_back(PlaceOf(fit, prior.entry));
+  const Eigen::Index at = PlaceOf(fit, entry);
+  const Eigen::VectorXd with = fit.covariance(given, at);
+  const Eigen::MatrixXd of_given = fit.covariance(given, given);
+  const double variance = fit.covariance(at, at) - with.dot(of_given.ldlt().solve(with));
+  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry, held)) / std::sqrt(variance);
 }
 
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
@@ -124,6 +141,7 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
     // Blocks were fitted one by one; the tests need one run of all.
     CoupledFitOptions together = options.fit;
     together.start = search.fit.model;
+    together.priors = search.fit.priors;
     search.fit = FitCoupled(logs, search.structure, together);
   }
   std::vector<FreeEntry> banned;
@@ -146,6 +164,7 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
     CoupledFitOptions next = options.fit;
     next.start = StartedAt(search.fit.model, *best);
     next.noise = search.fit.noise;
+    next.priors = search.fit.priors;
     CoupledSummary found = FitCoupled(logs, longer, next);
     if (!found.IsUsable() || StrengthOf(found, best->entry, options.fit.held) < kStillThere) {
       banned.push_back(best->entry);

@@ -29,6 +29,7 @@ std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
   problem.entries.insert(problem.entries.end(), candidates.begin(), candidates.end());
   problem.channels = ChannelsOf(logs);
   problem.free = FreeStartOf(logs, problem.channels);
+  problem.priors = fit.priors;
   const WindowPoint point = {fit.model, fit.starts};
   std::vector<ChannelWeight> weights;
   for (const ChannelNoise& noise : fit.noise) weights.push_back({noise.whitener, options.huber_k});
@@ -37,6 +38,7 @@ std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
 
   const auto num_free = static_cast<Eigen::Index>(fit.entries.size());
   const auto num = static_cast<Eigen::Index>(candidates.size());
+  scores.normal += OfPriors(problem, fit.model);
   const Eigen::MatrixXd free_normal = scores.normal.topLeftCorner(num_free, num_free);
   const Eigen::MatrixXd cross = scores.normal.topRightCorner(num_free, num);
   const Eigen::MatrixXd by = free_normal.ldlt().solve(cross);

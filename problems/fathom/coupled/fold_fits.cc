@@ -32,6 +32,7 @@ std::vector<std::optional<CoupledModel>> FitOneByOne(const std::vector<Fold>& fo
                                                      CoupledFitOptions options) {
   options.start = fit.model;
   options.noise = fit.noise;
+  options.priors = fit.priors;
   options.learns_noise = false;
   std::vector<std::optional<CoupledModel>> models(folds.size());
   ParallelFor(static_cast<int>(folds.size()), [&](int f) {
@@ -54,6 +55,7 @@ std::vector<std::optional<CoupledModel>> FitFolds(const std::vector<Fold>& folds
   problem.channels = ChannelsOf(folds.front().unseen);
   problem.free = FreeStartOf(folds.front().unseen, problem.channels);
   problem.body = options.body;
+  problem.priors = fit.priors;
   // What is unseen in one fold or another is all there is.
   std::vector<std::vector<std::size_t>> parts(folds.size());
   for (std::size_t f = 0; f < folds.size(); ++f) {

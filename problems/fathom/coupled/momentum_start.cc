@@ -5,6 +5,7 @@
 
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/vehicle/coupled/coriolis.h"
+#include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
 #include <array>
@@ -63,6 +64,7 @@ Vector6 RateOf(const FreeEntry& entry,
       force[i] = nu[0] * nu[j];
       break;
     case Kind::kThrustGain:
+    case Kind::kThrustAngle:
     case Kind::kFinForce:
     case Kind::kFinRace:
     case Kind::kFinNeutral:
@@ -178,7 +180,7 @@ class Impulses {
       const double gain = only != nullptr || found == model.thrust_gain.end() ? 1.0 : found->second;
       force += gain * thruster.thrust[row] * thruster.push;
     }
-    return force;
+    return TurnedAboutZ(model.thrust_angle, force);
   }
 
   const CoupledCommand& command_;
@@ -213,7 +215,8 @@ void AddPieces(const CoupledData& log,
     const CoupledState first = MeasuredState(segment, begin), last = MeasuredState(segment, end);
     Eigen::Matrix<double, 6, Eigen::Dynamic> left =
         Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, num);
-    Vector6 right = impulses.Of(segment.time[begin], segment.time[end], held, nullptr);
+    const Vector6 impulse = impulses.Of(segment.time[begin], segment.time[end], held, nullptr);
+    Vector6 right = impulse;
     const Vector6 change = last.nu - first.nu;
     right -= held.inertia * change;
     for (std::size_t i = begin; i < end; ++i) {
@@ -248,6 +251,8 @@ void AddPieces(const CoupledData& log,
         if (entry.row != entry.column) left(Index(entry.column), k) += change[Index(entry.row)];
       } else if (entry.kind == Kind::kThrustGain) {
         left.col(k) -= impulses.Of(segment.time[begin], segment.time[end], held, &entry);
+      } else if (entry.kind == Kind::kThrustAngle) {
+        left.col(k) -= ByTurnAboutZ(impulse);
       }
     }
     for (const Dof dof : structure.dofs) {

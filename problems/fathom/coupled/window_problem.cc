@@ -49,6 +49,19 @@ bool AllResiduals(const WindowProblem& problem,
   return runs;
 }
 
+PhysicalBarrier BarrierIn(const WindowProblem& problem, const CoupledModel& model) {
+  PhysicalBarrier barrier = BarrierAt(model, problem.entries, problem.body);
+  AddPriors(model, problem.entries, problem.priors, &barrier);
+  return barrier;
+}
+
+Eigen::MatrixXd OfPriors(const WindowProblem& problem, const CoupledModel& model) {
+  const auto size = static_cast<Eigen::Index>(problem.entries.size());
+  PhysicalBarrier of = {0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
+  AddPriors(model, problem.entries, problem.priors, &of);
+  return of.hessian;
+}
+
 double WeighRows(const ChannelWeight& weight, WindowResiduals::Piece* piece) {
   RowMajorRows& rows = piece->rows;
   weight.whitener.Apply(rows);

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include "fathom/coupled/entry_prior.h"
 #include "fathom/coupled/fitted_channel.h"
+#include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_residuals.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
@@ -24,6 +26,7 @@ struct WindowProblem {
   std::vector<FittedChannel> channels;
   FreeStart free;
   RigidBody body;
+  std::vector<EntryPrior> priors;
 };
 
 // A point of the search.
@@ -43,6 +46,12 @@ bool ResidualsIn(const WindowProblem& problem,
 bool AllResiduals(const WindowProblem& problem,
                   const WindowPoint& point,
                   std::vector<WindowResiduals>* residuals);
+
+// The cost of the bounds and of the priors.
+PhysicalBarrier BarrierIn(const WindowProblem& problem, const CoupledModel& model);
+
+// What the priors add to the normal equations of the entries.
+Eigen::MatrixXd OfPriors(const WindowProblem& problem, const CoupledModel& model);
 
 // Whitens the rows of a piece. Those beyond the channel's huber_k weigh less. What the residuals
 // cost.

@@ -209,7 +209,7 @@ StepEnd EndOf(const WindowProblem& problem,
               double share,
               double before) {
   StepEnd end = {Stepped(problem, from, step, share), {}};
-  end.barrier = BarrierAt(end.point.model, problem.entries, problem.body);
+  end.barrier = BarrierIn(problem, end.point.model);
   if (!std::isfinite(end.barrier.cost)) return end;
   const double limit = before - end.barrier.cost;
   end.gain = limit - CostAt(problem, weights, end.point, limit);
@@ -234,7 +234,7 @@ WindowSearch SearchFrom(const WindowProblem& problem,
   search.point = start;
   search.cost = lines.cost;
   const auto num = static_cast<Eigen::Index>(problem.entries.size());
-  PhysicalBarrier barrier = BarrierAt(start.model, problem.entries, problem.body);
+  PhysicalBarrier barrier = BarrierIn(problem, start.model);
   double damping = options.first_damping;
   search.message = "the search did not come to its end: these data may not tell the numbers apart";
   while (search.num_iterations < options.max_iterations) {

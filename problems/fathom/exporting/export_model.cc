@@ -82,6 +82,7 @@ std::vector<FreeEntry> EntriesWithoutGains() {
   all.push_back(RightingMomentEntry(Dof::kRoll));
   all.push_back(RightingMomentEntry(Dof::kPitch));
   all.push_back(NetBuoyancyEntry());
+  all.push_back(ThrustAngleEntry());
   for (const Dof row : kAllDofs) all.push_back(OffsetEntry(row));
   return all;
 }

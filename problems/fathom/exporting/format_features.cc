@@ -33,6 +33,8 @@ constexpr HeldFeature kNoForce =
     LeftOut("no element holds a constant force. Subtract it from the thrust.");
 constexpr HeldFeature kNoGain =
     LeftOut("multiply the thrust coefficient of that thruster's plugin by it.");
+constexpr HeldFeature kTurnIt =
+    LeftOut("turn the wrench about z by it first, X' = X cos a - Y sin a, Y' = X sin a + Y cos a.");
 constexpr HeldFeature kNoEffect = LeftOut("the model without it is exported.");
 constexpr HeldFeature kOnlyLag = LeftOut("the plugin's thrusters have a FirstOrder lag alone.");
 constexpr HeldFeature kDiagonal = LeftOut("the plugin takes the diagonal alone.");
@@ -44,7 +46,7 @@ struct FeatureRow {
 };
 
 // In the order of ExportFeature. Formats: c, csv, gazebo, mss, stonefish, uuv, vrx.
-constexpr std::array<FeatureRow, 20> kFeatureRows = {{
+constexpr std::array<FeatureRow, 21> kFeatureRows = {{
     {"inertia",
      {kHeld,
       kHeld,
@@ -123,6 +125,7 @@ constexpr std::array<FeatureRow, 20> kFeatureRows = {{
       kNoGain,
       kNoGain,
       kNoGain}},
+    {"angle of the thrust", {kTurnIt, kHeld, kTurnIt, kTurnIt, kTurnIt, kTurnIt, kTurnIt}},
     {"lag of thrusters",
      {kHeld,
       kHeld,
@@ -275,6 +278,8 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kOffset:
       return entry.row == Dof::kRoll || entry.row == Dof::kPitch ? ExportFeature::kTrim
                                                                  : ExportFeature::kOffset;
+    case FreeEntry::Kind::kThrustAngle:
+      return ExportFeature::kThrustAngle;
     case FreeEntry::Kind::kThrustGain:
     case FreeEntry::Kind::kLift:  // and fins: ExportModelOf() refuses them
     case FreeEntry::Kind::kFinForce:

@@ -27,6 +27,7 @@ enum class ExportFeature {
   kTrim,    // offset of roll and pitch
   kOffset,  // of the others
   kThrustGain,
+  kThrustAngle,
   kLag,
   kThrustSize,  // a dead zone, a saturation, an asymmetry of thrusters
   kDelay,

@@ -34,6 +34,7 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kOffset:
       return fmt::format("o({}) = {};", row, value);
     case FreeEntry::Kind::kThrustGain:
+    case FreeEntry::Kind::kThrustAngle:
     case FreeEntry::Kind::kLift:
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:

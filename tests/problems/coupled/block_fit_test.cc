@@ -63,5 +63,25 @@ TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
   }
 }
 
+// A boat whose thrusters push ahead and turn it, but not sideways: what moves it in sway is some
+// offset alone. The data tell its damping by its inertia, not the two.
+TEST(FitBlocks, TakesAnInertiaThatNothingDrivesForOneLikeTheOthers) {
+  std::mt19937 random(12);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.coriolis = false;
+  DrawnLogOptions options;
+  options.force[1] = 0.0;
+  CoupledLogs logs;
+  logs.data = {DrawnLog(truth, options, &random)};
+  const CoupledSummary fit = FitBlocks(logs, DiagonalStructure(truth.dofs), {});
+  ASSERT_TRUE(fit.IsUsable()) << fit.message;
+  ASSERT_EQ(fit.priors.size(), 1u);
+  EXPECT_EQ(fit.priors[0].entry, InertiaEntry(Dof::kSway, Dof::kSway));
+  EXPECT_NEAR(fit.priors[0].centre, truth.inertia(0, 0), 0.05 * truth.inertia(0, 0));
+  EXPECT_GT(fit.model.inertia(1, 1), 0.25 * fit.priors[0].centre);
+  EXPECT_LT(fit.model.inertia(1, 1), 4.0 * fit.priors[0].centre);
+  EXPECT_NEAR(fit.model.inertia(5, 5), truth.inertia(5, 5), 0.05 * truth.inertia(5, 5));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -43,6 +43,16 @@ TEST(ClimbLadder, NamesTheCouplingsThatAreThere) {
   EXPECT_NEAR(accepted.fit.model.linear_damping(1, 5), -1.5, 0.5);
 }
 
+// A compass that stands 6 degrees askew in the vehicle.
+TEST(ClimbLadder, NamesAThrustThatIsTurnedAgainstTheVelocity) {
+  std::mt19937 random(1004);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.thrust_angle = 0.1;
+  const Ladder ladder = LadderOf(truth, &random);
+  EXPECT_THAT(NamesIn(ladder), UnorderedElementsAre("thrust_angle"));
+  EXPECT_NEAR(ladder.rungs[ladder.accepted].fit.model.thrust_angle, 0.1, 0.01);
+}
+
 TEST(ClimbLadder, NamesNothingWhereNothingIs) {
   std::mt19937 random(1001);
   CoupledModel truth = DrawnPlanarVehicle(&random);

@@ -243,6 +243,9 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
           force += ThrustOnVehicle(shaft, drive.turns[*shaft_of_entry_[k]], nu).thrust * shaft.push;
         }
         break;
+      case FreeEntry::Kind::kThrustAngle:
+        force = pushed[k];
+        break;
       case FreeEntry::Kind::kLift:
         force[row] = -nu[0] * nu[column];
         break;

@@ -50,7 +50,8 @@ class CoupledRate {
   TangentLaw LawAt(const CoupledFlow& state, const CoupledDrive& drive) const;
 
   // What a unit of each entry does to the forces: a column for each. `rate`: At() the same.
-  // `pushed`: for each entry that is a thrust gain what the thruster gives at a gain of 1.
+  // `pushed`: for each entry that is a thrust gain what the thruster gives at a gain of 1; for the
+  // thrust's angle what a radian more changes.
   // Of an entry that acts along one row alone, the others are not written: RowOfEntry().
   void ForcesOfEntries(const CoupledFlow& state,
                        const CoupledFlow& rate,

@@ -5,6 +5,7 @@
 
 #include "fathom/simulate/coupled/coupled_rate.h"
 #include "fathom/simulate/partner_signals.h"
+#include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
 #include <array>
@@ -188,7 +189,13 @@ class CoupledRun {
       for (std::size_t k = 0; k < entries_.size(); ++k) {
         const bool is_its = entries_[k].kind == FreeEntry::Kind::kThrustGain &&
                             entries_[k].actuator == thruster.name;
-        if (is_its) pushed_[k] += push;
+        if (is_its) pushed_[k] += TurnedAboutZ(model_.thrust_angle, push);
+      }
+    }
+    drive_.tau = TurnedAboutZ(model_.thrust_angle, drive_.tau);
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      if (entries_[k].kind == FreeEntry::Kind::kThrustAngle) {
+        pushed_[k] = ByTurnAboutZ(drive_.tau);
       }
     }
   }

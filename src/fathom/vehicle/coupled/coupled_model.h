@@ -23,7 +23,8 @@ namespace fathom {
 //        sum_j (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j
 //   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
 //   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
-//   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces; of shafts by nu
+//   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces, turned by
+//        `thrust_angle`; of shafts by nu
 //   F    forces of the fins, each by its `fin_force`            fin_force.h
 //
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
@@ -43,6 +44,10 @@ struct CoupledModel {
   double net_buoyancy = 0.0;    // buoyancy less weight [N]; above 0 the vehicle floats up
   double righting_roll = 0.0;   // moment at sin(phi) = 1, theta = 0 [N m]; above 0 it rights itself
   double righting_pitch = 0.0;  // moment at sin(theta) = 1 [N m]
+
+  // How far the forces of wrench and thrusters are turned about z, against the axes of the
+  // velocity [rad]; above 0 to starboard. A compass or an IMU that stands askew does the same.
+  double thrust_angle = 0.0;
 
   std::map<std::string, double> thrust_gain = {};  // kappa by thruster or shaft; absent: 1
   std::map<std::string, double> fin_force = {};    // f by fin [N s^2/m^2 a radian]; absent: 0

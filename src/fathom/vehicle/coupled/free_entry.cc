@@ -24,7 +24,7 @@ struct NamedKind {
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 12> kNamedKinds = {{
+constexpr std::array<NamedKind, 13> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -32,6 +32,7 @@ constexpr std::array<NamedKind, 12> kNamedKinds = {{
     {EntryKind::kNetBuoyancy, "net_buoyancy"},
     {EntryKind::kOffset, "offset"},
     {EntryKind::kThrustGain, "thrust_gain"},
+    {EntryKind::kThrustAngle, "thrust_angle"},
     {EntryKind::kLift, "lift"},
     {EntryKind::kFinForce, "fin_force"},
     {EntryKind::kFinRace, "fin_race"},
@@ -41,6 +42,11 @@ constexpr std::array<NamedKind, 12> kNamedKinds = {{
 
 std::string_view NameOfKind(EntryKind kind) {
   return kNamedKinds[static_cast<std::size_t>(kind)].name;
+}
+
+// Whether there is one of a model, with a name of its own.
+bool IsOneOfModel(EntryKind kind) {
+  return kind == EntryKind::kNetBuoyancy || kind == EntryKind::kThrustAngle;
 }
 
 bool HasPair(EntryKind kind) {
@@ -78,6 +84,8 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->offset[Index(entry.row)];
     case EntryKind::kThrustGain:
       return &model->thrust_gain.try_emplace(entry.actuator, 1.0).first->second;
+    case EntryKind::kThrustAngle:
+      return &model->thrust_angle;
     case EntryKind::kLift:
       return &model->lift(Index(entry.row), Index(entry.column));
     case EntryKind::kFinForce:
@@ -109,6 +117,7 @@ FreeEntry NetBuoyancyEntry() { return {EntryKind::kNetBuoyancy}; }
 FreeEntry ThrustGainEntry(const std::string& thruster) {
   return {EntryKind::kThrustGain, Dof::kSurge, Dof::kSurge, thruster};
 }
+FreeEntry ThrustAngleEntry() { return {EntryKind::kThrustAngle, Dof::kSway, Dof::kSurge}; }
 FreeEntry LiftEntry(Dof row, Dof column) { return {EntryKind::kLift, row, column}; }
 FreeEntry FinForceEntry(const std::string& fin) {
   return {EntryKind::kFinForce, Dof::kSurge, Dof::kSurge, fin};
@@ -148,7 +157,7 @@ int ParameterOf(const FreeEntry& entry) {
 
 std::string NameOf(const FreeEntry& entry) {
   const std::string_view kind = NameOfKind(entry.kind);
-  if (entry.kind == EntryKind::kNetBuoyancy) return std::string(kind);
+  if (IsOneOfModel(entry.kind)) return std::string(kind);
   if (IsOfActuator(entry)) return fmt::format("{}.{}", kind, entry.actuator);
   if (entry.row == entry.column) return fmt::format("{}.{}", kind, Name(entry.row));
   return fmt::format("{}.{}.{}", kind, Name(entry.row), Name(entry.column));
@@ -160,18 +169,18 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   const auto found = std::find_if(
       kNamedKinds.begin(), kNamedKinds.end(), [&](const NamedKind& k) { return k.name == head; });
   if (found == kNamedKinds.end()) {
-    RefuseEntry(
-        name,
-        "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
-        "offset, thrust_gain, lift, fin_force, fin_race, fin_neutral or fin_stuck, a dot, and what "
-        "it belongs to");
+    RefuseEntry(name,
+                "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
+                "offset, thrust_gain, thrust_angle, lift, fin_force, fin_race, fin_neutral or "
+                "fin_stuck, a dot, and what "
+                "it belongs to");
   }
   const EntryKind kind = found->kind;
   const bool has_tail = dot != std::string_view::npos;
   const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
-  if (kind == EntryKind::kNetBuoyancy) {
-    if (has_tail) RefuseEntry(name, "net_buoyancy alone");
-    return NetBuoyancyEntry();
+  if (IsOneOfModel(kind)) {
+    if (has_tail) RefuseEntry(name, fmt::format("{} alone", head));
+    return kind == EntryKind::kNetBuoyancy ? NetBuoyancyEntry() : ThrustAngleEntry();
   }
   if (IsOfActuator({kind})) {
     if (tail.empty()) {
@@ -221,6 +230,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
       return "kg/m";
     case EntryKind::kFinRace:
       return "m^2/(s^2 N)";
+    case EntryKind::kThrustAngle:
     case EntryKind::kFinNeutral:
     case EntryKind::kFinStuck:
       return "rad";
@@ -233,6 +243,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
   const std::string unit = SiUnitOf(entry);
   const bool has_force = entry.kind != EntryKind::kThrustGain &&
+                         entry.kind != EntryKind::kThrustAngle &&
                          entry.kind != EntryKind::kFinNeutral &&
                          entry.kind != EntryKind::kFinStuck && entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
@@ -256,6 +267,7 @@ std::vector<FreeEntry> AllEntries() {
   all.push_back(RightingMomentEntry(Dof::kRoll));
   all.push_back(RightingMomentEntry(Dof::kPitch));
   all.push_back(NetBuoyancyEntry());
+  all.push_back(ThrustAngleEntry());
   return all;
 }
 

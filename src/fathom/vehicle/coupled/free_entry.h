@@ -23,6 +23,7 @@ namespace fathom {
 //   net_buoyancy                  b
 //   offset.yaw                    o_6
 //   thrust_gain.port              of the thruster or shaft `port`
+//   thrust_angle                  a, by which the forces of wrench and thrusters are turned about z
 //   lift.sway.yaw                 L_26: along sway, by u r
 //   fin_force.rudder              f of the fin `rudder`
 //   fin_race.rudder               k: what the race adds to the square of its speed
@@ -37,6 +38,7 @@ struct FreeEntry {
     kNetBuoyancy,
     kOffset,
     kThrustGain,
+    kThrustAngle,
     kLift,
     kFinForce,
     kFinRace,
@@ -59,6 +61,7 @@ FreeEntry OffsetEntry(Dof row);
 FreeEntry RightingMomentEntry(Dof row);
 FreeEntry NetBuoyancyEntry();
 FreeEntry ThrustGainEntry(const std::string& thruster);
+FreeEntry ThrustAngleEntry();
 FreeEntry LiftEntry(Dof row, Dof column);
 FreeEntry FinForceEntry(const std::string& fin);
 FreeEntry FinRaceEntry(const std::string& fin);

@@ -176,6 +176,7 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
     model.offset = Eigen::Map<const Vector6>(offset.data());
   }
   model.net_buoyancy = map.Number("net_buoyancy", 0.0);
+  model.thrust_angle = map.Number("thrust_angle", 0.0);
   if (const auto righting = map.OptionalMap("righting_moment")) {
     model.righting_roll = righting->Number("roll", 0.0);
     model.righting_pitch = righting->Number("pitch", 0.0);

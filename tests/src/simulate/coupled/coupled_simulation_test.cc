@@ -384,6 +384,26 @@ TEST(RunCoupled, TurnsToPortByAPositiveRudder) {
   EXPECT_LT(outputs.velocity[0][5], -0.1);
 }
 
+// 0.1 rad to starboard of ahead, along a damping that is the same all round.
+TEST(RunCoupled, PushesAlongAThrustThatIsTurned) {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge, Dof::kSway};
+  model.inertia.diagonal().head<2>().setConstant(30.0);
+  model.linear_damping.diagonal().head<2>().setConstant(6.0);
+  model.thrust_angle = 0.1;
+  model.thrust_gain["main"] = 0.5;
+  CoupledInputs inputs;
+  inputs.command.time = {0.0};
+  inputs.command.force = {Vector6::Unit(0)};
+  inputs.command.thrusters = {{"main", Vector6::Unit(0), {4.0}}};
+  CoupledStamps stamps;
+  stamps.velocity = {200.0};
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, {}, stamps, &outputs));
+  EXPECT_NEAR(outputs.velocity[0][0], 0.5 * std::cos(0.1), 1e-9);
+  EXPECT_NEAR(outputs.velocity[0][1], 0.5 * std::sin(0.1), 1e-9);
+}
+
 TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
   CoupledModel model = Rov();
   model.inertia(1, 5) = model.inertia(5, 1) = 20.0;
@@ -396,6 +416,7 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
   MotionStructure structure = StructureOf(StandardStructure::kFull, kSix);
   structure.entries.push_back(QuadraticDampingEntry(Dof::kYaw, Dof::kSway));
   structure.entries.push_back(ThrustGainEntry("port"));
+  structure.entries.push_back(ThrustAngleEntry());
   if (!inputs.command.shafts.empty()) structure.entries.push_back(ThrustGainEntry("screw"));
   structure.entries.push_back(LiftEntry(Dof::kSway, Dof::kYaw));
   structure.entries.push_back(FinForceEntry("plane"));
@@ -455,7 +476,9 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
 }
 
 TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
-  ExpectDerivativesOfDifferences(FinnedRov(), FinnedSteps(5));
+  CoupledModel turned = FinnedRov();
+  turned.thrust_angle = 0.2;
+  ExpectDerivativesOfDifferences(turned, FinnedSteps(5));
 }
 
 // By the thrust's slope in the speed, and that of the race over the rudder.

@@ -54,7 +54,13 @@ class PlainSimulator {
     const Eigen::Vector3d v1 = v.head<3>(), v2 = v.tail<3>();
     const Eigen::Vector3d a = m.block<3, 3>(0, 0) * v1 + m.block<3, 3>(0, 3) * v2;
     const Eigen::Vector3d b = m.block<3, 3>(3, 0) * v1 + m.block<3, 3>(3, 3) * v2;
-    Vector6 force = tau - model_.offset;
+    Vector6 force = tau;
+    const double c = std::cos(model_.thrust_angle), s = std::sin(model_.thrust_angle);
+    for (const int i : {0, 3}) {
+      force[i] = c * tau[i] - s * tau[i + 1];
+      force[i + 1] = s * tau[i] + c * tau[i + 1];
+    }
+    force -= model_.offset;
     if (more) force += more(v);
     if (model_.coriolis) {
       force.head<3>() -= -S(a) * v2;

@@ -26,6 +26,7 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "net_buoyancy",
                                  "offset.yaw",
                                  "thrust_gain.port",
+                                 "thrust_angle",
                                  "lift.yaw.sway",
                                  "fin_force.rudder",
                                  "fin_race.rudder",
@@ -79,10 +80,12 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("net_buoyancy")), "N");
   EXPECT_EQ(UnitOf(ParseFreeEntry("righting_moment.roll")), "N m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_gain.port")), "1");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_angle"), "A"), "rad");
 }
 
 TEST(FreeEntry, IsRefusedByItsName) {
-  for (const std::string name : {"inertia.up", "righting_moment.yaw", "mass", "thrust_gain.", ""}) {
+  for (const std::string name :
+       {"inertia.up", "righting_moment.yaw", "mass", "thrust_gain.", "thrust_angle.yaw", ""}) {
     EXPECT_THAT(ErrorFrom([&] { ParseFreeEntry(name); }), HasSubstr("'" + name + "'"));
   }
 }
