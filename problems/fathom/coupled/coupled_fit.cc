@@ -7,10 +7,10 @@
 #include "fathom/base/median.h"
 #include "fathom/base/robust_std.h"
 #include "fathom/coupled/momentum_start.h"
+#include "fathom/coupled/open_entries.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_scores.h"
 #include "fathom/coupled/window_search.h"
-#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +36,9 @@ constexpr double kRoughGain = 1e-4;  // of the cost: a gain that ends a pass und
 constexpr double kDampingNearTheEnd = 1e-6;
 constexpr double kAstray = 2.0;          // times the squares that white noise leaves
 constexpr double kSettled = 0.1;         // a pass that moves no entry further is the last
-constexpr double kSingular = 1e-11;      // of the scaled normal equations
 constexpr double kShortestBlock = 1.0;   // [s] of the scores' blocks
 constexpr double kBlocksOfEntry = 4.0;   // at least, for each number that is free
 constexpr double kFewestOfBlock = 10.0;  // samples
-constexpr double kOnBound = 0.3;         // within so many standard deviations of its bound
 
 // As long as leaves enough of them: what is left of the noise's colour stays within a block.
 double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_entries) {
@@ -139,32 +137,6 @@ std::vector<ChannelWeight> WeightsOf(const std::vector<ChannelNoise>& noise, dou
   return weights;
 }
 
-// The entries that trade against each other: those of the directions without a trace.
-std::vector<FreeEntry> UndeterminedIn(const Eigen::MatrixXd& normal,
-                                      const std::vector<FreeEntry>& entries) {
-  const Eigen::VectorXd diagonal = normal.diagonal();
-  std::vector<FreeEntry> found;
-  const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
-  for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
-    if (!(diagonal[k] > 0.0) || !std::isfinite(largest))
-      found.push_back(entries[static_cast<std::size_t>(k)]);
-  }
-  if (!found.empty() || diagonal.size() == 0) return found;
-  const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-  const SymmetricEigen eigen = EigenOf(scale.asDiagonal() * normal * scale.asDiagonal());
-  for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
-    if (eigen.values[i] > kSingular) continue;
-    for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
-      const FreeEntry& entry = entries[static_cast<std::size_t>(k)];
-      if (std::abs(eigen.vectors(k, i)) > 0.2 &&
-          std::find(found.begin(), found.end(), entry) == found.end()) {
-        found.push_back(entry);
-      }
-    }
-  }
-  return found;
-}
-
 // Of the entries: what white innovations say, widened where the scores scatter more.
 Eigen::MatrixXd CovarianceOf(const WindowScores& at, int num_rows, int num_unknowns) {
   const Eigen::MatrixXd& scores = at.by_block;
@@ -181,41 +153,6 @@ Eigen::MatrixXd CovarianceOf(const WindowScores& at, int num_rows, int num_unkno
     wider[k] = std::sqrt(std::max(sandwich(k, k) / model(k, k), 1.0));
   }
   return wider.asDiagonal() * model * wider.asDiagonal();
-}
-
-// Inertias of DOFs that these data do not tell: the 95 % interval reaches 0.
-std::vector<FreeEntry> InertiasThatMayBe0(const CoupledSummary& summary) {
-  std::vector<FreeEntry> found;
-  for (std::size_t k = 0; k < summary.entries.size(); ++k) {
-    const FreeEntry& entry = summary.entries[k];
-    if (!IsOwnInertia(entry)) continue;
-    if (std::ranges::count(summary.priors, entry, &EntryPrior::entry) > 0) continue;
-    const auto at = static_cast<Eigen::Index>(k);
-    if (!(ValueIn(summary.model, entry) > 1.96 * std::sqrt(summary.covariance(at, at)))) {
-      found.push_back(entry);
-    }
-  }
-  return found;
-}
-
-// Entries whose own bound the search leans on.
-std::vector<FreeEntry> OnBound(const CoupledSummary& summary, const RigidBody& body) {
-  const Matrix6 known = KnownInertia(body);
-  std::vector<FreeEntry> found;
-  for (std::size_t k = 0; k < summary.entries.size(); ++k) {
-    const FreeEntry& entry = summary.entries[k];
-    using Kind = FreeEntry::Kind;
-    const bool is_damping =
-        entry.kind == Kind::kLinearDamping || entry.kind == Kind::kQuadraticDamping;
-    if (!(is_damping || entry.kind == Kind::kInertia) || entry.row != entry.column) continue;
-    const auto at = static_cast<Eigen::Index>(k);
-    const double bound =
-        entry.kind == Kind::kInertia ? known(Index(entry.row), Index(entry.row)) : 0.0;
-    if (ValueIn(summary.model, entry) - bound < kOnBound * std::sqrt(summary.covariance(at, at))) {
-      found.push_back(entry);
-    }
-  }
-  return found;
 }
 
 std::string NamesOf(const std::vector<FreeEntry>& entries) {
@@ -406,8 +343,7 @@ CoupledSummary FitWithPriors(std::span<const CoupledData> logs,
   summary.undetermined = UndeterminedIn(scores.normal, structure.entries);
   summary.determined = summary.undetermined.empty();
   if (!summary.determined) {
-    summary.open_inertias = summary.undetermined;
-    std::erase_if(summary.open_inertias, [](const FreeEntry& e) { return !IsOwnInertia(e); });
+    summary.open_inertias = OpenBesideTheBestTold(summary, scores.normal);
     summary.message = fmt::format("the data do not tell {} apart", NamesOf(summary.undetermined));
     return summary;
   }

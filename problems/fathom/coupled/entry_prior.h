@@ -24,7 +24,7 @@ struct EntryPrior {
 // Whether it is the inertia of one DOF.
 bool IsOwnInertia(const FreeEntry& entry);
 
-// Adds half the squares of all priors, docs/coupled.md (9), and what a small step of the entries
+// Adds half the squares of all priors, docs/coupled.md (8), and what a small step of the entries
 // changes of them.
 void AddPriors(const CoupledModel& model,
                std::span<const FreeEntry> entries,

@@ -19,7 +19,7 @@ Eigen::Matrix3d TurnJacobian(const Eigen::Vector3d& phi);
 
 // A simulated pose, then a deviation along and about the axes of the body there:
 //
-//   world_from_body = simulated (exp(delta_4..6), delta_1..3)              docs/coupled.md (8)
+//   world_from_body = simulated (exp(delta_4..6), delta_1..3)              docs/coupled.md (9)
 //
 // with how it moves, as a PoseIncrement, with both.
 struct DeviatedPose {

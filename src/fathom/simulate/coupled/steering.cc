@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace fathom {
@@ -91,13 +90,16 @@ Nomoto NomotoOf(const SteeringEquations& equations) {
   const Eigen::MatrixXd A = equations.inertia.inverse() * equations.force;
   const Eigen::VectorXd b = equations.inertia.inverse() * equations.rudder;
   Nomoto nomoto;
-  nomoto.growth_rate = A.eigenvalues().real().maxCoeff();
   if (!equations.HasSway()) {
+    nomoto.growth_rate = A(0, 0);
     nomoto.K = -b[0] / A(0, 0);
     nomoto.T = -1.0 / A(0, 0);
     return nomoto;
   }
-  const double determinant = A.determinant();
+  const double determinant = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+  // The larger real part of the eigenvalues, half +- sqrt(half^2 - determinant).
+  const double half = 0.5 * A.trace();
+  nomoto.growth_rate = half + std::sqrt(std::max(half * half - determinant, 0.0));
   const double numerator = A(1, 0) * b[0] - A(0, 0) * b[1];
   nomoto.K = numerator / determinant;
   nomoto.T = -A.trace() / determinant - b[1] / numerator;
