@@ -39,19 +39,27 @@ DEFINE_string(only,
 DEFINE_bool(list, false, "print every log with its verdict, as it is done");
 DEFINE_string(out, "", "the page to write, Markdown");
 DEFINE_string(oracle_cache, "", "file that keeps the oracle's answers from run to run");
-DEFINE_string(sweep,
-              "",
-              "threshold of the verdict or the search, or 'all': the logs are diagnosed with half "
-              "and with twice of it, and those whose verdict or causes change are printed");
+DEFINE_string(
+    sweep,
+    "",
+    "thresholds of the verdict or the search, separated by commas, or 'all': the logs are "
+    "diagnosed with half and with twice of each, and those whose verdict or causes "
+    "change are printed");
 DEFINE_string(save, "", "folder to write the logs to instead of diagnosing them");
 
 namespace fathom::hidden {
 namespace {
 
+std::vector<std::string> BetweenCommas(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream rest(text);
+  for (std::string word; std::getline(rest, word, ',');) words.push_back(word);
+  return words;
+}
+
 bool IsWanted(const LogPlan& plan, const std::string& only) {
   if (only.empty()) return true;
-  std::istringstream words(only);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : BetweenCommas(only)) {
     const std::string name = plan.Name();
     const std::string kind = plan.hidden == HiddenClass::kNothing      ? "nothing"
                              : plan.hidden == HiddenClass::kOneEffect  ? "one"
@@ -79,11 +87,12 @@ bool IsSame(const LogScore& a, const LogScore& b) {
 // One line for each change of a threshold, and one for each log that it changes.
 int Sweep(const std::vector<LogPlan>& plans, OracleCache& oracle) {
   const std::vector<std::string> known = SweptRules();
-  const bool is_known = std::ranges::find(known, FLAGS_sweep) != known.end();
-  if (!is_known && FLAGS_sweep != "all") {
+  const std::vector<std::string> names = FLAGS_sweep == "all" ? known : BetweenCommas(FLAGS_sweep);
+  for (const std::string& name : names) {
+    if (std::ranges::find(known, name) != known.end()) continue;
     std::fprintf(stderr,
-                 "hidden_scores: --sweep=%s is none of %s.\n",
-                 FLAGS_sweep.c_str(),
+                 "hidden_scores: --sweep: %s is none of %s.\n",
+                 name.c_str(),
                  fmt::format("{}", fmt::join(known, ", ")).c_str());
     return 1;
   }
@@ -104,7 +113,7 @@ int Sweep(const std::vector<LogPlan>& plans, OracleCache& oracle) {
   };
   const std::vector<LogScore> usual = run({});
   print("as it is", usual, 0);
-  for (const std::string& name : is_known ? std::vector<std::string>{FLAGS_sweep} : known) {
+  for (const std::string& name : names) {
     for (const double times : {0.5, 2.0}) {
       const std::vector<LogScore> scores = run(WithRule(name, times));
       std::vector<std::string> lines;

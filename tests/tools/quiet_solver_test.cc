@@ -56,7 +56,7 @@ TEST_P(QuietSolver, KeepsItsLogToItself) {
 INSTANTIATE_TEST_SUITE_P(
     OfEachTool,
     QuietSolver,
-    ::testing::Values(Hopeless{"fathom_identify", "--dof", 0.0, "1e6", "search did not converge"},
+    ::testing::Values(Hopeless{"fathom_identify", "--dof", 10.0, "1e6", "search did not converge"},
                       Hopeless{
                           "fathom_compare", "--dofs", 0.0, "1e6", "the search did not converge"},
                       Hopeless{"fathom_diagnose", "--dof", 10.0, "1e3", "no diagnosis: "}),

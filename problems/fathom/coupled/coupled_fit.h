@@ -3,9 +3,8 @@
 
 #pragma once
 
+#include "fathom/coupled/coupled_summary.h"
 #include "fathom/coupled/entry_prior.h"
-#include "fathom/coupled/fitted_channel.h"
-#include "fathom/coupled/row_whitener.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
@@ -20,12 +19,6 @@
 #include <Eigen/Core>
 
 namespace fathom {
-
-// What a fit took the residuals of one channel for.
-struct ChannelNoise {
-  FittedChannel channel;
-  RowWhitener whitener;
-};
 
 struct CoupledFitOptions {
   // Motion is simulated from a free start anew after so long [s], above 0. A short window forgives
@@ -63,32 +56,6 @@ struct CoupledFitOptions {
 
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;
-};
-
-// Numbers that were not computed are NaN, never zero.
-struct CoupledSummary {
-  // True if the search converged to a model that the data determine.
-  bool IsUsable() const { return converged && determined; }
-
-  std::string message = "FitCoupled() was not called.";
-  bool converged = false;
-  bool determined = false;
-
-  CoupledModel model;
-  std::vector<FreeEntry> entries;
-  Eigen::MatrixXd covariance;            // of the entries, in their order
-  std::vector<FreeEntry> on_bound;       // pressed against what keeps the model physical
-  std::vector<FreeEntry> open_inertias;  // of a DOF, that may be 0 as far as the data tell
-  std::vector<FreeEntry>
-      undetermined;  // that trade against each other without a trace, or may be 0
-
-  std::vector<EntryPrior> priors;  // that held entries which the data leave open
-
-  std::vector<CoupledState> starts;  // of the windows, in their order
-  std::vector<ChannelNoise> noise;
-  double cost = std::numeric_limits<double>::quiet_NaN();  // half the sum of weighed squares
-  int num_rows = 0;
-  int num_iterations = 0;
 };
 
 // The numbers of a structure with which free runs of all `logs`, window by window, come nearest to

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/coupled_fit.h"
+#include "fathom/coupled/coupled_summary.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
 
