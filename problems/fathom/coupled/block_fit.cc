@@ -201,9 +201,12 @@ CoupledSummary FitBlocks(const CoupledLogs& logs,
                          const MotionStructure& structure,
                          const CoupledFitOptions& options) {
   CoupledSummary fit = FitAll(logs, structure, options);
-  CoupledFitOptions with_priors = options;
-  with_priors.priors = InertiasAlike(fit.model, fit.open_inertias, structure.entries);
-  return with_priors.priors.empty() ? fit : FitAll(logs, structure, with_priors);
+  const auto priors = InertiasAlike(fit.model, fit.open_inertias, structure.entries);
+  if (priors.empty()) return fit;
+  CoupledFitOptions again = options;
+  again.priors.insert(again.priors.end(), priors.begin(), priors.end());
+  CoupledSummary held = FitAll(logs, structure, again);
+  return held.IsUsable() || !fit.IsUsable() ? held : fit;
 }
 
 }  // namespace fathom

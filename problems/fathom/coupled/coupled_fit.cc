@@ -381,7 +381,8 @@ CoupledSummary FitCoupled(std::span<const CoupledData> logs,
   CoupledFitOptions again = options;
   again.start = fit.model;
   again.priors.insert(again.priors.end(), priors.begin(), priors.end());
-  return FitWithPriors(logs, structure, again);
+  CoupledSummary held = FitWithPriors(logs, structure, again);
+  return held.IsUsable() || !fit.IsUsable() ? held : fit;
 }
 
 }  // namespace fathom

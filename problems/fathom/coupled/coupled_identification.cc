@@ -223,9 +223,9 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   }
   for (const EntryPrior& prior : result.priors) {
     fitted.caveats.push_back(fmt::format(
-        "These data do not tell {0}: nothing drives that DOF hard enough. It is taken for {1:.3g} "
-        "{2}, as of the other axes, within a factor of four, and what else is said of {3} grows "
-        "with it. Drive {3}, or tell the mass, to know it.",
+        "These data do not tell {0}. It is taken to be near {1:.3g} {2}, the inertia of the other "
+        "axes, within a factor of four; the other numbers of {3} grow with it. Drive {3} to know "
+        "it.",
         NameOf(prior.entry),
         prior.centre,
         UnitOf(prior.entry, fitted.force_unit),
