@@ -75,6 +75,16 @@ std::string Meaning(const FreeEntry& entry) {
   if (entry.kind == Kind::kThrustAngle) {
     return "The thrust is turned against the axes of the velocity, above 0 to starboard";
   }
+  if (entry.kind == Kind::kTimeOffset) {
+    return "Commands act late against the motion, below 0 early";
+  }
+  if (entry.kind == Kind::kThrusterLag) {
+    return "The thrust follows its command with a lag, of this time constant";
+  }
+  if (entry.kind == Kind::kFinLag) {
+    return fmt::format("Fin {} follows its command with a lag, of this time constant",
+                       entry.actuator);
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -173,6 +183,17 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       steps.push_back(
           "Look at what tells the heading, compass or IMU: by this angle it stands askew in the "
           "vehicle, or is deflected. If it does not, the thrusters are turned.");
+    }
+    if (cause.entry.kind == Kind::kTimeOffset) {
+      steps.push_back("Compare the stamps of command and motion against one clock.");
+    }
+    if (cause.entry.kind == Kind::kThrusterLag) {
+      steps.push_back("Log the propellers' speed and use it in place of the command.");
+    }
+    if (cause.entry.kind == Kind::kFinLag) {
+      steps.push_back(
+          fmt::format("Log the angle that fin {} has and use it in place of the command.",
+                      cause.entry.actuator));
     }
     if (cause.entry.kind == Kind::kFinForce || cause.entry.kind == Kind::kFinStuck) {
       steps.push_back(

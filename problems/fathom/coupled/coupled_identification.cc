@@ -77,6 +77,7 @@ bool IsIn(const FreeEntry& entry, const CoupledCommand& command, const std::vect
         entry.kind == FreeEntry::Kind::kNetBuoyancy || std::ranges::count(dofs, entry.column) > 0;
     return has_column && std::ranges::count(dofs, row) > 0;
   }
+  if (entry.actuator.empty()) return true;  // of all
   if (entry.kind != FreeEntry::Kind::kThrustGain) {
     return std::ranges::any_of(command.fins,
                                [&](const auto& fin) { return fin.name == entry.actuator; });

@@ -6,6 +6,7 @@
 #include "fathom/coupled/momentum_start.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -16,6 +17,10 @@ namespace {
 constexpr double kLeastErrors = 1.65;  // standard errors that a rung must win by
 constexpr double kLeastShare = 1e-3;   // by which it must bring free runs nearer: less is rounding
 constexpr double kMuchNearer = 20.0;   // -2 log likelihood of (6)
+
+// How late commands may act [s].
+constexpr std::array<double, 13> kTimesTried = {
+    -2.0, -1.0, -0.5, -0.2, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.5, 4.0};
 
 // What stands, with all entries of a standard structure and its C(nu).
 MotionStructure Joined(MotionStructure stands, const MotionStructure& standard) {
@@ -43,6 +48,7 @@ class Climb {
     UnseenErrors errors;
     if (rung.fit.IsUsable()) errors = UnseenErrorsOf(folds_, structure, rung.fit, options_);
     rung.unseen_nmae = NmaeOf(errors, dofs_);
+    errors_.push_back(errors);
     if (!errors.is_known) return false;
     if (stands_.is_known) rung.gain = GainOf(stands_, errors, dofs_);
     const bool wins =
@@ -65,6 +71,13 @@ class Climb {
     return Try(std::move(name), structure, FitBlocks(logs_, structure, fit));
   }
 
+  // Whether rung `a` is nearer to unseen motion than rung `b`, for certain.
+  bool IsNearer(std::size_t a, std::size_t b) const {
+    return errors_[a].is_known && errors_[b].is_known &&
+           GainOf(errors_[b], errors_[a], dofs_).in_errors > kLeastErrors;
+  }
+
+  std::size_t num_rungs() const { return ladder_.rungs.size(); }
   const LadderRung& standing() const { return ladder_.rungs[ladder_.accepted]; }
   Ladder Take() { return std::move(ladder_); }
 
@@ -74,56 +87,105 @@ class Climb {
   const CoupledFitOptions& options_;
   const std::vector<Fold> folds_;
   Ladder ladder_;
+  std::vector<UnseenErrors> errors_;  // by rung
   UnseenErrors stands_;
 };
 
-// A thruster or a fin that may be off.
-struct SuspectActuator {
-  MotionStructure structure;  // with its number
-  NamedEntry named;
+// A number that says how the thrusters and fins may be off.
+struct Suspect {
+  FreeEntry entry;
+  CoupledModel held;  // near which (6) is linear in it
 };
 
 // What may be off with each: the gain of a thruster; of a fin of a known force that force, its
-// neutral angle, or that it is stuck.
-std::vector<FreeEntry> SuspectEntries(const EntrySearchOptions& options) {
-  std::vector<FreeEntry> entries;
+// neutral angle, or that it is stuck; and how late they act, at some times that are tried.
+std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
+  const CoupledModel& held = options.fit.held;
+  std::vector<Suspect> suspects;
   for (const std::string& thruster : options.thrusters) {
-    entries.push_back(ThrustGainEntry(thruster));
+    suspects.push_back({ThrustGainEntry(thruster), held});
   }
+  std::vector<FreeEntry> late = {TimeOffsetEntry(), ThrusterLagEntry()};
   for (const StructureFin& fin : options.fins) {
+    late.push_back(FinLagEntry(fin.name));
     if (!fin.is_force_known) continue;
-    entries.push_back(FinForceEntry(fin.name));
-    entries.push_back(FinNeutralEntry(fin.name));
-    entries.push_back(FinStuckEntry(fin.name));
+    suspects.push_back({FinForceEntry(fin.name), held});
+    suspects.push_back({FinNeutralEntry(fin.name), held});
+    suspects.push_back({FinStuckEntry(fin.name), held});
   }
-  return entries;
-}
-
-// The one whose number brings (6) nearest, if that is much nearer. Before a fit, since that of a
-// model whose thruster is dead may end anywhere.
-std::optional<SuspectActuator> MostSuspect(const CoupledLogs& logs,
-                                           const MotionStructure& structure,
-                                           const EntrySearchOptions& options) {
-  const double without = MomentumMisfit(logs.data, structure, options.fit.held);
-  const std::vector<FreeEntry> entries = SuspectEntries(options);
-  std::vector<double> misfits;
-  for (const FreeEntry& entry : entries) {
-    MotionStructure longer = structure;
-    longer.entries.push_back(entry);
-    misfits.push_back(MomentumMisfit(logs.data, longer, options.fit.held));
-  }
-  const auto least = std::ranges::min_element(misfits);
-  if (least == misfits.end() || !(*least < without - kMuchNearer)) return std::nullopt;
-  SuspectActuator suspect = {structure, {}};
-  for (std::size_t k = 0; k < misfits.size(); ++k) {
-    if (misfits[k] == *least) {
-      suspect.structure.entries.push_back(entries[k]);
-      suspect.named.entry = entries[k];
-    } else if (misfits[k] < *least + kMuchNearer) {
-      suspect.named.not_told_apart.push_back(entries[k]);
+  for (const FreeEntry& entry : late) {
+    for (const double time : kTimesTried) {
+      if (time < 0.0 && IsLag(entry)) continue;
+      suspects.push_back({entry, held});
+      SetValue(entry, time, &suspects.back().held);
     }
   }
-  return suspect;
+  return suspects;
+}
+
+// The one whose number brings (6) nearest, and the others that do so nearly as well, each once;
+// none if that is not much nearer. Before a fit, since that of a model whose thruster is dead may
+// end anywhere.
+std::vector<Suspect> MostSuspect(const CoupledLogs& logs,
+                                 const MotionStructure& structure,
+                                 const EntrySearchOptions& options) {
+  const double without = MomentumMisfit(logs.data, structure, options.fit.held);
+  std::vector<std::pair<double, Suspect>> nearer;
+  for (Suspect& suspect : SuspectsOf(options)) {
+    MotionStructure longer = structure;
+    longer.entries.push_back(suspect.entry);
+    const double misfit = MomentumMisfit(logs.data, longer, suspect.held);
+    if (misfit < without - kMuchNearer) nearer.emplace_back(misfit, std::move(suspect));
+  }
+  std::ranges::stable_sort(nearer, {}, &std::pair<double, Suspect>::first);
+  std::vector<Suspect> most;
+  for (auto& [misfit, suspect] : nearer) {
+    if (misfit >= nearer.front().first + kMuchNearer) break;
+    if (std::ranges::find(most, suspect.entry, &Suspect::entry) == most.end()) {
+      most.push_back(std::move(suspect));
+    }
+  }
+  return most;
+}
+
+std::string RungOf(const FreeEntry& entry) {
+  if (IsLateness(entry)) return "lateness";
+  return entry.kind == FreeEntry::Kind::kThrustGain ? "thruster" : "fin";
+}
+
+// Tries the suspects; the one that stands then, or none. Of those that say how late a command acts
+// all are tried, since a fit tells apart what (6) does not.
+std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
+                                      const MotionStructure& structure,
+                                      const EntrySearchOptions& options,
+                                      Climb* climb) {
+  const std::vector<Suspect> suspects = MostSuspect(logs, structure, options);
+  std::optional<std::size_t> stands;  // in `rungs`
+  std::vector<std::pair<FreeEntry, std::size_t>> rungs;
+  for (const Suspect& suspect : suspects) {
+    if (!rungs.empty() && !IsLateness(suspect.entry)) continue;
+    MotionStructure longer = structure;
+    longer.entries.push_back(suspect.entry);
+    CoupledFitOptions fit_options = options.fit;
+    fit_options.held = suspect.held;
+    CoupledSummary fit = FitBlocks(logs, longer, fit_options);  // from its own start
+    if (!fit.IsUsable() || StrengthOf(fit, suspect.entry, options.fit.held) <= kStillThere)
+      continue;
+    rungs.emplace_back(suspect.entry, climb->num_rungs());
+    if (climb->Try(RungOf(suspect.entry), longer, std::move(fit))) stands = rungs.size() - 1;
+    if (!IsLateness(suspect.entry)) break;
+  }
+  if (!stands) return std::nullopt;
+  NamedEntry named = {rungs[*stands].first, 0.0, 0.0, {}, 0.0};
+  for (const Suspect& suspect : suspects) {
+    if (suspect.entry == named.entry) continue;
+    const auto rung =
+        std::ranges::find(rungs, suspect.entry, [](const auto& r) { return r.first; });
+    if (rung == rungs.end() || !climb->IsNearer(rungs[*stands].second, rung->second)) {
+      named.not_told_apart.push_back(suspect.entry);
+    }
+  }
+  return named;
 }
 
 }  // namespace
@@ -145,16 +207,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
                   options.fins,
                   options.gains);
   // Before `lift`, whose search goes far astray where a fin does not do what it is told.
-  if (const auto suspect = MostSuspect(logs, highest, options)) {
-    const FreeEntry& entry = suspect->named.entry;
-    CoupledSummary fit = FitBlocks(logs, suspect->structure, options.fit);  // from its own start
-    if (fit.IsUsable() && StrengthOf(fit, entry, options.fit.held) > kStillThere &&
-        climb.Try(entry.kind == FreeEntry::Kind::kThrustGain ? "thruster" : "fin",
-                  suspect->structure,
-                  std::move(fit))) {
-      named.push_back(suspect->named);
-    }
-  }
+  if (const auto suspect = TrySuspects(logs, highest, options, &climb)) named.push_back(*suspect);
   if (has_fins && named.empty()) climb.Try("lift", highest);
   if (climb.standing().fit.IsUsable()) {
     const MotionStructure stands = climb.standing().structure;

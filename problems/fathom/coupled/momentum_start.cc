@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/momentum_start.h"
 
+#include "fathom/coupled/command_forces.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 #include "fathom/vehicle/coupled/turned_about_z.h"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -65,126 +65,17 @@ Vector6 RateOf(const FreeEntry& entry,
       break;
     case Kind::kThrustGain:
     case Kind::kThrustAngle:
+    case Kind::kTimeOffset:
+    case Kind::kThrusterLag:
     case Kind::kFinForce:
     case Kind::kFinRace:
     case Kind::kFinNeutral:
     case Kind::kFinStuck:
+    case Kind::kFinLag:
       break;
   }
   return force;
 }
-
-// The row of a command that holds at a time; none before the first.
-std::optional<std::size_t> RowAt(const CoupledCommand& command, double t) {
-  const auto next = std::upper_bound(command.time.begin(), command.time.end(), t);
-  if (next == command.time.begin()) return std::nullopt;
-  return static_cast<std::size_t>(next - command.time.begin()) - 1;
-}
-
-// What the shafts of a model give at a time, or the one of an entry at a gain of 1.
-Vector6 ShaftForcesAt(const CoupledCommand& command,
-                      double t,
-                      const Vector6& nu,
-                      const CoupledModel& model,
-                      const FreeEntry* gain = nullptr) {
-  const auto row = command.shafts.empty() ? std::nullopt : RowAt(command, t);
-  if (!row) return Vector6::Zero();
-  return ShaftForces(command, *row, nu, model, gain != nullptr ? &gain->actuator : nullptr);
-}
-
-// What the fins of a model give at a time.
-class FinForces {
- public:
-  explicit FinForces(const CoupledCommand& command) : command_(command) {}
-
-  // All of them.
-  Vector6 Of(double t, const Vector6& nu, const CoupledModel& model) const {
-    Vector6 force = Vector6::Zero();
-    for (const CommandedFin& fin : command_.fins) {
-      const double size = ForceIn(model, fin);
-      if (size != 0.0) force += size * LoadOf(fin, t, nu, model).Force();
-    }
-    return force;
-  }
-
-  // By one entry of a fin: of a force, what it gives at 1; of an angle, per radian.
-  Vector6 By(const FreeEntry& entry, double t, const Vector6& nu, const CoupledModel& model) const {
-    const auto fin = std::ranges::find(command_.fins, entry.actuator, &CommandedFin::name);
-    if (fin == command_.fins.end()) return Vector6::Zero();
-    const FinLoad load = LoadOf(*fin, t, nu, model);
-    switch (entry.kind) {
-      case Kind::kFinForce:
-        return load.Force();
-      case Kind::kFinNeutral:
-        return -ForceIn(model, *fin) * load.ForceByAngle();
-      case Kind::kFinStuck:
-        return ForceIn(model, *fin) * load.ForceByAngle();
-      default:
-        return Vector6::Zero();
-    }
-  }
-
- private:
-  static double ForceIn(const CoupledModel& model, const CommandedFin& fin) {
-    const auto held = model.fin_force.find(fin.name);
-    return held == model.fin_force.end() ? 0.0 : held->second;
-  }
-
-  // None before the first command.
-  FinLoad LoadOf(const CommandedFin& fin,
-                 double t,
-                 const Vector6& nu,
-                 const CoupledModel& model) const {
-    const auto at = RowAt(command_, t);
-    if (!at) return {};
-    const std::size_t row = *at;
-    const auto neutral = model.fin_neutral.find(fin.name);
-    double angle = fin.angle[row] - (neutral == model.fin_neutral.end() ? 0.0 : neutral->second);
-    const auto stuck = model.fin_stuck.find(fin.name);
-    if (stuck != model.fin_stuck.end()) angle = stuck->second;
-    const auto race = model.fin_race.find(fin.name);
-    const double k = race == model.fin_race.end() ? 0.0 : race->second;
-    return FinLoadAt(fin.arms, nu, angle, k * RaceThrust(command_, fin, row, nu));
-  }
-
-  const CoupledCommand& command_;
-};
-
-// Impulses of a command, by stamp.
-class Impulses {
- public:
-  explicit Impulses(const CoupledCommand& command) : command_(command) {}
-
-  // From `from` to `to`, of all forces; and of one thruster at a gain of 1.
-  Vector6 Of(double from, double to, const CoupledModel& model, const FreeEntry* gain) {
-    Vector6 sum = Vector6::Zero();
-    const std::vector<double>& time = command_.time;
-    auto next =
-        static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), from) - time.begin());
-    for (double t = from; t < to;) {
-      const double until = next < time.size() ? std::min(time[next], to) : to;
-      if (next > 0) sum += (until - t) * ForceAt(next - 1, model, gain);
-      t = until;
-      ++next;
-    }
-    return sum;
-  }
-
- private:
-  Vector6 ForceAt(std::size_t row, const CoupledModel& model, const FreeEntry* only) const {
-    Vector6 force = Vector6::Zero();
-    if (only == nullptr && !command_.force.empty()) force = command_.force[row];
-    for (const CommandedThruster& thruster : command_.thrusters) {
-      if (only != nullptr && only->actuator != thruster.name) continue;
-      const auto found = model.thrust_gain.find(thruster.name);
-      const double gain = only != nullptr || found == model.thrust_gain.end() ? 1.0 : found->second;
-      force += gain * thruster.thrust[row] * thruster.push;
-    }
-    return TurnedAboutZ(model.thrust_angle, force);
-  }
-
-  const CoupledCommand& command_;
-};
 
 Vector6 KnownOr0(const Vector6& velocity) {
   return velocity.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
@@ -203,8 +94,7 @@ void AddPieces(const CoupledData& log,
                const CoupledModel& held,
                Balance* balance) {
   const auto num = static_cast<Eigen::Index>(structure.entries.size());
-  Impulses impulses(log.inputs.command);
-  const FinForces fins(log.inputs.command);
+  const CoupledCommand& command = log.inputs.command;
   std::size_t begin = 0;
   while (begin + 1 < segment.time.size()) {
     std::size_t end = begin + 1;
@@ -215,7 +105,8 @@ void AddPieces(const CoupledData& log,
     const CoupledState first = MeasuredState(segment, begin), last = MeasuredState(segment, end);
     Eigen::Matrix<double, 6, Eigen::Dynamic> left =
         Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, num);
-    const Vector6 impulse = impulses.Of(segment.time[begin], segment.time[end], held, nullptr);
+    const double from = segment.time[begin], to = segment.time[end];
+    const Vector6 impulse = ThrustImpulse(command, from, to, held);
     Vector6 right = impulse;
     const Vector6 change = last.nu - first.nu;
     right -= held.inertia * change;
@@ -226,22 +117,19 @@ void AddPieces(const CoupledData& log,
       const Eigen::Vector3d down = attitude.conjugate() * Eigen::Vector3d::UnitZ();
       Vector6 known = held.linear_damping * nu +
                       held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset +
-                      nu[0] * (held.lift * nu) - fins.Of(segment.time[i], nu, held);
+                      nu[0] * (held.lift * nu) - FinForcesAt(command, segment.time[i], nu, held);
       if (structure.coriolis) known += CoriolisForce(held.inertia, nu);
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
       known[4] -= held.righting_pitch * down[0];
-      if (!log.inputs.command.shafts.empty()) {
-        known -= ShaftForcesAt(log.inputs.command, segment.time[i], nu, held);
-      }
+      known -= ShaftForcesAt(command, segment.time[i], nu, held);
       right -= dt * known;
       for (Eigen::Index k = 0; k < num; ++k) {
         const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
         left.col(k) += dt * RateOf(entry, nu, down, structure.coriolis);
-        if (IsOfActuator(entry)) left.col(k) -= dt * fins.By(entry, segment.time[i], nu, held);
-        if (entry.kind == Kind::kThrustGain) {
-          left.col(k) -= dt * ShaftForcesAt(log.inputs.command, segment.time[i], nu, held, &entry);
-        }
+        if (!IsOfActuator(entry)) continue;
+        left.col(k) -= dt * (FinForcesBy(entry, command, segment.time[i], nu, held) +
+                             ShaftForcesBy(entry, command, segment.time[i], nu, held));
       }
     }
     for (Eigen::Index k = 0; k < num; ++k) {
@@ -249,10 +137,12 @@ void AddPieces(const CoupledData& log,
       if (entry.kind == Kind::kInertia) {
         left(Index(entry.row), k) += change[Index(entry.column)];
         if (entry.row != entry.column) left(Index(entry.column), k) += change[Index(entry.row)];
-      } else if (entry.kind == Kind::kThrustGain) {
-        left.col(k) -= impulses.Of(segment.time[begin], segment.time[end], held, &entry);
-      } else if (entry.kind == Kind::kThrustAngle) {
-        left.col(k) -= ByTurnAboutZ(impulse);
+      } else {
+        left.col(k) -= ThrustImpulseBy(entry, command, from, to, held);
+      }
+      if (IsLateness(entry)) {
+        left.col(k) -= FinForcesLater(entry, command, from, KnownOr0(first.nu), held) -
+                       FinForcesLater(entry, command, to, KnownOr0(last.nu), held);
       }
     }
     for (const Dof dof : structure.dofs) {
@@ -315,7 +205,7 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
 }
 
 // The model with the numbers that are not free; of the others the inertia is that of the body
-// alone, the rest is 0.
+// alone, and how late a command is stays, since (6) is linear near it only; the rest is 0.
 CoupledModel KnownOf(const MotionStructure& structure,
                      const CoupledModel& held,
                      const RigidBody& body) {
@@ -324,6 +214,7 @@ CoupledModel KnownOf(const MotionStructure& structure,
   known.dofs = structure.dofs;
   known.coriolis = structure.coriolis;
   for (const FreeEntry& entry : structure.entries) {
+    if (IsLateness(entry)) continue;
     const bool is_inertia = entry.kind == Kind::kInertia;
     SetValue(entry, is_inertia ? of_body(Index(entry.row), Index(entry.column)) : 0.0, &known);
   }
@@ -352,16 +243,13 @@ Sizes SizesOf(std::span<const CoupledData> logs, const CoupledModel& held) {
   Sizes sizes;
   double num = 0.0;
   for (const CoupledData& log : logs) {
-    Impulses impulses(log.inputs.command);
     for (const CoupledSegment& segment : log.segments) {
       if (segment.is_held_out) continue;
       for (const SampleWindow& window : WindowsOf(segment, 2.0 * kPiece)) {
         const double from = segment.time[window.begin], to = segment.time[window.end - 1];
         const Vector6 first = MeasuredState(segment, window.begin).nu;
-        Vector6 impulse = impulses.Of(from, to, held, nullptr);
-        if (!log.inputs.command.shafts.empty()) {
-          impulse += (to - from) * ShaftForcesAt(log.inputs.command, from, first, held);
-        }
+        const Vector6 impulse = ThrustImpulse(log.inputs.command, from, to, held) +
+                                (to - from) * ShaftForcesAt(log.inputs.command, from, first, held);
         const Vector6 change = MeasuredState(segment, window.end - 1).nu - first;
         sizes.impulse += impulse.cwiseAbs2();
         sizes.change += change.cwiseAbs2();

@@ -15,7 +15,8 @@
 namespace fathom {
 namespace {
 
-constexpr double kBarrier = 0.05;  // mu
+constexpr double kBarrier = 0.05;          // mu
+constexpr double kLeastStartOfLag = 0.02;  // [s]
 
 using Kind = FreeEntry::Kind;
 
@@ -81,6 +82,24 @@ void AddLogDet(const Eigen::MatrixXd& x,
   }
 }
 
+// -mu log of each time constant.
+void AddLags(const CoupledModel& model,
+             std::span<const FreeEntry> entries,
+             PhysicalBarrier* barrier) {
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (!IsLag(entries[k])) continue;
+    const double lag = ValueIn(model, entries[k]);
+    if (!(lag > 0.0)) {
+      barrier->cost = std::numeric_limits<double>::infinity();
+      return;
+    }
+    const auto at = static_cast<Eigen::Index>(k);
+    barrier->cost -= kBarrier * std::log(lag / kLeastStartOfLag);
+    barrier->gradient[at] -= kBarrier / lag;
+    barrier->hessian(at, at) += kBarrier / (lag * lag);
+  }
+}
+
 }  // namespace
 
 Matrix6 KnownInertia(const RigidBody& body) {
@@ -107,6 +126,7 @@ PhysicalBarrier BarrierAt(const CoupledModel& model,
     AddLogDet(
         Part(model.quadratic_damping, {row}), {row}, Kind::kQuadraticDamping, entries, &barrier);
   }
+  AddLags(model, entries, &barrier);
   return barrier;
 }
 
@@ -118,6 +138,10 @@ CoupledModel MovedInside(CoupledModel model,
                          const Vector6& least_inertia) {
   const Matrix6 known = KnownInertia(body);
   for (const FreeEntry& entry : entries) {
+    if (IsLag(entry)) {
+      SetValue(entry, std::max(ValueIn(model, entry), kLeastStartOfLag), &model);
+      continue;
+    }
     if (!IsDiagonal(entry)) continue;
     const auto i = Index(entry.row);
     double value = ValueIn(model, entry);

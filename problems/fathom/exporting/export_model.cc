@@ -66,7 +66,15 @@ std::string SourceLine(const std::string& file,
       "{}{}", file, parts.empty() ? "" : fmt::format(": {}", fmt::join(parts, ", ")));
 }
 
-// Every entry that a model could have, but for thrust gains.
+// NaN of an entry that was not identified.
+double StdOf(const FittedCoupledModel& fitted, const FreeEntry& entry) {
+  const auto found = std::find(fitted.entries.begin(), fitted.entries.end(), entry);
+  if (found == fitted.entries.end()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at = static_cast<Eigen::Index>(found - fitted.entries.begin());
+  return std::sqrt(fitted.covariance(at, at));
+}
+
+// Every entry that a model could have, but for thrust gains and what is an effect.
 std::vector<FreeEntry> EntriesWithoutGains() {
   std::vector<FreeEntry> all;
   for (const Dof row : kAllDofs) {
@@ -98,6 +106,23 @@ FreeEntry EntryOf(int index, Dof dof) {
 // "N" also of moments in N m.
 std::string SharedUnit(const std::string& force_unit) {
   return force_unit == "N m" ? "N" : force_unit;
+}
+
+// What holds for the thrust of every DOF, as an effect of each.
+void AddThrustInTime(const FittedCoupledModel& fitted,
+                     const std::string& log,
+                     ExportModel* exported) {
+  const std::array<std::pair<FreeEntry, const char*>, 2> entries = {
+      {{TimeOffsetEntry(), "offset"}, {ThrusterLagEntry(), "time_constant"}}};
+  for (const auto& [entry, parameter] : entries) {
+    const double value = ValueIn(fitted.model, entry);
+    if (value == 0.0) continue;
+    const std::string name = NameOf(entry);
+    for (const Dof dof : fitted.model.dofs) {
+      exported->effects.push_back(
+          {name, name, dof, {{parameter, value, StdOf(fitted, entry), UnitOf(entry)}}, log});
+    }
+  }
 }
 
 // Its parameters stand in the covariance from `first` on.
@@ -176,13 +201,11 @@ ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& f
     number.log = log;
     const auto found = std::find(fitted.entries.begin(), fitted.entries.end(), entry);
     number.is_identified = found != fitted.entries.end();
-    if (number.is_identified) {
-      const auto at = static_cast<Eigen::Index>(found - fitted.entries.begin());
-      number.std = std::sqrt(fitted.covariance(at, at));
-    }
+    number.std = StdOf(fitted, entry);
     const double without = entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
     if (number.is_identified || number.value != without) exported.numbers.push_back(number);
   }
+  AddThrustInTime(fitted, log, &exported);
   return exported;
 }
 

@@ -280,12 +280,17 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
                                                                  : ExportFeature::kOffset;
     case FreeEntry::Kind::kThrustAngle:
       return ExportFeature::kThrustAngle;
+    case FreeEntry::Kind::kTimeOffset:
+      return ExportFeature::kDelay;
+    case FreeEntry::Kind::kThrusterLag:
+      return ExportFeature::kLag;
     case FreeEntry::Kind::kThrustGain:
     case FreeEntry::Kind::kLift:  // and fins: ExportModelOf() refuses them
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
+    case FreeEntry::Kind::kFinLag:
       return ExportFeature::kThrustGain;
   }
   return ExportFeature::kThrustGain;

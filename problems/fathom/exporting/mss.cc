@@ -35,11 +35,14 @@ std::string Assignment(const ExportNumber& number) {
       return fmt::format("o({}) = {};", row, value);
     case FreeEntry::Kind::kThrustGain:
     case FreeEntry::Kind::kThrustAngle:
+    case FreeEntry::Kind::kTimeOffset:
+    case FreeEntry::Kind::kThrusterLag:
     case FreeEntry::Kind::kLift:
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
+    case FreeEntry::Kind::kFinLag:
       return "";
   }
   return "";

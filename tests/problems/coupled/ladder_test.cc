@@ -53,6 +53,29 @@ TEST(ClimbLadder, NamesAThrustThatIsTurnedAgainstTheVelocity) {
   EXPECT_NEAR(ladder.rungs[ladder.accepted].fit.model.thrust_angle, 0.1, 0.01);
 }
 
+TEST(ClimbLadder, NamesALagOfTheThrusters) {
+  std::mt19937 random(1005);
+  CoupledModel truth = DrawnPlanarVehicle(&random);
+  truth.thruster_lag = 0.4;
+  const Ladder ladder = LadderOf(truth, &random);
+  EXPECT_THAT(NamesIn(ladder), UnorderedElementsAre("thruster_lag"));
+  EXPECT_NEAR(ladder.rungs[ladder.accepted].fit.model.thruster_lag, 0.4, 0.05);
+}
+
+// The clock of the command runs 0.3 s ahead of that of the motion.
+TEST(ClimbLadder, NamesACommandThatComesLate) {
+  std::mt19937 random(1006);
+  const CoupledModel truth = DrawnPlanarVehicle(&random);
+  DrawnLogOptions options;
+  options.duration = 100.0;
+  CoupledLogs logs;
+  logs.data = {DrawnLog(truth, options, &random)};
+  for (double& t : logs.data.front().inputs.command.time) t -= 0.3;
+  const Ladder ladder = ClimbLadder(logs, truth.dofs, {});
+  EXPECT_THAT(NamesIn(ladder), UnorderedElementsAre("time_offset"));
+  EXPECT_NEAR(ladder.rungs[ladder.accepted].fit.model.time_offset, 0.3, 0.03);
+}
+
 TEST(ClimbLadder, NamesNothingWhereNothingIs) {
   std::mt19937 random(1001);
   CoupledModel truth = DrawnPlanarVehicle(&random);

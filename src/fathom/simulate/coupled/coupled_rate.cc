@@ -203,7 +203,6 @@ TangentLaw CoupledRate::LawAt(const CoupledFlow& state, const CoupledDrive& driv
 void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
                                   const CoupledFlow& rate,
                                   const CoupledDrive& drive,
-                                  const std::vector<Vector6>& pushed,
                                   Eigen::Matrix<double, 6, Eigen::Dynamic>* forces) const {
   const Vector6& nu = state.nu;
   const Eigen::Vector3d down = DownIn(state.attitude);
@@ -237,14 +236,21 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         force[row] = -1.0;
         break;
       case FreeEntry::Kind::kThrustGain:
-        force = pushed[k];
+        force = drive.tau_by_entry[k];
         if (shaft_of_entry_[k]) {
           const CommandedShaft& shaft = command_.shafts[*shaft_of_entry_[k]];
           force += ThrustOnVehicle(shaft, drive.turns[*shaft_of_entry_[k]], nu).thrust * shaft.push;
         }
         break;
       case FreeEntry::Kind::kThrustAngle:
-        force = pushed[k];
+      case FreeEntry::Kind::kThrusterLag:
+        force = drive.tau_by_entry[k];
+        break;
+      case FreeEntry::Kind::kTimeOffset:
+        force = drive.tau_by_entry[k] + ForceByAngles(k, nu, drive);
+        break;
+      case FreeEntry::Kind::kFinLag:
+        force = ForceByAngles(k, nu, drive);
         break;
       case FreeEntry::Kind::kLift:
         force[row] = -nu[0] * nu[column];
@@ -270,6 +276,19 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
       }
     }
   }
+}
+
+Vector6 CoupledRate::ForceByAngles(std::size_t entry,
+                                   const Vector6& nu,
+                                   const CoupledDrive& drive) const {
+  Vector6 force = Vector6::Zero();
+  if (drive.angles_by_entry.empty()) return force;
+  for (const ModelFin& fin : fins_) {
+    const double by = drive.angles_by_entry[entry][fin.at];
+    if (by == 0.0 || fin.stuck) continue;
+    force += by * fin.force * LoadOf(fin, nu, drive).ForceByAngle();
+  }
+  return force;
 }
 
 double CoupledRate::Quickest(const CoupledFlow& state, const Matrix6& force_by_nu) const {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_inputs.h"
 #include "fathom/simulate/coupled/tangent_step.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
@@ -25,14 +26,6 @@ struct CoupledFlow {
   Eigen::Vector3d position;
 };
 
-// What acts on a vehicle between two changes of its command.
-struct CoupledDrive {
-  Vector6 tau = Vector6::Zero();   // forces of thrusters and wrench [N], [N m]
-  std::vector<double> angles;      // of the fins [rad]
-  std::vector<double> races;       // RaceThrust() of the fins, but for shafts [N]
-  std::vector<double> turns = {};  // of the shafts [Hz]
-};
-
 // docs/coupled.md (1) as a rate of the state, and its derivative.
 class CoupledRate {
  public:
@@ -50,13 +43,10 @@ class CoupledRate {
   TangentLaw LawAt(const CoupledFlow& state, const CoupledDrive& drive) const;
 
   // What a unit of each entry does to the forces: a column for each. `rate`: At() the same.
-  // `pushed`: for each entry that is a thrust gain what the thruster gives at a gain of 1; for the
-  // thrust's angle what a radian more changes.
   // Of an entry that acts along one row alone, the others are not written: RowOfEntry().
   void ForcesOfEntries(const CoupledFlow& state,
                        const CoupledFlow& rate,
                        const CoupledDrive& drive,
-                       const std::vector<Vector6>& pushed,
                        Eigen::Matrix<double, 6, Eigen::Dynamic>* forces) const;
 
   // The one row that an entry acts along; -1 of an entry that may act along all.
@@ -92,6 +82,9 @@ class CoupledRate {
     double value = 0.0;
     Vector6 by_nu = Vector6::Zero();
   };
+  // What an entry does by the angles of fins.
+  Vector6 ForceByAngles(std::size_t entry, const Vector6& nu, const CoupledDrive& drive) const;
+
   Race RaceOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;
 
   FinLoad LoadOf(const ModelFin& fin, const Vector6& nu, const CoupledDrive& drive) const;

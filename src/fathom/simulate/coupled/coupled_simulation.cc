@@ -3,20 +3,16 @@
 
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
+#include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_rate.h"
 #include "fathom/simulate/partner_signals.h"
-#include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <span>
 #include <vector>
-
-#include <glog/logging.h>
 
 namespace fathom {
 namespace {
@@ -70,32 +66,21 @@ class CoupledRun {
         entries_(entries),
         inputs_(inputs),
         with_tangent_(with_tangent),
+        drive_(model, entries, inputs.command),
         rate_(model, entries, inputs.command),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
         tangent_(CoupledTangent::Zero(12, columns_)),
         begin_tangent_(tangent_),
         begin_tangent_rate_(tangent_),
         end_tangent_rate_(tangent_),
-        shown_(tangent_),
-        pushed_(entries.size(), Vector6::Zero()) {
+        shown_(tangent_) {
     if (with_tangent) {
       for (auto& forces : forces_) forces.setZero(6, static_cast<Eigen::Index>(entries.size()));
     }
     for (const Dof dof : model.dofs) is_modelled_[Index(dof)] = true;
-    const CoupledCommand& command = inputs.command;
-    CHECK(command.force.empty() || command.force.size() == command.time.size());
-    for (const CommandedThruster& thruster : command.thrusters) {
-      CHECK_EQ(thruster.thrust.size(), command.time.size());
+    for (const FreeEntry& entry : entries) {
+      jumps_ = jumps_ || IsLateness(entry);
     }
-    for (const CommandedFin& fin : command.fins) {
-      CHECK_EQ(fin.angle.size(), command.time.size());
-    }
-    for (const CommandedShaft& shaft : command.shafts) {
-      CHECK_EQ(shaft.turns.size(), command.time.size());
-    }
-    drive_.turns.assign(command.shafts.size(), 0.0);
-    drive_.angles.assign(command.fins.size(), 0.0);
-    drive_.races.assign(command.fins.size(), 0.0);
   }
 
   bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
@@ -106,19 +91,21 @@ class CoupledRun {
     double t = stamps.start;
     Show(t, stamps, outputs);
     while (t < last) {
-      HoldCommandAt(t);
-      double end = std::min(last, NextChange(t));
       SetMeasured(t, &state_);
+      MoveCommandTo(t);
+      double end = std::min(last, std::max(drive_.NextChange(), t));
+      const CoupledDrive& drive = drive_.At(t);
       double rate;
       if (with_tangent_) {
-        laws_[0] = rate_.LawAt(state_, drive_);
+        laws_[0] = rate_.LawAt(state_, drive);
         rate = rate_.Quickest(state_, laws_[0].force.leftCols<6>());
       } else {
-        rate = rate_.Quickest(state_, rate_.ForceJacobian(state_.nu, drive_));
+        rate = rate_.Quickest(state_, rate_.ForceJacobian(state_.nu, drive));
       }
       if (!std::isfinite(rate)) return false;
-      const double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
+      double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
       if (longest < kSmallestCoupledStep) return false;
+      longest = std::min(longest, drive_.LongestStep());
       // Equal steps to the next change.
       const double num_steps = std::ceil((end - t) / longest);
       if (num_steps > 1.0) end = t + (end - t) / num_steps;
@@ -148,7 +135,7 @@ class CoupledRun {
     outputs->pose_sensitivity.resize(with_tangent_ ? rows(stamps.pose.size()) : 0, columns_);
     outputs->num_steps = 0;
     next_velocity_ = next_pose_ = 0;
-    command_ = -1;
+    drive_.Begin(stamps.start);
   }
 
   void SetMeasured(double t, CoupledFlow* state) {
@@ -158,53 +145,31 @@ class CoupledRun {
     }
   }
 
-  // Moves on to the row of the command that holds at `t`.
-  void HoldCommandAt(double t) {
-    const CoupledCommand& command = inputs_.command;
-    std::ptrdiff_t row = command_;
-    while (row + 1 < std::ssize(command.time) &&
-           command.time[static_cast<std::size_t>(row + 1)] <= t)
-      ++row;
-    if (row == command_ && row >= 0) return;
-    command_ = row;
-    drive_.tau.setZero();
-    std::fill(drive_.angles.begin(), drive_.angles.end(), 0.0);
-    std::fill(drive_.races.begin(), drive_.races.end(), 0.0);
-    std::fill(drive_.turns.begin(), drive_.turns.end(), 0.0);
-    std::fill(pushed_.begin(), pushed_.end(), Vector6::Zero());
-    if (row < 0) return;
-    const auto at = static_cast<std::size_t>(row);
-    if (!command.force.empty()) drive_.tau = command.force[at];
-    for (std::size_t k = 0; k < command.fins.size(); ++k) {
-      drive_.angles[k] = command.fins[k].angle[at];
-      drive_.races[k] = RaceThrust(command, command.fins[k], at);
+  // Moves on to the row of the command that holds at `t`. What changes at once there changes later
+  // by an offset or a lag: a tangent jumps by the rate before less the rate after.
+  void MoveCommandTo(double t) {
+    if (!with_tangent_ || !jumps_) {
+      drive_.MoveTo(t);
+      return;
     }
-    for (std::size_t k = 0; k < command.shafts.size(); ++k) {
-      drive_.turns[k] = command.shafts[k].turns[at];
-    }
-    for (const CommandedThruster& thruster : command.thrusters) {
-      const Vector6 push = thruster.thrust[at] * thruster.push;
-      const auto gain = model_.thrust_gain.find(thruster.name);
-      drive_.tau += (gain == model_.thrust_gain.end() ? 1.0 : gain->second) * push;
-      for (std::size_t k = 0; k < entries_.size(); ++k) {
-        const bool is_its = entries_[k].kind == FreeEntry::Kind::kThrustGain &&
-                            entries_[k].actuator == thruster.name;
-        if (is_its) pushed_[k] += TurnedAboutZ(model_.thrust_angle, push);
-      }
-    }
-    drive_.tau = TurnedAboutZ(model_.thrust_angle, drive_.tau);
+    if (drive_.NextChange() > t) return;
+    const CoupledDrive before = drive_.At(t);
+    drive_.MoveTo(t);
+    const CoupledDrive& after = drive_.At(t);
+    const Vector6 rate_after = rate_.At(state_, after).nu;
     for (std::size_t k = 0; k < entries_.size(); ++k) {
-      if (entries_[k].kind == FreeEntry::Kind::kThrustAngle) {
-        pushed_[k] = ByTurnAboutZ(drive_.tau);
+      const FreeEntry& entry = entries_[k];
+      if (!IsLateness(entry)) continue;
+      CoupledDrive late = entry.kind == FreeEntry::Kind::kTimeOffset ? before : after;
+      if (entry.kind == FreeEntry::Kind::kThrusterLag) late.tau = before.tau;
+      for (std::size_t fin = 0; fin < late.angles.size(); ++fin) {
+        const bool is_its = entry.kind == FreeEntry::Kind::kFinLag &&
+                            inputs_.command.fins[fin].name == entry.actuator;
+        if (is_its) late.angles[fin] = before.angles[fin];
       }
+      tangent_.col(static_cast<Eigen::Index>(k)).head<6>() +=
+          rate_.At(state_, late).nu - rate_after;
     }
-  }
-
-  // When the command changes next.
-  double NextChange(double t) const {
-    const auto& time = inputs_.command.time;
-    const auto next = static_cast<std::size_t>(command_ + 1);
-    return next < time.size() ? std::max(time[next], t) : std::numeric_limits<double>::infinity();
   }
 
   // One step of the classical scheme; what it begins with stays for the outputs within. The law of
@@ -215,11 +180,13 @@ class CoupledRun {
     CoupledFlow stage = state_;
     for (int k = 0; k < 4; ++k) {
       if (k > 0) Advance(begin_, rates_[k - 1], kShares[k] * h, &stage);
-      SetMeasured(t + kShares[k] * h, &stage);
-      rates_[k] = rate_.At(stage, drive_);
+      const double at = t + kShares[k] * h;
+      SetMeasured(at, &stage);
+      const CoupledDrive& drive = drive_.At(at);
+      rates_[k] = rate_.At(stage, drive);
       if (!with_tangent_) continue;
-      if (k > 0) laws_[k] = rate_.LawAt(stage, drive_);
-      rate_.ForcesOfEntries(stage, rates_[k], drive_, pushed_, &forces_[k]);
+      if (k > 0) laws_[k] = rate_.LawAt(stage, drive);
+      rate_.ForcesOfEntries(stage, rates_[k], drive, &forces_[k]);
     }
     Sum(rates_, h, &state_);
     state_.attitude.normalize();
@@ -291,11 +258,12 @@ class CoupledRun {
       return next < time.size() && time[next] < to;
     };
     if (is_within(stamps.velocity, next_velocity_) || is_within(stamps.pose, next_pose_)) {
-      end_rate_ = rate_.At(state_, drive_);
+      const CoupledDrive& drive = drive_.At(to);
+      end_rate_ = rate_.At(state_, drive);
       if (with_tangent_) {
         TangentRate(laws_[0], forces_[0], begin_tangent_, &begin_tangent_rate_);
-        rate_.ForcesOfEntries(state_, end_rate_, drive_, pushed_, &forces_[0]);
-        TangentRate(rate_.LawAt(state_, drive_), forces_[0], tangent_, &end_tangent_rate_);
+        rate_.ForcesOfEntries(state_, end_rate_, drive, &forces_[0]);
+        TangentRate(rate_.LawAt(state_, drive), forces_[0], tangent_, &end_tangent_rate_);
       }
     }
     while (is_within(stamps.velocity, next_velocity_)) {
@@ -350,6 +318,7 @@ class CoupledRun {
   std::span<const FreeEntry> entries_;
   const CoupledInputs& inputs_;
   const bool with_tangent_;
+  CommandedDrive drive_;
   CoupledRate rate_;
   const Eigen::Index columns_;
   std::array<bool, 6> is_modelled_ = {};
@@ -362,9 +331,7 @@ class CoupledRun {
   Eigen::Matrix<double, 6, Eigen::Dynamic> forces_[4];  // of the entries, there
   TangentStep step_;
 
-  std::ptrdiff_t command_ = -1;  // the row that holds
-  CoupledDrive drive_;
-  std::vector<Vector6> pushed_;  // by entry: what its thruster gives at a gain of 1
+  bool jumps_ = false;  // whether a tangent may, where the command changes
   std::size_t next_velocity_ = 0, next_pose_ = 0;
 };
 

@@ -24,7 +24,7 @@ namespace fathom {
 //   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
 //   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
 //   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces, turned by
-//        `thrust_angle`; of shafts by nu
+//        `thrust_angle`, behind their command by `thruster_lag`; of shafts by nu
 //   F    forces of the fins, each by its `fin_force`            fin_force.h
 //
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
@@ -49,11 +49,18 @@ struct CoupledModel {
   // velocity [rad]; above 0 to starboard. A compass or an IMU that stands askew does the same.
   double thrust_angle = 0.0;
 
+  // How late wrench, thrusters, fins and shafts take their command [s]; below 0: early.
+  double time_offset = 0.0;
+
+  // Time constant with which the forces of wrench and thrusters follow it [s]; at least 0.
+  double thruster_lag = 0.0;
+
   std::map<std::string, double> thrust_gain = {};  // kappa by thruster or shaft; absent: 1
   std::map<std::string, double> fin_force = {};    // f by fin [N s^2/m^2 a radian]; absent: 0
   std::map<std::string, double> fin_race = {};     // k by fin [m^2/(s^2 N)]; absent: 0
   std::map<std::string, double> fin_neutral = {};  // angle at which it is straight [rad]; absent: 0
   std::map<std::string, double> fin_stuck = {};    // angle of a fin that no command turns [rad]
+  std::map<std::string, double> fin_lag = {};      // time constant of a fin's angle [s]; absent: 0
 
   bool coriolis = false;
 };

@@ -24,7 +24,7 @@ struct NamedKind {
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 13> kNamedKinds = {{
+constexpr std::array<NamedKind, 16> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -33,11 +33,14 @@ constexpr std::array<NamedKind, 13> kNamedKinds = {{
     {EntryKind::kOffset, "offset"},
     {EntryKind::kThrustGain, "thrust_gain"},
     {EntryKind::kThrustAngle, "thrust_angle"},
+    {EntryKind::kTimeOffset, "time_offset"},
+    {EntryKind::kThrusterLag, "thruster_lag"},
     {EntryKind::kLift, "lift"},
     {EntryKind::kFinForce, "fin_force"},
     {EntryKind::kFinRace, "fin_race"},
     {EntryKind::kFinNeutral, "fin_neutral"},
     {EntryKind::kFinStuck, "fin_stuck"},
+    {EntryKind::kFinLag, "fin_lag"},
 }};
 
 std::string_view NameOfKind(EntryKind kind) {
@@ -46,7 +49,8 @@ std::string_view NameOfKind(EntryKind kind) {
 
 // Whether there is one of a model, with a name of its own.
 bool IsOneOfModel(EntryKind kind) {
-  return kind == EntryKind::kNetBuoyancy || kind == EntryKind::kThrustAngle;
+  return kind == EntryKind::kNetBuoyancy || kind == EntryKind::kThrustAngle ||
+         kind == EntryKind::kTimeOffset || kind == EntryKind::kThrusterLag;
 }
 
 bool HasPair(EntryKind kind) {
@@ -86,6 +90,10 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->thrust_gain.try_emplace(entry.actuator, 1.0).first->second;
     case EntryKind::kThrustAngle:
       return &model->thrust_angle;
+    case EntryKind::kTimeOffset:
+      return &model->time_offset;
+    case EntryKind::kThrusterLag:
+      return &model->thruster_lag;
     case EntryKind::kLift:
       return &model->lift(Index(entry.row), Index(entry.column));
     case EntryKind::kFinForce:
@@ -96,6 +104,8 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->fin_neutral.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinStuck:
       return &model->fin_stuck.try_emplace(entry.actuator, 0.0).first->second;
+    case EntryKind::kFinLag:
+      return &model->fin_lag.try_emplace(entry.actuator, 0.0).first->second;
   }
   return nullptr;
 }
@@ -118,6 +128,8 @@ FreeEntry ThrustGainEntry(const std::string& thruster) {
   return {EntryKind::kThrustGain, Dof::kSurge, Dof::kSurge, thruster};
 }
 FreeEntry ThrustAngleEntry() { return {EntryKind::kThrustAngle, Dof::kSway, Dof::kSurge}; }
+FreeEntry TimeOffsetEntry() { return {EntryKind::kTimeOffset}; }
+FreeEntry ThrusterLagEntry() { return {EntryKind::kThrusterLag}; }
 FreeEntry LiftEntry(Dof row, Dof column) { return {EntryKind::kLift, row, column}; }
 FreeEntry FinForceEntry(const std::string& fin) {
   return {EntryKind::kFinForce, Dof::kSurge, Dof::kSurge, fin};
@@ -131,11 +143,23 @@ FreeEntry FinNeutralEntry(const std::string& fin) {
 FreeEntry FinStuckEntry(const std::string& fin) {
   return {EntryKind::kFinStuck, Dof::kSurge, Dof::kSurge, fin};
 }
+FreeEntry FinLagEntry(const std::string& fin) {
+  return {EntryKind::kFinLag, Dof::kSurge, Dof::kSurge, fin};
+}
 
 bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
-         entry.kind == EntryKind::kFinStuck;
+         entry.kind == EntryKind::kFinStuck || entry.kind == EntryKind::kFinLag ||
+         entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag;
+}
+
+bool IsLag(const FreeEntry& entry) {
+  return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;
+}
+
+bool IsLateness(const FreeEntry& entry) {
+  return IsLag(entry) || entry.kind == EntryKind::kTimeOffset;
 }
 
 int ParameterOf(const FreeEntry& entry) {
@@ -171,16 +195,16 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   if (found == kNamedKinds.end()) {
     RefuseEntry(name,
                 "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
-                "offset, thrust_gain, thrust_angle, lift, fin_force, fin_race, fin_neutral or "
-                "fin_stuck, a dot, and what "
-                "it belongs to");
+                "offset, thrust_gain, thrust_angle, time_offset, thruster_lag, lift, fin_force, "
+                "fin_race, fin_neutral, fin_stuck or fin_lag, a dot, and what it belongs to");
   }
   const EntryKind kind = found->kind;
   const bool has_tail = dot != std::string_view::npos;
   const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
   if (IsOneOfModel(kind)) {
     if (has_tail) RefuseEntry(name, fmt::format("{} alone", head));
-    return kind == EntryKind::kNetBuoyancy ? NetBuoyancyEntry() : ThrustAngleEntry();
+    if (kind == EntryKind::kThrustAngle) return ThrustAngleEntry();
+    return {kind};
   }
   if (IsOfActuator({kind})) {
     if (tail.empty()) {
@@ -234,6 +258,10 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kFinNeutral:
     case EntryKind::kFinStuck:
       return "rad";
+    case EntryKind::kTimeOffset:
+    case EntryKind::kThrusterLag:
+    case EntryKind::kFinLag:
+      return "s";
   }
   return "";
 }
@@ -242,10 +270,8 @@ std::string SiUnitOf(const FreeEntry& entry) {
 
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
   const std::string unit = SiUnitOf(entry);
-  const bool has_force = entry.kind != EntryKind::kThrustGain &&
-                         entry.kind != EntryKind::kThrustAngle &&
-                         entry.kind != EntryKind::kFinNeutral &&
-                         entry.kind != EntryKind::kFinStuck && entry.kind != EntryKind::kFinRace;
+  const bool has_force =
+      unit != "1" && unit != "rad" && unit != "s" && entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
@@ -268,6 +294,8 @@ std::vector<FreeEntry> AllEntries() {
   all.push_back(RightingMomentEntry(Dof::kPitch));
   all.push_back(NetBuoyancyEntry());
   all.push_back(ThrustAngleEntry());
+  all.push_back(TimeOffsetEntry());
+  all.push_back(ThrusterLagEntry());
   return all;
 }
 
@@ -284,6 +312,7 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
   for (const auto& [fin, race] : model.fin_race) add(FinRaceEntry(fin), 0.0);
   for (const auto& [fin, neutral] : model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
   for (const auto& [fin, angle] : model.fin_stuck) entries.push_back(FinStuckEntry(fin));
+  for (const auto& [fin, lag] : model.fin_lag) add(FinLagEntry(fin), 0.0);
   return entries;
 }
 

@@ -24,11 +24,14 @@ namespace fathom {
 //   offset.yaw                    o_6
 //   thrust_gain.port              of the thruster or shaft `port`
 //   thrust_angle                  a, by which the forces of wrench and thrusters are turned about z
+//   time_offset                   by which all commands come late
+//   thruster_lag                  time constant of the forces of wrench and thrusters
 //   lift.sway.yaw                 L_26: along sway, by u r
 //   fin_force.rudder              f of the fin `rudder`
 //   fin_race.rudder               k: what the race adds to the square of its speed
 //   fin_neutral.rudder            the angle at which it is straight
 //   fin_stuck.rudder              the angle that it has whatever is commanded
+//   fin_lag.rudder                time constant with which its angle follows the command
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -39,11 +42,14 @@ struct FreeEntry {
     kOffset,
     kThrustGain,
     kThrustAngle,
+    kTimeOffset,
+    kThrusterLag,
     kLift,
     kFinForce,
     kFinRace,
     kFinNeutral,
     kFinStuck,
+    kFinLag,
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
@@ -62,14 +68,23 @@ FreeEntry RightingMomentEntry(Dof row);
 FreeEntry NetBuoyancyEntry();
 FreeEntry ThrustGainEntry(const std::string& thruster);
 FreeEntry ThrustAngleEntry();
+FreeEntry TimeOffsetEntry();
+FreeEntry ThrusterLagEntry();
 FreeEntry LiftEntry(Dof row, Dof column);
 FreeEntry FinForceEntry(const std::string& fin);
 FreeEntry FinRaceEntry(const std::string& fin);
 FreeEntry FinNeutralEntry(const std::string& fin);
 FreeEntry FinStuckEntry(const std::string& fin);
+FreeEntry FinLagEntry(const std::string& fin);
 
-// Whether it belongs to a thruster or a fin instead of a row and a column.
+// Whether it belongs to a thruster, a fin or all of them instead of a row and a column.
 bool IsOfActuator(const FreeEntry& entry);
+
+// Whether it is a time constant, which is above 0 s.
+bool IsLag(const FreeEntry& entry);
+
+// Whether it says how late a command acts: an offset or a lag.
+bool IsLateness(const FreeEntry& entry);
 
 // Which of kParameterInfo, the parameters of a model of one DOF, it is along its own DOF; -1 of a
 // coupling, and of what a model of one DOF has not.
@@ -81,8 +96,8 @@ std::string NameOf(const FreeEntry& entry);
 // entry of a coupled model: ...". A thruster or a fin may have any name.
 FreeEntry ParseFreeEntry(std::string_view name);
 
-// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles. Of commands in another unit
-// than N and N m, "kg A/N".
+// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles, "s" of a lag. Of commands in another
+// unit than N and N m, "kg A/N".
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
 
 // Those that the model holds beside its nulls: 1 of a thrust gain, 0 of any other. Of a stuck fin

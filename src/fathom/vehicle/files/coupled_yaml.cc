@@ -147,6 +147,14 @@ void RequirePassive(const YamlMap& map, const CoupledModel& model) {
            "semidefinite: damping stands on the left of the equation.");
 }
 
+void RequireLags(const YamlMap& map, const CoupledModel& model) {
+  constexpr const char* kExpected = "is below 0 s, expected a time constant.";
+  if (model.thruster_lag < 0.0) map.Fail("thruster_lag", kExpected);
+  for (const auto& [fin, lag] : model.fin_lag) {
+    if (lag < 0.0) map.Fail("fin_lag", fmt::format("of {} {}", fin, kExpected));
+  }
+}
+
 // Those of the vehicle file's area and lift slope, unless the model says otherwise.
 std::map<std::string, double> FinForces(const YamlMap& map, const std::vector<Fin>& fins) {
   std::map<std::string, double> forces = ByName(map, "fin_force", fins, "fin");
@@ -177,6 +185,8 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   }
   model.net_buoyancy = map.Number("net_buoyancy", 0.0);
   model.thrust_angle = map.Number("thrust_angle", 0.0);
+  model.time_offset = map.Number("time_offset", 0.0);
+  model.thruster_lag = map.Number("thruster_lag", 0.0);
   if (const auto righting = map.OptionalMap("righting_moment")) {
     model.righting_roll = righting->Number("roll", 0.0);
     model.righting_pitch = righting->Number("pitch", 0.0);
@@ -189,6 +199,8 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   model.fin_race = ByName(map, "fin_race", fins, "fin");
   model.fin_neutral = ByName(map, "fin_neutral", fins, "fin");
   model.fin_stuck = ByName(map, "fin_stuck", fins, "fin");
+  model.fin_lag = ByName(map, "fin_lag", fins, "fin");
+  RequireLags(map, model);
   return model;
 }
 

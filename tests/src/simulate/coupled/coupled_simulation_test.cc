@@ -404,6 +404,78 @@ TEST(RunCoupled, PushesAlongAThrustThatIsTurned) {
   EXPECT_NEAR(outputs.velocity[0][1], 0.5 * std::sin(0.1), 1e-9);
 }
 
+// 30 kg without damping under 6 N from 1 s on.
+CoupledModel Sled() {
+  CoupledModel model;
+  model.dofs = {Dof::kSurge};
+  model.inertia(0, 0) = 30.0;
+  return model;
+}
+CoupledInputs PushFrom1s() {
+  CoupledInputs inputs;
+  inputs.command.time = {1.0};
+  inputs.command.force = {6.0 * Vector6::Unit(0)};
+  return inputs;
+}
+
+// v = F / m (t - T (1 - exp(-t / T))), and its derivative by T.
+TEST(RunCoupled, FollowsItsCommandWithALag) {
+  CoupledModel model = Sled();
+  model.thruster_lag = 0.4;
+  CoupledStamps stamps;
+  stamps.velocity = {1.1, 1.5, 4.0};
+  CoupledOutputs outputs;
+  const std::vector<FreeEntry> lag = {ThrusterLagEntry()};
+  ASSERT_TRUE(RunCoupledWithSensitivities(model, lag, PushFrom1s(), {}, stamps, &outputs));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double t = stamps.velocity[k] - 1.0, gone = std::exp(-t / 0.4);
+    EXPECT_NEAR(outputs.velocity[k][0], 0.2 * (t - 0.4 * (1.0 - gone)), 1e-6);
+    EXPECT_NEAR(outputs.velocity_sensitivity(6 * static_cast<Eigen::Index>(k), 0),
+                -0.2 * (1.0 - gone - t / 0.4 * gone),
+                1e-5);
+  }
+}
+
+// What was asked for before the start is on its way.
+TEST(RunCoupled, BeginsWithinALag) {
+  CoupledModel model = Sled();
+  model.thruster_lag = 0.4;
+  CoupledStamps stamps = {1.2, {3.0}, {}};
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, PushFrom1s(), {}, stamps, &outputs));
+  EXPECT_NEAR(outputs.velocity[0][0],
+              0.2 * (1.8 - 0.4 * (std::exp(-0.2 / 0.4) - std::exp(-2.0 / 0.4))),
+              1e-6);
+}
+
+// A lag of 0 s and an offset lose alike: the force over the inertia, a second.
+TEST(RunCoupled, LosesAtOnceByALagThatBegins) {
+  CoupledStamps stamps;
+  stamps.velocity = {0.9, 1.5};
+  CoupledOutputs outputs;
+  const std::vector<FreeEntry> entries = {ThrusterLagEntry(), TimeOffsetEntry()};
+  ASSERT_TRUE(RunCoupledWithSensitivities(Sled(), entries, PushFrom1s(), {}, stamps, &outputs));
+  for (Eigen::Index column = 0; column < 2; ++column) {
+    EXPECT_EQ(outputs.velocity_sensitivity(0, column), 0.0);
+    EXPECT_NEAR(outputs.velocity_sensitivity(6, column), -0.2, 1e-12);
+  }
+}
+
+TEST(RunCoupled, TakesItsCommandLateByAnOffset) {
+  CoupledModel late = FinnedRov();
+  late.time_offset = 0.37;
+  CoupledInputs shifted = FinnedSteps(5);
+  for (double& t : shifted.command.time) t += 0.37;
+  CoupledStamps stamps;
+  stamps.velocity = {2.0, 9.0};
+  CoupledOutputs outputs, expected;
+  ASSERT_TRUE(RunCoupled(late, FinnedSteps(5), Moving(), stamps, &outputs));
+  ASSERT_TRUE(RunCoupled(FinnedRov(), shifted, Moving(), stamps, &expected));
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_LT((outputs.velocity[k] - expected.velocity[k]).norm(), 1e-9);
+  }
+}
+
 TEST(RunCoupled, RefusesAnInertiaThatIsNone) {
   CoupledModel model = Rov();
   model.inertia(1, 5) = model.inertia(5, 1) = 20.0;
@@ -423,7 +495,11 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
   structure.entries.push_back(FinRaceEntry("rudder"));
   structure.entries.push_back(FinNeutralEntry("rudder"));
   structure.entries.push_back(FinStuckEntry("stuck"));
+  structure.entries.push_back(TimeOffsetEntry());
+  if (model.thruster_lag > 0.0) structure.entries.push_back(ThrusterLagEntry());
+  for (const auto& [fin, lag] : model.fin_lag) structure.entries.push_back(FinLagEntry(fin));
   CoupledStamps stamps;
+  stamps.start = 0.1;  // at no change of the command, which an offset moves in or out
   for (int k = 1; k <= 20; ++k) stamps.velocity.push_back(0.47 * k);
   stamps.pose = stamps.velocity;
   CoupledOutputs outputs;
@@ -452,25 +528,27 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
       EXPECT_TRUE(RunCoupled(moved, inputs, from, stamps, &moved_outputs));
       return moved_outputs;
     };
-    constexpr double kStep = 1e-5;
-    const CoupledOutputs above = run(kStep), below = run(-kStep);
     const std::string name = column < static_cast<int>(structure.entries.size())
                                  ? NameOf(structure.entries[static_cast<std::size_t>(column)])
                                  : std::to_string(column);
+    // An offset moves the steps of integration too, whose errors its differences hold.
+    const bool is_offset = name == "time_offset";
+    const double kStep = is_offset ? 4e-3 : 1e-5, kClose = is_offset ? 5e-4 : 1e-4;
+    const CoupledOutputs above = run(kStep), below = run(-kStep);
     for (std::size_t k = 0; k < stamps.velocity.size(); ++k) {
       const auto row = 6 * static_cast<Eigen::Index>(k);
       const Vector6 velocity = (above.velocity[k] - below.velocity[k]) / (2.0 * kStep);
       const Vector6 of_velocity = outputs.velocity_sensitivity.block<6, 1>(row, column);
-      EXPECT_LT((of_velocity - velocity).norm(), 1e-4 * (1.0 + velocity.norm())) << name;
+      EXPECT_LT((of_velocity - velocity).norm(), kClose * (1.0 + velocity.norm())) << name;
       const Eigen::Vector3d position =
           (above.pose[k].position - below.pose[k].position) / (2.0 * kStep);
       const Eigen::Vector3d of_position = outputs.pose_sensitivity.block<3, 1>(row + 3, column);
-      EXPECT_LT((of_position - position).norm(), 1e-4 * (1.0 + position.norm())) << name;
+      EXPECT_LT((of_position - position).norm(), kClose * (1.0 + position.norm())) << name;
       const Eigen::Quaterniond between = Eigen::Quaterniond(below.pose[k].attitude).conjugate() *
                                          Eigen::Quaterniond(above.pose[k].attitude);
       const Eigen::Vector3d turn = 2.0 * between.vec() / between.w() / (2.0 * kStep);
       const Eigen::Vector3d of_turn = outputs.pose_sensitivity.block<3, 1>(row, column);
-      EXPECT_LT((of_turn - turn).norm(), 1e-4 * (1.0 + turn.norm())) << name;
+      EXPECT_LT((of_turn - turn).norm(), kClose * (1.0 + turn.norm())) << name;
     }
   }
 }
@@ -479,6 +557,13 @@ TEST(RunCoupledWithSensitivities, HasTheDerivativesOfDifferences) {
   CoupledModel turned = FinnedRov();
   turned.thrust_angle = 0.2;
   ExpectDerivativesOfDifferences(turned, FinnedSteps(5));
+}
+
+TEST(RunCoupledWithSensitivities, HasThemWithLags) {
+  CoupledModel lagged = FinnedRov();
+  lagged.thruster_lag = 0.3;
+  lagged.fin_lag = {{"rudder", 0.6}};
+  ExpectDerivativesOfDifferences(lagged, FinnedSteps(5));
 }
 
 // By the thrust's slope in the speed, and that of the race over the rudder.

@@ -28,10 +28,16 @@ class PlainSimulator {
   void Advance(const Vector6& tau, double duration, double step) {
     const int steps = static_cast<int>(std::lround(duration / step));
     for (int k = 0; k < steps; ++k) {
-      const Vector6 half = nu + 0.5 * step * Rate(nu, world_from_body, tau);
+      Vector6 half_push = tau, begin_push = tau;
+      if (model_.thruster_lag > 0.0) {
+        begin_push = push_;
+        half_push = push_ + 0.5 * step / model_.thruster_lag * (tau - push_);
+        push_ += step / model_.thruster_lag * (tau - half_push);
+      }
+      const Vector6 half = nu + 0.5 * step * Rate(nu, world_from_body, begin_push);
       const Eigen::Matrix3d turned = world_from_body * Turn(0.5 * step * nu.tail<3>());
       position += step * (turned * half.head<3>());
-      nu += step * Rate(half, turned, tau);
+      nu += step * Rate(half, turned, half_push);
       world_from_body *= Turn(step * half.tail<3>());
     }
   }
@@ -82,6 +88,7 @@ class PlainSimulator {
   }
 
   CoupledModel model_;
+  Vector6 push_ = Vector6::Zero();  // of a thrust that lags
 };
 
 }  // namespace fathom

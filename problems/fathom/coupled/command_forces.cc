@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled/command_forces.h"
+
+#include "fathom/vehicle/coupled/turned_about_z.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+using Kind = FreeEntry::Kind;
+
+double ValueOr(double otherwise,
+               const std::map<std::string, double>& values,
+               const std::string& name) {
+  const auto found = values.find(name);
+  return found == values.end() ? otherwise : found->second;
+}
+
+// The row of a command that holds at a time; none before the first.
+std::optional<std::size_t> RowAt(const CoupledCommand& command, double t) {
+  const auto next = std::upper_bound(command.time.begin(), command.time.end(), t);
+  if (next == command.time.begin()) return std::nullopt;
+  return static_cast<std::size_t>(next - command.time.begin()) - 1;
+}
+
+// How late wrench and thrusters are [s].
+double LatenessOfThrust(const CoupledModel& model) {
+  return model.time_offset + model.thruster_lag;
+}
+
+// Of all, or of the thruster of a gain, at 1.
+Vector6 ThrustAt(const CoupledCommand& command,
+                 std::size_t row,
+                 const CoupledModel& model,
+                 const FreeEntry* gain) {
+  Vector6 force = Vector6::Zero();
+  if (gain == nullptr && !command.force.empty()) force = command.force[row];
+  for (const CommandedThruster& thruster : command.thrusters) {
+    if (gain != nullptr && gain->actuator != thruster.name) continue;
+    const double share = gain != nullptr ? 1.0 : ValueOr(1.0, model.thrust_gain, thruster.name);
+    force += share * thruster.thrust[row] * thruster.push;
+  }
+  return TurnedAboutZ(model.thrust_angle, force);
+}
+
+Vector6 ImpulseOf(const CoupledCommand& command,
+                  double from,
+                  double to,
+                  const CoupledModel& model,
+                  const FreeEntry* gain) {
+  from -= LatenessOfThrust(model);
+  to -= LatenessOfThrust(model);
+  Vector6 sum = Vector6::Zero();
+  const std::vector<double>& time = command.time;
+  auto next =
+      static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), from) - time.begin());
+  for (double t = from; t < to;) {
+    const double until = next < time.size() ? std::min(time[next], to) : to;
+    if (next > 0) sum += (until - t) * ThrustAt(command, next - 1, model, gain);
+    t = until;
+    ++next;
+  }
+  return sum;
+}
+
+Vector6 ThrustAtTime(const CoupledCommand& command, double t, const CoupledModel& model) {
+  const auto row = RowAt(command, t - LatenessOfThrust(model));
+  return row ? ThrustAt(command, *row, model, nullptr) : Vector6::Zero();
+}
+
+double FinForceIn(const CoupledModel& model, const CommandedFin& fin) {
+  return ValueOr(0.0, model.fin_force, fin.name);
+}
+
+FinLoad LoadOf(const CoupledCommand& command,
+               const CommandedFin& fin,
+               double t,
+               const Vector6& nu,
+               const CoupledModel& model) {
+  const auto at = RowAt(command, t - model.time_offset - ValueOr(0.0, model.fin_lag, fin.name));
+  if (!at) return {};
+  const auto stuck = model.fin_stuck.find(fin.name);
+  const double angle = stuck != model.fin_stuck.end()
+                           ? stuck->second
+                           : fin.angle[*at] - ValueOr(0.0, model.fin_neutral, fin.name);
+  const double race = ValueOr(0.0, model.fin_race, fin.name);
+  return FinLoadAt(fin.arms, nu, angle, race * RaceThrust(command, fin, *at, nu));
+}
+
+Vector6 ForceOf(const CoupledCommand& command,
+                const CommandedFin& fin,
+                double t,
+                const Vector6& nu,
+                const CoupledModel& model) {
+  const double size = FinForceIn(model, fin);
+  if (size == 0.0) return Vector6::Zero();
+  return size * LoadOf(command, fin, t, nu, model).Force();
+}
+
+}  // namespace
+
+Vector6 ThrustImpulse(const CoupledCommand& command,
+                      double from,
+                      double to,
+                      const CoupledModel& model) {
+  return ImpulseOf(command, from, to, model, nullptr);
+}
+
+Vector6 ThrustImpulseBy(const FreeEntry& entry,
+                        const CoupledCommand& command,
+                        double from,
+                        double to,
+                        const CoupledModel& model) {
+  switch (entry.kind) {
+    case Kind::kThrustGain:
+      return ImpulseOf(command, from, to, model, &entry);
+    case Kind::kThrustAngle:
+      return ByTurnAboutZ(ThrustImpulse(command, from, to, model));
+    case Kind::kThrusterLag:
+    case Kind::kTimeOffset:
+      return ThrustAtTime(command, from, model) - ThrustAtTime(command, to, model);
+    default:
+      return Vector6::Zero();
+  }
+}
+
+Vector6 ShaftForcesAt(const CoupledCommand& command,
+                      double t,
+                      const Vector6& nu,
+                      const CoupledModel& model) {
+  if (command.shafts.empty()) return Vector6::Zero();
+  const auto row = RowAt(command, t - model.time_offset);
+  return row ? ShaftForces(command, *row, nu, model) : Vector6::Zero();
+}
+
+Vector6 ShaftForcesBy(const FreeEntry& entry,
+                      const CoupledCommand& command,
+                      double t,
+                      const Vector6& nu,
+                      const CoupledModel& model) {
+  if (entry.kind != Kind::kThrustGain || command.shafts.empty()) return Vector6::Zero();
+  const auto row = RowAt(command, t - model.time_offset);
+  return row ? ShaftForces(command, *row, nu, model, &entry.actuator) : Vector6::Zero();
+}
+
+Vector6 FinForcesAt(const CoupledCommand& command,
+                    double t,
+                    const Vector6& nu,
+                    const CoupledModel& model) {
+  Vector6 force = Vector6::Zero();
+  for (const CommandedFin& fin : command.fins) force += ForceOf(command, fin, t, nu, model);
+  return force;
+}
+
+Vector6 FinForcesBy(const FreeEntry& entry,
+                    const CoupledCommand& command,
+                    double t,
+                    const Vector6& nu,
+                    const CoupledModel& model) {
+  const auto fin = std::ranges::find(command.fins, entry.actuator, &CommandedFin::name);
+  if (fin == command.fins.end()) return Vector6::Zero();
+  const FinLoad load = LoadOf(command, *fin, t, nu, model);
+  switch (entry.kind) {
+    case Kind::kFinForce:
+      return load.Force();
+    case Kind::kFinNeutral:
+      return -FinForceIn(model, *fin) * load.ForceByAngle();
+    case Kind::kFinStuck:
+      return FinForceIn(model, *fin) * load.ForceByAngle();
+    default:
+      return Vector6::Zero();
+  }
+}
+
+Vector6 FinForcesLater(const FreeEntry& entry,
+                       const CoupledCommand& command,
+                       double t,
+                       const Vector6& nu,
+                       const CoupledModel& model) {
+  if (entry.kind == Kind::kTimeOffset) return FinForcesAt(command, t, nu, model);
+  const auto fin = std::ranges::find(command.fins, entry.actuator, &CommandedFin::name);
+  if (entry.kind != Kind::kFinLag || fin == command.fins.end()) return Vector6::Zero();
+  return ForceOf(command, *fin, t, nu, model);
+}
+
+}  // namespace fathom

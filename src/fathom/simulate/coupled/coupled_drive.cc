@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/simulate/coupled/coupled_drive.h"
+
+#include "fathom/vehicle/coupled/turned_about_z.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <string>
+
+#include <glog/logging.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLagsThatCount = 20.0;  // what is older leaves e^-20 of itself
+
+// A step within a lag covers a half of it. Shorter lags than twice the shortest step are as good as
+// none: an error of a share of them is lost in the clocks.
+constexpr double kShareOfLag = 0.5, kShortestStepOfLag = 0.0025;  // [s]
+
+// What a row of the command asks for, without lags.
+struct AskedForces {
+  Vector6 tau = Vector6::Zero();
+  std::vector<Vector6> pushed;  // by entry: what its thruster gives at a gain of 1
+};
+
+AskedForces ForcesAt(std::size_t row,
+                     const CoupledCommand& command,
+                     const CoupledModel& model,
+                     std::span<const FreeEntry> entries) {
+  AskedForces asked;
+  asked.pushed.assign(entries.size(), Vector6::Zero());
+  if (!command.force.empty()) asked.tau = command.force[row];
+  for (const CommandedThruster& thruster : command.thrusters) {
+    const Vector6 push = thruster.thrust[row] * thruster.push;
+    const auto gain = model.thrust_gain.find(thruster.name);
+    asked.tau += (gain == model.thrust_gain.end() ? 1.0 : gain->second) * push;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const bool is_its =
+          entries[k].kind == FreeEntry::Kind::kThrustGain && entries[k].actuator == thruster.name;
+      if (is_its) asked.pushed[k] += TurnedAboutZ(model.thrust_angle, push);
+    }
+  }
+  asked.tau = TurnedAboutZ(model.thrust_angle, asked.tau);
+  return asked;
+}
+
+void CheckSizes(const CoupledCommand& command) {
+  CHECK(command.force.empty() || command.force.size() == command.time.size());
+  for (const CommandedThruster& thruster : command.thrusters) {
+    CHECK_EQ(thruster.thrust.size(), command.time.size());
+  }
+  for (const CommandedFin& fin : command.fins) CHECK_EQ(fin.angle.size(), command.time.size());
+  for (const CommandedShaft& shaft : command.shafts) {
+    CHECK_EQ(shaft.turns.size(), command.time.size());
+  }
+}
+
+}  // namespace
+
+CommandedDrive::CommandedDrive(const CoupledModel& model,
+                               std::span<const FreeEntry> entries,
+                               const CoupledCommand& command)
+    : model_(model), entries_(entries), command_(command), longest_lag_(model.thruster_lag) {
+  CheckSizes(command);
+  const Vector6 zero = Vector6::Zero();
+  pushed_.assign(entries.size(), {zero, zero, zero});
+  bool has_fin_lag = false;
+  for (const CommandedFin& fin : command.fins) {
+    const auto lag = model.fin_lag.find(fin.name);
+    fins_.push_back({{0.0, 0.0, 0.0}, lag == model.fin_lag.end() ? 0.0 : lag->second});
+    longest_lag_ = std::max(longest_lag_, fins_.back().lag);
+    has_fin_lag |= fins_.back().lag > 0.0;
+  }
+  drive_.turns.assign(command.shafts.size(), 0.0);
+  drive_.angles.assign(command.fins.size(), 0.0);
+  drive_.races.assign(command.fins.size(), 0.0);
+  drive_.tau_by_entry.assign(entries.size(), zero);
+  if (has_fin_lag) {
+    drive_.angles_by_entry.assign(entries.size(), std::vector<double>(command.fins.size(), 0.0));
+  }
+}
+
+double CommandedDrive::TimeOf(std::ptrdiff_t row) const {
+  return command_.time[static_cast<std::size_t>(row)] + model_.time_offset;
+}
+
+std::ptrdiff_t CommandedDrive::RowAt(double t) const {
+  const auto& time = command_.time;
+  return std::upper_bound(time.begin(), time.end(), t - model_.time_offset) - time.begin() - 1;
+}
+
+void CommandedDrive::Begin(double t) {
+  const Vector6 zero = Vector6::Zero();
+  tau_ = {zero, zero, zero};
+  for (Lagged<Vector6>& pushed : pushed_) pushed = {zero, zero, zero};
+  for (LaggedFin& fin : fins_) fin.angle = {0.0, 0.0, 0.0};
+  std::fill(drive_.turns.begin(), drive_.turns.end(), 0.0);
+  std::fill(drive_.races.begin(), drive_.races.end(), 0.0);
+  const std::ptrdiff_t last = RowAt(t);
+  // Of lags what came before counts too.
+  row_ = longest_lag_ > 0.0 ? RowAt(t - kLagsThatCount * longest_lag_) : last;
+  if (row_ >= 0) {
+    Ask(0.0);
+    tau_.begun = tau_.target;
+    for (Lagged<Vector6>& pushed : pushed_) pushed.begun = pushed.target;
+    for (LaggedFin& fin : fins_) fin.angle.begun = fin.angle.target;
+  }
+  while (row_ < last) Next();
+  Show(row_ < 0 ? 0.0 : t - TimeOf(row_));
+}
+
+void CommandedDrive::MoveTo(double t) {
+  if (NextChange() > t) return;
+  while (NextChange() <= t) Next();
+  Show(t - TimeOf(row_));
+}
+
+double CommandedDrive::NextChange() const {
+  if (row_ + 1 == std::ssize(command_.time)) return std::numeric_limits<double>::infinity();
+  return TimeOf(row_ + 1);
+}
+
+const CoupledDrive& CommandedDrive::At(double t) {
+  if (longest_lag_ > 0.0 && row_ >= 0) Show(t - TimeOf(row_));
+  return drive_;
+}
+
+double CommandedDrive::LongestStep() const {
+  double longest = std::numeric_limits<double>::infinity();
+  const auto consider = [&](double lag) {
+    if (lag > 0.0) longest = std::min(longest, std::max(kShareOfLag * lag, kShortestStepOfLag));
+  };
+  consider(model_.thruster_lag);
+  for (const LaggedFin& fin : fins_) consider(fin.lag);
+  return longest;
+}
+
+void CommandedDrive::Next() {
+  // Before the first row nothing acts, however long.
+  const double held = row_ < 0 ? 0.0 : TimeOf(row_ + 1) - TimeOf(row_);
+  ++row_;
+  Ask(held);
+}
+
+void CommandedDrive::Ask(double held) {
+  const auto row = static_cast<std::size_t>(row_);
+  const AskedForces asked = ForcesAt(row, command_, model_, entries_);
+  tau_.Retarget(asked.tau, held, model_.thruster_lag);
+  for (std::size_t k = 0; k < pushed_.size(); ++k) {
+    pushed_[k].Retarget(asked.pushed[k], held, model_.thruster_lag);
+  }
+  for (std::size_t k = 0; k < fins_.size(); ++k) {
+    fins_[k].angle.Retarget(command_.fins[k].angle[row], held, fins_[k].lag);
+    drive_.races[k] = RaceThrust(command_, command_.fins[k], row);
+  }
+  for (std::size_t k = 0; k < command_.shafts.size(); ++k) {
+    drive_.turns[k] = command_.shafts[k].turns[row];
+  }
+}
+
+void CommandedDrive::Show(double since) {
+  const double lag = model_.thruster_lag;
+  drive_.tau = tau_.At(since, lag);
+  for (std::size_t k = 0; k < fins_.size(); ++k) {
+    drive_.angles[k] = fins_[k].angle.At(since, fins_[k].lag);
+  }
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    Vector6& by = drive_.tau_by_entry[e];
+    switch (entries_[e].kind) {
+      case FreeEntry::Kind::kThrustGain:
+        by = pushed_[e].At(since, lag);
+        break;
+      case FreeEntry::Kind::kThrustAngle:
+        by = ByTurnAboutZ(drive_.tau);
+        break;
+      case FreeEntry::Kind::kThrusterLag:
+        if (lag > 0.0) by = tau_.ByLag(since, lag);
+        break;
+      case FreeEntry::Kind::kTimeOffset:
+        if (lag > 0.0) by = -tau_.Rate(since, lag);
+        break;
+      default:
+        continue;
+    }
+  }
+  if (!drive_.angles_by_entry.empty()) ShowAnglesByEntry(since);
+}
+
+void CommandedDrive::ShowAnglesByEntry(double since) {
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    const FreeEntry& entry = entries_[e];
+    for (std::size_t k = 0; k < fins_.size(); ++k) {
+      const LaggedFin& fin = fins_[k];
+      if (fin.lag <= 0.0) continue;
+      double& by = drive_.angles_by_entry[e][k];
+      if (entry.kind == FreeEntry::Kind::kTimeOffset) by = -fin.angle.Rate(since, fin.lag);
+      const bool is_its =
+          entry.kind == FreeEntry::Kind::kFinLag && entry.actuator == command_.fins[k].name;
+      if (is_its) by = fin.angle.ByLag(since, fin.lag);
+    }
+  }
+}
+
+}  // namespace fathom
