@@ -263,7 +263,7 @@ void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
   PrintText(stdout, PlanSentence(request, plan) + "\n\n");
-  fmt::print("{}", FormatTable(PlannedParameterTable(plan)));
+  fmt::print("{}", FormatTable(PlannedParameterTable(plan.parameters)));
   if (!plan.separations.empty()) fmt::print("\n{}", FormatTable(PlannedSeparationTable(plan)));
   for (const std::string& line : PlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");

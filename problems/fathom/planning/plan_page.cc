@@ -82,7 +82,7 @@ Page PlanPage(const PlanRequest& request, const ExperimentPlan& plan) {
                                      plan.time,
                                      plan.displacement,
                                      request.limits.distance)};
-  section.tables = {PlannedParameterTable(plan)};
+  section.tables = {PlannedParameterTable(plan.parameters)};
   if (!plan.separations.empty()) section.tables.push_back(PlannedSeparationTable(plan));
   page.footer =
       "Intervals are predicted from the model so far: the better it is, the better they are. "
