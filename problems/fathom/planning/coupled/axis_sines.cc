@@ -3,8 +3,8 @@
 
 #include "fathom/planning/coupled/axis_sines.h"
 
+#include "fathom/planning/coupled/kept_wrench.h"
 #include "fathom/planning/coupled/wrench_run.h"
-#include "fathom/planning/coupled/wrench_search.h"
 #include "fathom/planning/ordinary_sine.h"
 
 #include <cmath>

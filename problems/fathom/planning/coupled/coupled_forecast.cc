@@ -5,7 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/base/quantile.h"
-#include "fathom/planning/coupled/wrench_search.h"
+#include "fathom/planning/coupled/kept_wrench.h"
 #include "fathom/planning/information.h"
 
 #include <algorithm>

@@ -4,9 +4,8 @@
 #include "fathom/planning/coupled/wrench_search.h"
 
 #include "fathom/base/parallel_for.h"
+#include "fathom/planning/coupled/kept_wrench.h"
 #include "fathom/planning/information.h"
-#include "fathom/planning/plan_search.h"
-#include "fathom/planning/planned_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,6 @@ namespace {
 
 constexpr double kLongestWrench = 30.0;        // of one block [s]
 constexpr double kLongestShareOfWrench = 0.2;  // of the plan
-constexpr double kLimitPeriod = 0.2;           // of the stamps of limits [s]
 
 using WrenchBlocks = std::vector<WrenchBlock>;
 
@@ -33,7 +31,7 @@ class WrenchSearch {
         random_(task.seed, fmt::format("planning.wrench.{}", start)),
         hold_(task.limits.shortest_hold),
         num_cells_(std::max(1, static_cast<int>(std::round(task.duration / hold_)))),
-        stamps_(LimitStamps(num_cells_ * hold_)),
+        kept_(task.models, task.limits, num_cells_ * hold_),
         information_(task.models.front(), task.entries, task.measurement) {
     const double longest = std::min(kLongestWrench, kLongestShareOfWrench * task.duration);
     longest_block_ = std::clamp(static_cast<int>(longest / hold_), 1, num_cells_);
@@ -53,30 +51,22 @@ class WrenchSearch {
   void Improve(int num_moves, FoundWrench* found) {
     for (int move = 0; move < num_moves; ++move) {
       WrenchBlocks changed = Changed(found->blocks);
-      if (!KeepsLimitsUnder(task_.models.front(), changed)) continue;
+      if (!kept_.KeptByFirst(AsCommand(changed))) continue;
       const double value = MeasureOf(changed);
-      if (!(value > found->value) || !AllKeepLimits(changed)) continue;
+      if (!(value > found->value) || !kept_.KeptByAll(AsCommand(changed))) continue;
       *found = {std::move(changed), value};
     }
   }
 
  private:
   double MeasureOf(const WrenchBlocks& blocks) {
-    const auto told =
-        information_.Of(CommandOf(task_.axes, blocks, hold_), NumCells(blocks) * hold_);
+    const auto told = information_.Of(AsCommand(blocks), NumCells(blocks) * hold_);
     if (!told) return -std::numeric_limits<double>::infinity();
     return LogDetOf(*told + task_.so_far);
   }
 
-  bool KeepsLimitsUnder(const CoupledModel& model, const WrenchBlocks& blocks) const {
-    const auto run = WrenchMotion(model, CommandOf(task_.axes, blocks, hold_), stamps_);
-    return run && KeepsLimits(*run, task_.limits);
-  }
-
-  bool AllKeepLimits(const WrenchBlocks& blocks) const {
-    return std::all_of(task_.models.begin(), task_.models.end(), [&](const CoupledModel& model) {
-      return KeepsLimitsUnder(model, blocks);
-    });
+  CoupledCommand AsCommand(const WrenchBlocks& blocks) const {
+    return CommandOf(task_.axes, blocks, hold_);
   }
 
   // Uniform in its logarithm: many short ones, few long ones.
@@ -108,7 +98,7 @@ class WrenchSearch {
     for (int i = 0; i < task_.drawn_per_block; ++i) {
       const WrenchBlock block = Draw(DrawLength(most));
       const WrenchBlocks extended = With(*blocks, block);
-      if (!KeepsLimitsUnder(task_.models.front(), WithRest(extended))) continue;
+      if (!kept_.KeptByFirst(AsCommand(WithRest(extended)))) continue;
       const double value = MeasureOf(extended);
       if (std::isfinite(value)) drawn.emplace_back((value - so_far) / block.num_cells, block);
     }
@@ -117,7 +107,7 @@ class WrenchSearch {
     drawn.emplace_back(0.0, HeldBlock(task_.axes, most));
     for (const auto& [gain, block] : drawn) {
       WrenchBlocks extended = With(*blocks, block);
-      if (!AllKeepLimits(WithRest(extended))) continue;
+      if (!kept_.KeptByAll(AsCommand(WithRest(extended)))) continue;
       *blocks = std::move(extended);
       return true;
     }
@@ -189,15 +179,11 @@ class WrenchSearch {
   double hold_;
   int num_cells_;
   int longest_block_ = 1;
-  std::vector<double> stamps_;
+  KeptWrench kept_;
   WrenchInformation information_;
 };
 
 }  // namespace
-
-std::vector<double> LimitStamps(double duration) {
-  return PlannedStamps(duration + kCoastAfterwards, kLimitPeriod);
-}
 
 FoundWrench SearchWrench(const WrenchTask& task) {
   std::vector<FoundWrench> starts(static_cast<std::size_t>(task.num_starts));

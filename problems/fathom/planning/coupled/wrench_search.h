@@ -39,9 +39,6 @@ struct FoundWrench {
   double value = -std::numeric_limits<double>::infinity();
 };
 
-// The stamps at which motion is held against the limits, the coast behind the command along.
-std::vector<double> LimitStamps(double duration);
-
 // The sequence of blocks of greatest measure that keeps the limits, as SearchCommand() finds it of
 // one axis: built block by block, then changed as long as the measure grows. The same task gives
 // the same command to the bit.
