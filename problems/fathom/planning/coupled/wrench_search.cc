@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kLongestWrench = 30.0;        // of one block [s]
 constexpr double kLongestShareOfWrench = 0.2;  // of the plan
+constexpr int kMostTrialsOfMove = 6;
+constexpr int kMovesOverThoseOfStart = 5;  // of the best start
 
 using WrenchBlocks = std::vector<WrenchBlock>;
 
@@ -51,7 +53,13 @@ class WrenchSearch {
   void Improve(int num_moves, FoundWrench* found) {
     for (int move = 0; move < num_moves; ++move) {
       WrenchBlocks changed = Changed(found->blocks);
-      if (!kept_.KeptByFirst(AsCommand(changed))) continue;
+      bool is_kept = kept_.KeptByFirst(AsCommand(changed));
+      // It costs little to see that a limit is broken.
+      for (int trial = 1; trial < kMostTrialsOfMove && !is_kept; ++trial) {
+        changed = Changed(found->blocks);
+        is_kept = kept_.KeptByFirst(AsCommand(changed));
+      }
+      if (!is_kept) continue;
       const double value = MeasureOf(changed);
       if (!(value > found->value) || !kept_.KeptByAll(AsCommand(changed))) continue;
       *found = {std::move(changed), value};
@@ -191,10 +199,12 @@ FoundWrench SearchWrench(const WrenchTask& task) {
     WrenchSearch search(task, start);
     FoundWrench& found = starts[static_cast<std::size_t>(start)];
     found = search.Build();
-    if (!found.blocks.empty()) search.Improve(task.num_moves, &found);
+    if (!found.blocks.empty()) search.Improve(task.num_moves / kMovesOverThoseOfStart, &found);
   });
-  return *std::max_element(
+  FoundWrench best = *std::max_element(
       starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  if (!best.blocks.empty()) WrenchSearch(task, task.num_starts).Improve(task.num_moves, &best);
+  return best;
 }
 
 }  // namespace fathom

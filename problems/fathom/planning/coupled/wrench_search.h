@@ -30,7 +30,7 @@ struct WrenchTask {
 
   int num_starts = 2;       // at least 1
   int drawn_per_block = 8;  // of which the best is taken
-  int num_moves = 100;      // changes tried of each start
+  int num_moves = 100;      // changes tried of the best start; of each, a fifth
   std::uint64_t seed = 1;
 };
 
