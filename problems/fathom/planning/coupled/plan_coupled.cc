@@ -32,8 +32,8 @@ constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
 constexpr double kDefaultWindow = 20.0;  // of a fit [s]
 
 // How many columns of sensitivities are integrated in all, so that planning takes seconds.
-constexpr double kCoupledWork = 9e5;  // [s]
-constexpr double kMostCoupledMoves = 3000.0;
+constexpr double kCoupledWork = 8e5;  // [s]
+constexpr double kMostCoupledMoves = 400.0;
 
 bool Has(const std::vector<Dof>& dofs, Dof dof) {
   return std::find(dofs.begin(), dofs.end(), dof) != dofs.end();
