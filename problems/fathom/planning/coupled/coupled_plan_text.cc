@@ -8,8 +8,10 @@
 #include "fathom/planning/plan_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,6 +35,27 @@ double ReachOf(const PlannedBand& band) {
   for (const double value : band.low) reach = std::max(reach, -value);
   for (const double value : band.high) reach = std::max(reach, value);
   return reach;
+}
+
+// How fast, how far and how askew the vehicle will be at most.
+std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPlan& plan) {
+  constexpr std::array<std::string_view, 3> kWays = {"ahead or back", "aside", "up or down"};
+  std::vector<std::string> reaches;
+  for (const Dof dof : dofs) {
+    reaches.push_back(fmt::format("{} {:.2g} {}",
+                                  Name(dof),
+                                  ReachOf(plan.speed[static_cast<std::size_t>(Index(dof))]),
+                                  VelocityUnit(dof)));
+  }
+  for (const Dof dof : dofs) {
+    if (IsAngular(dof)) continue;
+    const auto at = static_cast<std::size_t>(Index(dof));
+    reaches.push_back(fmt::format("{:.1f} m {}", ReachOf(plan.position[at]), kWays[at]));
+  }
+  const bool tilts = std::any_of(
+      dofs.begin(), dofs.end(), [](Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; });
+  if (tilts) reaches.push_back(fmt::format("a tilt of {:.2f} rad", plan.tilt));
+  return reaches;
 }
 
 }  // namespace
@@ -69,12 +92,10 @@ std::string CoupledPlanSentence(const CoupledPlan& plan) {
 
 std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
                                              const CoupledPlan& plan) {
-  std::vector<std::string> speeds, noise, amplitudes, held;
+  std::vector<std::string> noise, amplitudes, held;
   double is_given = 0.0;
   for (const Dof dof : request.model.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    speeds.push_back(
-        fmt::format("{} {:.2g} {}", Name(dof), ReachOf(plan.speed[at]), VelocityUnit(dof)));
     noise.push_back(fmt::format("{} {:.2g} {}", Name(dof), plan.noise[at], VelocityUnit(dof)));
     is_given += std::isnan(request.limits.noise[at]) ? 0.0 : 1.0;
     const bool is_driven = std::any_of(plan.axes.begin(),
@@ -88,18 +109,13 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
         fmt::format("{} {:.3g} {}", Name(dof), plan.sine_amplitude[k], ForceUnit(dof)));
   }
   std::vector<std::string> comments = {
-      fmt::format("95 % of the models that the log allows stay within speeds of {} and {:.1f} m "
-                  "ahead or back, {:.1f} m aside, {:.1f} m up or down and a tilt of {:.2f} rad, "
-                  "{:g} s of coasting behind the command counted along; {:.1f} % of {} break a "
-                  "limit.",
-                  fmt::join(speeds, ", "),
-                  ReachOf(plan.position[0]),
-                  ReachOf(plan.position[1]),
-                  ReachOf(plan.position[2]),
-                  plan.tilt,
-                  kCoastAfterwards,
-                  100.0 * plan.share_breaking,
-                  plan.num_models),
+      fmt::format(
+          "95 % of the models that the log allows stay within {}, {:g} s of coasting behind "
+          "the command counted along; {:.1f} % of {} break a limit.",
+          fmt::join(ReachesOf(request.model.model.dofs, plan), ", "),
+          kCoastAfterwards,
+          100.0 * plan.share_breaking,
+          plan.num_models),
       fmt::format("The intervals hold for white noise of {} on {:.3g} velocities a second{}; "
                   "coloured noise widens them.",
                   fmt::join(noise, ", "),
