@@ -39,6 +39,14 @@ Eigen::VectorXd StdsAlone(const Eigen::MatrixXd& information,
   return stds;
 }
 
+double MedianAt(const std::vector<Eigen::VectorXd>& stds, Eigen::Index at) {
+  std::vector<double> values;
+  for (const Eigen::VectorXd& of_model : stds) values.push_back(of_model[at]);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 // Between the quantiles of 2.5 and 97.5 % at each stamp of what a state shows.
 PlannedBand BandOfStates(const std::vector<CoupledState>& nominal,
                          const CoupledRuns& runs,
@@ -62,28 +70,31 @@ double GreatestTilt(const std::vector<CoupledState>& run) {
 
 }  // namespace
 
-void ForecastEntries(const CoupledModel& model,
+void ForecastEntries(std::span<const CoupledModel> models,
                      const ToldEntries& told,
                      const WrenchMeasurement& measurement,
                      CoupledPlan* plan) {
-  WrenchInformation information(model, told.entries, measurement);
   const Eigen::MatrixXd so_far = InverseOf(told.covariance);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(so_far.rows(), so_far.cols());
-  const Eigen::MatrixXd of_plan = information.Of(plan->command, plan->duration).value_or(none);
-  const Eigen::MatrixXd of_sine = information.Of(plan->sine, plan->duration).value_or(none);
   const Eigen::VectorXd before = told.covariance.diagonal().cwiseSqrt();
-  const Eigen::VectorXd after = StdsAlone(of_plan, so_far, before);
-  const Eigen::VectorXd sine = StdsAlone(of_sine, so_far, before);
-  const Eigen::VectorXd both = StdsOf(of_plan + so_far);
+  std::vector<Eigen::VectorXd> after(models.size()), both(after), sine(after);
+  ParallelFor(static_cast<int>(models.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    WrenchInformation information(models[at], told.entries, measurement);
+    const Eigen::MatrixXd of_plan = information.Of(plan->command, plan->duration).value_or(none);
+    after[at] = StdsAlone(of_plan, so_far, before);
+    both[at] = StdsOf(of_plan + so_far);
+    sine[at] = StdsAlone(information.Of(plan->sine, plan->duration).value_or(none), so_far, before);
+  });
   for (std::size_t k = 0; k < told.entries.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     plan->parameters.push_back({NameOf(told.entries[k]),
                                 UnitOf(told.entries[k]),
-                                ValueIn(model, told.entries[k]),
+                                ValueIn(models.front(), told.entries[k]),
                                 before[at],
-                                after[at],
-                                both[at],
-                                sine[at]});
+                                MedianAt(after, at),
+                                MedianAt(both, at),
+                                MedianAt(sine, at)});
   }
 }
 

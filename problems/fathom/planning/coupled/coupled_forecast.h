@@ -21,8 +21,9 @@ struct ToldEntries {
 };
 
 // What will be known of the entries after the command of the plan, and after its sine. Infinite:
-// the run leaves the entry open.
-void ForecastEntries(const CoupledModel& model,
+// the run leaves the entry open. The middle of what `models` say, of which the first is the fit's:
+// one that runs straight ahead alone would make a yaw that nothing holds tell more than it does.
+void ForecastEntries(std::span<const CoupledModel> models,
                      const ToldEntries& told,
                      const WrenchMeasurement& measurement,
                      CoupledPlan* plan);

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ namespace fathom {
 namespace {
 
 constexpr int kNumCoupledInSearch = 20;
+constexpr int kNumCoupledInForecast = 9;  // the fit's own along
 constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
 constexpr int kNumCoupledTrials = 4;      // with limits narrower from one to the next
@@ -197,7 +199,8 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& request) {
   AxisSines sines = LargestAxisSines(request.model.model, plan.axes, request.limits, plan.duration);
   plan.sine = std::move(sines.command);
   plan.sine_amplitude = std::move(sines.amplitude);
-  ForecastEntries(request.model.model, told, task.measurement, &plan);
+  ForecastEntries(
+      std::span(task.models).first(kNumCoupledInForecast), told, task.measurement, &plan);
   for (const FreeEntry& entry : request.model.entries) {
     if (IsOfActuator(entry)) plan.left_out.push_back(NameOf(entry));
   }
