@@ -114,10 +114,11 @@ TEST(PlanCoupled, CommandsTheAxesThatAreAskedForAndSaysWhatTheyLeaveOpen) {
   }
   EXPECT_EQ(plan.command.force.back(), Vector6::Zero());
   for (const PlannedParameter& entry : plan.parameters) {
-    // Offsets drive a vehicle that nothing else drives.
-    const bool is_told = entry.name.find("surge") != std::string::npos ||
-                         entry.name.find("offset") != std::string::npos;
-    EXPECT_EQ(std::isinf(entry.after), !is_told) << entry.name;
+    // Offsets drive a vehicle that nothing else drives, but little.
+    if (entry.name.find("offset") != std::string::npos) continue;
+    const bool is_told = entry.name.find("surge") != std::string::npos;
+    EXPECT_EQ(entry.after < 5.0 * entry.before, is_told)
+        << entry.name << ' ' << entry.after << ' ' << entry.before;
   }
 }
 

@@ -46,13 +46,6 @@ bool IsWithin(double value, const ValueRange& range) {
 
 }  // namespace
 
-CoupledLimits Narrowed(CoupledLimits limits, double share) {
-  for (double& speed : limits.speed) speed *= share;
-  for (ValueRange& range : limits.room) range = {share * range.low, share * range.high};
-  limits.tilt *= share;
-  return limits;
-}
-
 double TiltOf(const CoupledState& state) {
   const Eigen::Vector4d& q = state.attitude;
   // The cosine of half the angle is the length of (z, w).

@@ -38,9 +38,6 @@ struct CoupledLimits {
       kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown};  // white [m/s] or [rad/s]
 };
 
-// The same with less speed, room and tilt: `share` of them.
-CoupledLimits Narrowed(CoupledLimits limits, double share);
-
 // The angle between the body's down and the world's [rad].
 double TiltOf(const CoupledState& state);
 

@@ -26,8 +26,8 @@ constexpr int kNumCoupledInSearch = 20;
 constexpr int kNumCoupledInForecast = 9;  // the fit's own along
 constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
-constexpr int kNumCoupledTrials = 4;      // with limits narrower from one to the next
-constexpr double kNarrowerForNext = 0.9;
+constexpr int kNumCoupledTrials = 10;     // weaker from one to the next
+constexpr double kWeakerForNext = 0.97;
 constexpr double kLongestCoupledPeriod = 0.1;  // of the stamps in the search [s]
 constexpr int kMostCoupledStamps = 3000;
 constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
@@ -149,19 +149,19 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   return task;
 }
 
-// Searches until 95 % of `others` keep the limits. False if no command does.
+// Searches, and weakens what was found until 95 % of `others` keep the limits. False if no command
+// does.
 bool FillBlocks(const CoupledPlanRequest& request,
                 const std::vector<CoupledModel>& others,
-                WrenchTask* task,
+                const WrenchTask& task,
                 CoupledPlan* plan) {
+  plan->blocks = SearchWrench(task).blocks;
+  if (plan->blocks.empty()) return false;
   for (int trial = 0; trial < kNumCoupledTrials; ++trial) {
-    FoundWrench found = SearchWrench(*task);
-    if (found.blocks.empty()) return false;
-    plan->blocks = std::move(found.blocks);
     plan->command = CommandOf(plan->axes, plan->blocks, request.limits.shortest_hold);
     if (!ForecastMotion(request, others, plan)) return false;
     if (plan->share_breaking <= kShareOfCoupled) return true;
-    task->limits = Narrowed(task->limits, kNarrowerForNext);
+    plan->blocks = Weakened(plan->axes, std::move(plan->blocks), kWeakerForNext);
   }
   return false;
 }
@@ -190,7 +190,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& request) {
   const ToldEntries told = EntriesToTell(request.model);
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
-  if (!FillBlocks(request, others, &task, &plan)) {
+  if (!FillBlocks(request, others, task, &plan)) {
     plan.message =
         "No command was found that keeps the limits for 95 % of the models that the log allows. "
         "Give it more room, less time, or a model of narrower intervals.";
