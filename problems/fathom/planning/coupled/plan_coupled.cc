@@ -26,8 +26,8 @@ constexpr int kNumCoupledInSearch = 20;
 constexpr int kNumCoupledInForecast = 9;  // the fit's own along
 constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
-constexpr int kNumCoupledTrials = 10;     // weaker from one to the next
-constexpr double kWeakerForNext = 0.97;
+constexpr int kNumCoupledTrials = 3;      // with limits narrower from one to the next
+constexpr double kNarrowerForNext = 0.9;
 constexpr double kLongestCoupledPeriod = 0.1;  // of the stamps in the search [s]
 constexpr int kMostCoupledStamps = 3000;
 constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
@@ -149,19 +149,42 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   return task;
 }
 
-// Searches, and weakens what was found until 95 % of `others` keep the limits. False if no command
-// does.
-bool FillBlocks(const CoupledPlanRequest& request,
-                const std::vector<CoupledModel>& others,
-                const WrenchTask& task,
-                CoupledPlan* plan) {
-  plan->blocks = SearchWrench(task).blocks;
-  if (plan->blocks.empty()) return false;
-  for (int trial = 0; trial < kNumCoupledTrials; ++trial) {
+CoupledLimits Narrowed(CoupledLimits limits) {
+  for (double& speed : limits.speed) speed *= kNarrowerForNext;
+  for (ValueRange& range : limits.room) {
+    range = {kNarrowerForNext * range.low, kNarrowerForNext * range.high};
+  }
+  limits.tilt *= kNarrowerForNext;
+  return limits;
+}
+
+// The last of the commands that a search came by under which 95 % of `others` keep the limits,
+// gone back by one, two, four ... False if none does.
+bool FillBlocksFrom(FoundWrench found,
+                    const CoupledPlanRequest& request,
+                    const std::vector<CoupledModel>& others,
+                    CoupledPlan* plan) {
+  found.before.push_back(std::move(found.blocks));
+  const auto last = static_cast<std::ptrdiff_t>(found.before.size()) - 1;
+  for (std::ptrdiff_t back = 0; back <= last; back = 2 * back + 1) {
+    plan->blocks = found.before[static_cast<std::size_t>(last - back)];
     plan->command = CommandOf(plan->axes, plan->blocks, request.limits.shortest_hold);
     if (!ForecastMotion(request, others, plan)) return false;
     if (plan->share_breaking <= kShareOfCoupled) return true;
-    plan->blocks = Weakened(plan->axes, std::move(plan->blocks), kWeakerForNext);
+  }
+  return false;
+}
+
+// Searches until 95 % of `others` keep the limits. False if no command does.
+bool FillBlocks(const CoupledPlanRequest& request,
+                const std::vector<CoupledModel>& others,
+                WrenchTask task,
+                CoupledPlan* plan) {
+  for (int trial = 0; trial < kNumCoupledTrials; ++trial) {
+    FoundWrench found = SearchWrench(task);
+    if (found.blocks.empty()) return false;
+    if (FillBlocksFrom(std::move(found), request, others, plan)) return true;
+    task.limits = Narrowed(task.limits);
   }
   return false;
 }

@@ -4,7 +4,6 @@
 #include "fathom/planning/coupled/wrench_block.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double kShareOfOne = 0.4;  // of blocks that drive one axis, where there are several
 constexpr double kShareOfTwo = 0.2;
-constexpr double kFinestLevel = 1e-3;  // of the greatest force
 
 // How many of `count` axes a block drives.
 std::size_t DrawNumDriven(std::size_t count, RandomStream& random) {
@@ -52,21 +50,6 @@ WrenchBlock DrawWrenchBlock(const std::vector<WrenchAxis>& axes,
     block.along[order[i]] = DrawBlock({axes[order[i]].force, longest_hold}, num_cells, random);
   }
   return block;
-}
-
-std::vector<WrenchBlock> Weakened(const std::vector<WrenchAxis>& axes,
-                                  std::vector<WrenchBlock> blocks,
-                                  double share) {
-  for (WrenchBlock& block : blocks) {
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-      CommandBlock& along = block.along[k];
-      if (along.level == axes[k].holding) continue;
-      const double step = kFinestLevel * axes[k].force;
-      const double holding = along.kind == BlockKind::kStep ? axes[k].holding : 0.0;
-      along.level = std::round((holding + share * (along.level - holding)) / step) * step + 0.0;
-    }
-  }
-  return blocks;
 }
 
 int NumCells(const std::vector<WrenchBlock>& blocks) {

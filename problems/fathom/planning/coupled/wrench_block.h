@@ -33,11 +33,6 @@ WrenchBlock DrawWrenchBlock(const std::vector<WrenchAxis>& axes,
                             int longest_hold,
                             RandomStream& random);
 
-// With a share of every force beside what holds, to a thousandth of the greatest.
-std::vector<WrenchBlock> Weakened(const std::vector<WrenchAxis>& axes,
-                                  std::vector<WrenchBlock> blocks,
-                                  double share);
-
 int NumCells(const std::vector<WrenchBlock>& blocks);
 
 // As a command from t = 0 on; a cell lasts `hold` seconds. No force behind the last one.

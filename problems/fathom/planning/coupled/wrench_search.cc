@@ -46,7 +46,7 @@ class WrenchSearch {
       if (!Extend(&blocks)) return {};
     }
     const double value = MeasureOf(blocks);
-    return {std::move(blocks), value};
+    return {std::move(blocks), value, {}};
   }
 
   // Tries so many changes of a command, each kept if it is worth more.
@@ -62,7 +62,9 @@ class WrenchSearch {
       if (!is_kept) continue;
       const double value = MeasureOf(changed);
       if (!(value > found->value) || !kept_.KeptByAll(AsCommand(changed))) continue;
-      *found = {std::move(changed), value};
+      found->before.push_back(std::move(found->blocks));
+      found->blocks = std::move(changed);
+      found->value = value;
     }
   }
 

@@ -37,6 +37,7 @@ struct WrenchTask {
 struct FoundWrench {
   std::vector<WrenchBlock> blocks;  // empty: no command keeps the limits
   double value = -std::numeric_limits<double>::infinity();
+  std::vector<std::vector<WrenchBlock>> before;  // those that were changed to it, the first first
 };
 
 // The sequence of blocks of greatest measure that keeps the limits, as SearchCommand() finds it of
