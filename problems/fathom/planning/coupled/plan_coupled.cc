@@ -28,13 +28,14 @@ constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
 constexpr int kNumCoupledTrials = 3;      // with limits narrower from one to the next
 constexpr double kNarrowerForNext = 0.9;
+constexpr int kFewerMovesForNext = 4;          // so that planning takes seconds still
 constexpr double kLongestCoupledPeriod = 0.1;  // of the stamps in the search [s]
 constexpr int kMostCoupledStamps = 3000;
 constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
 constexpr double kDefaultWindow = 20.0;  // of a fit [s]
 
 // How many columns of sensitivities are integrated in all, so that planning takes seconds.
-constexpr double kCoupledWork = 8e5;  // [s]
+constexpr double kCoupledWork = 7e5;  // [s]
 constexpr double kMostCoupledMoves = 400.0;
 
 bool Has(const std::vector<Dof>& dofs, Dof dof) {
@@ -185,6 +186,7 @@ bool FillBlocks(const CoupledPlanRequest& request,
     if (found.blocks.empty()) return false;
     if (FillBlocksFrom(std::move(found), request, others, plan)) return true;
     task.limits = Narrowed(task.limits);
+    task.num_moves /= kFewerMovesForNext;
   }
   return false;
 }
