@@ -24,6 +24,7 @@
 #include "fathom/report/table.h"
 #include "fathom/signal/signals.h"
 #include "fathom/simulate/model_for_log.h"
+#include "fathom/tool/coupled_plan_run.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/log_flags.h"
@@ -48,7 +49,14 @@
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 
-DEFINE_string(model, "", "Model file of one DOF (JSON), as fathom_identify writes it.");
+DEFINE_string(model,
+              "",
+              "Model file (JSON), as fathom_identify writes it; with --dofs there, one of several "
+              "DOFs.");
+DEFINE_string(dofs,
+              "",
+              "Of a model of several DOFs, those to command: surge,yaw. Default: those that the "
+              "limits file has a force for.");
 DEFINE_string(verdict,
               "",
               "Verdict file (JSON), as fathom_diagnose writes it, instead of --model. If it is "
@@ -84,23 +92,19 @@ DECLARE_string(log);
 namespace fathom {
 namespace {
 
-constexpr double kLongestDuration = 3600.0;  // [s]
-constexpr double kShortestDuration = 5.0;
-
 const ToolInfo kInfo = {
     .name = "fathom_plan",
     .summary = "Plans the next experiment: the command that tells most of what is still open.",
     .usage =
         "--model=FILE|--verdict=FILE [--limits=FILE --vehicle=FILE --duration=SECONDS --log=LOG "
-        "--seed=1 "
-        "--out=FOLDER "
-        "--report=PAGE.html]\n"
+        "--dofs=DOFS --seed=1 --out=FOLDER --report=PAGE.html]\n"
         "--ordinary --log=LOG [--log=LOG ... --dof=DOF --model=FILE --json=FILE "
         "--report=PAGE.html]",
     .example =
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
         "  fathom_plan --model=surge.json --limits=data/limits/tank.yaml --duration=120 "
         "--out=plan\n"
+        "  fathom_plan --model=boat.json --limits=lake.yaml --duration=120 --dofs=surge,yaw\n"
         "  fathom_plan --ordinary --log=data/flatfish --dof=surge",
     .details =
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
@@ -110,6 +114,8 @@ const ToolInfo kInfo = {
         "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
         "they "
         "tell counts as flown already. "
+        "A model of several DOFs gives a wrench on several axes at once; --vehicle, --log and "
+        "--verdict are of one DOF. "
         "--ordinary plans nothing: it says which stretches of the logs, cut at 30 to 120 s, tell "
         "the parameters about as well as all of them, and what manoeuvre or recorded channel the "
         "weakest one lacks. docs/plan.md.",
@@ -125,13 +131,8 @@ double DurationOf(const PlanLimits& limits) {
         fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.",
                     FLAGS_limits.empty() ? std::string("a limits file, --limits") : FLAGS_limits));
   }
-  if (FLAGS_duration >= kShortestDuration && FLAGS_duration <= kLongestDuration) {
-    return FLAGS_duration;
-  }
-  throw InputError(fmt::format("--duration: is {} s, expected {} to {} s.",
-                               FLAGS_duration,
-                               kShortestDuration,
-                               kLongestDuration));
+  RequirePlannableDuration(FLAGS_duration);
+  return FLAGS_duration;
 }
 
 std::string InputFile() {
@@ -221,11 +222,6 @@ void AddFlownLogs(const std::string& file, PlanRequest* request) {
 
 PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicle>& vehicle) {
   const std::string text = ReadFile(file);
-  if (IsCoupledModel(text)) {
-    throw InputError(fmt::format(
-        "{}: is a model of several DOFs, expected one of one DOF: others are not planned yet.",
-        file));
-  }
   PlanRequest request;
   request.name = file;
   request.model = ParseModel(file, text);
@@ -263,7 +259,7 @@ void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
   PrintText(stdout, PlanSentence(request, plan) + "\n\n");
-  fmt::print("{}", FormatTable(PlannedParameterTable(plan)));
+  fmt::print("{}", FormatTable(PlannedParameterTable(plan.parameters)));
   if (!plan.separations.empty()) fmt::print("\n{}", FormatTable(PlannedSeparationTable(plan)));
   for (const std::string& line : PlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");
@@ -272,7 +268,7 @@ void Print(const PlanRequest& request, const ExperimentPlan& plan) {
 
 // The dives are over: nothing is commanded, so that nothing limits it.
 int RunOrdinary() {
-  for (const char* flag : {"verdict", "limits", "vehicle", "out"}) {
+  for (const char* flag : {"verdict", "limits", "vehicle", "out", "dofs"}) {
     if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
     throw InputError(fmt::format(
         "--{}: goes with an experiment that is planned, expected none with --ordinary.", flag));
@@ -287,6 +283,20 @@ int RunOrdinary() {
     throw InputError("--seed: goes with a search, expected none with --ordinary.");
   }
   return RunOrdinaryPlan({FLAGS_model, FLAGS_json, FLAGS_report});
+}
+
+// Of several DOFs a wrench is planned, from the model alone.
+int RunCoupled(const std::string& file) {
+  for (const char* flag : {"verdict", "vehicle", "log", "dof", "held_out", "velocity", "correct"}) {
+    if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
+    throw InputError(fmt::format(
+        "--{}: goes with a model of one DOF, expected none: {} is of several DOFs.", flag, file));
+  }
+  if (!std::isnan(FLAGS_voltage)) {
+    throw InputError("--voltage: goes with --vehicle, expected none without it.");
+  }
+  return RunCoupledPlan(
+      {file, FLAGS_limits, FLAGS_dofs, FLAGS_duration, FLAGS_seed, FLAGS_out, FLAGS_report});
 }
 
 int Run() {
@@ -311,6 +321,11 @@ int Run() {
   std::vector<std::string> inputs = {file, FLAGS_limits, FLAGS_vehicle};
   for (const std::string& log : InputsFromFlags()) inputs.push_back(log);
   RequireOutputs(outputs, inputs);
+  if (IsCoupledModel(ReadFile(file))) return RunCoupled(file);
+  if (!FLAGS_dofs.empty()) {
+    throw InputError(fmt::format(
+        "--dofs: goes with a model of several DOFs, expected none: {} is of one.", file));
+  }
   const std::optional<Vehicle> vehicle = VehicleFromFlag();
   const PlanRequest request = RequestFromFlags(file, vehicle);
   const ExperimentPlan plan = PlanExperiment(request);

@@ -3,6 +3,7 @@
 
 #include "fathom/process/run_child.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -579,6 +580,99 @@ TEST(PlanTool, RefusesWhatItCannotUse) {
   WriteTestFile(inputs.tank, "force: 12\ndistance: {back: -1}\n");
   EXPECT_THAT(refusal({model, limits, "--duration=60"}),
               HasSubstr(inputs.tank + ":2: key 'distance.back' is "));
+}
+
+// A model of surge, sway and yaw, and the lake it is driven in.
+struct CoupledInputFiles {
+  Path folder = EmptyTestFolder();
+  std::string model = At("boat.json");
+  std::string lake =
+      WriteTestFile(folder / "lake.yaml",
+                    "force: {surge: 40, sway: 40, yaw: 8}\nspeed: {surge: 0.8, sway: 0.6}\n"
+                    "distance: {back: 8, ahead: 8, port: 8, starboard: 8}\n")
+          .string();
+  std::string vehicle = "--vehicle=" FATHOM_DATA_DIR "/vehicles/planar_rov.yaml";
+
+  CoupledInputFiles() {
+    const std::string first =
+        WriteTestFile(folder / "first.yaml",
+                      "name: first\nduration: 60\ncommand_rate: 10\n"
+                      "surge: {control: open_loop, input: {kind: prbs, amplitude: 20, hold: 2}}\n"
+                      "sway: {control: open_loop, input: {kind: prbs, amplitude: 20, hold: 3}}\n"
+                      "yaw: {control: open_loop, input: {kind: prbs, amplitude: 4, hold: 1}}\n"
+                      "velocity: {rate: 10, noise: {surge: 0.01, sway: 0.01, yaw: 0.01}}\n")
+            .string();
+    RunsWell("fathom_synthesize", {vehicle, "--experiment=" + first, "--out=" + At("first")});
+    Identify("first", model);
+  }
+
+  std::string At(const std::string& name) const { return (folder / name).string(); }
+
+  void Identify(const std::string& log, const std::string& to) const {
+    RunsWell("fathom_identify",
+             {"--log=" + At(log),
+              "--dofs=surge,sway,yaw",
+              "--structure=coriolis",
+              "--free=inertia.sway.yaw",
+              "--model=" + to});
+  }
+
+  ToolRun Plan(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"--model=" + model, "--limits=" + lake};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunToolBinary("fathom_plan", arguments);
+  }
+};
+
+// From a log to the next one, on several axes.
+TEST(PlanTool, PlansAWrenchForACoupledModel) {
+  const CoupledInputFiles inputs;
+  const ToolRun run = RunsWell(inputs.Plan(
+      {"--duration=30", "--out=" + inputs.At("plan"), "--report=" + inputs.At("plan.html")}));
+  EXPECT_THAT(run.out, HasSubstr("Command surge, sway, yaw for 30 s as planned."));
+  EXPECT_THAT(run.out, HasSubstr("inertia.sway.yaw [kg m]"));
+  const CsvColumns command = ReadColumns(inputs.At("plan/command.csv"));
+  EXPECT_EQ(command.names, (std::vector<std::string>{"t", "tau_surge", "tau_sway", "tau_yaw"}));
+  ASSERT_EQ(command.rows.size(), 31U);
+  EXPECT_EQ(command.rows.back(), (std::vector<double>{30.0, 0.0, 0.0, 0.0}));
+  EXPECT_THAT(TextOf(inputs.At("plan.html")), HasSubstr("yaw command"));
+
+  RunsWell("fathom_synthesize",
+           {inputs.vehicle,
+            "--experiment=" + inputs.At("plan/experiment.yaml"),
+            "--out=" + inputs.At("next")});
+  inputs.Identify("next", inputs.At("next.json"));
+  const auto plan = JsonOf(inputs.At("plan/plan.json"));
+  const auto next = JsonOf(inputs.At("next.json"));
+  EXPECT_EQ(plan.at("schema"), "fathom-plan-2");
+  std::vector<double> ratios;
+  for (const auto& [name, entry] : plan.at("parameters").items()) {
+    ratios.push_back(next.at("parameters").at(name).at("std").get<double>() /
+                     entry.at("std_after").get<double>());
+  }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.25);
+}
+
+TEST(PlanTool, RefusesWhatACoupledModelIsNotPlannedWith) {
+  const CoupledInputFiles inputs;
+  const auto refused = [&](const std::vector<std::string>& flags, const std::string& why) {
+    const ToolRun run = inputs.Plan(flags);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr(why));
+  };
+  refused({"--duration=30", inputs.vehicle}, "--vehicle: goes with a model of one DOF");
+  refused({"--duration=30", "--log=" + inputs.At("first")}, "--log: goes with a model of one DOF");
+  refused({"--duration=1"}, "--duration: is 1 s, expected 5 to 3600 s.");
+  refused({}, "--duration: is missing, expected seconds, or `minutes` in ");
+  refused({"--duration=30", "--dofs=surge,heave"}, "--dofs: names heave, which ");
+  const ToolRun open = RunToolBinary("fathom_plan", {"--model=" + inputs.model, "--duration=30"});
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_THAT(open.err, HasSubstr("--limits: is missing, expected a limits file"));
+  WriteTestFile(inputs.lake, "force: {surge: 40}\ndistance: {back: 0.001, ahead: 0.001}\n");
+  const ToolRun none = inputs.Plan({"--duration=30"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("No command was found that keeps the limits"));
 }
 
 }  // namespace

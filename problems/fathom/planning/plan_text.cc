@@ -238,7 +238,7 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
   return comments;
 }
 
-Table PlannedParameterTable(const ExperimentPlan& plan) {
+Table PlannedParameterTable(const std::vector<PlannedParameter>& parameters) {
   Table table = {.caption = "95 % intervals",
                  .columns = {{"parameter"},
                              {"value so far", true},
@@ -247,7 +247,7 @@ Table PlannedParameterTable(const ExperimentPlan& plan) {
                              {"with the log so far", true, 1},
                              {"after a sine", true}},
                  .rows = {}};
-  for (const PlannedParameter& parameter : plan.parameters) {
+  for (const PlannedParameter& parameter : parameters) {
     table.rows.push_back({{fmt::format("{} [{}]", parameter.name, UnitText(parameter.unit)),
                            FormatValue(parameter.value),
                            HalfWidth(parameter.before),

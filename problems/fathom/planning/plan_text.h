@@ -19,7 +19,7 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
 std::vector<std::string> PlanComments(const PlanRequest& request, const ExperimentPlan& plan);
 
 // 95 % intervals of each parameter, before and after.
-Table PlannedParameterTable(const ExperimentPlan& plan);
+Table PlannedParameterTable(const std::vector<PlannedParameter>& parameters);
 
 // How well rivals are told apart; without rows where there are none.
 Table PlannedSeparationTable(const ExperimentPlan& plan);

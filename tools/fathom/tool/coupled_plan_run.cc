@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/tool/coupled_plan_run.h"
+
+#include "fathom/base/exit_code.h"
+#include "fathom/base/files/input_file.h"
+#include "fathom/base/files/output_file.h"
+#include "fathom/base/input_error.h"
+#include "fathom/planning/coupled/coupled_plan.h"
+#include "fathom/planning/coupled/coupled_plan_files.h"
+#include "fathom/planning/coupled/coupled_plan_page.h"
+#include "fathom/planning/coupled/coupled_plan_text.h"
+#include "fathom/planning/coupled/plan_coupled.h"
+#include "fathom/report/page.h"
+#include "fathom/report/table.h"
+#include "fathom/tool/flag_values.h"
+#include "fathom/tool/origin_of_page.h"
+#include "fathom/tool/print_text.h"
+#include "fathom/vehicle/files/coupled_model_file.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace fathom {
+namespace {
+
+constexpr double kLongestDuration = 3600.0;  // [s]
+constexpr double kShortestDuration = 5.0;
+
+CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags) {
+  if (flags.limits.empty()) {
+    throw InputError(fmt::format(
+        "--limits: is missing, expected a limits file: {} does not say how much force and speed "
+        "its log reached.",
+        flags.model));
+  }
+  CoupledPlanRequest request;
+  request.name = flags.model;
+  request.model = ReadCoupledModel(flags.model);
+  request.limits_name = flags.limits;
+  request.limits = ParseCoupledLimits(flags.limits, ReadFile(flags.limits));
+  request.seed = flags.seed;
+  for (const std::string& name : SplitAtCommas(flags.dofs)) {
+    request.dofs.push_back(ParseFlag("dofs", name, ParseDof));
+  }
+  request.duration = flags.duration;
+  if (!std::isnan(flags.duration)) {
+    RequirePlannableDuration(flags.duration);
+    return request;
+  }
+  if (!request.limits.duration) {
+    throw InputError(
+        fmt::format("--duration: is missing, expected seconds, or `minutes` in {}.", flags.limits));
+  }
+  request.duration = *request.limits.duration;
+  return request;
+}
+
+void WriteFiles(const std::filesystem::path& folder,
+                const CoupledPlanRequest& request,
+                const CoupledPlan& plan) {
+  WriteFile((folder / "command.csv").string(), FormatWrenchCommand(plan));
+  WriteFile((folder / "experiment.yaml").string(), FormatWrenchExperiment(request, plan));
+  WriteFile((folder / "plan.json").string(), FormatCoupledPlan(request, plan));
+}
+
+}  // namespace
+
+int RunCoupledPlan(const CoupledPlanFlags& flags) {
+  const CoupledPlanRequest request = RequestOf(flags);
+  const CoupledPlan plan = PlanCoupledExperiment(request);
+  if (!plan.IsUsable()) {
+    PrintText(stderr, fmt::format("fathom_plan: {}\n", plan.message));
+    return kExitNoFit;
+  }
+  PrintText(stdout, CoupledPlanSentence(plan) + "\n\n");
+  fmt::print("{}", FormatTable(PlannedEntryTable(plan)));
+  for (const std::string& line : CoupledPlanComments(request, plan)) {
+    PrintText(stdout, "note: " + line + "\n");
+  }
+  if (!flags.out.empty()) WriteFiles(flags.out, request, plan);
+  if (!flags.report.empty()) {
+    Page page = CoupledPlanPage(request, plan);
+    page.origin = OriginOfPage({});
+    WriteFile(flags.report, RenderPage(page));
+  }
+  return kExitUsable;
+}
+
+void RequirePlannableDuration(double duration) {
+  if (duration >= kShortestDuration && duration <= kLongestDuration) return;
+  throw InputError(fmt::format(
+      "--duration: is {} s, expected {} to {} s.", duration, kShortestDuration, kLongestDuration));
+}
+
+}  // namespace fathom
