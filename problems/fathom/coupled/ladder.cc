@@ -94,7 +94,8 @@ class Climb {
 // A number that says how the thrusters and fins may be off.
 struct Suspect {
   FreeEntry entry;
-  CoupledModel held;  // near which (6) is linear in it
+  CoupledModel held;    // near which (6) is linear in it
+  double misfit = 0.0;  // of (6)
 };
 
 // What may be off with each: the gain of a thruster; of a fin of a known force that force, its
@@ -123,24 +124,22 @@ std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
   return suspects;
 }
 
-// The one whose number brings (6) nearest, and the others that do so nearly as well, each once;
-// none if that is not much nearer. Before a fit, since that of a model whose thruster is dead may
-// end anywhere.
+// Those whose number brings (6) much nearer, each once, the nearest first. Before a fit, since that
+// of a model whose thruster is dead may end anywhere.
 std::vector<Suspect> MostSuspect(const CoupledLogs& logs,
                                  const MotionStructure& structure,
                                  const EntrySearchOptions& options) {
   const double without = MomentumMisfit(logs.data, structure, options.fit.held);
-  std::vector<std::pair<double, Suspect>> nearer;
+  std::vector<Suspect> nearer;
   for (Suspect& suspect : SuspectsOf(options)) {
     MotionStructure longer = structure;
     longer.entries.push_back(suspect.entry);
-    const double misfit = MomentumMisfit(logs.data, longer, suspect.held);
-    if (misfit < without - kMuchNearer) nearer.emplace_back(misfit, std::move(suspect));
+    suspect.misfit = MomentumMisfit(logs.data, longer, suspect.held);
+    if (suspect.misfit < without - kMuchNearer) nearer.push_back(std::move(suspect));
   }
-  std::ranges::stable_sort(nearer, {}, &std::pair<double, Suspect>::first);
+  std::ranges::stable_sort(nearer, {}, &Suspect::misfit);
   std::vector<Suspect> most;
-  for (auto& [misfit, suspect] : nearer) {
-    if (misfit >= nearer.front().first + kMuchNearer) break;
+  for (Suspect& suspect : nearer) {
     if (std::ranges::find(most, suspect.entry, &Suspect::entry) == most.end()) {
       most.push_back(std::move(suspect));
     }
@@ -149,40 +148,49 @@ std::vector<Suspect> MostSuspect(const CoupledLogs& logs,
 }
 
 std::string RungOf(const FreeEntry& entry) {
-  if (IsLateness(entry)) return "lateness";
+  if (entry.actuator.empty()) return NameOf(entry);
   return entry.kind == FreeEntry::Kind::kThrustGain ? "thruster" : "fin";
 }
 
-// Tries the suspects; the one that stands then, or none. Of those that say how late a command acts
-// all are tried, since a fit tells apart what (6) does not.
+// Tries the suspects; the one that stands then, or none. To (6), whose pieces are coarse, a little
+// lateness may seem to be there: one that a fit finds to be none gives way to the next. Of several
+// as near all are fitted that say how late a command acts, since a fit tells them apart.
 std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
                                       const MotionStructure& structure,
                                       const EntrySearchOptions& options,
                                       Climb* climb) {
-  const std::vector<Suspect> suspects = MostSuspect(logs, structure, options);
-  std::optional<std::size_t> stands;  // in `rungs`
-  std::vector<std::pair<FreeEntry, std::size_t>> rungs;
-  for (const Suspect& suspect : suspects) {
-    if (!rungs.empty() && !IsLateness(suspect.entry)) continue;
+  struct Tried {
+    FreeEntry entry;
+    double misfit = 0.0;
+    std::optional<std::size_t> rung = {};
+  };
+  std::vector<Tried> tried;
+  std::optional<Tried> stands;
+  for (const Suspect& suspect : MostSuspect(logs, structure, options)) {
+    if (stands && suspect.misfit >= stands->misfit + kMuchNearer) break;
+    const bool is_late = IsLateness(suspect.entry);
+    if (stands && !is_late) {
+      tried.push_back({suspect.entry, suspect.misfit});
+      continue;
+    }
     MotionStructure longer = structure;
     longer.entries.push_back(suspect.entry);
-    CoupledFitOptions fit_options = options.fit;
-    fit_options.held = suspect.held;
-    CoupledSummary fit = FitBlocks(logs, longer, fit_options);  // from its own start
-    if (!fit.IsUsable() || StrengthOf(fit, suspect.entry, options.fit.held) <= kStillThere)
-      continue;
-    rungs.emplace_back(suspect.entry, climb->num_rungs());
-    if (climb->Try(RungOf(suspect.entry), longer, std::move(fit))) stands = rungs.size() - 1;
-    if (!IsLateness(suspect.entry)) break;
+    CoupledFitOptions from = options.fit;
+    from.held = suspect.held;
+    CoupledSummary fit = FitBlocks(logs, longer, from);  // from its own start
+    if (fit.IsUsable() && StrengthOf(fit, suspect.entry, options.fit.held) > kStillThere) {
+      tried.push_back({suspect.entry, suspect.misfit, climb->num_rungs()});
+      if (climb->Try(RungOf(suspect.entry), longer, std::move(fit))) stands = tried.back();
+    }
+    if (!is_late && !stands) break;
   }
   if (!stands) return std::nullopt;
-  NamedEntry named = {rungs[*stands].first, 0.0, 0.0, {}, 0.0};
-  for (const Suspect& suspect : suspects) {
-    if (suspect.entry == named.entry) continue;
-    const auto rung =
-        std::ranges::find(rungs, suspect.entry, [](const auto& r) { return r.first; });
-    if (rung == rungs.end() || !climb->IsNearer(rungs[*stands].second, rung->second)) {
-      named.not_told_apart.push_back(suspect.entry);
+  NamedEntry named;
+  named.entry = stands->entry;
+  for (const Tried& other : tried) {
+    if (other.entry == named.entry || other.misfit >= stands->misfit + kMuchNearer) continue;
+    if (!other.rung || !climb->IsNearer(*stands->rung, *other.rung)) {
+      named.not_told_apart.push_back(other.entry);
     }
   }
   return named;

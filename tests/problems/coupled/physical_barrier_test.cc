@@ -24,11 +24,13 @@ CoupledModel Boat() {
   model.linear_damping(1, 5) = 1.0;
   model.linear_damping(5, 1) = -0.4;
   model.quadratic_damping.diagonal() << 20.0, 40.0, 0.0, 0.0, 0.0, 3.0;
+  model.thruster_lag = 0.3;
   return model;
 }
 
 TEST(PhysicalBarrier, HasTheGradientOfItsCost) {
-  const MotionStructure structure = StructureOf(StandardStructure::kFull, kPlane);
+  MotionStructure structure = StructureOf(StandardStructure::kFull, kPlane);
+  structure.entries.push_back(ThrusterLagEntry());
   const PhysicalBarrier barrier = BarrierAt(Boat(), structure.entries, {});
   for (std::size_t k = 0; k < structure.entries.size(); ++k) {
     const FreeEntry& entry = structure.entries[k];

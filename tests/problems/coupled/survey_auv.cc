@@ -81,6 +81,7 @@ Orders OrdersAt(SurveyRun run, double t, Draw* draw) {
 
 FreeEntry EntryOf(FinFault fault, const std::string& fin) {
   if (fault == FinFault::kDead) return FinForceEntry(fin);
+  if (fault == FinFault::kSlow) return FinLagEntry(fin);
   return fault == FinFault::kStuck ? FinStuckEntry(fin) : FinNeutralEntry(fin);
 }
 
@@ -162,6 +163,7 @@ CoupledData SurveyLog(
   PlainSimulator plain(auv.truth);
   plain.nu[0] = 1.0;
   std::array<double, 4> angles = {};
+  double slow = 0.0;  // the angle of a slow fin
   plain.more = [&](const Vector6& nu) {
     Vector6 force = -nu[0] * (auv.truth.lift * nu);
     for (std::size_t k = 0; k < auv.fins.size(); ++k) {
@@ -169,6 +171,7 @@ CoupledData SurveyLog(
       double angle = angles[k];
       if (k == auv.faulty && fault == FinFault::kDead) continue;
       if (k == auv.faulty && fault == FinFault::kStuck) angle = auv.stuck;
+      if (k == auv.faulty && fault == FinFault::kSlow) angle = slow;
       if (k == auv.faulty && fault == FinFault::kNeutral) angle -= kNeutralOfSurvey;
       force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, nu);
     }
@@ -200,7 +203,10 @@ CoupledData SurveyLog(
       next_change =
           run == SurveyRun::kSteps ? t + std::round(10.0 * draw.Between(1.0, 5.0)) / 10.0 : t + 1.0;
     }
-    plain.Advance(tau, 0.1, 0.005);
+    for (int step = 0; step < 20; ++step) {
+      slow += 0.005 / kLagOfSurvey * (angles[auv.faulty] - slow);
+      plain.Advance(tau, 0.005, 0.005);
+    }
   }
   data.segments.push_back(segment);
   return data;

@@ -15,7 +15,7 @@
 namespace fathom {
 
 // What is wrong with one fin of a survey AUV.
-enum class FinFault { kNone, kDead, kStuck, kNeutral };
+enum class FinFault { kNone, kDead, kStuck, kNeutral, kSlow };
 
 // A survey AUV of six DOFs with four fins in a cross at its stern, drawn: its numbers, which fin a
 // fault is of, and how far that is stuck off.
@@ -29,6 +29,9 @@ SurveyAuv DrawnSurveyAuv(unsigned seed);
 
 // 3 degrees [rad].
 inline constexpr double kNeutralOfSurvey = 0.05236;
+
+// The time constant of a slow fin [s].
+inline constexpr double kLagOfSurvey = 0.5;
 
 // How the fins turn: steps by chance for a fit, or a zigzag, a circle and steps in depth.
 enum class SurveyRun { kSteps, kManoeuvres };

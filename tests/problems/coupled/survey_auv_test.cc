@@ -39,6 +39,8 @@ TEST(SurveyAuv, HasAStuckFinThatIsNamed) { ExpectNamedAlone(FinFault::kStuck); }
 
 TEST(SurveyAuv, HasAFinThatIsNotStraightAndIsNamed) { ExpectNamedAlone(FinFault::kNeutral); }
 
+TEST(SurveyAuv, HasASlowFinThatIsNamed) { ExpectNamedAlone(FinFault::kSlow); }
+
 TEST(SurveyAuv, ThatIsSoundHasNoFault) {
   EXPECT_THAT(NameFault(4, FinFault::kNone).named, IsEmpty());
 }

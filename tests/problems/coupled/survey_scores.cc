@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
   for (const auto& [fault, name] : {std::pair{FinFault::kNone, "none"},
                                     {FinFault::kDead, "dead"},
                                     {FinFault::kStuck, "stuck"},
-                                    {FinFault::kNeutral, "neutral"}}) {
+                                    {FinFault::kNeutral, "neutral"},
+                                    {FinFault::kSlow, "slow"}}) {
     if (what == name) PrintNamings(fault, name, count);
   }
   return 0;

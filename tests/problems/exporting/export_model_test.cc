@@ -98,6 +98,21 @@ TEST(ExportModel, HoldsTheEffects) {
   EXPECT_EQ(effect.values[0].unit, "s");
 }
 
+// The lag of all thrusters stands once for each DOF, where formats look for it.
+TEST(ExportModel, HoldsTheLagOfAModelOfSeveralDofsAsEffects) {
+  FittedCoupledModel fitted = GenericBoat();
+  fitted.model.thruster_lag = 0.4;
+  const ExportModel exported = ExportModelOf(fitted, "boat.json");
+  ASSERT_EQ(exported.effects.size(), fitted.model.dofs.size());
+  for (std::size_t k = 0; k < exported.effects.size(); ++k) {
+    EXPECT_EQ(exported.effects[k].name, "thruster_lag");
+    EXPECT_EQ(exported.effects[k].dof, fitted.model.dofs[k]);
+    ASSERT_EQ(exported.effects[k].values.size(), 1u);
+    EXPECT_EQ(exported.effects[k].values[0].value, 0.4);
+  }
+  for (const ExportNumber& number : exported.numbers) EXPECT_FALSE(IsLateness(number.entry));
+}
+
 TEST(ExportModel, RefusesTwoModelsOfOneDof) {
   const std::string text = FormatModel(GenericOneDof(Dof::kSurge));
   const Path a = Saved("a.json", text), b = Saved("b.json", text);

@@ -31,7 +31,10 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "fin_force.rudder",
                                  "fin_race.rudder",
                                  "fin_neutral.rudder",
-                                 "fin_stuck.rudder"}) {
+                                 "fin_stuck.rudder",
+                                 "fin_lag.rudder",
+                                 "time_offset",
+                                 "thruster_lag"}) {
     EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
   }
 }
@@ -81,6 +84,8 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("righting_moment.roll")), "N m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_gain.port")), "1");
   EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_angle"), "A"), "rad");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("thruster_lag"), "A"), "s");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder"), "A"), "kg/m A/N");
 }
 
 TEST(FreeEntry, IsRefusedByItsName) {
