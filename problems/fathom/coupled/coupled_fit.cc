@@ -18,7 +18,6 @@
 #include <utility>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 
 namespace fathom {
 namespace {
@@ -47,22 +46,6 @@ CoupledModel BroughtNearer(const CoupledModel& guess,
   const auto weights = WeightsOf(noise, options.huber_k);
   return SearchWindows(problem, weights, point, RoughSearch(options)).point.model;
 }
-
-}  // namespace
-
-std::vector<std::string> CoupledFitOptions::Problems() const {
-  std::vector<std::string> problems;
-  if (!(window > 0.0))
-    problems.push_back(fmt::format("window is {} s, expected more than 0", window));
-  if (!(huber_k > 0.0))
-    problems.push_back(fmt::format("huber_k is {}, expected more than 0", huber_k));
-  if (max_iterations < 1) {
-    problems.push_back(fmt::format("max_iterations is {}, expected at least 1", max_iterations));
-  }
-  return problems;
-}
-
-namespace {
 
 void CheckOptions(const CoupledFitOptions& options) {
   if (const auto problems = options.Problems(); !problems.empty()) {

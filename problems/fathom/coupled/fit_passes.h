@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/coupled_fit.h"
+#include "fathom/coupled/coupled_fit_options.h"
 #include "fathom/coupled/coupled_summary.h"
 #include "fathom/coupled/window_problem.h"
 #include "fathom/coupled/window_residuals.h"

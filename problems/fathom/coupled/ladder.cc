@@ -133,7 +133,8 @@ std::vector<Suspect> MostSuspect(const CoupledLogs& logs,
   std::vector<Suspect> nearer;
   for (Suspect& suspect : SuspectsOf(options)) {
     MotionStructure longer = structure;
-    longer.entries.push_back(suspect.entry);
+    // A time as tried, since a free one beside it fits (6) to anything.
+    if (!IsLateness(suspect.entry)) longer.entries.push_back(suspect.entry);
     suspect.misfit = MomentumMisfit(logs.data, longer, suspect.held);
     if (suspect.misfit < without - kMuchNearer) nearer.push_back(std::move(suspect));
   }
