@@ -167,6 +167,7 @@ std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
   };
   std::vector<Tried> tried;
   std::optional<Tried> stands;
+  bool thrust_is_prompt = false;
   for (const Suspect& suspect : MostSuspect(logs, structure, options)) {
     if (stands && suspect.misfit >= stands->misfit + kMuchNearer) break;
     const bool is_late = IsLateness(suspect.entry);
@@ -174,12 +175,18 @@ std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
       tried.push_back({suspect.entry, suspect.misfit});
       continue;
     }
+    const bool is_of_thrust = is_late && suspect.entry.actuator.empty();
+    if (is_of_thrust && thrust_is_prompt) continue;
     MotionStructure longer = structure;
     longer.entries.push_back(suspect.entry);
     CoupledFitOptions from = options.fit;
     from.held = suspect.held;
     CoupledSummary fit = FitBlocks(logs, longer, from);  // from its own start
-    if (fit.IsUsable() && StrengthOf(fit, suspect.entry, options.fit.held) > kStillThere) {
+    const bool is_there =
+        fit.IsUsable() && StrengthOf(fit, suspect.entry, options.fit.held) > kStillThere;
+    // An offset that is none leaves no lag, nor the other way round.
+    if (is_of_thrust && fit.IsUsable() && !is_there) thrust_is_prompt = true;
+    if (is_there) {
       tried.push_back({suspect.entry, suspect.misfit, climb->num_rungs()});
       if (climb->Try(RungOf(suspect.entry), longer, std::move(fit))) stands = tried.back();
     }
