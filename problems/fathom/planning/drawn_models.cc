@@ -49,17 +49,28 @@ Eigen::VectorXd ValuesOf(const ExtendedModel& model) {
 
 }  // namespace
 
-std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
-                                      int count,
-                                      const std::string& name,
-                                      RandomStream& random) {
-  if (!fitted.covariance.allFinite() || fitted.covariance.diagonal().minCoeff() < 0.0) {
+Eigen::MatrixXd KnownFactor(const Eigen::MatrixXd& covariance, const std::string& name) {
+  if (!covariance.allFinite() || covariance.diagonal().minCoeff() < 0.0) {
     throw InputError(
         fmt::format("{}: the covariance of the parameters is not known, expected one: limits are "
                     "kept by the models that the log allows. fathom_identify writes it.",
                     name));
   }
-  const Eigen::MatrixXd factor = CovarianceFactor(fitted.covariance);
+  return CovarianceFactor(covariance);
+}
+
+void RefuseDraws(const std::string& name) {
+  throw InputError(fmt::format(
+      "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
+      "expected a model that its log determines: fly some steps first.",
+      name));
+}
+
+std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
+                                      int count,
+                                      const std::string& name,
+                                      RandomStream& random) {
+  const Eigen::MatrixXd factor = KnownFactor(fitted.covariance, name);
   const Eigen::VectorXd centre = ValuesOf(fitted.Extended());
   std::vector<ExtendedModel> models;
   while (static_cast<int>(models.size()) < count) {
@@ -70,10 +81,7 @@ std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
       drawn = WithParameters(fitted.Extended(), centre + factor * normal);
     }
     if (!drawn) {
-      throw InputError(fmt::format(
-          "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
-          "expected a model that its log determines: fly some steps first.",
-          name));
+      RefuseDraws(name);
     }
     models.push_back(*std::move(drawn));
   }

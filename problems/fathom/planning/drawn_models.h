@@ -7,7 +7,10 @@
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace fathom {
 
@@ -18,5 +21,12 @@ std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
                                       int count,
                                       const std::string& name,
                                       RandomStream& random);
+
+// The factor of a covariance, CovarianceFactor(). Throws InputError, beginning with `name`, if it
+// is not known.
+Eigen::MatrixXd KnownFactor(const Eigen::MatrixXd& covariance, const std::string& name);
+
+// Throws InputError, beginning with `name`: nearly no draw is physical.
+[[noreturn]] void RefuseDraws(const std::string& name);
 
 }  // namespace fathom

@@ -135,6 +135,24 @@ TEST(PlanCoupled, LeavesOutWhatAWrenchDoesNotTell) {
   EXPECT_EQ(static_cast<Eigen::Index>(plan.parameters.size()), size);
 }
 
+// A lag is the vehicle's, and a wrench tells it; an offset is of two clocks.
+TEST(PlanCoupled, TellsALagAndNoOffset) {
+  CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
+  const Eigen::Index size = request.model.covariance.rows();
+  request.model.entries.push_back(ThrusterLagEntry());
+  request.model.entries.push_back(TimeOffsetEntry());
+  request.model.model.thruster_lag = 0.3;
+  request.model.model.time_offset = -0.5;
+  request.model.covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(size + 2, size + 2));
+  request.model.covariance(size, size) = request.model.covariance(size + 1, size + 1) = 0.01;
+  const CoupledPlan plan = PlanCoupledExperiment(request);
+  ASSERT_TRUE(plan.IsUsable()) << plan.message;
+  EXPECT_EQ(plan.left_out, std::vector<std::string>{"time_offset"});
+  ASSERT_EQ(static_cast<Eigen::Index>(plan.parameters.size()), size + 1);
+  EXPECT_EQ(plan.parameters.back().name, "thruster_lag");
+  EXPECT_LT(plan.parameters.back().after, 0.03);
+}
+
 TEST(PlanCoupled, SaysWhatIsMissing) {
   const CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
   CoupledPlanRequest bad = request;

@@ -128,9 +128,9 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
     comments.push_back(fmt::format("Not commanded: {}.", fmt::join(held, ", ")));
   }
   if (!plan.left_out.empty()) {
-    comments.push_back(
-        fmt::format("Left out, since a wrench tells nothing of thrusters and fins: {}.",
-                    fmt::join(plan.left_out, ", ")));
+    comments.push_back(fmt::format(
+        "Left out, since a wrench tells nothing of single thrusters, fins and clocks: {}.",
+        fmt::join(plan.left_out, ", ")));
   }
   return comments;
 }

@@ -3,12 +3,9 @@
 
 #include "fathom/planning/coupled/drawn_coupled_models.h"
 
-#include "fathom/base/input_error.h"
-#include "fathom/solve/covariance_factor.h"
+#include "fathom/planning/drawn_models.h"
 
 #include <cstddef>
-
-#include <fmt/format.h>
 
 namespace fathom {
 namespace {
@@ -26,6 +23,7 @@ CoupledModel DrawnModel(const FittedCoupledModel& fitted,
     const FreeEntry& entry = fitted.entries[k];
     SetValue(entry, ValueIn(model, entry) + step[static_cast<Eigen::Index>(k)], &model);
   }
+  model.time_offset = fitted.model.time_offset;
   return model;
 }
 
@@ -35,16 +33,11 @@ std::vector<CoupledModel> DrawCoupledModels(const FittedCoupledModel& fitted,
                                             int count,
                                             const std::string& name,
                                             RandomStream& random) {
-  if (!fitted.covariance.allFinite() || fitted.covariance.diagonal().minCoeff() < 0.0) {
-    throw InputError(
-        fmt::format("{}: the covariance of the parameters is not known, expected one: limits are "
-                    "kept by the models that the log allows. fathom_identify writes it.",
-                    name));
-  }
-  const Eigen::MatrixXd factor = CovarianceFactor(fitted.covariance);
+  const Eigen::MatrixXd factor = KnownFactor(fitted.covariance, name);
   const bool is_passive = IsPassive(fitted.model);
   const auto is_physical = [&](const CoupledModel& model) {
-    return IsPositiveDefinite(model.inertia, model.dofs) && (!is_passive || IsPassive(model));
+    return IsPositiveDefinite(model.inertia, model.dofs) && (!is_passive || IsPassive(model)) &&
+           model.thruster_lag >= 0.0;
   };
   std::vector<CoupledModel> models;
   while (static_cast<int>(models.size()) < count) {
@@ -53,10 +46,7 @@ std::vector<CoupledModel> DrawCoupledModels(const FittedCoupledModel& fitted,
       drawn = DrawnModel(fitted, factor, random);
     }
     if (!is_physical(drawn)) {
-      throw InputError(fmt::format(
-          "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
-          "expected a model that its log determines: fly some steps first.",
-          name));
+      RefuseDraws(name);
     }
     models.push_back(drawn);
   }

@@ -12,7 +12,8 @@
 namespace fathom {
 
 // Models that the log allows: entries normal with the fit's covariance, drawn anew where they leave
-// what a body can be: inertia positive definite, damping passive where the fit's is. Throws
+// what a body can be: inertia positive definite, damping passive where the fit's is, no lag below
+// 0 s. How far two clocks differ stays. Throws
 // InputError, beginning with `name`, if the covariance is not known or nearly no draw is physical.
 std::vector<CoupledModel> DrawCoupledModels(const FittedCoupledModel& fitted,
                                             int count,

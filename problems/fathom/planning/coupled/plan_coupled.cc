@@ -119,12 +119,17 @@ WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const Couple
   return measurement;
 }
 
-// Those of no thruster and no fin.
+// Numbers of one thruster or one fin, of which a wrench tells nothing, and what two clocks differ
+// by.
+bool IsLeftOut(const FreeEntry& entry) {
+  return !entry.actuator.empty() || entry.kind == FreeEntry::Kind::kTimeOffset;
+}
+
 ToldEntries EntriesToTell(const FittedCoupledModel& fitted) {
   ToldEntries told;
   std::vector<Eigen::Index> rows;
   for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
-    if (IsOfActuator(fitted.entries[k])) continue;
+    if (IsLeftOut(fitted.entries[k])) continue;
     told.entries.push_back(fitted.entries[k]);
     rows.push_back(static_cast<Eigen::Index>(k));
   }
@@ -193,7 +198,9 @@ bool FillBlocks(const CoupledPlanRequest& request,
 
 }  // namespace
 
-CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& request) {
+CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
+  CoupledPlanRequest request = as_fitted;
+  request.model.model.time_offset = 0.0;  // of the log's clocks, not of the vehicle
   if (request.model.force_unit != "N") {
     throw InputError(fmt::format("{}: commands are in {}, expected N and N m: forces are planned.",
                                  request.name,
@@ -227,7 +234,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& request) {
   ForecastEntries(
       std::span(task.models).first(kNumCoupledInForecast), told, task.measurement, &plan);
   for (const FreeEntry& entry : request.model.entries) {
-    if (IsOfActuator(entry)) plan.left_out.push_back(NameOf(entry));
+    if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));
   }
   plan.message.clear();
   return plan;
