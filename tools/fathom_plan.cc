@@ -31,6 +31,7 @@
 #include "fathom/tool/ordinary_plan.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/output_flags.h"
+#include "fathom/tool/plan_files.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
@@ -41,6 +42,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -159,10 +161,6 @@ void AddThrusters(const Vehicle& vehicle, PlanRequest* request) {
   FitForceToThrusters(FLAGS_limits, request);
 }
 
-std::string InFolder(const char* file) {
-  return (std::filesystem::path(FLAGS_out) / file).string();
-}
-
 PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
   if (!FLAGS_limits.empty()) return ReadPlanLimits(FLAGS_limits);
   const PlanLimits of_log = model.range ? LimitsOfLog(*model.range) : PlanLimits();
@@ -245,16 +243,18 @@ PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicl
   return request;
 }
 
-void WritePlan(const PlanRequest& request, const ExperimentPlan& plan) {
-  WriteFile(InFolder("command.csv"), FormatPlannedCommand(request.model.dof, plan));
-  WriteFile(InFolder("experiment.yaml"), FormatPlannedExperiment(request, plan));
-  WriteFile(InFolder("plan.json"), FormatPlan(request, plan));
-  if (!request.thrusters) return;
-  WriteFile(InFolder("thrusters.csv"), FormatPlannedThrusts(plan, *request.thrusters));
-  if (!request.thrusters->HasPulses()) return;
-  WriteFile(InFolder("pulses.csv"), FormatPlannedPulses(plan, *request.thrusters));
-  if (!HasArduSubScript(*request.thrusters)) return;
-  WriteFile(InFolder("plan.lua"), FormatArduSubScript(request.model.dof, plan, *request.thrusters));
+std::map<std::string, std::string> FilesOf(const PlanRequest& request, const ExperimentPlan& plan) {
+  std::map<std::string, std::string> files = {
+      {"command.csv", FormatPlannedCommand(request.model.dof, plan)},
+      {"experiment.yaml", FormatPlannedExperiment(request, plan)},
+      {"plan.json", FormatPlan(request, plan)}};
+  if (!request.thrusters) return files;
+  files["thrusters.csv"] = FormatPlannedThrusts(plan, *request.thrusters);
+  if (!request.thrusters->HasPulses()) return files;
+  files["pulses.csv"] = FormatPlannedPulses(plan, *request.thrusters);
+  if (!HasArduSubScript(*request.thrusters)) return files;
+  files["plan.lua"] = FormatArduSubScript(request.model.dof, plan, *request.thrusters);
+  return files;
 }
 
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -309,13 +309,8 @@ int Run() {
   RequireOnePath("vehicle", FLAGS_vehicle);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {
-    for (const char* name : {"command.csv",
-                             "experiment.yaml",
-                             "plan.json",
-                             "thrusters.csv",
-                             "pulses.csv",
-                             "plan.lua"}) {
-      outputs.push_back({"out", InFolder(name)});
+    for (const char* name : kPlanFiles) {
+      outputs.push_back({"out", (std::filesystem::path(FLAGS_out) / name).string()});
     }
   }
   std::vector<std::string> inputs = {file, FLAGS_limits, FLAGS_vehicle};
@@ -334,7 +329,7 @@ int Run() {
     return kExitNoFit;
   }
   Print(request, plan);
-  if (!FLAGS_out.empty()) WritePlan(request, plan);
+  if (!FLAGS_out.empty()) WritePlanFiles(FLAGS_out, FilesOf(request, plan));
   if (!FLAGS_report.empty()) {
     Page page = PlanPage(request, plan);
     page.origin = OriginOfPage({});

@@ -93,6 +93,18 @@ TEST(PlanTool, WritesAnExperimentThatFathomSynthesizePlays) {
   }
 }
 
+// Pulses of another plan must not be played beside this command.
+TEST(PlanTool, LeavesNoThrustersOfAFormerPlan) {
+  const PlanInputs inputs;
+  const auto formers = {"plan/thrusters.csv", "plan/pulses.csv", "plan/plan.lua"};
+  std::filesystem::create_directory(inputs.At("plan"));
+  for (const char* former : formers) WriteTestFile(inputs.At(former), "of a former plan");
+  WriteTestFile(inputs.At("plan/mine.txt"), "of the user");
+  RunsWell(inputs.Plan());
+  for (const char* former : formers) EXPECT_FALSE(std::filesystem::exists(inputs.At(former)));
+  EXPECT_TRUE(std::filesystem::exists(inputs.At("plan/mine.txt")));
+}
+
 TEST(PlanTool, GivesTheSamePlanForTheSameSeed) {
   const PlanInputs inputs;
   RunsWell(inputs.Plan());

@@ -16,12 +16,12 @@
 #include "fathom/report/table.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/origin_of_page.h"
+#include "fathom/tool/plan_files.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -60,14 +60,6 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags) {
   return request;
 }
 
-void WriteFiles(const std::filesystem::path& folder,
-                const CoupledPlanRequest& request,
-                const CoupledPlan& plan) {
-  WriteFile((folder / "command.csv").string(), FormatWrenchCommand(plan));
-  WriteFile((folder / "experiment.yaml").string(), FormatWrenchExperiment(request, plan));
-  WriteFile((folder / "plan.json").string(), FormatCoupledPlan(request, plan));
-}
-
 }  // namespace
 
 int RunCoupledPlan(const CoupledPlanFlags& flags) {
@@ -82,7 +74,12 @@ int RunCoupledPlan(const CoupledPlanFlags& flags) {
   for (const std::string& line : CoupledPlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");
   }
-  if (!flags.out.empty()) WriteFiles(flags.out, request, plan);
+  if (!flags.out.empty()) {
+    WritePlanFiles(flags.out,
+                   {{"command.csv", FormatWrenchCommand(plan)},
+                    {"experiment.yaml", FormatWrenchExperiment(request, plan)},
+                    {"plan.json", FormatCoupledPlan(request, plan)}});
+  }
   if (!flags.report.empty()) {
     Page page = CoupledPlanPage(request, plan);
     page.origin = OriginOfPage({});
