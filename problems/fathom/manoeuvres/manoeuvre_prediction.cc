@@ -84,6 +84,14 @@ std::string RateText(double rate) {
   return fmt::format("{:.3g} deg/s", rate * 180.0 / std::numbers::pi);
 }
 
+void RequireRudder(const Helm& helm, const Log& log) {
+  if (RudderOf(helm.fins)) return;
+  throw InputError(fmt::format(
+      "{}: no fin turns the vehicle, expected a rudder in its vehicle file and its angle "
+      "as fin_<name> in command.csv: docs/fins.md.",
+      log.path.string()));
+}
+
 }  // namespace
 
 ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
@@ -92,13 +100,17 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
                                      const ManoeuvreDraws& draws,
                                      std::optional<double> rudder_delay) {
   Helm helm = HelmOf(fitted.model, log);
-  if (manoeuvre.kind == Manoeuvre::Kind::kStop) RequireThrust(fitted, helm, log);
+  if (manoeuvre.kind == Manoeuvre::Kind::kStop) {
+    RequireThrust(fitted, helm, log);
+  } else {
+    RequireRudder(helm, log);
+  }
   if (rudder_delay) helm.driven.rudder_delay = *rudder_delay;
   auto track = RunManoeuvre(fitted.model, helm.fins, manoeuvre, helm.driven);
   if (!track) {
     throw InputError(
-        fmt::format("{}: no manoeuvre: the log holds no fin that turns the vehicle, or the model "
-                    "diverges in it.",
+        fmt::format("{}: no manoeuvre: the model diverges in it, expected one that a slower or "
+                    "smaller manoeuvre leaves bounded.",
                     log.path.string()));
   }
   const std::vector<CoupledModel> models = DrawModels(fitted, draws.count, draws.seed);
@@ -145,6 +157,7 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
                                     SteeringUnits units,
                                     const ManoeuvreDraws& draws) {
   const Helm helm = HelmOf(fitted.model, log);
+  RequireRudder(helm, log);
   std::optional<double> length;
   if (units == SteeringUnits::kPrime) {
     if (!helm.length) {
@@ -163,10 +176,8 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
   };
   const ManoeuvreFigures figures = figures_of(fitted.model);
   if (!figures) {
-    throw InputError(
-        fmt::format("{}: no derivatives: the log holds no fin that turns the vehicle, or the model "
-                    "moves no yaw.",
-                    log.path.string()));
+    throw InputError(fmt::format(
+        "{}: no derivatives: the model moves no yaw, expected one that does.", log.path.string()));
   }
   std::vector<ManoeuvreFigures> drawn;
   for (const CoupledModel& model : DrawModels(fitted, draws.count, draws.seed)) {

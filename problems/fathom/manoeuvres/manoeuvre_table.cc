@@ -11,6 +11,11 @@
 #include <fmt/format.h>
 
 namespace fathom {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a figure
+
+}  // namespace
 
 Table ManoeuvreTable(const ManoeuvrePrediction& report) {
   Table table;
@@ -25,10 +30,12 @@ Table ManoeuvreTable(const ManoeuvrePrediction& report) {
   if (has_limit) table.columns.push_back({"IMO: at most", true});
   for (const PredictedFigure& prediction : report.figures) {
     const double half = 0.5 * (prediction.high - prediction.low);
-    const bool is_known = std::isfinite(half) && half > 0.0;
-    const int decimals = is_known ? DecimalsFor(half) : 3;
+    // What no number of the fit moves, as a rudder of known force, scatters by rounding alone.
+    const bool is_known =
+        std::isfinite(half) && half > kRounding * std::abs(prediction.figure.value);
     const auto text = [&](double value) {
-      return std::isfinite(value) ? RoundedAt(value, decimals) : std::string("-");
+      return is_known && std::isfinite(value) ? RoundedAt(value, DecimalsFor(half))
+                                              : FormatValue(value);
     };
     table.rows.push_back(
         {{prediction.figure.name,

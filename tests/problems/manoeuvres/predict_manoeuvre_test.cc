@@ -85,6 +85,19 @@ TEST(PredictManoeuvre, RefusesAStopThatNothingDrives) {
   }
 }
 
+TEST(PredictManoeuvre, RefusesToSteerWithoutARudder) {
+  Log log = DrivenLog("", 40.0);
+  log.fins.reset();
+  for (const char* steered : {"zigzag:10/10", "turning_circle:35"}) {
+    try {
+      PredictManoeuvre(BoatModel(), log, ParseManoeuvre(steered), {});
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("no fin turns the vehicle, expected a rudder"));
+    }
+  }
+}
+
 TEST(PredictManoeuvre, SaysThatAStableVehicleHoldsItsTrack) {
   const ManoeuvrePrediction report =
       PredictManoeuvre(BoatModel(), DrivenLog("", 40.0), ParseManoeuvre("pull_out"), {10, 1});

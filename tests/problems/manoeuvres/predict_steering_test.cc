@@ -3,6 +3,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/manoeuvres/manoeuvre_prediction.h"
+#include "fathom/report/format_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,21 @@ TEST(PredictSteering, DividesByTheLengthWhereAsked) {
   EXPECT_NEAR(ratio("I_z - N_rdot", "(I_z - N_rdot)'") / (500.0 * std::pow(kLength, 5)), 1.0, 1e-9);
   EXPECT_NEAR(
       ratio("N_delta", "N_delta'") / (500.0 * std::pow(kLength, 3) * kAhead * kAhead), 1.0, 1e-9);
+}
+
+// N_delta is that of the vehicle file: no number of the fit moves it, but rounding does.
+TEST(PredictSteering, GivesNoIntervalOfWhatIsHeld) {
+  FittedCoupledModel held = YawModel();
+  held.entries.pop_back();
+  held.covariance = Eigen::MatrixXd::Constant(1, 1, 16.0);
+  const ManoeuvrePrediction report =
+      PredictSteering(held, SteeredLog(""), SteeringUnits::kSi, {200, 1});
+  const Table table = ManoeuvreTable(report);
+  const auto row = std::ranges::find_if(
+      table.rows, [](const TableRow& one) { return one.cells.front() == "N_delta"; });
+  ASSERT_NE(row, table.rows.end());
+  EXPECT_EQ(row->cells[1], FormatValue(FigureOf(report, "N_delta").figure.value));
+  EXPECT_EQ(row->cells.back(), "-");
 }
 
 TEST(PredictSteering, NeedsALengthForThat) {
