@@ -150,7 +150,7 @@ std::string LadderSentence(const Ladder& ladder) {
     return rung.name == "coriolis" && rung.is_accepted;
   });
   if (has_won) text += " C(nu) is in the data.";
-  if (ladder.named.empty()) return text + " No single number beyond it is.\n";
+  if (ladder.named.empty()) return text + " The data show no number beyond it.\n";
   std::vector<std::string> names;
   for (const NamedEntry& named : ladder.named) names.push_back(Named(named));
   return text + fmt::format(" The data show {}.\n", fmt::join(names, "; "));

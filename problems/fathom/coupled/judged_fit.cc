@@ -111,10 +111,9 @@ CoupledSummary WithOpenInertias(CoupledSummary summary, const RigidBody& body) {
   summary.undetermined = NotHeldByTheBody(summary.open_inertias, body);
   summary.determined = summary.undetermined.empty();
   if (summary.determined) return summary;
-  summary.message = fmt::format(
-      "the data leave room for none of {}: drive these DOFs harder, or "
-      "leave them out of --dofs",
-      NamesOf(summary.undetermined));
+  summary.message =
+      fmt::format("the data allow 0 for {}: drive these DOFs harder, or leave them out of --dofs",
+                  NamesOf(summary.undetermined));
   return summary;
 }
 

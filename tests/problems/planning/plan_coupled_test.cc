@@ -157,7 +157,8 @@ TEST(PlanCoupled, SaysWhatIsMissing) {
   const CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
   CoupledPlanRequest bad = request;
   bad.dofs = {Dof::kHeave};
-  EXPECT_EQ(CoupledErrorOf(bad), "--dofs: names heave, which boat.json does not model.");
+  EXPECT_EQ(CoupledErrorOf(bad),
+            "--dofs: names heave, which boat.json does not model, expected of surge, sway, yaw.");
   bad = request;
   bad.limits.force[1] = 0.0;
   bad.dofs = {Dof::kSway};
@@ -165,7 +166,8 @@ TEST(PlanCoupled, SaysWhatIsMissing) {
   bad = request;
   bad.limits.force[2] = 5.0;
   EXPECT_EQ(CoupledErrorOf(bad),
-            "lake.yaml: key 'force' holds heave, which boat.json does not model.");
+            "lake.yaml: key 'force' holds heave, which boat.json does not model, expected of "
+            "surge, sway, yaw.");
   bad = request;
   bad.model.train[5].mae = std::nan("");
   EXPECT_EQ(CoupledErrorOf(bad),

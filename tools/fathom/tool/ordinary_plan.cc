@@ -65,7 +65,7 @@ std::optional<FittedModel> ModelOfLogs(const std::vector<Log>& logs, Dof dof) {
   PrintWarnings(identified.findings);
   if (identified.result.is_usable) {
     for (const std::string& caveat : identified.result.fitted.caveats) {
-      PrintText(stderr, "fathom_plan: " + caveat + "\n");
+      PrintText(stderr, "note: " + caveat + "\n");
     }
     return std::move(identified.result.fitted);
   }

@@ -15,9 +15,11 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -51,6 +53,13 @@ double HoldingForce(const CoupledModel& model, Dof dof) {
   return model.offset[Index(dof)] + (dof == Dof::kHeave ? model.net_buoyancy : 0.0);
 }
 
+// "surge, sway, yaw".
+std::string ModelledNames(const CoupledPlanRequest& request) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : request.model.model.dofs) names.push_back(Name(dof));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
   const CoupledLimits& limits = request.limits;
   std::vector<WrenchAxis> axes;
@@ -58,15 +67,19 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
     const double force = LimitOf(limits.force, dof);
     const bool is_modelled = Has(request.model.model.dofs, dof);
     if (force > 0.0 && !is_modelled) {
-      throw InputError(fmt::format("{}: key 'force' holds {}, which {} does not model.",
-                                   request.limits_name,
-                                   Name(dof),
-                                   request.name));
+      throw InputError(
+          fmt::format("{}: key 'force' holds {}, which {} does not model, expected of {}.",
+                      request.limits_name,
+                      Name(dof),
+                      request.name,
+                      ModelledNames(request)));
     }
     if (request.dofs.empty() ? force == 0.0 : !Has(request.dofs, dof)) continue;
     if (!is_modelled) {
-      throw InputError(
-          fmt::format("--dofs: names {}, which {} does not model.", Name(dof), request.name));
+      throw InputError(fmt::format("--dofs: names {}, which {} does not model, expected of {}.",
+                                   Name(dof),
+                                   request.name,
+                                   ModelledNames(request)));
     }
     if (force == 0.0) {
       throw InputError(fmt::format(

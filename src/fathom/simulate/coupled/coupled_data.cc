@@ -245,12 +245,11 @@ void RequireMotion(const Log& log, const VelocityRows& rows, const std::vector<D
                                       [&](const auto& v) { return std::isfinite(v[Index(dof)]); });
     if (is_known) continue;
     throw InputError(
-        fmt::format("{}: measures no {}, expected a column '{}' of velocity.csv or poses that tell "
-                    "it. Leave {} out of --dofs.",
+        fmt::format("{}: measures no {}, which is to be modelled, expected a column '{}' of "
+                    "velocity.csv or poses that tell it.",
                     log.path.string(),
                     Name(dof),
-                    VelocityColumn(dof),
-                    Name(dof)));
+                    VelocityColumn(dof)));
   }
 }
 
@@ -296,8 +295,10 @@ CoupledData CoupledDataOf(const Log& log,
   if (std::none_of(dofs.begin(), dofs.end(), [&](Dof dof) {
         return IsCommanded(data.inputs.command, dof);
       })) {
-    throw InputError(fmt::format("{}: commands none of these DOFs, expected a force that changes.",
-                                 log.path.string()));
+    throw InputError(fmt::format(
+        "{}: commands none of these DOFs, expected a force, a shaft that turns or a fin "
+        "(fin_<name> in command.csv: docs/fins.md).",
+        log.path.string()));
   }
   for (const Dof dof : kAllDofs) {
     if (std::find(dofs.begin(), dofs.end(), dof) != dofs.end()) continue;

@@ -208,8 +208,10 @@ FittedModel ParseModel(const std::string& name, std::string_view text) {
   const JsonValue schema = file.Member("schema");
   const bool is_verdict = schema.Text() == "fathom-verdict-1";
   if (schema.Text() != "fathom-model-1" && !is_verdict) {
-    schema.Fail(fmt::format("is {}, expected 'fathom-model-1' or 'fathom-verdict-1'",
-                            Quoted(schema.Text())));
+    schema.Fail(fmt::format(
+        "is {}, expected that of a model or verdict: 'fathom-model-1', 'fathom-verdict-1' or, of "
+        "several DOFs, 'fathom-model-2', 'fathom-verdict-2'",
+        Quoted(schema.Text())));
   }
   RequireKnownKeys(file, is_verdict);
   const JsonValue model = is_verdict ? file.Member("extended") : file;
