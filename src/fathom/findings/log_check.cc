@@ -76,10 +76,46 @@ LoggedQuantities QuantitiesOf(std::span<const Log> logs) {
   return logged;
 }
 
+// Of the stamps, which all DOFs share; the others of CheckSanity() are of force and speed.
+bool IsOfStamps(const Finding& finding) {
+  return finding.code == "sampling_rate" || finding.code == "jitter" || finding.code == "gap";
+}
+
+// What CheckSanity() says of one DOF of several begins with its name.
+std::vector<Finding> SanityOf(const std::vector<Segment>& segments,
+                              Dof dof,
+                              const std::string& unit,
+                              bool is_of_several) {
+  std::vector<Finding> findings = CheckSanity(segments, dof, unit);
+  if (!is_of_several) return findings;
+  for (Finding& finding : findings) {
+    if (IsOfStamps(finding)) continue;
+    finding.sentence = fmt::format("{}: {}", Name(dof), finding.sentence);
+  }
+  return findings;
+}
+
 bool IsDriven(const Log& log, Dof dof) {
   const auto* force = log.command ? log.command->Find(ForceColumn(dof)) : nullptr;
   return force != nullptr &&
          std::ranges::any_of(*force, [&](double f) { return f != (*force)[0]; });
+}
+
+std::vector<Finding> CheckOneDof(std::span<const Log> logs, Dof dof, bool is_of_several) {
+  std::vector<Finding> findings;
+  std::vector<Segment> segments;
+  for (const Log& log : logs) {
+    const Source source = BestSourceOf(log, dof);
+    Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
+    Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
+    Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
+    Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
+    Add(OfLog(log, logs.size(), CheckFollowedCommand(log, dof)), &findings);
+    Signals signals = SignalsOf(log, dof, {.source = source});
+    std::ranges::move(signals.train, std::back_inserter(segments));
+  }
+  Add(SanityOf(segments, dof, CommandUnitOf(logs.front(), dof), is_of_several), &findings);
+  return WarningsFirst(std::move(findings));
 }
 
 }  // namespace
@@ -98,20 +134,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
 }
 
 std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
-  std::vector<Finding> findings;
-  std::vector<Segment> segments;
-  for (const Log& log : logs) {
-    const Source source = BestSourceOf(log, dof);
-    Add(OfLog(log, logs.size(), CheckStamps(log)), &findings);
-    Add(OfLog(log, logs.size(), CheckMassOf(log)), &findings);
-    Add(OfLog(log, logs.size(), CheckMotion(log, dof, source)), &findings);
-    Add(OfLog(log, logs.size(), CheckOtherMotion(log, dof)), &findings);
-    Add(OfLog(log, logs.size(), CheckFollowedCommand(log, dof)), &findings);
-    Signals signals = SignalsOf(log, dof, {.source = source});
-    std::ranges::move(signals.train, std::back_inserter(segments));
-  }
-  Add(CheckSanity(segments, dof, CommandUnitOf(logs.front(), dof)), &findings);
-  return WarningsFirst(std::move(findings));
+  return CheckOneDof(logs, dof, /*is_of_several=*/false);
 }
 
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>& dofs) {
@@ -126,7 +149,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>
     const bool is_driven =
         std::ranges::any_of(logs, [&](const Log& log) { return IsDriven(log, dof); });
     if (!can_be_checked || !is_driven) continue;
-    for (Finding& finding : CheckLogs(logs, dof)) {
+    for (Finding& finding : CheckOneDof(logs, dof, dofs.size() > 1)) {
       const bool is_known = std::ranges::any_of(findings, [&](const Finding& known) {
         return known.code == finding.code && known.sentence == finding.sentence;
       });

@@ -27,7 +27,8 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
 std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof);
 
 // The same of several DOFs together, each finding once, and whether poses and velocities are one
-// motion (pose_twist_check.h). A DOF that a log does not command or measure is passed over.
+// motion (pose_twist_check.h). What is of one DOF begins with its name. A DOF that a log does not
+// command or measure is passed over.
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>& dofs);
 
 // Why no model can come of such data, whatever the method: the sentence on a command or a velocity

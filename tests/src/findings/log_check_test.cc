@@ -83,6 +83,19 @@ TEST(LogCheck, KnowsWhatTheLogsHold) {
   EXPECT_FALSE(BodyOf(std::vector{forces, speeds})->logged.thruster_speed);
 }
 
+// The speed of yaw has the wrong sign, that of surge the right one.
+TEST(LogCheck, NamesTheDofOfSeveral) {
+  Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  for (double& r : log.velocity->values[log.velocity->columns.size() - 1]) r = -r;
+  ASSERT_EQ(log.velocity->columns.back(), "r");
+  const std::vector<Dof> dofs = {Dof::kSurge, Dof::kYaw};
+  std::vector<std::string> sentences;
+  for (const Finding& finding : CheckLogs({&log, 1}, dofs)) {
+    if (finding.code == "passivity") sentences.push_back(finding.sentence);
+  }
+  EXPECT_THAT(sentences, ElementsAre(testing::StartsWith("yaw: The mean power")));
+}
+
 void AddRuns(const fs::path& folder, std::vector<fs::path>* places) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (fs::exists(entry.path() / "log.yaml")) places->push_back(entry.path());
