@@ -143,6 +143,17 @@ std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_se
   return unknown;
 }
 
+bool HasSurfaces(const LogCheckup& checkup) { return checkup.log.fins || checkup.log.shafts; }
+
+// Fins and shafts act in a model of several DOFs alone.
+std::string CoupledStep(const LogCheckup& checkup) {
+  std::vector<std::string_view> dofs;
+  for (const DofCheckup& dof : checkup.dofs) dofs.push_back(Name(dof.dof));
+  return fmt::format("fathom_identify --log={} --dofs={} --model=coupled.json",
+                     checkup.log.path.string(),
+                     fmt::join(dofs, ","));
+}
+
 }  // namespace
 
 std::string Verdict(const LogCheckup& checkup) {
@@ -153,6 +164,9 @@ std::string Verdict(const LogCheckup& checkup) {
     return fmt::format(
         "Nothing drives this log. Its free decay tells the damping of {} by the inertia.",
         Listed(decays));
+  }
+  if (usable.empty() && HasSurfaces(checkup)) {
+    return "No model of one DOF comes of this log: its fins or shafts act in one of several.";
   }
   if (usable.empty()) return "Nothing in this log can be identified.";
   const std::vector<std::string> poor = DofsWith("poor_fit", checkup);
@@ -197,6 +211,7 @@ std::string NextStep(const LogCheckup& checkup) {
       usable.empty() && !decays.empty()) {
     return fmt::format("fathom_identify --log={} --dof={}", log, decays[0]);
   }
+  if (usable.empty() && HasSurfaces(checkup)) return CoupledStep(checkup);
   if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
   const std::string step =
       fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);

@@ -149,13 +149,7 @@ void Identify(const Log& log, DofCheckup* checkup) {
 // What a log that nothing drives tells. It lacks no command then: that is no finding.
 void LookAtDecay(const Log& log, DofCheckup* checkup) {
   const Dof dof = checkup->dof;
-  if ((log.fins || log.shafts) && !log.command) {
-    checkup->why_not =
-        log.shafts
-            ? "shafts drive it, which a model of one DOF does not hold: fathom_identify --dofs"
-            : "fins alone steer it, which a model of one DOF does not hold: fathom_identify --dofs";
-    return;
-  }
+  if ((log.fins || log.shafts) && !log.command) return;  // they drive it
   LogDecay decay;
   try {
     decay = FitLogDecay({&log, 1}, {.dof = dof});

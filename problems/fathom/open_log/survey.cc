@@ -145,9 +145,17 @@ SurveyedDof LookAt(const Signals& signals) {
           true};
 }
 
+// Of a DOF that no force of the command acts on.
+std::string WhyNoForce(const Log& log) {
+  if (!log.fins && !log.shafts) return "no command.";
+  return fmt::format(
+      "{}, which a model of one DOF does not hold: fathom_identify --dofs, docs/fins.md.",
+      log.shafts ? "shafts drive it" : "fins alone steer it");
+}
+
 SurveyedDof LookAt(const Log& log, Dof dof) {
   if (!log.command || log.command->Find(ForceColumn(dof)) == nullptr) {
-    return {dof, "no command.", false};
+    return {dof, WhyNoForce(log), false};
   }
   if (SourcesOf(log, dof).empty()) return {dof, "no measured motion.", false};
   try {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -57,6 +58,18 @@ TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
   const Log log = OpenLog(table, {.dof = Dof::kSurge});
   EXPECT_EQ(FormatCheckupJson(CheckUp(log, Dof::kSurge)),
             FormatCheckupJson(CheckUp(table, Dof::kSurge)));
+}
+
+// Of the table's command a rudder is made, which alone drives it then.
+TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
+  Log log = OpenLog(WriteTable("steered.csv", 1.0), {.dof = Dof::kSurge});
+  log.fins = Stream{log.command->time, {"fin_rudder"}, log.command->values};
+  log.command.reset();
+  const LogCheckup checkup = CheckUp(std::move(log), Dof::kSurge);
+  ASSERT_EQ(checkup.dofs.size(), 1u);
+  EXPECT_THAT(checkup.dofs[0].why_not, testing::StartsWith("fins alone steer it"));
+  EXPECT_THAT(Verdict(checkup), testing::StartsWith("No model of one DOF comes of this log"));
+  EXPECT_THAT(NextStep(checkup), testing::EndsWith(" --dofs=surge --model=coupled.json"));
 }
 
 TEST(CheckUp, FindsNoFaultInASoundTable) {
