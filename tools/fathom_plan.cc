@@ -106,7 +106,11 @@ const ToolInfo kInfo = {
         "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
         "  fathom_plan --model=surge.json --limits=data/limits/tank.yaml --duration=120 "
         "--out=plan\n"
-        "  fathom_plan --model=boat.json --limits=lake.yaml --duration=120 --dofs=surge,yaw\n"
+        "  fathom_synthesize --vehicle=data/vehicles/planar_rov.yaml "
+        "--experiment=data/experiments/film_planar.yaml --out=boat\n"
+        "  fathom_identify --log=boat --dofs=surge,sway,yaw --model=boat.json\n"
+        "  fathom_plan --model=boat.json --limits=data/limits/lake.yaml --duration=120 "
+        "--dofs=surge,yaw\n"
         "  fathom_plan --ordinary --log=data/flatfish --dof=surge",
     .details =
         "Prints the interval of each parameter now, after the planned experiment, and after a sine "
