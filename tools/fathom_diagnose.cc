@@ -233,7 +233,7 @@ int RunCoupledDiagnosis() {
         "--structure: goes with fathom_identify, expected none: a diagnosis chooses it.");
   }
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
-  std::vector<Log> logs = ReadLogsFromFlags({});
+  std::vector<Log> logs = ReadCoupledLogsFromFlags();
   const PageOrigin origin = OriginOfPage(logs);
   std::vector<Finding> findings = CheckLogs(logs, options.dofs);
   PrintWarnings(findings);
@@ -297,7 +297,8 @@ int Run() {
   }
   for (const Log& log : logs.all) {
     for (const Remark& remark : log.remarks) {
-      if (remark.kind != RemarkKind::kGeneral) diagnosis.remarks.push_back(remark.text);
+      if (remark.kind == RemarkKind::kGeneral || remark.kind == RemarkKind::kSurfaces) continue;
+      diagnosis.remarks.push_back(remark.text);
     }
   }
   std::string plan_command;

@@ -248,7 +248,7 @@ CoupledIdentificationOptions CoupledOptionsWithFree() {
 int RunCoupledIdentification() {
   const CoupledIdentificationOptions options = CoupledOptionsWithFree();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
-  std::vector<Log> logs = ReadLogsFromFlags({});
+  std::vector<Log> logs = ReadCoupledLogsFromFlags();
   // Before the fit, which takes a while.
   const std::vector<Finding> findings = CheckLogs(logs, options.dofs);
   PrintWarnings(findings);

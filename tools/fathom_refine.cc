@@ -182,7 +182,7 @@ int RunCoupledRefinement() {
   RequireOutputs(
       {{"model", FLAGS_model}, {"trajectory", FLAGS_trajectory}, {"report", FLAGS_report}}, inputs);
   const std::optional<Stream> truth = TruePoses();
-  std::vector<Log> logs = ReadLogsFromFlags({}, /*may_lack_motion=*/true);
+  std::vector<Log> logs = ReadCoupledLogsFromFlags(/*may_lack_motion=*/true);
   RequireTrainingData(logs);
   if ((!FLAGS_trajectory.empty() || truth) && logs.size() > 1) {
     throw InputError(

@@ -76,7 +76,8 @@ const ToolInfo kInfo = {
     "--model=FILE --log=LOG --manoeuvre=MANOEUVRE [--out=TRACK] [--report=FILE] "
     "[--rudder_delay=SECONDS] | "
     "--table=si|prime",
-    "fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
+    "fathom_identify --log=data/flatfish --dof=surge --model=surge.json\n"
+    "  fathom_simulate --model=surge.json --log=data/flatfish --out=prediction.csv",
     "The prediction is at the stamps of the log's motion stream, or of its command if there is "
     "none. It starts where the model fits the first two seconds best, and anew after a gap of "
     "over 30 s and at the ends of held-out intervals. A verdict of "
@@ -194,7 +195,7 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
   if (!(FLAGS_horizon > 0.0)) {
     throw InputError(fmt::format("--horizon: is {}, expected more than 0 s.", FLAGS_horizon));
   }
-  const std::vector<Log> logs = ReadLogsFromFlags({});
+  const std::vector<Log> logs = ReadCoupledLogsFromFlags();
   RequireOneLogForOut(logs.size());
   if (!FLAGS_manoeuvre.empty() || !FLAGS_table.empty()) {
     if (logs.size() > 1) {

@@ -18,6 +18,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Path = std::filesystem::path;
 
 const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
@@ -384,6 +385,24 @@ TEST(IdentifyTool, RefusesDofsThatAreNone) {
       RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dofs=surge,yaw", "--dof=surge"});
   EXPECT_EQ(both.exit_code, 1);
   EXPECT_THAT(both.err, HasSubstr("--dof: goes with a model of one DOF"));
+}
+
+// A command with a column that no model of one DOF reads, and one that nothing reads.
+TEST(IdentifyTool, SaysOfWhichLogARemarkIs) {
+  const Path folder = EmptyTestFolder();
+  const Path first = WriteSmallLog(folder / "first"), second = WriteSmallLog(folder / "second");
+  WriteTestFile(second / "command.csv", "t,tau_surge,fin_rudder,n\n0,1,0.1,1\n60,2,0.1,1\n");
+  const std::vector<std::string> logs = {Flag("log", first), Flag("log", second)};
+  const std::string of_second = second.string() + ": command.csv: ";
+  std::vector<std::string> alone = logs, coupled = logs;
+  alone.push_back("--dof=surge");
+  coupled.push_back("--dofs=surge");
+  EXPECT_THAT(RunToolBinary("fathom_identify", alone).err,
+              AllOf(HasSubstr(of_second + "1 further column is not read: n."),
+                    HasSubstr(of_second + "fin_rudder acts in models")));
+  EXPECT_THAT(RunToolBinary("fathom_identify", coupled).err,
+              AllOf(HasSubstr(of_second + "1 further column is not read: n."),
+                    Not(HasSubstr("fin_rudder acts in models"))));
 }
 
 }  // namespace

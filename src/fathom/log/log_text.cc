@@ -45,7 +45,7 @@ std::optional<Stream> Parted(std::string_view prefix, Log* log) {
   command = std::move(rest);
   if (parted.columns.empty()) return std::nullopt;
   log->remarks.push_back(
-      {RemarkKind::kGeneral,
+      {RemarkKind::kSurfaces,
        fmt::format("command.csv: {} acts in models that --dofs makes, in no others.",
                    fmt::join(parted.columns, ", "))});
   return parted;

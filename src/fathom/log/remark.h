@@ -14,6 +14,7 @@ enum class RemarkKind {
   kGeneral,     // what was passed over or dropped
   kDetections,  // of detections.csv, or of the poses made from it
   kPoses,       // of pose.csv, as pose.yaml says
+  kSurfaces,    // of fins and shafts, which a model of one DOF leaves out
   kLostMotion,  // these poses may be short of motion: a single marker was seen face on
 };
 

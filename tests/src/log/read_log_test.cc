@@ -185,6 +185,7 @@ TEST(ReadLog, TakesTheFinsOutOfTheCommand) {
       ReadLog(Folder(With({{"command.csv", "t,tau_surge,fin_rudder\n0,1,0.2\n1,3,0.4\n"}})));
   EXPECT_THAT(log.command->columns, ElementsAre("tau_surge"));
   EXPECT_THAT(*log.fins->Find("fin_rudder"), ElementsAre(0.2, 0.4));
+  EXPECT_TRUE(Holds(log.remarks, RemarkKind::kSurfaces));
   const Log steered = ReadLog(Folder(With({{"command.csv", "t,fin_rudder\n0,0.2\n1,0.4\n"}})));
   EXPECT_FALSE(steered.command);
   EXPECT_TRUE(steered.fins);

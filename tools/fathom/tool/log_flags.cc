@@ -32,11 +32,16 @@ DEFINE_string(velocity, "", "Read this CSV instead of the log's velocity.csv.");
 namespace fathom {
 namespace {
 
-// To stderr, from the remark `first` on.
+// To stderr, with the log's path where it is one of several.
+void PrintRemark(const Log& log, const Remark& remark) {
+  const bool is_of_several = PathsInValues(FLAGS_log).size() > 1;
+  const std::string place = is_of_several ? log.path.string() + ": " : "";
+  PrintText(stderr, place + remark.text + "\n");
+}
+
+// From the remark `first` on.
 void PrintRemarks(const Log& log, std::size_t first) {
-  for (std::size_t i = first; i < log.remarks.size(); ++i) {
-    PrintText(stderr, log.remarks[i].text + "\n");
-  }
+  for (std::size_t i = first; i < log.remarks.size(); ++i) PrintRemark(log, log.remarks[i]);
 }
 
 bool IsHeldOut(const Log& log, double t) {
@@ -52,6 +57,27 @@ bool LeavesNothing(const Log& log) {
     }
   }
   return true;
+}
+
+std::vector<Log> OpenLogs(std::optional<Dof> dof, bool may_lack_motion, bool may_lack_command) {
+  const std::vector<std::string> paths = LogPathsFromFlags();
+  if (!FLAGS_velocity.empty() && paths.size() > 1) {
+    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  }
+  ReadLogOptions options;
+  options.dof = dof;
+  options.velocity = FLAGS_velocity;
+  options.held_out = HeldOutFromFlag();
+  options.corrections = CorrectionsFromFlag();
+  options.may_lack_motion = may_lack_motion;
+  options.may_lack_command = may_lack_command;
+  std::vector<Log> logs;
+  for (const std::string& path : paths) {
+    logs.push_back(OpenLog(path, options, DefaultVehicleFromFlag()));
+  }
+  RequireDifferentData(logs);
+  if (!may_lack_motion) RequireTrainingData(logs);
+  return logs;
 }
 
 }  // namespace
@@ -95,35 +121,21 @@ std::vector<std::string> InputsFromFlags() {
   return inputs;
 }
 
-Log ReadLogFromFlags(const std::string& path,
-                     std::optional<Dof> dof,
-                     bool may_lack_motion,
-                     bool may_lack_command) {
-  ReadLogOptions options;
-  options.dof = dof;
-  options.velocity = FLAGS_velocity;
-  options.held_out = HeldOutFromFlag();
-  options.corrections = CorrectionsFromFlag();
-  options.may_lack_motion = may_lack_motion;
-  options.may_lack_command = may_lack_command;
-  Log log = OpenLog(path, options, DefaultVehicleFromFlag());
-  PrintRemarks(log, 0);
-  return log;
-}
-
 std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof,
                                    bool may_lack_motion,
                                    bool may_lack_command) {
-  const std::vector<std::string> paths = LogPathsFromFlags();
-  if (!FLAGS_velocity.empty() && paths.size() > 1) {
-    throw InputError("--velocity: belongs to one log, expected a single --log with it.");
+  std::vector<Log> logs = OpenLogs(dof, may_lack_motion, may_lack_command);
+  for (const Log& log : logs) PrintRemarks(log, 0);
+  return logs;
+}
+
+std::vector<Log> ReadCoupledLogsFromFlags(bool may_lack_motion) {
+  std::vector<Log> logs = OpenLogs({}, may_lack_motion, false);
+  for (const Log& log : logs) {
+    for (const Remark& remark : log.remarks) {
+      if (remark.kind != RemarkKind::kSurfaces) PrintRemark(log, remark);
+    }
   }
-  std::vector<Log> logs;
-  for (const std::string& path : paths) {
-    logs.push_back(ReadLogFromFlags(path, dof, may_lack_motion, may_lack_command));
-  }
-  RequireDifferentData(logs);
-  if (!may_lack_motion) RequireTrainingData(logs);
   return logs;
 }
 

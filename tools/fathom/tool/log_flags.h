@@ -35,19 +35,17 @@ void RequireDifferentData(const std::vector<Log>& logs);
 // Throws InputError if --held_out leaves no sample of the motion of any log to train on.
 void RequireTrainingData(std::span<const Log> logs);
 
-// OpenLog() of a path of --log (with --velocity, --held_out and --correct); prints the remarks to
-// stderr.
-Log ReadLogFromFlags(const std::string& path,
-                     std::optional<Dof> dof,
-                     bool may_lack_motion = false,
-                     bool may_lack_command = false);
-
-// The same of every log that --log names. Throws InputError if two hold the same data, whatever
-// their names (a copy, or a log and what fathom_track made of it), or if there are several and
+// OpenLog() of every path of --log (with --velocity, --held_out and --correct); prints the remarks
+// to stderr, of several logs with their paths. Throws InputError if two hold the same data,
+// whatever their names (a copy, or a log and what fathom_track made of it), or if there are several
+// and
 // --velocity, which belongs to one; and where they need motion, as RequireTrainingData() does.
 std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof,
                                    bool may_lack_motion = false,
                                    bool may_lack_command = false);
+
+// The same for a model of several DOFs, without the remark that one of one DOF has no fins.
+std::vector<Log> ReadCoupledLogsFromFlags(bool may_lack_motion = false);
 
 // Makes the source `camera` of a log that holds detections but no poses, and prints what was lost
 // on the way to stderr. Throws InputError as TrackDetections does.
