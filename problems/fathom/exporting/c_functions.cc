@@ -11,18 +11,12 @@
 namespace fathom {
 namespace {
 
-bool Has(const ExportModel& model, const FreeEntry& entry) {
-  return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const ExportNumber& number) {
-    return number.entry == entry;
-  });
-}
-
 // The macro of an entry, "0.0" where the model has none.
 std::string MacroOrZero(const ExportModel& model, const FreeEntry& entry, const std::string& name) {
-  return Has(model, entry) ? MacroOf(model, entry, name) : "0.0";
+  return HasNumber(model, entry) ? MacroOf(model, entry, name) : "0.0";
 }
 
-// The part of the force along a row that one of the two dampings gives.
+// The parts of the force along a row that dampings and lift give.
 std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const std::string& name) {
   std::vector<std::string> terms;
   for (const MacroTerm& term : TermsOf(model, FreeEntry::Kind::kLinearDamping, row, name)) {
@@ -31,10 +25,19 @@ std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const s
   for (const MacroTerm& term : TermsOf(model, FreeEntry::Kind::kQuadraticDamping, row, name)) {
     terms.push_back(fmt::format("{0} * fabs(nu[{1}]) * nu[{1}]", term.macro, Index(term.column)));
   }
+  for (const MacroTerm& term : TermsOf(model, FreeEntry::Kind::kLift, row, name)) {
+    terms.push_back(fmt::format("{0} * nu[0] * nu[{1}]", term.macro, Index(term.column)));
+  }
   return terms;
 }
 
 }  // namespace
+
+bool HasNumber(const ExportModel& model, const FreeEntry& entry) {
+  return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const ExportNumber& number) {
+    return number.entry == entry;
+  });
+}
 
 std::string InCapitals(std::string text) {
   for (char& c : text) {
@@ -45,15 +48,15 @@ std::string InCapitals(std::string text) {
 }
 
 std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std::string& name) {
-  if (entry.kind != FreeEntry::Kind::kThrustGain) {
-    return InCapitals(fmt::format("{}_{}", name, NameOf(entry)));
-  }
+  if (entry.actuator.empty()) return InCapitals(fmt::format("{}_{}", name, NameOf(entry)));
+  // An actuator may have any name.
   int place = 0;
   for (const ExportNumber& number : model.numbers) {
-    if (number.entry.kind == FreeEntry::Kind::kThrustGain) ++place;
+    if (number.entry.kind == entry.kind) ++place;
     if (number.entry == entry) break;
   }
-  return InCapitals(fmt::format("{}_THRUST_GAIN_{}", name, place));
+  const std::string of_one = NameOf(entry);
+  return InCapitals(fmt::format("{}_{}_{}", name, of_one.substr(0, of_one.find('.')), place));
 }
 
 std::vector<MacroTerm> TermsOf(const ExportModel& model,
@@ -119,7 +122,7 @@ std::string CCoriolis(const ExportModel& model, const std::string& name) {
 
 std::string CDamping(const ExportModel& model, const std::string& name) {
   std::string text = fmt::format(
-      "/* D(nu) nu: along i the sum over j of (D_L,ij + D_Q,ij |nu_j|) nu_j. */\n"
+      "/* D(nu) nu: along i the sum over j of (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j. */\n"
       "static inline void {}_damping(const double nu[6], double force[6]) {{\n",
       name);
   bool any = false;

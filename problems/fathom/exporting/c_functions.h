@@ -15,8 +15,10 @@ namespace fathom {
 // "BOAT_INERTIA" of "boat.inertia".
 std::string InCapitals(std::string text);
 
+bool HasNumber(const ExportModel& model, const FreeEntry& entry);
+
 // "BOAT_INERTIA_SWAY_YAW", of the gain of a thruster "BOAT_THRUST_GAIN_2" by its place among the
-// numbers.
+// numbers of its kind.
 std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std::string& name);
 
 // What a row of a matrix has for each column: {column, macro}.

@@ -3,6 +3,7 @@
 
 #include "fathom/exporting/c_header.h"
 
+#include "fathom/exporting/c_command.h"
 #include "fathom/exporting/c_functions.h"
 #include "fathom/exporting/c_pulses.h"
 #include "fathom/exporting/c_thrust.h"
@@ -45,6 +46,13 @@ std::string Head(const ExportModel& model,
       Guard(target.name));
 }
 
+// "fin rudder, ", whose number a macro cannot name.
+std::string OwnerOf(const FreeEntry& entry) {
+  if (entry.actuator.empty()) return "";
+  const bool is_thrust = entry.kind == FreeEntry::Kind::kThrustGain;
+  return fmt::format("{} {}, ", is_thrust ? "thruster" : "fin", CommentText(entry.actuator));
+}
+
 std::string Parameters(const ExportModel& model, const std::string& name) {
   std::string text;
   for (const ExportNumber& number : model.numbers) {
@@ -52,9 +60,7 @@ std::string Parameters(const ExportModel& model, const std::string& name) {
     text += fmt::format("#define {} {} /* {}{} */\n",
                         MacroOf(model, number.entry, name),
                         number.value < 0.0 ? "(" + literal + ")" : literal,
-                        number.entry.kind == FreeEntry::Kind::kThrustGain
-                            ? "thruster " + CommentText(number.entry.actuator) + ", "
-                            : "",
+                        OwnerOf(number.entry),
                         CommentOn(number));
   }
   return text + "\n";
@@ -83,7 +89,10 @@ std::string State(const std::string& name) {
       name);
 }
 
-std::string WrenchAndAcceleration(const ExportModel& model, const std::string& name) {
+std::string WrenchAndAcceleration(const ExportModel& model,
+                                  const CCommand& command,
+                                  const std::string& name) {
+  const bool is_of_velocity = !command.text.empty();
   return fmt::format(
       "/* The wrench of the water and the weight at a state: -(C(nu) nu + D(nu) nu + g(eta) + o)\n"
       " * [N], [N m]. */\n"
@@ -99,12 +108,13 @@ std::string WrenchAndAcceleration(const ExportModel& model, const std::string& n
       "  }}\n"
       "}}\n"
       "\n"
-      "/* dnu/dt under tau, by Cholesky's factors of the modelled part of M. The others are 0. */\n"
-      "static inline void {0}_acceleration(const {0}_state *state, const double tau[6],\n"
+      "/* dnu/dt under {4}, by Cholesky's factors of the modelled part of M. The others are 0. */\n"
+      "static inline void {0}_acceleration(const {0}_state *state, {3},\n"
       "                                    double nu_dot[6]) {{\n"
       "  static const int dof[{1}] = {{{2}}};\n"
-      "  double M[6][6], L[{1}][{1}], y[{1}], wrench[6];\n"
+      "  double M[6][6], L[{1}][{1}], y[{1}], wrench[6]{5};\n"
       "  int i, j, k;\n"
+      "{6}"
       "  {0}_inertia(M);\n"
       "  {0}_wrench(state, wrench);\n"
       "  for (i = 0; i < 6; ++i) nu_dot[i] = 0.0;\n"
@@ -129,17 +139,21 @@ std::string WrenchAndAcceleration(const ExportModel& model, const std::string& n
       "\n",
       name,
       model.model.dofs.size(),
-      Indices(model.model.dofs));
+      Indices(model.model.dofs),
+      command.parameter,
+      is_of_velocity ? "a command" : "tau",
+      is_of_velocity ? ", tau[6]" : "",
+      is_of_velocity ? fmt::format("  {}_command_forces(state->nu, command, tau);\n", name) : "");
 }
 
-std::string RateAndStep(const std::string& name) {
+std::string RateAndStep(const CCommand& command, const std::string& name) {
   return fmt::format(
-      "/* The rate of a state under tau. */\n"
-      "static inline void {0}_rate(const {0}_state *state, const double tau[6], {0}_state *rate) "
-      "{{\n"
+      "/* The rate of a state under {3}. */\n"
+      "static inline void {0}_rate(const {0}_state *state, {2},\n"
+      "                            {0}_state *rate) {{\n"
       "  const double *v = state->nu, *omega = state->nu + 3, *q = state->attitude;\n"
       "  double t[3];\n"
-      "  {0}_acceleration(state, tau, rate->nu);\n"
+      "  {0}_acceleration(state, {1}, rate->nu);\n"
       "  rate->attitude[0] = 0.5 * (q[3] * omega[0] + q[1] * omega[2] - q[2] * omega[1]);\n"
       "  rate->attitude[1] = 0.5 * (q[3] * omega[1] + q[2] * omega[0] - q[0] * omega[2]);\n"
       "  rate->attitude[2] = 0.5 * (q[3] * omega[2] + q[0] * omega[1] - q[1] * omega[0]);\n"
@@ -161,22 +175,22 @@ std::string RateAndStep(const std::string& name) {
       "  for (i = 0; i < 3; ++i) state->position[i] = from->position[i] + h * rate->position[i];\n"
       "}}\n"
       "\n"
-      "/* Moves a state on by h [s] under a tau that holds: the classical Runge-Kutta scheme. Take "
+      "/* Moves a state on by h [s] under a {1} that holds: the classical Runge-Kutta scheme. Take "
       "h a\n"
       " * quarter of the quickest time constant at most, and 0.05 s where you do not know it. DOFs "
       "that\n"
       " * are not modelled keep the velocity that you set. */\n"
-      "static inline void {0}_step({0}_state *state, const double tau[6], double h) {{\n"
+      "static inline void {0}_step({0}_state *state, {2}, double h) {{\n"
       "  {0}_state rate[4], stage, sum;\n"
       "  double length;\n"
       "  int i;\n"
-      "  {0}_rate(state, tau, &rate[0]);\n"
+      "  {0}_rate(state, {1}, &rate[0]);\n"
       "  {0}_advance(state, &rate[0], 0.5 * h, &stage);\n"
-      "  {0}_rate(&stage, tau, &rate[1]);\n"
+      "  {0}_rate(&stage, {1}, &rate[1]);\n"
       "  {0}_advance(state, &rate[1], 0.5 * h, &stage);\n"
-      "  {0}_rate(&stage, tau, &rate[2]);\n"
+      "  {0}_rate(&stage, {1}, &rate[2]);\n"
       "  {0}_advance(state, &rate[2], h, &stage);\n"
-      "  {0}_rate(&stage, tau, &rate[3]);\n"
+      "  {0}_rate(&stage, {1}, &rate[3]);\n"
       "  {0}_advance(&rate[0], &rate[1], 2.0, &sum);\n"
       "  {0}_advance(&sum, &rate[2], 2.0, &sum);\n"
       "  {0}_advance(&sum, &rate[3], 1.0, &sum);\n"
@@ -187,7 +201,10 @@ std::string RateAndStep(const std::string& name) {
       "  for (i = 0; i < 4; ++i) state->attitude[i] /= length;\n"
       "}}\n"
       "\n",
-      name);
+      name,
+      command.argument,
+      command.parameter,
+      command.text.empty() ? "tau" : "a command");
 }
 
 // B(kappa) T; empty without thrusters.
@@ -230,10 +247,12 @@ ExportedFile CHeader(const ExportModel& model, const ExportTarget& target) {
   ExportedFile file;
   file.remarks = RemarksOn(ExportFormat::kC, model, target);
   const std::string& name = target.name;
+  const CCommand command = CommandInC(model, target);
   file.text = Head(model, target, file.remarks) + Parameters(model, name) + State(name) +
               CInertia(model, name) + CCoriolis(model, name) + CDamping(model, name) +
-              CRestoring(model, name) + COffset(model, name) + WrenchAndAcceleration(model, name) +
-              RateAndStep(name) + CThrust(model, name) + ForcesOfThrusters(model, target) +
+              CRestoring(model, name) + COffset(model, name) + command.text +
+              WrenchAndAcceleration(model, command, name) + RateAndStep(command, name) +
+              CThrust(model, name) + CFinAngles(model, target) + ForcesOfThrusters(model, target) +
               CThrustOfPulse(target) + "#endif\n";
   return file;
 }

@@ -77,7 +77,7 @@ std::string CThrust(const ExportModel& model, const std::string& name) {
     if (of_dof.empty()) continue;
     statements += fmt::format("  f = command[{0}];\n{1}  tau[{0}] = f;\n", Index(dof), of_dof);
   }
-  const bool lags = statements.find("_lag(") != std::string::npos;
+  const bool lags = statements.find("_lag(") != std::string::npos || !model.model.fin_lag.empty();
   return macros + (macros.empty() ? "" : "\n") +
          fmt::format(
              "/* What the thrusters give. Begin with {{{{0}}}}. */\n"

@@ -51,6 +51,12 @@ std::string FrameOf(const FreeEntry& entry) {
       return "world: up";
     case FreeEntry::Kind::kThrustGain:
       return "thruster";
+    case FreeEntry::Kind::kFinForce:
+    case FreeEntry::Kind::kFinRace:
+    case FreeEntry::Kind::kFinNeutral:
+    case FreeEntry::Kind::kFinStuck:
+    case FreeEntry::Kind::kFinLag:
+      return "fin";
     default:
       return "body: FRD about its origin";
   }

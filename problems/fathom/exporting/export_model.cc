@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,24 +76,19 @@ double StdOf(const FittedCoupledModel& fitted, const FreeEntry& entry) {
   return std::sqrt(fitted.covariance(at, at));
 }
 
-// Every entry that a model could have, but for thrust gains and what is an effect.
-std::vector<FreeEntry> EntriesWithoutGains() {
-  std::vector<FreeEntry> all;
-  for (const Dof row : kAllDofs) {
-    for (const Dof column : kAllDofs) {
-      if (row <= column) all.push_back(InertiaEntry(row, column));
-    }
-  }
-  for (const auto& entry_of : {LinearDampingEntry, QuadraticDampingEntry}) {
-    for (const Dof row : kAllDofs) {
-      for (const Dof column : kAllDofs) all.push_back(entry_of(row, column));
-    }
-  }
-  all.push_back(RightingMomentEntry(Dof::kRoll));
-  all.push_back(RightingMomentEntry(Dof::kPitch));
-  all.push_back(NetBuoyancyEntry());
-  all.push_back(ThrustAngleEntry());
-  for (const Dof row : kAllDofs) all.push_back(OffsetEntry(row));
+// Those that were identified or that act, in the order of a list, but for what is an effect.
+std::vector<FreeEntry> NumbersIn(const FittedCoupledModel& fitted) {
+  std::vector<FreeEntry> all = EntriesIn(fitted.model);
+  all.insert(all.end(), fitted.entries.begin(), fitted.entries.end());
+  const auto place = [](const FreeEntry& entry) {
+    return std::tuple(entry.kind, entry.row, entry.column, entry.actuator);
+  };
+  std::ranges::sort(all, {}, place);
+  const auto repeated = std::ranges::unique(all);
+  all.erase(repeated.begin(), repeated.end());
+  std::erase_if(all, [](const FreeEntry& entry) {
+    return entry == TimeOffsetEntry() || entry == ThrusterLagEntry();
+  });
   return all;
 }
 
@@ -177,33 +174,21 @@ bool IsModelled(const ExportModel& model, Dof dof) {
 }
 
 ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& file) {
-  if (!fitted.model.fin_force.empty() || !fitted.model.lift.isZero(0.0)) {
-    throw InputError(fmt::format(
-        "{}: has fins or forces that grow with the speed ahead, which no format of an export holds "
-        "yet; expected a model without fin_force and lift.",
-        file));
-  }
   ExportModel exported;
   exported.model = fitted.model;
   exported.force_unit = SharedUnit(fitted.force_unit);
   exported.sources = {SourceLine(file, fitted.provenance)};
   exported.caveats = fitted.caveats;
   const std::string log = ShortNameOf(ValueAt(fitted.provenance, "log"));
-  std::vector<FreeEntry> all = EntriesWithoutGains();
-  for (const auto& [thruster, gain] : fitted.model.thrust_gain) {
-    all.push_back(ThrustGainEntry(thruster));
-  }
-  for (const FreeEntry& entry : all) {
+  for (const FreeEntry& entry : NumbersIn(fitted)) {
     ExportNumber number;
     number.entry = entry;
     number.value = ValueIn(fitted.model, entry);
     number.unit = UnitOf(entry, fitted.force_unit);
     number.log = log;
-    const auto found = std::find(fitted.entries.begin(), fitted.entries.end(), entry);
-    number.is_identified = found != fitted.entries.end();
+    number.is_identified = std::ranges::find(fitted.entries, entry) != fitted.entries.end();
     number.std = StdOf(fitted, entry);
-    const double without = entry.kind == FreeEntry::Kind::kThrustGain ? 1.0 : 0.0;
-    if (number.is_identified || number.value != without) exported.numbers.push_back(number);
+    exported.numbers.push_back(std::move(number));
   }
   AddThrustInTime(fitted, log, &exported);
   return exported;

@@ -20,7 +20,7 @@ namespace {
 using How = HeldFeature::How;
 
 constexpr HeldFeature kHeld = {};
-constexpr HeldFeature kRefusedUnit = {How::kRefused, "refused"};
+constexpr HeldFeature kRefused = {How::kRefused, "refused"};
 constexpr HeldFeature kNotedUnit = {How::kNote, "a note"};
 constexpr HeldFeature kBodyAlone = {How::kNote, "the body alone, without damping"};
 constexpr HeldFeature kKept = {How::kYes, "keep their velocity"};
@@ -46,7 +46,7 @@ struct FeatureRow {
 };
 
 // In the order of ExportFeature. Formats: c, csv, gazebo, mss, stonefish, uuv, vrx.
-constexpr std::array<FeatureRow, 21> kFeatureRows = {{
+constexpr std::array<FeatureRow, 23> kFeatureRows = {{
     {"inertia",
      {kHeld,
       kHeld,
@@ -92,6 +92,8 @@ constexpr std::array<FeatureRow, 21> kFeatureRows = {{
     {"linear damping off the diagonal", {kHeld, kHeld, kHeld, kHeld, kOneAnAxis, kHeld, kDiagonal}},
     {"quadratic damping off the diagonal",
      {kHeld, kHeld, kHeld, kHeld, kOneAnAxis, kDiagonal, kDiagonal}},
+    {"forces that grow with the speed ahead (lift)",
+     {kHeld, kHeld, kRefused, kHeld, kRefused, kRefused, kRefused}},
     {"net buoyancy",
      {kHeld,
       kHeld,
@@ -125,6 +127,7 @@ constexpr std::array<FeatureRow, 21> kFeatureRows = {{
       kNoGain,
       kNoGain,
       kNoGain}},
+    {"fins", {Shown("with --vehicle"), kHeld, kRefused, kRefused, kRefused, kRefused, kRefused}},
     {"angle of the thrust", {kTurnIt, kHeld, kTurnIt, kTurnIt, kTurnIt, kTurnIt, kTurnIt}},
     {"lag of thrusters",
      {kHeld,
@@ -148,7 +151,7 @@ constexpr std::array<FeatureRow, 21> kFeatureRows = {{
     {"other effects (a current, a sensor's lag)",
      {kNoEffect, kHeld, kNoEffect, kNoEffect, kNoEffect, kOnlyLag, kNoEffect}},
     {"commands in another unit than N",
-     {kNotedUnit, kHeld, kRefusedUnit, kNotedUnit, kRefusedUnit, kRefusedUnit, kRefusedUnit}},
+     {kNotedUnit, kHeld, kRefused, kNotedUnit, kRefused, kRefused, kRefused}},
     {"DOFs that are not modelled",
      {kKept, Shown("no line"), kBodyAlone, kKept, kBodyAlone, kBodyAlone, kBodyAlone}},
     {"needs of --vehicle",
@@ -161,11 +164,22 @@ constexpr std::array<FeatureRow, 21> kFeatureRows = {{
       Shown("mass, `rigid_body`")}},
 }};
 
+// Whether the vehicle file has a thruster or a shaft of that name.
 bool HasThruster(const ExportTarget& target, const std::string& name) {
   if (!target.vehicle) return false;
-  const auto& thrusters = target.vehicle->thrusters;
-  return std::any_of(
-      thrusters.begin(), thrusters.end(), [&](const auto& t) { return t.name == name; });
+  const std::vector<Thruster>& thrusters = target.vehicle->thrusters;
+  const std::vector<Shaft>& shafts = target.vehicle->shafts;
+  return std::ranges::find(thrusters, name, &Thruster::name) != thrusters.end() ||
+         std::ranges::find(shafts, name, &Shaft::name) != shafts.end();
+}
+
+// "c, csv, mss".
+std::string FormatsThatHold(ExportFeature feature) {
+  std::vector<std::string_view> names;
+  for (const ExportFormat format : kExportFormats) {
+    if (Held(format, feature).how != How::kRefused) names.push_back(Name(format));
+  }
+  return fmt::to_string(fmt::join(names, ", "));
 }
 
 // "kg" behind a space, or nothing of a ratio.
@@ -176,7 +190,15 @@ void AddNumberRemarks(ExportFormat format,
                       const ExportTarget& target,
                       std::vector<std::string>* remarks) {
   for (const ExportNumber& number : model.numbers) {
-    HeldFeature held = Held(format, FeatureOf(number.entry));
+    const ExportFeature feature = FeatureOf(number.entry);
+    HeldFeature held = Held(format, feature);
+    if (held.how == How::kRefused) {
+      throw InputError(
+          fmt::format("--model: has {}, which --format={} does not hold; expected one of {}.",
+                      NameOf(number.entry),
+                      Name(format),
+                      FormatsThatHold(feature)));
+    }
     if (format == ExportFormat::kC && number.entry.kind == FreeEntry::Kind::kThrustGain &&
         !HasThruster(target, number.entry.actuator)) {
       held = LeftOut(
@@ -285,13 +307,15 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kThrusterLag:
       return ExportFeature::kLag;
     case FreeEntry::Kind::kThrustGain:
-    case FreeEntry::Kind::kLift:  // and fins: ExportModelOf() refuses them
+      return ExportFeature::kThrustGain;
+    case FreeEntry::Kind::kLift:
+      return ExportFeature::kLift;
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
-      return ExportFeature::kThrustGain;
+      return ExportFeature::kFins;
   }
   return ExportFeature::kThrustGain;
 }

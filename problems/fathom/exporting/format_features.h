@@ -22,11 +22,13 @@ enum class ExportFeature {
   kDampingOfTurns,
   kLinearCouplings,
   kQuadraticCouplings,
+  kLift,
   kNetBuoyancy,
   kRightingMoment,
   kTrim,    // offset of roll and pitch
   kOffset,  // of the others
   kThrustGain,
+  kFins,
   kThrustAngle,
   kLag,
   kThrustSize,  // a dead zone, a saturation, an asymmetry of thrusters
@@ -55,7 +57,7 @@ HeldFeature Held(ExportFormat format, ExportFeature feature);
 std::string FeatureTable();
 
 // What a format does not hold of a model, a sentence each, by that table. Throws InputError where
-// commands are not in newtons and the format refuses that.
+// the format refuses what the model has.
 std::vector<std::string> RemarksOn(ExportFormat format,
                                    const ExportModel& model,
                                    const ExportTarget& target);

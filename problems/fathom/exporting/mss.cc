@@ -27,6 +27,8 @@ std::string Assignment(const ExportNumber& number) {
       return fmt::format("D_L({},{}) = {};", row, column, value);
     case FreeEntry::Kind::kQuadraticDamping:
       return fmt::format("D_Q({},{}) = {};", row, column, value);
+    case FreeEntry::Kind::kLift:
+      return fmt::format("L({},{}) = {};", row, column, value);
     case FreeEntry::Kind::kRightingMoment:
       return fmt::format("{} = {};", number.entry.row == Dof::kRoll ? "K_p" : "K_q", value);
     case FreeEntry::Kind::kNetBuoyancy:
@@ -37,7 +39,6 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kThrustAngle:
     case FreeEntry::Kind::kTimeOffset:
     case FreeEntry::Kind::kThrusterLag:
-    case FreeEntry::Kind::kLift:
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:
     case FreeEntry::Kind::kFinNeutral:
@@ -83,7 +84,7 @@ ExportedFile MssFunction(const ExportModel& model, const ExportTarget& target) {
       "%\n"
       "% Symbols are those of Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control.\n"
       "\n"
-      "M = zeros(6); D_L = zeros(6); D_Q = zeros(6); o = zeros(6,1);\n"
+      "M = zeros(6); D_L = zeros(6); D_Q = zeros(6); L = zeros(6); o = zeros(6,1);\n"
       "b = 0; K_p = 0; K_q = 0;\n"
       "{2}"
       "modelled = [{3}];\n"
@@ -94,7 +95,7 @@ ExportedFile MssFunction(const ExportModel& model, const ExportTarget& target) {
       "\n"
       "% C(nu), of M: nu' C(nu) nu = 0.\n"
       "{4}"
-      "D = D_L + D_Q * diag(abs(nu));\n"
+      "D = D_L + D_Q * diag(abs(nu)) + L * nu(1);\n"
       "\n"
       "% The world's down, seen in the body.\n"
       "down = [-sin(theta); cos(theta)*sin(phi); cos(theta)*cos(phi)];\n"

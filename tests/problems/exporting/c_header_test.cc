@@ -4,17 +4,14 @@
 #include "fathom/exporting/c_header.h"
 
 #include "fathom/exporting/comment_text.h"
-#include "fathom/process/run_child.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "compiled_c.h"
 #include "generic_models.h"
 #include "written_out_rate.h"
 #include <fmt/format.h>
@@ -25,50 +22,8 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Path = std::filesystem::path;
 
 ExportTarget Target(const std::string& name) { return {name, "a test"}; }
-
-std::string Row(const Eigen::VectorXd& values) {
-  std::string row;
-  for (const double value : values) row += (row.empty() ? "{" : ", ") + LiteralOf(value);
-  return row + "}";
-}
-
-void Write(const Path& path, const std::string& text) { std::ofstream(path) << text; }
-
-// Compiles a header and a main() that uses it as strictly as C compilers can, runs it, and gives
-// the numbers that it prints.
-std::vector<double> NumbersPrinted(const std::string& test,
-                                   const std::string& name,
-                                   const std::string& header,
-                                   const std::string& body) {
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / ("exporting_" + test);
-  std::filesystem::create_directories(folder);
-  Write(folder / (name + ".h"), header);
-  Write(folder / "main.c",
-        fmt::format("#include \"{}.h\"\n#include <stdio.h>\nint main(void) {{\n{}return 0;\n}}\n",
-                    name,
-                    body));
-  const std::string program = (folder / "program").string();
-  const ChildResult compiled = RunChild({"cc",
-                                         {"-std=c99",
-                                          "-Wall",
-                                          "-Wextra",
-                                          "-Werror",
-                                          "-pedantic",
-                                          "-o",
-                                          program,
-                                          (folder / "main.c").string(),
-                                          "-lm"}});
-  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
-  const ChildResult run = RunChild({program, {}});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  std::istringstream out(run.out);
-  std::vector<double> numbers;
-  for (double number = 0.0; out >> number;) numbers.push_back(number);
-  return numbers;
-}
 
 // Prints dnu/dt at each state.
 std::string BodyOfAccelerations(const std::string& name, const std::vector<DrawnState>& states) {
