@@ -88,7 +88,8 @@ TEST(CoupledModelFile, RefusesAnEntryGivenTwice) {
   EXPECT_EQ(
       MessageOf(Replaced(text, "\"held\": {", "\"held\": {\"inertia.yaw.sway\": 1.0,")),
       "m.json: 'held' holds 'inertia.yaw.sway', which the file holds already, expected once.");
-  EXPECT_EQ(MessageOf(Replaced(text, "\"inertia.surge\"", "\"inertia.yaw.sway\"")),
+  const std::string twice = Replaced(text, "\"inertia.surge\"", "\"inertia.yaw.sway\"");
+  EXPECT_EQ(MessageOf(Replaced(twice, "\"unit\": \"kg\"", "\"unit\": \"kg m\"")),
             "m.json: 'parameters' holds 'inertia.sway.yaw', which the file holds already, expected "
             "once.");
 }
