@@ -22,10 +22,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (again.model.dofs != model.model.dofs) std::abort();
     if (again.model.inertia != model.model.inertia) std::abort();
     if (again.model.linear_damping != model.model.linear_damping) std::abort();
+    if (again.model.quadratic_damping != model.model.quadratic_damping) std::abort();
     if (again.model.lift != model.model.lift) std::abort();
+    if (again.model.offset != model.model.offset) std::abort();
+    if (again.model.thrust_angle != model.model.thrust_angle) std::abort();
+    if (again.model.time_offset != model.model.time_offset) std::abort();
+    if (again.model.thruster_lag != model.model.thruster_lag) std::abort();
     if (again.model.thrust_gain != model.model.thrust_gain) std::abort();
     if (again.model.fin_force != model.model.fin_force) std::abort();
     if (again.model.fin_race != model.model.fin_race) std::abort();
+    if (again.model.fin_neutral != model.model.fin_neutral) std::abort();
+    if (again.model.fin_stuck != model.model.fin_stuck) std::abort();
+    if (again.model.fin_lag != model.model.fin_lag) std::abort();
   } catch (const fathom::InputError&) {
   }
   return 0;

@@ -3,11 +3,12 @@
 
 #include "fathom/planning/open_causes.h"
 
-#include "fathom/vehicle/effects/catalogue.h"
+#include "fathom/vehicle/files/effect_entries.h"
 #include "fathom/vehicle/files/json_value.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,18 +17,7 @@ namespace {
 
 // Of an alternative, which stands under `candidates` too; nothing if it has no numbers there.
 std::optional<ActiveEffect> EffectOfCandidate(const JsonValue& candidate, Dof dof) {
-  ActiveEffect active;
-  const JsonValue name = candidate.Member("effect");
-  active.effect = FindEffect(name.Text());
-  if (active.effect == nullptr) name.Fail("is no effect that this version knows");
-  active.setting.dof = dof;
-  if (const auto partner = candidate.MemberIfThere("partner")) {
-    if (const auto other = DofFromName(partner->Text())) active.setting.partner = *other;
-  }
-  if (const auto force = candidate.MemberIfThere("reference_force")) {
-    active.setting.reference_force = force->Number();
-  }
-  if (const auto log = candidate.MemberIfThere("log")) active.setting.log = log->Text();
+  ActiveEffect active = ReadSetEffect(candidate, dof);
   const JsonValue parameters = candidate.Member("parameters");
   for (const EffectParameter& parameter : active.effect->info().parameters) {
     const std::string key(parameter.name);
@@ -70,12 +60,17 @@ void AddAlternatives(const JsonValue& cause,
       if (candidate.Member("label").Text() != label) continue;
       effect = EffectOfCandidate(candidate, fitted.dof);
     }
-    const std::string why = effect ? WhyNotPlanned(effect->effect->info()) : "it was not fitted";
+    std::string why = effect ? WhyNotPlanned(effect->effect->info()) : "it was not fitted";
+    ExtendedModel rival = WithoutEffect(leader, replaced);
+    if (effect) rival = WithEffect(rival, *effect);
+    if (const std::string problem = ProblemWith(rival.effects); why.empty() && !problem.empty()) {
+      why = "the model then " + problem;
+    }
     if (!why.empty()) {
       open->left_out.push_back(fmt::format("{} is left out: {}.", label, why));
       continue;
     }
-    open->rivals.push_back({label, WithEffect(WithoutEffect(leader, replaced), *effect)});
+    open->rivals.push_back({label, std::move(rival)});
   }
 }
 

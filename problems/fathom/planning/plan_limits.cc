@@ -49,11 +49,13 @@ PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
     limits.duration = 60.0 * NumberWithin(file, "minutes", 0.1, kLongestMinutes);
   }
   if (const auto velocity = file.OptionalMap("velocity")) {
-    if (velocity->Has("rate")) limits.velocity.rate = NumberWithin(*velocity, "rate", 0.1, 10000.0);
+    if (velocity->Has("rate"))
+      limits.velocity.rate = NumberWithin(*velocity, "rate", 0.1, kGreatestRate);
     if (velocity->Has("noise")) limits.velocity.noise = Positive(*velocity, "noise");
   }
   if (const auto position = file.OptionalMap("position")) {
-    if (position->Has("rate")) limits.position.rate = NumberWithin(*position, "rate", 0.1, 10000.0);
+    if (position->Has("rate"))
+      limits.position.rate = NumberWithin(*position, "rate", 0.1, kGreatestRate);
     limits.position.noise = Positive(*position, "noise");
   }
   file.Finish();

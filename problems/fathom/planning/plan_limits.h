@@ -12,6 +12,8 @@
 
 namespace fathom {
 
+inline constexpr double kGreatestRate = 10000.0;  // of what is measured [Hz]
+
 // How the velocity will be measured. NaN: as in the model's log.
 struct VelocityMeasurement {
   double rate = std::numeric_limits<double>::quiet_NaN();   // [Hz]

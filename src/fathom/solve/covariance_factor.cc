@@ -8,6 +8,7 @@
 namespace fathom {
 
 Eigen::MatrixXd CovarianceFactor(const Eigen::MatrixXd& covariance) {
+  if (covariance.size() == 0) return covariance;
   const Eigen::VectorXd stds = covariance.diagonal().cwiseSqrt();
   const Eigen::VectorXd safe = stds.cwiseMax(1e-300);
   const Eigen::MatrixXd correlation =

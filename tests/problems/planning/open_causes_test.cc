@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "error_from.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -62,6 +63,40 @@ TEST(OpenCauses, AreTheCauseAndWhatThisDofCanTellFromIt) {
 
 TEST(OpenCauses, AreNoneUnlessTheVerdictIsAmbiguous) {
   EXPECT_TRUE(ReadOpenCauses("v.json", VerdictText("explained"), LaggingModel()).rivals.empty());
+}
+
+std::string Changed(std::string text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+// As in the causes of a verdict: a force to divide by, a partner that is another DOF.
+TEST(OpenCauses, HaveSettingsThatCanBe) {
+  const auto error_of = [](const std::string& text) {
+    return ErrorFrom([&] { ReadOpenCauses("v.json", text, LaggingModel()); });
+  };
+  const std::string text = VerdictText("ambiguous");
+  EXPECT_EQ(error_of(Changed(text,
+                             "\"label\": \"time_offset\"",
+                             "\"label\": \"time_offset\", \"reference_force\": 0")),
+            "v.json: 'candidates[0].reference_force' is 0, expected a value above 0.");
+  EXPECT_EQ(error_of(Changed(text, "\"partner\": \"sway\"", "\"partner\": \"surge\""))
+                .find("v.json: 'candidates[2].partner' of velocity_coupling is 'surge', expected "
+                      "another DOF than surge"),
+            0U);
+}
+
+TEST(OpenCauses, LeaveOutWhatTheModelHasAlready) {
+  FittedModel fitted = LaggingModel();
+  ActiveEffect offset;
+  offset.effect = FindEffect("time_offset");
+  offset.values = {0.1};
+  fitted.effects = WithEffect(fitted.Extended(), offset).effects;
+  const OpenCauses open = ReadOpenCauses("v.json", VerdictText("ambiguous"), fitted);
+  EXPECT_TRUE(open.rivals.empty());
+  ASSERT_EQ(open.left_out.size(), 3U);
+  EXPECT_EQ(open.left_out[0], "time_offset is left out: the model then lists time_offset twice.");
 }
 
 TEST(OpenCauses, AreToldApartByTheirPlan) {

@@ -135,6 +135,26 @@ TEST(PlanCoupled, LeavesOutWhatAWrenchDoesNotTell) {
   EXPECT_EQ(static_cast<Eigen::Index>(plan.parameters.size()), size);
 }
 
+TEST(PlanCoupled, RefusesAModelOfWhichAWrenchTellsNothing) {
+  const std::string refusal =
+      "boat.json: holds no identified number that a wrench tells of, expected one: of single "
+      "thrusters, fins and clocks it tells nothing. fathom_identify --dofs writes it.";
+  CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
+  request.model.entries = {ThrustGainEntry("port")};
+  request.model.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-4);
+  EXPECT_EQ(CoupledErrorOf(request), refusal);
+  request.model.entries.clear();  // all of them held
+  request.model.covariance.resize(0, 0);
+  EXPECT_EQ(CoupledErrorOf(request), refusal);
+}
+
+// A window of a stamp, and no endless number of them.
+TEST(PlanCoupled, TakesAHorizonBelowAPeriodForAPeriod) {
+  CoupledPlanRequest request = BoatRequest(DrawBoat(41), 5.0, 0.1);
+  request.model.horizon = 1e-300;
+  EXPECT_TRUE(PlanCoupledExperiment(request).IsUsable());
+}
+
 // A lag is the vehicle's, and a wrench tells it; an offset is of two clocks.
 TEST(PlanCoupled, TellsALagAndNoOffset) {
   CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
@@ -175,6 +195,11 @@ TEST(PlanCoupled, SaysWhatIsMissing) {
             "{yaw: 0.01}}` in the limits file.");
   bad.limits.noise[5] = 0.01;
   EXPECT_TRUE(PlanCoupledExperiment(bad).IsUsable());
+  bad = request;
+  for (FitFigures& fit : bad.model.train) fit.duration = 1e-9;  // 1e11 samples a second and more
+  EXPECT_EQ(CoupledErrorOf(bad),
+            "boat.json: does not say how often its log measured the velocities, expected "
+            "`velocity: {rate: 10}` in the limits file.");
   bad = request;
   bad.model.force_unit = "A";
   EXPECT_EQ(CoupledErrorOf(bad),

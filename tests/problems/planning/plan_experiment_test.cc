@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error_from.h"
 #include "tank_trial.h"
 #include <gtest/gtest.h>
 
@@ -33,6 +34,16 @@ double WeakestBy(const TankVehicle& vehicle, const HeldCommand& command) {
 FittedModel AfterSine(const TankVehicle& vehicle, std::uint64_t seed) {
   const HeldCommand sine = LargestSine(vehicle, kPlanned);
   return FitTankLog(MeasuredRun(RunTruth(vehicle.truth, sine, kPlanned), sine, seed));
+}
+
+// 1e11 samples a second.
+TEST(PlanExperiment, RefusesARateThatNoLogHas) {
+  PlanRequest request;
+  request.name = "m.json";
+  request.model.train = {.mae = 0.01, .nmae = 0.05, .num_samples = 100, .duration = 1e-9};
+  EXPECT_EQ(ErrorFrom([&] { MeasurementOf(request); }),
+            "m.json: does not say how often its log measured the velocity, expected `velocity: "
+            "{rate: 10}` in the limits file.");
 }
 
 class DrawnVehicle : public ::testing::TestWithParam<int> {};

@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
+#include "fathom/planning/plan_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ CoupledLimits ParseCoupledLimits(const std::string& name, const std::string& tex
   if (file.Has("minutes"))
     limits.duration = 60.0 * NumberWithin(file, "minutes", 0.1, kMostMinutes);
   if (const auto velocity = file.OptionalMap("velocity")) {
-    if (velocity->Has("rate")) limits.rate = NumberWithin(*velocity, "rate", 0.1, 10000.0);
+    if (velocity->Has("rate")) limits.rate = NumberWithin(*velocity, "rate", 0.1, kGreatestRate);
     ReadByName(*velocity, "noise", &limits.noise);
   }
   file.Finish();

@@ -9,6 +9,7 @@
 #include "fathom/planning/coupled/drawn_coupled_models.h"
 #include "fathom/planning/coupled/wrench_search.h"
 #include "fathom/planning/information.h"
+#include "fathom/planning/plan_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,14 +98,15 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
 
 // How the velocities will be measured: as the limits say, else as the fit shows it.
 void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
-  const auto require = [&](double value, const std::string& what, const std::string& key) {
-    if (std::isfinite(value) && value > 0.0) return;
-    throw InputError(
-        fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
-                    request.name,
-                    what,
-                    key));
-  };
+  const auto require =
+      [&](double value, double most, const std::string& what, const std::string& key) {
+        if (std::isfinite(value) && value > 0.0 && value <= most) return;
+        throw InputError(
+            fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
+                        request.name,
+                        what,
+                        key));
+      };
   plan->rate = request.limits.rate;
   for (const Dof dof : request.model.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
@@ -114,20 +116,24 @@ void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
     const double given = request.limits.noise[at];
     plan->noise[at] = std::isnan(given) ? std::sqrt(std::numbers::pi / 2.0) * fit.mae : given;
     require(plan->noise[at],
+            CoupledLimits::kNoLimit,
             fmt::format("how much its fit missed of {}", Name(dof)),
             fmt::format("noise: {{{}: 0.01}}", Name(dof)));
   }
-  require(plan->rate, "how often its log measured the velocities", "rate: 10");
+  require(plan->rate, kGreatestRate, "how often its log measured the velocities", "rate: 10");
 }
 
-// A stamp of the search stands for the velocities measured in its period.
+// A stamp of the search stands for the velocities measured in its period. A window holds one at
+// least.
 WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const CoupledPlan& plan) {
   const double longest = std::max(kLongestCoupledPeriod, plan.duration / kMostCoupledStamps);
   const int num_samples = std::max(1, static_cast<int>(std::round(longest * plan.rate)));
   WrenchMeasurement measurement = {num_samples / plan.rate, plan.noise, kDefaultWindow};
   for (double& noise : measurement.noise) noise /= std::sqrt(num_samples);
   const double horizon = request.model.horizon;
-  const double window = std::isfinite(horizon) && horizon > 0.0 ? horizon : kDefaultWindow;
+  const double window = std::isfinite(horizon) && horizon > 0.0
+                            ? std::max(horizon, measurement.period)
+                            : kDefaultWindow;
   measurement.window = plan.duration / std::max(1.0, std::round(plan.duration / window));
   return measurement;
 }
@@ -138,13 +144,20 @@ bool IsLeftOut(const FreeEntry& entry) {
   return !entry.actuator.empty() || entry.kind == FreeEntry::Kind::kTimeOffset;
 }
 
-ToldEntries EntriesToTell(const FittedCoupledModel& fitted) {
+ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
+  const FittedCoupledModel& fitted = request.model;
   ToldEntries told;
   std::vector<Eigen::Index> rows;
   for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
     if (IsLeftOut(fitted.entries[k])) continue;
     told.entries.push_back(fitted.entries[k]);
     rows.push_back(static_cast<Eigen::Index>(k));
+  }
+  if (told.entries.empty()) {
+    throw InputError(fmt::format(
+        "{}: holds no identified number that a wrench tells of, expected one: of single "
+        "thrusters, fins and clocks it tells nothing. fathom_identify --dofs writes it.",
+        request.name));
   }
   told.covariance = fitted.covariance(rows, rows);
   return told;
@@ -225,6 +238,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   const double hold = request.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(request.duration / hold));
 
+  const ToldEntries told = EntriesToTell(request);
   RandomStream random(request.seed, "planning.coupled_models");
   std::vector<CoupledModel> models =
       DrawCoupledModels(request.model, kNumCoupledInSearch, request.name, random);
@@ -232,7 +246,6 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   const std::vector<CoupledModel> others =
       DrawCoupledModels(request.model, kNumCoupledInCheck, request.name, random);
 
-  const ToldEntries told = EntriesToTell(request.model);
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
   if (!FillBlocks(request, others, task, &plan)) {

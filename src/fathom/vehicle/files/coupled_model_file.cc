@@ -89,6 +89,24 @@ FreeEntry ReadEntry(const JsonValue& json, const std::string& key, const std::ve
   return entry;
 }
 
+// Two spellings name one number: inertia.sway.yaw and inertia.yaw.sway.
+void RequireOnce(const JsonValue& json,
+                 const std::string& key,
+                 const FreeEntry& entry,
+                 std::vector<FreeEntry>* read) {
+  if (std::find(read->begin(), read->end(), entry) != read->end()) {
+    json.Fail(fmt::format("holds {}, which the file holds already, expected once", Quoted(key)));
+  }
+  read->push_back(entry);
+}
+
+void SetEntry(const JsonValue& json, const FreeEntry& entry, double value, CoupledModel* model) {
+  if (IsLag(entry) && value < 0.0) {
+    json.Fail(fmt::format("is {} s, expected a time constant of at least 0 s", value));
+  }
+  SetValue(entry, value, model);
+}
+
 std::array<FitFigures, 6> ReadByDof(const JsonValue& json) {
   std::array<FitFigures, 6> figures;
   for (const std::string& name : json.Keys()) {
@@ -168,16 +186,23 @@ FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view t
   fitted.model.coriolis = file.Member("coriolis").Boolean();
   fitted.force_unit = file.Member("force_unit").Text();
   const JsonValue parameters = file.Member("parameters");
+  std::vector<FreeEntry> read;
   for (const std::string& key : parameters.Keys()) {
     const FreeEntry entry = ReadEntry(parameters, key, fitted.model.dofs);
-    SetValue(entry,
-             ReadParameter(parameters.Member(key), UnitOf(entry, fitted.force_unit)).value,
+    RequireOnce(parameters, key, entry, &read);
+    const JsonValue parameter = parameters.Member(key);
+    SetEntry(parameter,
+             entry,
+             ReadParameter(parameter, UnitOf(entry, fitted.force_unit)).value,
              &fitted.model);
-    fitted.entries.push_back(entry);
   }
+  fitted.entries = read;
   if (const auto held = file.MemberIfThere("held")) {
     for (const std::string& key : held->Keys()) {
-      SetValue(ReadEntry(*held, key, fitted.model.dofs), held->Member(key).Number(), &fitted.model);
+      const FreeEntry entry = ReadEntry(*held, key, fitted.model.dofs);
+      RequireOnce(*held, key, entry, &read);
+      const JsonValue number = held->Member(key);
+      SetEntry(number, entry, number.Number(), &fitted.model);
     }
   }
   if (!IsPositiveDefinite(fitted.model.inertia, fitted.model.dofs)) {

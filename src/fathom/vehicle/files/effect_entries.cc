@@ -54,6 +54,17 @@ Dof PartnerIn(const JsonValue& json, std::string_view effect, Dof dof) {
 
 // One entry, without its values, which may have `more_keys`.
 ActiveEffect ReadEffect(const JsonValue& json, Dof dof, const std::vector<std::string>& more_keys) {
+  ActiveEffect active = ReadSetEffect(json, dof);
+  std::vector<std::string> keys = {"effect", "reference_force", "log"};
+  if (active.effect->info().has_partner()) keys.insert(keys.begin() + 1, "partner");
+  keys.insert(keys.end(), more_keys.begin(), more_keys.end());
+  json.RequireKeysOf(keys);
+  return active;
+}
+
+}  // namespace
+
+ActiveEffect ReadSetEffect(const JsonValue& json, Dof dof) {
   ActiveEffect active;
   active.effect = &EffectNamedIn(json.Member("effect"));
   active.setting.dof = dof;
@@ -62,13 +73,9 @@ ActiveEffect ReadEffect(const JsonValue& json, Dof dof, const std::vector<std::s
     json.Member("effect").Fail(fmt::format(
         "is {}, an effect that does not act along {}", Quoted(std::string(info.name)), Name(dof)));
   }
-  std::vector<std::string> keys = {"effect", "reference_force", "log"};
   if (info.has_partner()) {
-    keys.insert(keys.begin() + 1, "partner");
     active.setting.partner = PartnerIn(json.Member("partner"), info.name, dof);
   }
-  keys.insert(keys.end(), more_keys.begin(), more_keys.end());
-  json.RequireKeysOf(keys);
   if (const auto force = json.MemberIfThere("reference_force")) {
     active.setting.reference_force = force->Number();
     if (!(active.setting.reference_force > 0.0)) {
@@ -78,8 +85,6 @@ ActiveEffect ReadEffect(const JsonValue& json, Dof dof, const std::vector<std::s
   if (const auto log = json.MemberIfThere("log")) active.setting.log = log->Text();
   return active;
 }
-
-}  // namespace
 
 std::vector<ActiveEffect> ReadEffects(const JsonValue& structure, Dof dof) {
   structure.RequireKeysOf({"baseline", "effects"});

@@ -13,6 +13,9 @@
 
 namespace fathom {
 
+// An effect along `dof` with its setting, without its values; other keys may stand beside.
+ActiveEffect ReadSetEffect(const JsonValue& json, Dof dof);
+
 // The effects that a model file lists under structure.effects, without their values.
 std::vector<ActiveEffect> ReadEffects(const JsonValue& structure, Dof dof);
 

@@ -82,6 +82,31 @@ TEST(CoupledModelFile, RefusesWhatCannotBeAModel) {
   EXPECT_THAT(MessageOf(Replaced(text, "\"sway\"", "\"yaw\"")), HasSubstr("order"));
 }
 
+// The held number would take the place of the identified one.
+TEST(CoupledModelFile, RefusesAnEntryGivenTwice) {
+  const std::string text = FormatCoupledModel(Boat());
+  EXPECT_EQ(
+      MessageOf(Replaced(text, "\"held\": {", "\"held\": {\"inertia.yaw.sway\": 1.0,")),
+      "m.json: 'held' holds 'inertia.yaw.sway', which the file holds already, expected once.");
+  const std::string twice = Replaced(text, "\"inertia.surge\"", "\"inertia.yaw.sway\"");
+  EXPECT_EQ(MessageOf(Replaced(twice, "\"unit\": \"kg\"", "\"unit\": \"kg m\"")),
+            "m.json: 'parameters' holds 'inertia.sway.yaw', which the file holds already, expected "
+            "once.");
+}
+
+// A run would take it for no lag.
+TEST(CoupledModelFile, RefusesALagBelow0) {
+  const std::string text = FormatCoupledModel(Boat());
+  EXPECT_EQ(MessageOf(Replaced(text, "\"held\": {", "\"held\": {\"thruster_lag\": -0.3,")),
+            "m.json: 'held.thruster_lag' is -0.3 s, expected a time constant of at least 0 s.");
+  FittedCoupledModel boat = Boat();
+  boat.model.fin_lag["rudder"] = -0.2;
+  boat.entries.back() = FinLagEntry("rudder");
+  EXPECT_EQ(
+      MessageOf(FormatCoupledModel(boat)),
+      "m.json: 'parameters.fin_lag.rudder' is -0.2 s, expected a time constant of at least 0 s.");
+}
+
 TEST(CoupledModelFile, KnowsOtherFiles) {
   EXPECT_FALSE(IsCoupledModel("{\"schema\": \"fathom-model-1\"}"));
   EXPECT_FALSE(IsCoupledModel("no JSON"));
