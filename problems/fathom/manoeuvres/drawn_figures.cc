@@ -7,6 +7,7 @@
 #include "fathom/base/random_stream.h"
 #include "fathom/solve/covariance_factor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -33,7 +34,8 @@ std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
     CoupledModel& model = models.emplace_back(fitted.model);
     for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
       const FreeEntry& entry = fitted.entries[k];
-      SetValue(entry, ValueIn(model, entry) + move[static_cast<Eigen::Index>(k)], &model);
+      const double value = ValueIn(model, entry) + move[static_cast<Eigen::Index>(k)];
+      SetValue(entry, IsLag(entry) ? std::max(value, 0.0) : value, &model);
     }
   }
   return models;
