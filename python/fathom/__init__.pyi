@@ -427,6 +427,8 @@ def open_log(
     dof: Optional[str] = ...,
     velocity: Optional[_Path] = ...,
     held_out: _Intervals = ...,
+    correct: Mapping[str, float] = ...,
+    late: Mapping[str, float] = ...,
 ) -> Log: ...
 def check(log: _LogLike, *, dof: Optional[str] = ...) -> Checkup: ...
 @overload

@@ -3,6 +3,8 @@
 
 #include "module/arguments.h"
 
+#include "fathom/base/quoted.h"
+
 #include <cmath>
 #include <limits>
 
@@ -20,6 +22,29 @@ std::vector<TimeInterval> HeldOutOf(const Pairs& pairs) {
     intervals.push_back({.from = from, .to = to});
   }
   return intervals;
+}
+
+std::vector<Correction> CorrectionsOf(const NumberByColumn& correct, const NumberByColumn& late) {
+  std::map<std::string, Correction> corrections;
+  for (const auto& [column, factor] : correct) {
+    if (!std::isfinite(factor) || factor == 0.0) {
+      throw InputError(fmt::format(
+          "correct: {} by {}, expected a finite factor other than 0.", Quoted(column), factor));
+    }
+    corrections[column].factor = factor;
+  }
+  for (const auto& [column, seconds] : late) {
+    if (!std::isfinite(seconds)) {
+      throw InputError(fmt::format("late: {} by {}, expected seconds.", Quoted(column), seconds));
+    }
+    corrections[column].late = seconds;
+  }
+  std::vector<Correction> all;
+  for (auto& [column, correction] : corrections) {
+    correction.column = column;
+    all.push_back(correction);
+  }
+  return all;
 }
 
 std::string HeldOutText(const Pairs& pairs) {

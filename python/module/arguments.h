@@ -5,7 +5,9 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/time_interval.h"
+#include "fathom/log/correction.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +48,12 @@ std::vector<TimeInterval> HeldOutOf(const Pairs& pairs);
 
 // "240:300,400:420", as --held_out takes them.
 std::string HeldOutText(const Pairs& pairs);
+
+using NumberByColumn = std::map<std::string, double>;
+
+// Of columns of velocity.csv, as log.yaml has them under the same keys. Throws InputError for what
+// is not finite, and for a factor of 0.
+std::vector<Correction> CorrectionsOf(const NumberByColumn& correct, const NumberByColumn& late);
 
 // The command line has 0 for "never", the options infinity. Throws InputError below 0 and for NaN.
 double InfiniteIfZero(const std::string& argument, double value);

@@ -48,13 +48,16 @@ std::string LogSummary(const OpenedLog& opened) {
 OpenedLog OpenInPython(const py::object& path,
                        const std::optional<std::string>& dof,
                        const py::object& velocity,
-                       const Pairs& held_out) {
+                       const Pairs& held_out,
+                       const NumberByColumn& correct,
+                       const NumberByColumn& late) {
   const std::string place = PathOf(path);
   OpenLogArguments arguments;
   if (dof) arguments.dof = ParseArgument("dof", *dof, ParseDof);
   if (!velocity.is_none()) arguments.velocity = PathOf(velocity);
   arguments.held_out = HeldOutText(held_out);
   arguments.held_out_times = HeldOutOf(held_out);
+  arguments.corrections = CorrectionsOf(correct, late);
   const py::gil_scoped_release release;
   return OpenPath(place, arguments);
 }
@@ -154,10 +157,14 @@ void BindLog(py::module_& module) {
              py::arg("dof") = py::none(),
              py::arg("velocity") = py::none(),
              py::arg("held_out") = Pairs(),
+             py::arg("correct") = NumberByColumn(),
+             py::arg("late") = NumberByColumn(),
              "A log folder, or a CSV with columns t [s], tau [N or N m], v [m/s or rad/s].\n\n"
              "dof       of a single CSV\n"
              "velocity  a CSV in place of the log's velocity.csv\n"
-             "held_out  [(from, to)], not to be trained on [s]; in place of log.yaml's\n\n"
+             "held_out  [(from, to)], not to be trained on [s]; in place of log.yaml's\n"
+             "correct   {\"r\": -1.0}, factors of columns of the velocity; in place of log.yaml's\n"
+             "late      {\"u\": 0.25}, by how long they come too late [s]; likewise\n\n"
              "Raises ValueError, naming file, line and column, for what breaks the format.");
 }
 

@@ -19,6 +19,7 @@ struct OpenLogArguments {
   std::string velocity = {};
   std::string held_out = {};
   std::vector<TimeInterval> held_out_times = {};
+  std::vector<Correction> corrections = {};
   bool is_tracked = true;  // detections become poses where the log has no motion but them
 };
 

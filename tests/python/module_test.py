@@ -313,6 +313,17 @@ class Filmed(unittest.TestCase):
         low, high = ours.parameters["inertia"].interval
         self.assertTrue(low < ours.parameters["inertia"].value < high)
 
+    def test_velocities_are_put_right_when_a_log_is_opened(self):
+        plain = fathom.open_log(self.minute).velocity
+        turned = fathom.open_log(self.minute, correct={"u": -2.0}).velocity
+        np.testing.assert_array_equal(turned["u"], -2.0 * plain["u"])
+        late = fathom.open_log(self.minute, late={"u": 0.5}).velocity
+        np.testing.assert_allclose(
+            late["u"], np.interp(late["t"] + 0.5, plain["t"], plain["u"]), atol=1e-12
+        )
+        with self.assertRaisesRegex(ValueError, "correct: 'u' by 0, expected a finite factor"):
+            fathom.open_log(self.minute, correct={"u": 0.0})
+
     def test_a_log_whose_poses_are_of_its_detections_is_refined_alike(self):
         bare = self.folder / "bare"
         shutil.copytree(self.minute, bare)

@@ -6,6 +6,9 @@
 #include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/quoted.h"
+#include "fathom/log/correct_velocity.h"
+#include "fathom/log/log_streams.h"
 #include "fathom/log/log_text.h"
 #include "fathom/log/single_csv.h"
 
@@ -128,6 +131,21 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
                   import));
 }
 
+// Those of the one speed of a single CSV, by the column's name in a log folder.
+std::vector<Correction> OfSpeed(std::vector<Correction> corrections,
+                                const std::filesystem::path& path,
+                                Dof dof) {
+  for (Correction& correction : corrections) {
+    if (correction.column != "v") {
+      throw InputError(fmt::format("--correct: corrects {}, which is no speed of {}, expected v.",
+                                   Quoted(correction.column),
+                                   path.string()));
+    }
+    correction.column = VelocityColumn(dof);
+  }
+  return corrections;
+}
+
 }  // namespace
 
 Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
@@ -152,13 +170,9 @@ Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
                     options.velocity.string(),
                     path.string()));
   }
-  if (!options.corrections.empty()) {
-    throw InputError(
-        fmt::format("--correct: {} is a single CSV with one speed, expected a log folder. Turn its "
-                    "column v round in the file.",
-                    path.string()));
-  }
-  return ParseSingleCsv(path.string(), text, *options.dof, options.held_out);
+  Log log = ParseSingleCsv(path.string(), text, *options.dof, options.held_out);
+  CorrectVelocity("", path.string(), OfSpeed(options.corrections, path, *options.dof), &log);
+  return log;
 }
 
 }  // namespace fathom

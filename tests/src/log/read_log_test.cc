@@ -256,6 +256,17 @@ TEST(ReadLog, ReadsASingleCsvOfAFreeDecayWhereNoCommandIsNeeded) {
   EXPECT_THROW(ReadLog(file, {.dof = Dof::kYaw}), InputError);
 }
 
+TEST(ReadLog, PutsTheSpeedOfASingleCsvRight) {
+  const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
+  const Log log = ReadLog(file, {.dof = Dof::kYaw, .corrections = {{"v", -2.0}}});
+  EXPECT_THAT(*log.velocity->Find("r"), ElementsAre(-1.0, -1.2));
+  EXPECT_THAT(TextsOf(log.remarks), ElementsAre("run.csv: r times -2, as --correct says."));
+  EXPECT_EQ(ErrorFrom([&] {
+              ReadLog(file, {.dof = Dof::kYaw, .corrections = {{"r", -2.0}}});
+            }),
+            "--correct: corrects 'r', which is no speed of " + file.string() + ", expected v.");
+}
+
 TEST(ReadLog, NeedsTheDofOfASingleCsv) {
   const auto file = Folder({{"run.csv", "t,tau,v\n0,1,0.5\n0.1,2,0.6\n"}}) / "run.csv";
   EXPECT_EQ(
