@@ -31,6 +31,7 @@
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
+#include "fathom/tool/structure_flag.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
@@ -176,7 +177,7 @@ std::optional<Stream> TruePoses() {
 
 int RunCoupledRefinement() {
   FilmRefinementOptions options;
-  options.identification = CoupledOptionsFromFlags();
+  options.identification = StructuredOptionsFromFlags();
   std::vector<std::string> inputs = InputsFromFlags();
   if (!FLAGS_true_poses.empty()) inputs.push_back(FLAGS_true_poses);
   RequireOutputs(
