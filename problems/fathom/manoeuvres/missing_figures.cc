@@ -69,7 +69,7 @@ std::vector<std::string> MissingFigureSentences(const Manoeuvre& manoeuvre,
   if (num_missing == 0) return {};
   const std::string how_far = HowFar(manoeuvre, track);
   if (how_far.empty()) return {};
-  return {fmt::format("{}: within the {:g} s of the run {}.",
+  return {fmt::format("{}: within the {:.4g} s of the run {}.",
                       num_missing == std::ssize(figures) ? "No figures" : "Not all figures",
                       track.time.back(),
                       how_far)};
