@@ -84,7 +84,8 @@ const ToolInfo kInfo = {
     "others.",
     "--archive=DIR --results=FILE [--jobs=N] [--dofs=DOF,DOF...|auto] [--report=FILE] "
     "[--pages] [--csv=FILE] [--strict]",
-    "fathom_batch --archive=dives --results=dives.sqlite --report=dives.html --jobs=2",
+    "scripts/example_archive.sh dives\n"
+    "  fathom_batch --archive=dives --results=dives.sqlite --report=dives.html --jobs=2",
     "Each log goes through fathom_compare and fathom_diagnose, with --dofs also as one coupled "
     "model, all logs of a dive through one "
     "fathom_identify. A rerun does only what is new or changed. A log that fails costs no other "

@@ -101,6 +101,7 @@ int CheckArchive() {
   }
   const ArchiveSettings settings = ReadArchiveSettings(FLAGS_archive);
   const FoundArchive found = WalkArchive(FLAGS_archive, settings);
+  RequireAnyLog(found, FLAGS_archive);
   std::vector<CheckedLog> checked;
   Progress progress("log");
   bool has_red = false;

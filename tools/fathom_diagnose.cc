@@ -228,10 +228,6 @@ void PrintCoupled(const CoupledDiagnosis& diagnosis, const CoupledIdentification
 
 int RunCoupledDiagnosis() {
   const CoupledIdentificationOptions options = CoupledOptionsFromFlags();
-  if (options.structure) {
-    throw InputError(
-        "--structure: goes with fathom_identify, expected none: a diagnosis chooses it.");
-  }
   RequireOutputs({{"verdict", FLAGS_verdict}, {"report", FLAGS_report}}, InputsFromFlags());
   std::vector<Log> logs = ReadCoupledLogsFromFlags();
   const PageOrigin origin = OriginOfPage(logs);

@@ -95,7 +95,8 @@ int Run() {
   ExportTarget target = {IdentifierOf(FLAGS_out),
                          fmt::format("fathom_export {}, {}", VersionWithCommit(), Today()),
                          {},
-                         FLAGS_speed};
+                         FLAGS_speed,
+                         FLAGS_vehicle};
   if (!FLAGS_vehicle.empty()) target.vehicle = ReadVehicleFile(FLAGS_vehicle);
   const ExportedFile exported = Export(model, target, format);
   for (const std::string& problem : exported.problems) {

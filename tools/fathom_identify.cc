@@ -21,6 +21,7 @@
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
+#include "fathom/tool/structure_flag.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
@@ -233,7 +234,7 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
 }
 
 CoupledIdentificationOptions CoupledOptionsWithFree() {
-  CoupledIdentificationOptions options = CoupledOptionsFromFlags();
+  CoupledIdentificationOptions options = StructuredOptionsFromFlags();
   for (const std::string& name : SplitAtCommas(FLAGS_free)) {
     options.also_free.push_back(ParseFlag("free", name, ParseFreeEntry));
   }

@@ -31,6 +31,7 @@
 #include "fathom/tool/print_findings.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/progress.h"
+#include "fathom/tool/structure_flag.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
@@ -90,8 +91,14 @@ const ToolInfo kInfo = {
         "--log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] [--model=FILE] "
         "[--trajectory=FILE] [--report=FILE] [--true_poses=FILE]",
     .example =
-        "fathom_refine --log=dive --dof=heave --model=heave.json --report=heave.html\n"
-        "  fathom_refine --log=dive --dofs=surge,sway,yaw --structure=coriolis --model=plane.json",
+        "fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
+        "--experiment=data/experiments/film_heave.yaml --film=data/films/wall.yaml --out=heave\n"
+        "  fathom_refine --log=heave --dof=heave --model=heave.json --report=heave.html\n"
+        "  fathom_synthesize --vehicle=data/vehicles/planar_rov.yaml "
+        "--experiment=data/experiments/film_planar.yaml --film=data/films/wall_four.yaml "
+        "--out=plane\n"
+        "  fathom_refine --log=plane --dofs=surge,sway,yaw --structure=symmetric "
+        "--model=plane.json",
     .details =
         "Several --log are fitted together. A log needs detections.csv (from fathom_track), "
         "camera.yaml, tags.yaml, mount.yaml and command.csv. The table compares the families on "
@@ -176,7 +183,7 @@ std::optional<Stream> TruePoses() {
 
 int RunCoupledRefinement() {
   FilmRefinementOptions options;
-  options.identification = CoupledOptionsFromFlags();
+  options.identification = StructuredOptionsFromFlags();
   std::vector<std::string> inputs = InputsFromFlags();
   if (!FLAGS_true_poses.empty()) inputs.push_back(FLAGS_true_poses);
   RequireOutputs(

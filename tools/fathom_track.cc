@@ -66,7 +66,10 @@ const ToolInfo kInfo = {
     .summary = "Finds the trajectory of a vehicle from the markers that its camera sees.",
     .usage = "--log=LOG [--out=LOG --overlay=FILE --summary=FILE.json]",
     .example =
-        "fathom_track --log=dive --out=dive_tracked --overlay=sheet.png --summary=track.json",
+        "fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
+        "--experiment=data/experiments/film_tour.yaml --film=data/films/tour.yaml --render "
+        "--out=tour\n"
+        "  fathom_track --log=tour --out=tour_tracked --overlay=sheet.png --summary=track.json",
     .details =
         "Exit code 2: fewer than two frames have a pose. docs/vision.md describes the detection, "
         "docs/marker_trajectory.md the trajectory, docs/file_formats.md the files."};

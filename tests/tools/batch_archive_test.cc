@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "batch_results.h"
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "small_log.h"
 #include <fmt/format.h>
@@ -395,6 +396,13 @@ TEST_F(Batch, ForgetsAnArchiveThatIsEmptyNow) {
   fs::create_directory(archive_);
   EXPECT_THAT(RunBatch(archive_, results_).out, HasSubstr("0 logs: nothing found"));
   EXPECT_THAT(PublicRows(results_), testing::IsEmpty());
+}
+
+TEST_F(Batch, LeavesNothingOfAnArchiveWithoutLogs) {
+  WriteTestFile(archive_ / "notes.txt", "no log");
+  EXPECT_THAT(ExpectRefusal(
+                  "fathom_batch", {Flag("archive", archive_), Flag("results", results_)}, folder_),
+              HasSubstr(archive_.string() + ": holds no log (but 1 .txt), expected"));
 }
 
 TEST_F(Batch, TakesTheNameOfTheVehicleFromItsFile) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "mistakes.h"
 #include "real_data.h"
 #include "run_tool.h"
@@ -564,6 +565,12 @@ TEST_F(CheckTool, ListsAnArchive) {
   EXPECT_THAT(run.out, HasSubstr("lost_values"));
   EXPECT_THAT(run.out, ContainsRegex("\nbroken is not readable: .*log.yaml:2: "));
   EXPECT_THAT(run.out, ContainsRegex("sound +surge +- +-\n"));
+}
+
+TEST_F(CheckTool, RefusesAnArchiveWithoutLogs) {
+  fs::create_directories(folder_ / "archive/dive");
+  EXPECT_THAT(ExpectRefusal("fathom_check", {Flag("archive", folder_ / "archive")}, folder_),
+              HasSubstr("archive: holds no log (it is empty), expected"));
 }
 
 TEST_F(CheckTool, TellsHowToNameALog) {

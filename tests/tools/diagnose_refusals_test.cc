@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
@@ -50,6 +51,14 @@ TEST_F(DiagnoseRefusals, AFlagOfAnotherRange) {
            {"--dof", "up", "'up', expected surge, sway, heave, roll, pitch or yaw.\n"}}) {
     EXPECT_EQ(Refused({flag + "=" + value}), "fathom_diagnose: " + flag + ": is " + said);
   }
+}
+
+// A diagnosis chooses it: its help does not list what it would refuse.
+TEST_F(DiagnoseRefusals, AStructureThatItsHelpDoesNotList) {
+  EXPECT_THAT(Refused({"--dofs=surge,yaw", "--structure=full"}),
+              HasSubstr("--structure: there is no such flag"));
+  EXPECT_THAT(RunsWell("fathom_diagnose", {"--help"}).out, Not(HasSubstr("--structure")));
+  EXPECT_THAT(Refused({"--window=5"}), HasSubstr("--window: goes with --dofs"));
 }
 
 TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {

@@ -20,6 +20,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
@@ -266,14 +267,18 @@ TEST(ExportTool, SaysHowLateTheCommandIs) {
 
 TEST(ExportTool, SaysWhatGazeboLacksAndHowToWriteIt) {
   const ExportInputs inputs;
-  EXPECT_THAT(ExpectRefusal("fathom_export",
-                            {"--model=" + inputs.model,
-                             "--vehicle=" + inputs.bare,
-                             "--format=gazebo",
-                             "--out=" + inputs.Out("small.sdf")},
-                            inputs.folder),
-              HasSubstr("expected `rigid_body: {inertia_tensor: [[0.4, 0, 0], [0, 0.6, 0], [0, 0, "
-                        "0.8]], centre_of_mass: [0, 0, 0.02]}`"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_export",
+                    {"--model=" + inputs.model,
+                     "--vehicle=" + inputs.bare,
+                     "--format=gazebo",
+                     "--out=" + inputs.Out("small.sdf")},
+                    inputs.folder),
+      AllOf(StartsWith("fathom_export: " + inputs.bare +
+                       ": has no key 'rigid_body.inertia_tensor', nor "
+                       "'rigid_body.centre_of_mass'. --format=gazebo wants"),
+            HasSubstr("expected `rigid_body: {inertia_tensor: [[0.4, 0, 0], [0, 0.6, 0], [0, 0, "
+                      "0.8]], centre_of_mass: [0, 0, 0.02]}`")));
   EXPECT_THAT(
       ExpectRefusal(
           "fathom_export",

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -85,6 +87,43 @@ TEST(FathomCommand, ShowsTheHelpOfASubCommand) {
   const ToolRun help = RunsWell("fathom", {"help", "identify"});
   EXPECT_THAT(help.out, HasSubstr("Usage: fathom_identify "));
   ExpectTheSame(help, RunToolBinary("fathom_identify", {"--help"}));
+}
+
+// Whoever types the example as it stands finds all inputs: they are bundled, or an earlier line of
+// it makes them.
+TEST(FathomCommand, TellsExamplesThatRunFromTheRoot) {
+  for (const std::string tool : {"batch",
+                                 "check",
+                                 "compare",
+                                 "diagnose",
+                                 "export",
+                                 "identify",
+                                 "import",
+                                 "plan",
+                                 "refine",
+                                 "simulate",
+                                 "synthesize",
+                                 "track"}) {
+    const std::string help = RunToolBinary("fathom_" + tool, {"--help"}).out;
+    const auto begin = help.find("Example:\n\n");
+    ASSERT_NE(begin, std::string::npos) << tool;
+    std::istringstream words(help.substr(begin + 10, help.find("\n\n", begin + 10) - begin - 10));
+    std::set<std::string> made;
+    for (std::string word; words >> word;) {
+      const auto equal = word.find('=');
+      const std::string flag = word.substr(0, equal);
+      const std::string value = equal == std::string::npos ? word : word.substr(equal + 1);
+      const bool is_input = flag == "--log" || flag == "--archive" || flag == "--from" ||
+                            flag == "--vehicle" || flag == "--experiment" || flag == "--film" ||
+                            flag == "--limits" || value.starts_with("scripts/");
+      if (is_input) {
+        EXPECT_TRUE(made.contains(value) ||
+                    std::filesystem::exists(std::filesystem::path(FATHOM_SOURCE_DIR) / value))
+            << tool << ": " << word;
+      }
+      if (flag == "--out" || equal == std::string::npos) made.insert(value);
+    }
+  }
 }
 
 TEST(FathomCommand, SuggestsTheNearestSubCommand) {

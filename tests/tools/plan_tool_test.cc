@@ -528,6 +528,7 @@ TEST(PlanTool, SaysWhichStretchesOfOrdinaryDivesDo) {
   EXPECT_LT(num_chosen, static_cast<int>(dives.at("stretches").size()));
   const std::string page = TextOf(inputs.At("dives.html"));
   EXPECT_THAT(page, HasSubstr("Which ordinary dives do: surge"));
+  EXPECT_THAT(page, HasSubstr("Chosen stretches"));
   EXPECT_THAT(page, HasSubstr("1st choice"));
 
   const std::string start = "next, to fit the chosen stretches alone: fathom_identify ";

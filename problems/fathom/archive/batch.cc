@@ -128,6 +128,13 @@ void CountStored(const Tables& tables, BatchSummary* summary) {
   }
 }
 
+// Results that are there forget the logs of an archive that is empty now; none are begun for it.
+FoundArchive WalkArchiveOf(const BatchOptions& options, const ArchiveSettings& settings) {
+  FoundArchive found = WalkArchive(options.archive, settings);
+  if (!fs::exists(options.results)) RequireAnyLog(found, options.archive);
+  return found;
+}
+
 // The archive, hashed, and the results, which nobody else writes meanwhile. The archive is read
 // first: results of one that cannot be used are not begun.
 struct OpenBatch {
@@ -140,7 +147,7 @@ struct OpenBatch {
 
   explicit OpenBatch(const BatchOptions& options)
       : settings(ReadArchiveSettings(options.archive)),
-        found(WalkArchive(options.archive, settings)),
+        found(WalkArchiveOf(options, settings)),
         of_logs(LogOptionsOf(options, settings)),
         lock(options.results),
         store(options.results) {

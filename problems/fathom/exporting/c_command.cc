@@ -34,7 +34,8 @@ std::vector<Fin> FinsOf(const ExportModel& model, const ExportTarget& target) {
     if (entry != FinForceEntry(entry.actuator)) continue;
     if (std::ranges::find(fins, entry.actuator, &Fin::name) != fins.end()) continue;
     throw InputError(
-        fmt::format("--vehicle: {}, expected the file that says where the model's fin {} stands.",
+        fmt::format("{}: {}, expected the file that says where the model's fin {} stands.",
+                    NameOfVehicleFile(target),
                     target.vehicle ? "has no fin of that name" : "is missing",
                     entry.actuator));
   }

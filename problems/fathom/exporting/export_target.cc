@@ -11,6 +11,10 @@ bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
+std::string NameOfVehicleFile(const ExportTarget& target) {
+  return target.vehicle_file.empty() ? "--vehicle" : target.vehicle_file;
+}
+
 void AddTo(const std::vector<std::string>& more, std::vector<std::string>* sentences) {
   sentences->insert(sentences->end(), more.begin(), more.end());
 }

@@ -18,6 +18,7 @@ struct ExportTarget {
   std::string origin;                   // "fathom_export 0.1.0 (abc1234), 2026-05-03"
   std::optional<Vehicle> vehicle = {};  // the vehicle file, where it is given
   double matched_speed = 0.5;           // where drag of another law equals the model's [m/s]
+  std::string vehicle_file = {};        // its path, for messages
 };
 
 // A file of another program.
@@ -31,6 +32,9 @@ struct ExportedFile {
   // Checks that failed, a sentence each: the file is then not to be written.
   std::vector<std::string> problems = {};
 };
+
+// What a message about the vehicle file begins with: its path, or the flag that would give it.
+std::string NameOfVehicleFile(const ExportTarget& target);
 
 // Appends sentences to others.
 void AddTo(const std::vector<std::string>& more, std::vector<std::string>* sentences);

@@ -14,24 +14,33 @@ namespace {
 
 RigidBody RequireRigidBody(const ExportTarget& target, ExportFormat format, bool needs_size) {
   const RigidBody body = target.vehicle ? target.vehicle->body : RigidBody();
-  std::vector<std::string> missing;
-  if (!body.mass) missing.push_back("mass: 13.5");
+  std::vector<std::string> names, missing;
+  if (!body.mass) {
+    names.push_back("'mass'");
+    missing.push_back("mass: 13.5");
+  }
   if (needs_size && !(target.vehicle && target.vehicle->size)) {
+    names.push_back("'size'");
     missing.push_back("size: [0.46, 0.58, 0.25]");
   }
   std::vector<std::string> keys;
   if (!body.inertia_tensor) {
+    names.push_back("'rigid_body.inertia_tensor'");
     keys.push_back("inertia_tensor: [[0.4, 0, 0], [0, 0.6, 0], [0, 0, 0.8]]");
   }
-  if (!body.centre_of_mass) keys.push_back("centre_of_mass: [0, 0, 0.02]");
+  if (!body.centre_of_mass) {
+    names.push_back("'rigid_body.centre_of_mass'");
+    keys.push_back("centre_of_mass: [0, 0, 0.02]");
+  }
   if (!keys.empty()) {
     missing.push_back(fmt::format("rigid_body: {{{}}}", fmt::join(keys, ", ")));
   }
   if (missing.empty()) return body;
   throw InputError(fmt::format(
-      "--vehicle: {}. --format={} wants the body and its added mass apart: expected `{}` in the "
+      "{}: {}. --format={} wants the body and its added mass apart: expected `{}` in the "
       "vehicle file, with your own numbers (about the body's origin; docs/file_formats.md).",
-      target.vehicle ? "does not tell all of the body without its water" : "is missing",
+      NameOfVehicleFile(target),
+      target.vehicle ? fmt::format("has no key {}", fmt::join(names, ", nor ")) : "is missing",
       Name(format),
       fmt::join(missing, "` and `")));
 }

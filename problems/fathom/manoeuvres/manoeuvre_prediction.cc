@@ -8,6 +8,7 @@
 #include "fathom/manoeuvres/drawn_figures.h"
 #include "fathom/manoeuvres/helm.h"
 #include "fathom/manoeuvres/measured_manoeuvre.h"
+#include "fathom/manoeuvres/missing_figures.h"
 #include "fathom/manoeuvres/straight_track.h"
 #include "fathom/simulate/coupled/imo_limit.h"
 #include "fathom/simulate/coupled/steering.h"
@@ -16,7 +17,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -133,6 +136,9 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   report.sentences = StraightTrackSentences(manoeuvre, figures, drawn);
   if (manoeuvre.kind == Manoeuvre::Kind::kStop) {
     report.sentences = OffsetSentences(fitted.model, helm);
+  }
+  for (std::string& sentence : MissingFigureSentences(manoeuvre, *track, figures)) {
+    report.sentences.insert(report.sentences.begin(), std::move(sentence));
   }
   report.track = std::move(*track);
   report.drawn = std::move(tracks);

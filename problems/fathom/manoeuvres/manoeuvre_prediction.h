@@ -45,8 +45,8 @@ struct ManoeuvrePrediction {
   double rudder_rate = 0.0;           // [rad/s]; infinite: at once
   double rudder_delay = 0.0;          // [s]
   std::optional<double> length = {};  // of the vehicle [m]
-  std::vector<std::string> sentences =
-      {};  // what a spiral or a pull-out says of the straight track
+  // What a spiral or a pull-out says of the straight track; why figures have no value; doubts.
+  std::vector<std::string> sentences = {};
 };
 
 // What a model does in a manoeuvre that begins at the log's first speed ahead, under its mean force

@@ -17,6 +17,18 @@ constexpr double kLongestMinutes = 60.0;
 constexpr double kLongestHold = 60.0;  // [s]
 constexpr double kShortestHold = 0.02;
 
+// A file for a model of several DOFs is easily taken for this one.
+void RequireOneDof(const YamlMap& map) {
+  for (const char* key : {"force", "speed"}) {
+    if (!map.HoldsMap(key)) continue;
+    map.Fail(
+        key,
+        "is a map, as for a model of several DOFs, expected one number: the model has one "
+        "DOF. A limits file of one DOF holds force: 40, speed: 0.8, distance: {back: 8, ahead: "
+        "8} (docs/file_formats.md).");
+  }
+}
+
 // A limit that may be missing.
 double LimitOf(const YamlMap& map, std::string_view key) {
   return map.Has(key) ? Positive(map, key) : PlanLimits::kNoLimit;
@@ -36,6 +48,7 @@ PlanLimits LimitsOfLog(const DataRange& range) {
 
 PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
   const YamlMap file = ParseYaml(name, text);
+  RequireOneDof(file);
   PlanLimits limits;
   limits.force = Positive(file, "force");
   limits.speed = LimitOf(file, "speed");

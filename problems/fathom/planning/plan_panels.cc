@@ -52,6 +52,7 @@ TimePanel MotionPanel(const std::string& quantity,
     if (!std::isfinite(limit)) continue;
     Series& line = panel.responses.emplace_back();
     line.name = fmt::format("limit {:g} {}", limit, unit);
+    line.color_name = "limit";
     line.values.assign(time.size(), limit);
   }
   return panel;

@@ -23,6 +23,11 @@ struct Series {
   std::vector<double> half_width = {};
 
   bool is_faded = false;  // of a page: thin and pale until a reader asks for it
+
+  // Curves of one meaning share the color of this name; empty: each by its own name.
+  std::string color_name = {};
+
+  const std::string& ColorName() const { return color_name.empty() ? name : color_name; }
 };
 
 // Curves over time: what was measured, what was computed for it, and below it measured minus

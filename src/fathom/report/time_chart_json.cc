@@ -89,7 +89,7 @@ std::string TimeChartJson(const TimePanel& panel, Palette& palette) {
   const bool is_lone = !panel.measured && panel.responses.size() == 1;
   json responses = json::array();
   for (const Series& response : panel.responses) {
-    const auto color = is_lone ? kLoneColor : palette.ColorOf(response.name);
+    const auto color = is_lone ? kLoneColor : palette.ColorOf(response.ColorName());
     responses.push_back(SeriesJson(response, color, indices));
   }
 

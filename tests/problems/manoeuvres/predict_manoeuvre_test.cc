@@ -119,6 +119,31 @@ TEST(PredictManoeuvre, TakesTheRuddersDelayThatIsGiven) {
   EXPECT_GT(overshoot(0.5), overshoot(0.0));
 }
 
+// Dashes alone would leave it open.
+TEST(PredictManoeuvre, SaysWhyThereAreNoFigures) {
+  const auto sentence = [](const FittedCoupledModel& model, const char* manoeuvre) {
+    const ManoeuvrePrediction report =
+        PredictManoeuvre(model, DrivenLog("", 40.0), ParseManoeuvre(manoeuvre), {0, 1});
+    return report.sentences.empty() ? "" : report.sentences.front();
+  };
+  EXPECT_EQ(sentence(BoatModel(), "zigzag:10/10"), "");
+  EXPECT_THAT(sentence(BoatModel(), "zigzag:0.2/0.1"),
+              testing::ContainsRegex("^No figures: within the .* deg to port; an overshoot counts "
+                                     "only where the heading then comes back by more than 0.5 "
+                                     "deg.$"));
+  FittedCoupledModel sluggish = BoatModel();
+  sluggish.model.inertia(5, 5) = 1e8;
+  EXPECT_THAT(sentence(sluggish, "zigzag:-10/10"),
+              testing::ContainsRegex(
+                  "^No figures: within the 600 s .* deg to port, short of the order of 10 deg"));
+  EXPECT_THAT(sentence(sluggish, "turning_circle:35"),
+              testing::ContainsRegex("^No figures: .* turned by .* need 90 deg"));
+  FittedCoupledModel gliding = BoatModel();
+  gliding.model.quadratic_damping(0, 0) = 0.01;
+  EXPECT_THAT(sentence(gliding, "stop:0"),
+              testing::ContainsRegex("^No figures: .* did not stop: its speed ahead is still "));
+}
+
 TEST(ManoeuvrePage, ShowsTrackFiguresAndLimits) {
   const ManoeuvrePrediction report = PredictManoeuvre(BoatModel(),
                                                       DrivenLog("size: [4, 1, 0.5]\n", 40.0),

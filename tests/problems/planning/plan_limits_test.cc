@@ -54,5 +54,14 @@ TEST(PlanLimits, NameFileLineAndKeyOfWhatCannotBe) {
   EXPECT_NE(RefusalOf("force: 5\nspede: 1\n").find("spede"), std::string::npos);
 }
 
+// force: {surge: 40} is of several.
+TEST(PlanLimits, SayThatTheModelHasOneDof) {
+  const std::string refusal = RefusalOf("force: {surge: 40, yaw: 8}\nspeed: {surge: 0.8}\n");
+  EXPECT_EQ(refusal.find("tank.yaml:1: key 'force' is a map, as for a model of several DOFs"), 0U)
+      << refusal;
+  EXPECT_NE(refusal.find("the model has one DOF"), std::string::npos);
+  EXPECT_NE(refusal.find("holds force: 40, speed: 0.8"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace fathom

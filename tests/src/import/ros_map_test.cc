@@ -53,5 +53,43 @@ INSTANTIATE_TEST_SUITE_P(Types,
                          MavrosBags,
                          ::testing::Values("mavros_msgs/RCOut", "mavros_msgs/msg/RCOut"));
 
+Channel Of(const char* name, const char* type, const std::vector<std::string>& fields) {
+  Channel channel = {name, type, {}, 500, 0.0, 50.0};
+  for (const std::string& field : fields) channel.fields.push_back({field, ""});
+  return channel;
+}
+
+// A pose on the plane, and two thrusters by their names.
+TEST(RosMap, KnowsABoatByItsThrustersAndPose2D) {
+  Contents contents;
+  contents.format = "ros1_bag";
+  contents.channels = {Of("/NED_pose", "geometry_msgs/Pose2D", {"x", "y", "theta"}),
+                       Of("/left_thruster", "std_msgs/Float64", {"data"}),
+                       Of("/local_vel", "geometry_msgs/Vector3", {"x", "y", "z"}),
+                       Of("/ref", "geometry_msgs/Pose2D", {"x", "y", "theta"}),
+                       Of("/right_thruster", "std_msgs/Float64", {"data"})};
+  const SuggestedMap suggested = SuggestMap(ConstantRecording(contents, 0.0), std::nullopt);
+  EXPECT_FALSE(suggested.is_ready);
+  EXPECT_THAT(suggested.text, HasSubstr("\nvehicle: vehicle.yaml"));
+  const ImportMap map = ParseImportMap("map", suggested.text);
+  ASSERT_TRUE(map.command && map.velocity && map.pose);
+  EXPECT_EQ(map.command->channel, "/left_thruster");
+  EXPECT_EQ(map.command->columns.size(), 2U);
+  EXPECT_EQ(map.velocity->channel, "/local_vel");
+  EXPECT_EQ(map.velocity->columns.size(), 3U);
+  EXPECT_EQ(map.pose->channel, "/NED_pose");
+  EXPECT_EQ(map.pose->columns.size(), 3U);
+}
+
+// Of another maker's, by REP 103: theta turns to port.
+TEST(RosMap, TakesAnyOtherPose2DAsEastNorthUp) {
+  Contents contents;
+  contents.format = "mcap";
+  contents.channels = {Of("/robot/pose", "geometry_msgs/msg/Pose2D", {"x", "y", "theta"})};
+  const SuggestedMap suggested = SuggestMap(ConstantRecording(contents, 0.0), std::nullopt);
+  EXPECT_THAT(suggested.text, HasSubstr("channel: \"/robot/pose\""));
+  EXPECT_THAT(suggested.text, HasSubstr("frame: ENU"));
+}
+
 }  // namespace
 }  // namespace fathom

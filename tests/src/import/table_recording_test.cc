@@ -18,6 +18,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -98,6 +99,21 @@ TEST(TableRecording, TakesAColumnThatIsCalledATimeBeforeACounterOfRows) {
   const ReadSamples samples = ReadAll(*recording, {"table", {"u"}});
   EXPECT_NEAR(samples.time[2] - samples.time[0], 0.2, 1e-6);
   EXPECT_FALSE(recording->contents().channels[0].clock_counts_rows);
+}
+
+// Milliseconds that are called "stamp" are seconds to us: how to say what they are.
+TEST(TableRecording, TellsHowToSayTheUnitOfItsStamps) {
+  EXPECT_THAT(OpenText("stamp,u\n100,1\n200,2\n300,3\n")->contents().remarks,
+              Contains(AllOf(HasSubstr("column 'stamp' states no unit: its stamps are taken as "
+                                       "seconds. Where they are in another"),
+                             HasSubstr("'table: {time_unit: ms}'"))));
+  for (const char* name : {"stamp_ms", "stamp [ms]", "stamp (ms)"}) {
+    const auto recording = OpenText(std::string(name) + ",u\n100,1\n200,2\n300,3\n");
+    EXPECT_NEAR(*recording->contents().channels[0].last - *recording->contents().channels[0].first,
+                0.2,
+                1e-9)
+        << name;
+  }
 }
 
 TEST(TableRecording, TakesAnyColumnThatGrowsBeforeACounterOfRows) {

@@ -82,5 +82,24 @@ TEST(Csv, HoldsTheCurveAndTheBandOfACurveChart) {
   EXPECT_EQ(findings["file"], "pool_3_agreement_over_lag_s_.csv");
 }
 
+// A long name of the x-axis reaches as far as the button, which stands below it.
+TEST(Csv, IsSavedFromBelowTheNameOfTheAxis) {
+  if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
+  Page page;
+  page.title = "spiral";
+  CurvePanel& panel = page.sections.emplace_back().curve_panels.emplace_back();
+  panel.x_name = "rudder, to starboard";
+  panel.x_unit = "deg";
+  panel.y_name = "steady yaw rate";
+  panel.x = {-25.0, 25.0};
+  panel.y = {-1.0, 1.0};
+  auto findings = FindingsOf(RenderPage(page), "save_below_axis", R"(
+  const names = [...document.querySelectorAll(".scatter text")].map((one) => one.getBoundingClientRect().bottom);
+  findings.below = document.querySelector(".save").getBoundingClientRect().top - Math.max(...names);
+)");
+  EXPECT_EQ(findings["errors"], "");
+  EXPECT_GT(std::stod(findings["below"]), 0.0);
+}
+
 }  // namespace
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/report/page.h"
 
 #include <cmath>
+#include <regex>
 #include <string>
 
 #include "example_page.h"
@@ -122,6 +123,23 @@ TEST(Page, GivesAFamilyTheSameColourInEveryChart) {
   EXPECT_GT(Count(html, R"("color":"#d55e00","is_faded":false,"name":"adaptive")"), 0);
   EXPECT_EQ(Count(html, R"("color":"#cc79a7","is_faded":false,"name":"joint")"), 3);
   EXPECT_EQ(Count(html, R"(background:#cc79a7"></i></span><span class="value">)"), 12);
+}
+
+TEST(Page, GivesCurvesOfOneMeaningOneColour) {
+  Page page = PageOf("x");
+  TimePanel& panel = page.sections[0].time_panels[0];
+  for (const char* name : {"limit -1 m", "limit 2 m"}) {
+    Series& line = panel.responses.emplace_back(panel.responses[0]);
+    line.name = name;
+    line.color_name = "limit";
+  }
+  const std::string html = RenderPage(page);
+  std::smatch low, high;
+  ASSERT_TRUE(std::regex_search(
+      html, low, std::regex(R"x("color":"(#\w+)","is_faded":false,"name":"limit -1 m")x")));
+  ASSERT_TRUE(std::regex_search(
+      html, high, std::regex(R"x("color":"(#\w+)","is_faded":false,"name":"limit 2 m")x")));
+  EXPECT_EQ(low[1], high[1]);
 }
 
 TEST(Page, SaysInItsHeaderWhereItComesFrom) {

@@ -4,7 +4,6 @@
 #include "fathom/tool/coupled_flags.h"
 
 #include "fathom/base/input_error.h"
-#include "fathom/base/quoted.h"
 #include "fathom/tool/flag_values.h"
 
 #include <algorithm>
@@ -16,18 +15,17 @@
 DEFINE_string(dofs,
               "",
               "Several degrees of freedom as one coupled model: surge,sway,yaw. Instead of --dof.");
-DEFINE_string(structure,
-              "auto",
-              "Of --dofs, what is free: diagonal, coriolis, lift, symmetric, full, lopsided, or "
-              "auto: as the data "
-              "show.");
 DEFINE_double(window, 20.0, "Of --dofs: the simulation begins anew after so long [s].");
 
 namespace fathom {
 
 namespace {
 
-bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
+// A tool may lack the flag.
+bool IsGiven(const char* flag) {
+  gflags::CommandLineFlagInfo info;
+  return gflags::GetCommandLineFlagInfo(flag, &info) && !info.is_default;
+}
 
 }  // namespace
 
@@ -58,15 +56,6 @@ CoupledIdentificationOptions CoupledOptionsFromFlags() {
   if (const auto twice = std::adjacent_find(options.dofs.begin(), options.dofs.end());
       twice != options.dofs.end()) {
     throw InputError(fmt::format("--dofs: names {} twice, expected each once.", Name(*twice)));
-  }
-  if (FLAGS_structure != "auto") {
-    options.structure = StandardStructureFromName(FLAGS_structure);
-    if (!options.structure) {
-      throw InputError(
-          fmt::format("--structure: is {}, expected diagonal, coriolis, lift, symmetric, full, "
-                      "lopsided or auto.",
-                      Quoted(FLAGS_structure)));
-    }
   }
   options.fit.window = FLAGS_window;
   if (const auto problems = options.fit.Problems(); !problems.empty()) {

@@ -12,7 +12,6 @@
 
 // Flags of tools that take several DOFs together.
 DECLARE_string(dofs);
-DECLARE_string(structure);
 DECLARE_double(window);
 
 namespace fathom {
@@ -24,7 +23,8 @@ bool IsCoupledAsked();
 // `of_one_dof`, which only a model of one DOF heeds, without it --structure or --window.
 void RequireFlagsOfOneKind(const std::vector<const char*>& of_one_dof);
 
-// What these flags say. Throws InputError for names that are none, and a DOF named twice.
+// What these flags say; the structure is open. Throws InputError for names that are none, and a DOF
+// named twice.
 CoupledIdentificationOptions CoupledOptionsFromFlags();
 
 }  // namespace fathom

@@ -16,10 +16,13 @@
 #include <fstream>
 #include <optional>
 #include <set>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 
 namespace fathom {
@@ -187,6 +190,19 @@ FoundArchive WalkArchive(const fs::path& archive, const ArchiveSettings& setting
     return fs::path(a.path) < fs::path(b.path);  // "a/b" before "a-b/c"
   });
   return std::move(walk.found);
+}
+
+void RequireAnyLog(const FoundArchive& found, const fs::path& archive) {
+  if (!found.logs.empty() || !found.unreadable.empty()) return;
+  std::vector<std::string> others;
+  for (const auto& [kind, count] : found.other_files) {
+    others.push_back(fmt::format("{} {}", count, kind));
+  }
+  throw InputError(fmt::format(
+      "--archive={}: holds no log ({}), expected at any depth a folder with a log.yaml, a CSV "
+      "file whose first line names t, tau and v, or a recording. See docs/archive.md.",
+      archive.string(),
+      others.empty() ? "it is empty" : fmt::format("but {}", fmt::join(others, ", "))));
 }
 
 }  // namespace fathom

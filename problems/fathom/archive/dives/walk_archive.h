@@ -43,4 +43,7 @@ struct FoundArchive {
 // itself is no folder or cannot be read.
 FoundArchive WalkArchive(const std::filesystem::path& archive, const ArchiveSettings& settings);
 
+// Throws InputError if there is no log at all and no folder that may hide one; says what is there.
+void RequireAnyLog(const FoundArchive& found, const std::filesystem::path& archive);
+
 }  // namespace fathom

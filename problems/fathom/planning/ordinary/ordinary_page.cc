@@ -107,9 +107,10 @@ Page OrdinaryPage(const OrdinaryRequest& request, const OrdinaryDives& dives) {
   double length = 0.0;
   for (const std::size_t k : dives.chosen) length += dives.stretches[k].Length();
   page.facts = {{"Logs", fmt::format("{}", request.logs.size())},
-                {"All of them", fmt::format("{:.0f} s", dives.duration)},
+                {"Length of all", fmt::format("{:.0f} s", dives.duration)},
                 {"Stretches", fmt::format("{}", dives.stretches.size())},
-                {"Chosen", fmt::format("{} of {:.0f} s", dives.chosen.size(), length)}};
+                {"Chosen stretches", fmt::format("{}", dives.chosen.size())},
+                {"Their length", fmt::format("{:.0f} s", length)}};
   PageSection& tables = page.sections.emplace_back();
   tables.heading = "What the stretches tell";
   tables.tables = {ChosenStretchTable(request, dives)};

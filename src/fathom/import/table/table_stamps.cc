@@ -194,9 +194,11 @@ void SetNumberRule(const Field& column,
   std::string unit = options.time_unit.empty() ? NameAndUnit(column).second : options.time_unit;
   if (unit.empty()) {
     unit = UnitOfStamp(number);
-    rule->remark = fmt::format("column {} states no unit: its stamps are taken as {}.",
-                               Quoted(column.name),
-                               unit == "s" ? "seconds" : unit + " since 1970");
+    rule->remark = fmt::format(
+        "column {} states no unit: its stamps are taken as {}. Where they are in another, the name "
+        "says so, as in 'time [ms]' or 'time_ms', or the map: 'table: {{time_unit: ms}}'.",
+        Quoted(column.name),
+        unit == "s" ? "seconds" : unit + " since 1970");
   }
   const auto found = FindUnit(unit, Dimension::kTime);
   if (!found) {

@@ -99,7 +99,7 @@ void WriteFigure(const TimePanel& panel, const std::filesystem::path& path) {
         {panel.measured->name, std::string(kMeasuredColor), 2.2, panel.measured->values});
   }
   for (const Series& response : panel.responses) {
-    const std::string color(is_lone ? kLoneColor : palette.ColorOf(response.name));
+    const std::string color(is_lone ? kLoneColor : palette.ColorOf(response.ColorName()));
     curves.push_back({response.name, color, 1.4, response.values});
     if (!panel.measured || !panel.has_residuals) continue;
     residuals.push_back({response.name, color, 0.9, Residual(*panel.measured, response)});

@@ -144,5 +144,25 @@ TEST(WalkArchive, TakesFilesAndFoldersThatArchiveYamlImports) {
   EXPECT_TRUE(found.other_files.empty());
 }
 
+std::string NeedsALog(const fs::path& archive) {
+  try {
+    RequireAnyLog(WalkArchive(archive, {}), archive);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WalkArchive, SaysWhatIsThereInPlaceOfLogs) {
+  const fs::path archive = EmptyArchive();
+  EXPECT_THAT(NeedsALog(archive), testing::HasSubstr("holds no log (it is empty), expected"));
+  Write(archive / "a/notes.txt");
+  Write(archive / "b/notes.txt");
+  Write(archive / "photo.jpg");
+  EXPECT_THAT(NeedsALog(archive), testing::HasSubstr("(but 1 .jpg, 2 .txt), expected"));
+  Write(archive / "log/log.yaml");
+  EXPECT_EQ(NeedsALog(archive), "");
+}
+
 }  // namespace
 }  // namespace fathom
