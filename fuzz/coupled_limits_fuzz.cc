@@ -5,7 +5,7 @@
 // read.
 
 #include "fathom/base/input_error.h"
-#include "fathom/planning/coupled/coupled_limits.h"
+#include "fathom/coupled_planning/coupled_limits.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/planning/coupled/coupled_plan.h"
+#include "fathom/coupled_planning/coupled_plan.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 
 namespace fathom {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/planning/coupled/coupled_limits.h"
+#include "fathom/coupled_planning/coupled_limits.h"
 
 #include <cmath>
 #include <string>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/base/interval95.h"
+#include "fathom/ordinary_dives/judge_dives.h"
+#include "fathom/ordinary_dives/ordinary_text.h"
+#include "fathom/ordinary_dives/run_normal.h"
+#include "fathom/ordinary_dives/simple_manoeuvres.h"
 #include "fathom/output_error/output_error.h"
-#include "fathom/planning/ordinary/judge_dives.h"
-#include "fathom/planning/ordinary/ordinary_text.h"
-#include "fathom/planning/ordinary/run_normal.h"
-#include "fathom/planning/ordinary/simple_manoeuvres.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/planning/coupled/plan_coupled.h"
+#include "fathom/coupled_planning/plan_coupled.h"
 
 #include "fathom/coupled/coupled_fit.h"
-#include "fathom/planning/coupled/coupled_plan_files.h"
-#include "fathom/planning/coupled/kept_wrench.h"
-#include "fathom/planning/coupled/wrench_run.h"
+#include "fathom/coupled_planning/coupled_plan_files.h"
+#include "fathom/coupled_planning/kept_wrench.h"
+#include "fathom/coupled_planning/wrench_run.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <algorithm>

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/coupled_planning/coupled_limits.h"
+#include "fathom/coupled_planning/wrench_block.h"
+#include "fathom/planning/experiment_plan.h"
+#include "fathom/vehicle/coupled/fitted_coupled_model.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fathom {
+
+// What an experiment of several DOFs is planned from.
+struct CoupledPlanRequest {
+  FittedCoupledModel model;  // what is known so far
+  std::string name;          // of its file, for messages
+  CoupledLimits limits;
+  std::string limits_name;
+  std::vector<Dof> dofs;  // to command; empty: those that the limits give a force for
+  double duration = 0.0;  // [s]
+  std::uint64_t seed = 1;
+  double effort = 1.0;  // share of the changes that are tried, above 0 to 1
+};
+
+// The next experiment of several DOFs: docs/plan.md, "Several degrees of freedom".
+struct CoupledPlan {
+  // False: no command was found that keeps the limits; nothing below is filled in.
+  bool IsUsable() const { return message.empty(); }
+  std::string message = "PlanCoupledExperiment() was not called.";
+
+  std::vector<WrenchAxis> axes;  // that are commanded
+  std::vector<WrenchBlock> blocks;
+  CoupledCommand command;  // from t = 0 on
+  double duration = 0.0;   // [s], of whole cells
+
+  double rate = 0.0;                 // of the velocities [Hz]
+  std::array<double, 6> noise = {};  // of one, by Index(Dof) [m/s] or [rad/s]
+
+  // The entries of the model that a wrench can tell; `sine`: by one axis after the other.
+  std::vector<PlannedParameter> parameters;
+  std::vector<std::string> left_out;  // names of the others
+
+  CoupledCommand sine;                 // a sine on one axis after the other
+  std::vector<double> sine_amplitude;  // of each axis: the greatest that the limits leave
+
+  double share_breaking = 0.0;       // of the models that the log allows, those that break a limit
+  int num_models = 0;                // that this was counted in
+  std::vector<double> time;          // of the command and the coast behind it, kCoastAfterwards [s]
+  std::array<PlannedBand, 6> speed;  // of modelled DOFs, by Index(Dof)
+  std::array<PlannedBand, 3> position;  // from the start: ahead, starboard, down [m]
+  double tilt = 0.0;                    // that 95 % of the models stay below [rad]
+};
+
+}  // namespace fathom

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled_planning/coupled_plan_files.h"
+
+#include "fathom/planning/ordinary_sine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace fathom {
+namespace {
+
+using CoupledJson = nlohmann::ordered_json;
+
+// Of those DOFs that have one.
+CoupledJson ByName(const std::array<double, 6>& values) {
+  CoupledJson json = CoupledJson::object();
+  for (const Dof dof : kAllDofs) {
+    const double value = values[static_cast<std::size_t>(Index(dof))];
+    if (std::isfinite(value) && value > 0.0) json[std::string(Name(dof))] = value;
+  }
+  return json;
+}
+
+CoupledJson RoomJson(const CoupledLimits& limits) {
+  CoupledJson json = CoupledJson::array();
+  for (const ValueRange& range : limits.room) json.push_back({range.low, range.high});
+  return json;
+}
+
+CoupledJson EntriesJson(const CoupledPlan& plan) {
+  CoupledJson entries = CoupledJson::object();
+  for (const PlannedParameter& entry : plan.parameters) {
+    entries[entry.name] = {{"value", entry.value},
+                           {"std_before", entry.before},
+                           {"std_after", entry.after},
+                           {"std_with_log_so_far", entry.with_log_so_far},
+                           {"std_after_sine", entry.sine},
+                           {"unit", entry.unit}};
+  }
+  return entries;
+}
+
+CoupledJson WrenchBlocksJson(const CoupledPlan& plan, double hold) {
+  CoupledJson blocks = CoupledJson::array();
+  int cell = 0;
+  for (const WrenchBlock& block : plan.blocks) {
+    CoupledJson along = CoupledJson::object();
+    for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+      along[std::string(Name(plan.axes[k].dof))] = {{"kind", Name(block.along[k].kind)},
+                                                    {"level", block.along[k].level}};
+    }
+    blocks.push_back(
+        {{"from", cell * hold}, {"to", (cell + block.num_cells) * hold}, {"along", along}});
+    cell += block.num_cells;
+  }
+  return blocks;
+}
+
+CoupledJson AxisSinesJson(const CoupledPlan& plan) {
+  CoupledJson amplitude = CoupledJson::object();
+  for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+    amplitude[std::string(Name(plan.axes[k].dof))] = plan.sine_amplitude[k];
+  }
+  return {{"amplitude", amplitude}, {"frequency", kSineFrequency}};
+}
+
+}  // namespace
+
+std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  CoupledJson dofs = CoupledJson::array();
+  for (const WrenchAxis& axis : plan.axes) dofs.push_back(Name(axis.dof));
+  const CoupledJson json = {{"schema", "fathom-plan-2"},
+                            {"model", request.name},
+                            {"dofs", dofs},
+                            {"seed", request.seed},
+                            {"duration", plan.duration},
+                            {"limits",
+                             {{"force", ByName(request.limits.force)},
+                              {"speed", ByName(request.limits.speed)},
+                              {"distance", RoomJson(request.limits)},
+                              {"tilt", request.limits.tilt},
+                              {"shortest_hold", request.limits.shortest_hold}}},
+                            {"velocity", {{"rate", plan.rate}, {"noise", ByName(plan.noise)}}},
+                            {"models", plan.num_models},
+                            {"share_breaking", plan.share_breaking},
+                            {"parameters", EntriesJson(plan)},
+                            {"left_out", plan.left_out},
+                            {"sine", AxisSinesJson(plan)},
+                            {"blocks", WrenchBlocksJson(plan, request.limits.shortest_hold)}};
+  return json.dump(2, ' ', false, CoupledJson::error_handler_t::replace) + "\n";
+}
+
+std::string FormatWrenchCommand(const CoupledPlan& plan) {
+  std::string text = "t";
+  for (const WrenchAxis& axis : plan.axes) text += fmt::format(",{}", ForceColumn(axis.dof));
+  text += "\n";
+  for (std::size_t i = 0; i < plan.command.time.size(); ++i) {
+    text += fmt::format("{}", plan.command.time[i]);
+    for (const WrenchAxis& axis : plan.axes) {
+      text += fmt::format(",{}", plan.command.force[i][Index(axis.dof)]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string FormatWrenchExperiment(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  // Whole periods of the command in a cell, ten a second or more.
+  const double hold = request.limits.shortest_hold;
+  const double rate = std::max(1.0, std::ceil(10.0 * hold - 1e-9)) / hold;
+  std::string text = fmt::format(
+      "# Planned by fathom_plan: fathom_synthesize plays the command.csv beside this file.\n"
+      "name: planned_wrench\n"
+      "duration: {}\n"
+      "command_rate: {}\n",
+      plan.duration,
+      rate);
+  for (const WrenchAxis& axis : plan.axes) {
+    text += fmt::format("{}: {{control: open_loop, input: {{kind: file, file: command.csv}}}}\n",
+                        Name(axis.dof));
+  }
+  std::vector<std::string> noise;
+  for (const Dof dof : request.model.model.dofs) {
+    noise.push_back(
+        fmt::format("{}: {:.4g}", Name(dof), plan.noise[static_cast<std::size_t>(Index(dof))]));
+  }
+  return text + fmt::format("velocity:\n  rate: {:.4g}\n  noise: {{{}}}\n",
+                            plan.rate,
+                            fmt::join(noise, ", "));
+}
+
+}  // namespace fathom

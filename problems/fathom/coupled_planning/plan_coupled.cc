@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fathom/coupled_planning/plan_coupled.h"
+
+#include "fathom/base/input_error.h"
+#include "fathom/coupled_planning/axis_sines.h"
+#include "fathom/coupled_planning/coupled_forecast.h"
+#include "fathom/coupled_planning/drawn_coupled_models.h"
+#include "fathom/coupled_planning/wrench_search.h"
+#include "fathom/planning/information.h"
+#include "fathom/planning/plan_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace fathom {
+namespace {
+
+constexpr int kNumCoupledInSearch = 20;
+constexpr int kNumCoupledInForecast = 9;  // the fit's own along
+constexpr int kNumCoupledInCheck = 200;
+constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
+constexpr int kNumCoupledTrials = 3;      // with limits narrower from one to the next
+constexpr double kNarrowerForNext = 0.9;
+constexpr int kFewerMovesForNext = 4;          // so that planning takes seconds still
+constexpr double kLongestCoupledPeriod = 0.1;  // of the stamps in the search [s]
+constexpr int kMostCoupledStamps = 3000;
+constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
+constexpr double kDefaultWindow = 20.0;  // of a fit [s]
+
+// How many columns of sensitivities are integrated in all, so that planning takes seconds.
+constexpr double kCoupledWork = 7e5;  // [s]
+constexpr double kMostCoupledMoves = 400.0;
+
+bool Has(const std::vector<Dof>& dofs, Dof dof) {
+  return std::find(dofs.begin(), dofs.end(), dof) != dofs.end();
+}
+
+double LimitOf(const std::array<double, 6>& by_dof, Dof dof) {
+  return by_dof[static_cast<std::size_t>(Index(dof))];
+}
+
+// What keeps an upright vehicle where it is.
+double HoldingForce(const CoupledModel& model, Dof dof) {
+  return model.offset[Index(dof)] + (dof == Dof::kHeave ? model.net_buoyancy : 0.0);
+}
+
+// "surge, sway, yaw".
+std::string ModelledNames(const CoupledPlanRequest& request) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : request.model.model.dofs) names.push_back(Name(dof));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
+  const CoupledLimits& limits = request.limits;
+  std::vector<WrenchAxis> axes;
+  for (const Dof dof : kAllDofs) {
+    const double force = LimitOf(limits.force, dof);
+    const bool is_modelled = Has(request.model.model.dofs, dof);
+    if (force > 0.0 && !is_modelled) {
+      throw InputError(
+          fmt::format("{}: key 'force' holds {}, which {} does not model, expected of {}.",
+                      request.limits_name,
+                      Name(dof),
+                      request.name,
+                      ModelledNames(request)));
+    }
+    if (request.dofs.empty() ? force == 0.0 : !Has(request.dofs, dof)) continue;
+    if (!is_modelled) {
+      throw InputError(fmt::format("--dofs: names {}, which {} does not model, expected of {}.",
+                                   Name(dof),
+                                   request.name,
+                                   ModelledNames(request)));
+    }
+    if (force == 0.0) {
+      throw InputError(fmt::format(
+          "{}: key 'force' lacks {}, which --dofs names, expected how much may be commanded [{}].",
+          request.limits_name,
+          Name(dof),
+          ForceUnit(dof)));
+    }
+    axes.push_back({dof, force, std::clamp(HoldingForce(request.model.model, dof), -force, force)});
+  }
+  if (!axes.empty()) return axes;
+  throw InputError(fmt::format(
+      "{}: key 'force' names no DOF, expected one to command at the least.", request.limits_name));
+}
+
+// How the velocities will be measured: as the limits say, else as the fit shows it.
+void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
+  const auto require =
+      [&](double value, double most, const std::string& what, const std::string& key) {
+        if (std::isfinite(value) && value > 0.0 && value <= most) return;
+        throw InputError(
+            fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
+                        request.name,
+                        what,
+                        key));
+      };
+  plan->rate = request.limits.rate;
+  for (const Dof dof : request.model.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    const FitFigures& fit = request.model.train[at];
+    if (std::isnan(plan->rate)) plan->rate = fit.num_samples / fit.duration;
+    // The mean size of a normal number is sqrt(2 / pi) of its standard deviation.
+    const double given = request.limits.noise[at];
+    plan->noise[at] = std::isnan(given) ? std::sqrt(std::numbers::pi / 2.0) * fit.mae : given;
+    require(plan->noise[at],
+            CoupledLimits::kNoLimit,
+            fmt::format("how much its fit missed of {}", Name(dof)),
+            fmt::format("noise: {{{}: 0.01}}", Name(dof)));
+  }
+  require(plan->rate, kGreatestRate, "how often its log measured the velocities", "rate: 10");
+}
+
+// A stamp of the search stands for the velocities measured in its period. A window holds one at
+// least.
+WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  const double longest = std::max(kLongestCoupledPeriod, plan.duration / kMostCoupledStamps);
+  const int num_samples = std::max(1, static_cast<int>(std::round(longest * plan.rate)));
+  WrenchMeasurement measurement = {num_samples / plan.rate, plan.noise, kDefaultWindow};
+  for (double& noise : measurement.noise) noise /= std::sqrt(num_samples);
+  const double horizon = request.model.horizon;
+  const double window = std::isfinite(horizon) && horizon > 0.0
+                            ? std::max(horizon, measurement.period)
+                            : kDefaultWindow;
+  measurement.window = plan.duration / std::max(1.0, std::round(plan.duration / window));
+  return measurement;
+}
+
+// Numbers of one thruster or one fin, of which a wrench tells nothing, and what two clocks differ
+// by.
+bool IsLeftOut(const FreeEntry& entry) {
+  return !entry.actuator.empty() || entry.kind == FreeEntry::Kind::kTimeOffset;
+}
+
+ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
+  const FittedCoupledModel& fitted = request.model;
+  ToldEntries told;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+    if (IsLeftOut(fitted.entries[k])) continue;
+    told.entries.push_back(fitted.entries[k]);
+    rows.push_back(static_cast<Eigen::Index>(k));
+  }
+  if (told.entries.empty()) {
+    throw InputError(fmt::format(
+        "{}: holds no identified number that a wrench tells of, expected one: of single "
+        "thrusters, fins and clocks it tells nothing. fathom_identify --dofs writes it.",
+        request.name));
+  }
+  told.covariance = fitted.covariance(rows, rows);
+  return told;
+}
+
+WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
+                        const CoupledPlan& plan,
+                        const ToldEntries& told) {
+  WrenchTask task;
+  task.axes = plan.axes;
+  task.limits = request.limits;
+  task.duration = plan.duration;
+  task.seed = request.seed;
+  task.entries = told.entries;
+  task.measurement = MeasurementFor(request, plan);
+  task.so_far = kWeightSoFar * InverseOf(told.covariance);
+  const auto num_columns =
+      static_cast<double>(NumCoupledColumns(request.model.model, told.entries));
+  const double moves = std::min(kMostCoupledMoves, kCoupledWork / (plan.duration * num_columns));
+  task.num_moves = std::max(10, static_cast<int>(request.effort * moves));
+  return task;
+}
+
+CoupledLimits Narrowed(CoupledLimits limits) {
+  for (double& speed : limits.speed) speed *= kNarrowerForNext;
+  for (ValueRange& range : limits.room) {
+    range = {kNarrowerForNext * range.low, kNarrowerForNext * range.high};
+  }
+  limits.tilt *= kNarrowerForNext;
+  return limits;
+}
+
+// The last of the commands that a search came by under which 95 % of `others` keep the limits,
+// gone back by one, two, four ... False if none does.
+bool FillBlocksFrom(FoundWrench found,
+                    const CoupledPlanRequest& request,
+                    const std::vector<CoupledModel>& others,
+                    CoupledPlan* plan) {
+  found.before.push_back(std::move(found.blocks));
+  const auto last = static_cast<std::ptrdiff_t>(found.before.size()) - 1;
+  for (std::ptrdiff_t back = 0; back <= last; back = 2 * back + 1) {
+    plan->blocks = found.before[static_cast<std::size_t>(last - back)];
+    plan->command = CommandOf(plan->axes, plan->blocks, request.limits.shortest_hold);
+    if (!ForecastMotion(request, others, plan)) return false;
+    if (plan->share_breaking <= kShareOfCoupled) return true;
+  }
+  return false;
+}
+
+// Searches until 95 % of `others` keep the limits. False if no command does.
+bool FillBlocks(const CoupledPlanRequest& request,
+                const std::vector<CoupledModel>& others,
+                WrenchTask task,
+                CoupledPlan* plan) {
+  for (int trial = 0; trial < kNumCoupledTrials; ++trial) {
+    FoundWrench found = SearchWrench(task);
+    if (found.blocks.empty()) return false;
+    if (FillBlocksFrom(std::move(found), request, others, plan)) return true;
+    task.limits = Narrowed(task.limits);
+    task.num_moves /= kFewerMovesForNext;
+  }
+  return false;
+}
+
+}  // namespace
+
+CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
+  CoupledPlanRequest request = as_fitted;
+  request.model.model.time_offset = 0.0;  // of the log's clocks, not of the vehicle
+  if (request.model.force_unit != "N") {
+    throw InputError(fmt::format("{}: commands are in {}, expected N and N m: forces are planned.",
+                                 request.name,
+                                 request.model.force_unit));
+  }
+  CoupledPlan plan;
+  plan.axes = AxesOf(request);
+  SetMeasurement(request, &plan);
+  const double hold = request.limits.shortest_hold;
+  plan.duration = hold * std::max(1.0, std::round(request.duration / hold));
+
+  const ToldEntries told = EntriesToTell(request);
+  RandomStream random(request.seed, "planning.coupled_models");
+  std::vector<CoupledModel> models =
+      DrawCoupledModels(request.model, kNumCoupledInSearch, request.name, random);
+  models.insert(models.begin(), request.model.model);
+  const std::vector<CoupledModel> others =
+      DrawCoupledModels(request.model, kNumCoupledInCheck, request.name, random);
+
+  WrenchTask task = TaskOfWrench(request, plan, told);
+  task.models = std::move(models);
+  if (!FillBlocks(request, others, task, &plan)) {
+    plan.message =
+        "No command was found that keeps the limits for 95 % of the models that the log allows. "
+        "Give it more room, less time, or a model of narrower intervals.";
+    return plan;
+  }
+  AxisSines sines = LargestAxisSines(request.model.model, plan.axes, request.limits, plan.duration);
+  plan.sine = std::move(sines.command);
+  plan.sine_amplitude = std::move(sines.amplitude);
+  ForecastEntries(
+      std::span(task.models).first(kNumCoupledInForecast), told, task.measurement, &plan);
+  for (const FreeEntry& entry : request.model.entries) {
+    if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));
+  }
+  plan.message.clear();
+  return plan;
+}
+
+}  // namespace fathom
