@@ -98,15 +98,6 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
 
 // How the velocities will be measured: as the limits say, else as the fit shows it.
 void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
-  const auto require =
-      [&](double value, double most, const std::string& what, const std::string& key) {
-        if (std::isfinite(value) && value > 0.0 && value <= most) return;
-        throw InputError(
-            fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
-                        request.name,
-                        what,
-                        key));
-      };
   plan->rate = request.limits.rate;
   for (const Dof dof : request.model.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
@@ -115,12 +106,17 @@ void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
     // The mean size of a normal number is sqrt(2 / pi) of its standard deviation.
     const double given = request.limits.noise[at];
     plan->noise[at] = std::isnan(given) ? std::sqrt(std::numbers::pi / 2.0) * fit.mae : given;
-    require(plan->noise[at],
-            CoupledLimits::kNoLimit,
-            fmt::format("how much its fit missed of {}", Name(dof)),
-            fmt::format("noise: {{{}: 0.01}}", Name(dof)));
+    RequireMeasured(request.name,
+                    plan->noise[at],
+                    CoupledLimits::kNoLimit,
+                    fmt::format("how much its fit missed of {}", Name(dof)),
+                    fmt::format("noise: {{{}: 0.01}}", Name(dof)));
   }
-  require(plan->rate, kGreatestRate, "how often its log measured the velocities", "rate: 10");
+  RequireMeasured(request.name,
+                  plan->rate,
+                  kGreatestRate,
+                  "how often its log measured the velocities",
+                  "rate: 10");
 }
 
 // A stamp of the search stands for the velocities measured in its period. A window holds one at

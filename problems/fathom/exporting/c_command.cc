@@ -135,7 +135,7 @@ std::string AddFin(const std::string& name) {
       "    u += along[i] * nu[i];\n"
       "    w += across[i] * nu[i];\n"
       "  }}\n"
-      "  s = race > 0.0 ? sqrt(fmax(u * u + race, 1e-9)) : u;\n"
+      "  s = race != 0.0 ? sqrt(fmax(u * u + race, 1e-9)) : u;\n"
       "  load = f * hypot(s, w) * (s * sine - w * cosine);\n"
       "  for (i = 0; i < 6; ++i) tau[i] += load * (cosine * across[i] - sine * along[i]);\n"
       "}}\n"

@@ -112,8 +112,8 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   auto track = RunManoeuvre(fitted.model, helm.fins, manoeuvre, helm.driven);
   if (!track) {
     throw InputError(
-        fmt::format("{}: no manoeuvre: the model diverges in it, expected one that a slower or "
-                    "smaller manoeuvre leaves bounded.",
+        fmt::format("{}: no manoeuvre: the model diverges in it. Try a smaller angle, or fit the "
+                    "model to a log that holds such turns.",
                     log.path.string()));
   }
   const std::vector<CoupledModel> models = DrawModels(fitted, draws.count, draws.seed);

@@ -6,9 +6,12 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
+#include "fathom/base/input_error.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace fathom {
 namespace {
@@ -77,6 +80,16 @@ PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
 
 PlanLimits ReadPlanLimits(const std::filesystem::path& path) {
   return ParsePlanLimits(path.string(), ReadFile(path));
+}
+
+void RequireMeasured(const std::string& model,
+                     double value,
+                     double most,
+                     const std::string& what,
+                     const std::string& key) {
+  if (std::isfinite(value) && value > 0.0 && value <= most) return;
+  throw InputError(fmt::format(
+      "{}: does not say {}, expected `velocity: {{{}}}` in the limits file.", model, what, key));
 }
 
 }  // namespace fathom

@@ -51,4 +51,13 @@ PlanLimits ReadPlanLimits(const std::filesystem::path& path);
 // The same from memory; `name` stands for the file in messages.
 PlanLimits ParsePlanLimits(const std::string& name, const std::string& text);
 
+// Throws InputError unless `value`, a rate [Hz] or a noise that the limits or the model's fit tell,
+// is above 0 and at most `most`. `model`: the name of its file, `what`: "how much its fit missed",
+// `key`: what the limits file may hold under velocity, "noise: 0.01".
+void RequireMeasured(const std::string& model,
+                     double value,
+                     double most,
+                     const std::string& what,
+                     const std::string& key);
+
 }  // namespace fathom

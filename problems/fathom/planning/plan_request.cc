@@ -78,16 +78,16 @@ VelocityMeasurement MeasurementOf(const PlanRequest& request) {
   // The mean size of a normal number is sqrt(2 / pi) of its standard deviation.
   if (std::isnan(measurement.noise))
     measurement.noise = std::sqrt(std::numbers::pi / 2.0) * fit.mae;
-  const auto require = [&](double value, double most, const char* what, const char* key) {
-    if (std::isfinite(value) && value > 0.0 && value <= most) return;
-    throw InputError(
-        fmt::format("{}: does not say {}, expected `velocity: {{{}}}` in the limits file.",
-                    request.name,
-                    what,
-                    key));
-  };
-  require(measurement.rate, kGreatestRate, "how often its log measured the velocity", "rate: 10");
-  require(measurement.noise, PlanLimits::kNoLimit, "how much its fit missed", "noise: 0.01");
+  RequireMeasured(request.name,
+                  measurement.rate,
+                  kGreatestRate,
+                  "how often its log measured the velocity",
+                  "rate: 10");
+  RequireMeasured(request.name,
+                  measurement.noise,
+                  PlanLimits::kNoLimit,
+                  "how much its fit missed",
+                  "noise: 0.01");
   return measurement;
 }
 
