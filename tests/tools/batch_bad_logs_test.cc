@@ -141,7 +141,7 @@ TEST(BadLogs, EndTheirOwnProgramsOnly) {
     EXPECT_EQ(states.at("memory/memory"),
               "out_of_memory: surge, fathom_compare: failed at its memory limit");
   }
-  const Path results = Path(FATHOM_SCRATCH_DIR) / "BadLogs.EndTheirOwnProgramsOnly/archive.sqlite";
+  const Path results = TestFolder() / "archive.sqlite";
   EXPECT_THAT(Query("SELECT message FROM dive_fits WHERE dive = 'segfault_identify'", results),
               testing::ElementsAre("crashed by signal 11 (Segmentation fault)"));
   EXPECT_EQ(states.at("damage_identify/damage_identify"), "ok: ");
@@ -223,7 +223,7 @@ TEST(BadLogs, ThatAreNoFilesAreNotOpened) {
               AllOf(StartsWith("unreadable: "), HasSubstr("device/command.csv: is a device")));
   EXPECT_THAT(states.at("pipe_yaml"),
               AllOf(StartsWith("unreadable: "), HasSubstr("pipe_yaml/log.yaml: is a pipe")));
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / "BadLogs.ThatAreNoFilesAreNotOpened";
+  const Path folder = TestFolder();
   EXPECT_THAT(RunBatchOfBadLogs(folder / "archive", folder / "archive.sqlite", {"--dry_run"}).out,
               HasSubstr("6 other files that are no logs: 3 broken link, 1 device, 1 link to a "
                         "folder seen already, 1 pipe"));
@@ -316,7 +316,7 @@ TEST(BadLogs, MayBeCalledAnything) {
                                             "back\\\\slash",
                                             "%s$HOME`id`",
                                             "--help"));
-  const Path results = Path(FATHOM_SCRATCH_DIR) / "BadLogs.MayBeCalledAnything/archive.sqlite";
+  const Path results = TestFolder() / "archive.sqlite";
   EXPECT_THAT(Query("SELECT DISTINCT usable FROM dive_fits", results), testing::ElementsAre("1"));
 }
 
@@ -331,7 +331,7 @@ TEST(BadLogs, InAFolderThatCannotBeReadAreTold) {
   EXPECT_EQ(states.at("locked"), "unreadable: the folder cannot be read: Permission denied");
   EXPECT_THAT(states.at("locked file"),
               AllOf(StartsWith("unreadable: "), HasSubstr("Permission denied")));
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / "BadLogs.InAFolderThatCannotBeReadAreTold";
+  const Path folder = TestFolder();
   fs::permissions(folder / "archive" / "locked", fs::perms::owner_all);
 }
 

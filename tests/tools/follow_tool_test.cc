@@ -59,8 +59,7 @@ std::vector<double> LastNumbers(const ToolRun& run) {
 
 // The last line of the tool against the model file of fathom_identify on the same file.
 void ExpectTheNumbersOfTheBatch(const Path& csv, const std::vector<std::string>& flags) {
-  const Path folder = EmptyTestFolder();
-  const Path model = folder / "model.json";
+  const Path model = TestFolder() / "model.json";
   auto of_batch = flags;
   of_batch.insert(of_batch.end(), {Flag("log", csv), "--family=adaptive", Flag("model", model)});
   const ToolRun batch = RunsWell("fathom_identify", of_batch);
@@ -80,8 +79,7 @@ void ExpectTheNumbersOfTheBatch(const Path& csv, const std::vector<std::string>&
 }
 
 TEST(FollowTool, EndsAtTheNumbersOfTheBatch) {
-  const Path csv =
-      WriteTestFile(EmptyTestFolder().parent_path() / "follow_small.csv", SmallSingleCsv());
+  const Path csv = WriteTestFile(EmptyTestFolder() / "run.csv", SmallSingleCsv());
   ExpectTheNumbersOfTheBatch(csv, kSmallFlags);
   ExpectTheNumbersOfTheBatch(csv, And(kSmallFlags, "--integrator=euler"));
 }
@@ -113,7 +111,7 @@ TEST_F(FollowToolOnRealData, EndsAtTheNumbersOfTheBatchAndOfTheAuthor) {
     const auto cells = CellsOf(line);
     csv += fmt::format("{},{},{}\n", cells[0], cells[13], cells[1]);
   }
-  const Path file = WriteTestFile(EmptyTestFolder().parent_path() / "lbv_single.csv", csv);
+  const Path file = WriteTestFile(EmptyTestFolder() / "run.csv", csv);
   const std::vector<std::string> flags = {
       "--dof=surge", "--gains=-0.005,0.5,0.5,0.5,0.05", "--integrator=euler"};
   ExpectTheNumbersOfTheBatch(file, flags);

@@ -35,7 +35,7 @@ std::ostream& operator<<(std::ostream& out, const DofTruth& truth) { return out 
 std::string Dof(const ::testing::TestParamInfo<DofTruth>& info) { return info.param.dof; }
 
 nlohmann::json IdentifiedModel(const std::vector<std::string>& arguments) {
-  const Path model = EmptyTestFolder() / "model.json";
+  const Path model = TestFolder() / "model.json";
   std::vector<std::string> all = arguments;
   all.push_back(Flag("model", model));
   RunsWell("fathom_identify", all);
@@ -122,8 +122,7 @@ TEST(IdentifyTool, TheSameLogGivesTheSameBytes) {
 // optimum in heave, counted as if known twice as well.
 TEST(IdentifyTool, TakesSeveralLogsTogether) {
   const auto once = IdentifiedModel({"--log=" + kFlatfish, "--dof=heave"});
-  const Path copy = Path(::testing::TempDir()) / "identify_tool_flatfish_again";
-  std::filesystem::remove_all(copy);
+  const Path copy = EmptyTestFolder() / "again";
   std::filesystem::copy(kFlatfish, copy, std::filesystem::copy_options::recursive);
   std::string velocity = TextOf(copy / "velocity.csv");
   ASSERT_EQ(velocity.find("t,u,"), 0u);
@@ -141,8 +140,7 @@ TEST(IdentifyTool, TakesSeveralLogsTogether) {
 
 // The same motion under a command that reads 12 N more: as the log of a vehicle trimmed anew.
 TEST(IdentifyTool, GivesEachLogItsOwnOffsetIfAskedTo) {
-  const Path folder = Path(::testing::TempDir()) / "identify_tool_trimmed_anew";
-  std::filesystem::remove_all(folder);
+  const Path folder = EmptyTestFolder();
   const std::string first = WriteSmallLog(folder / "before").string();
   const std::string second = WriteSmallLog(folder / "after").string();
   std::istringstream rows(SmallCommandCsv());
@@ -300,7 +298,7 @@ TEST(IdentifyTool, ALogWithoutACommandIsAFreeDecay) {
 }
 
 TEST(IdentifyTool, ScalesAFreeDecayByTheInertiaOfTheVehicleFile) {
-  const Path folder = EmptyTestFolder().concat("_log");
+  const Path folder = EmptyTestFolder();
   WriteTestFile(folder / "log.yaml", "name: turn\ndof: yaw\nvehicle: rov.yaml\n");
   WriteTestFile(folder / "rov.yaml", "name: rov\nmass: 20\ninertia: {yaw: 5}\n");
   std::string text = DecayCsv();

@@ -48,7 +48,7 @@ class PageLayout : public testing::Test {
                                  PageLook{.width = 390},
                                  PageLook{.width = 390, .is_dark = true},
                                  PageLook{.width = kPaperWidth, .is_printed = true}}) {
-      for (const auto& [what, faults] : FaultsOf(html, "layout", look)) {
+      for (const auto& [what, faults] : FaultsOf(html, look)) {
         EXPECT_EQ(faults, "") << what << " at " << look.width << " px"
                               << (look.is_printed ? " on paper" : "")
                               << (look.is_dark ? " in the dark" : "");

@@ -32,10 +32,7 @@ const fs::path& OneMarkerLog() {
     ~Made() { fs::remove_all(log.parent_path()); }
   };
   static const Made made = {SynthesizeMinute(
-      fs::path(FATHOM_SCRATCH_DIR) / ("RefineTool." + std::to_string(getpid())) / "log",
-      "wall.yaml",
-      40.0,
-      1)};
+      TestFolder().parent_path() / std::to_string(getpid()) / "log", "wall.yaml", 40.0, 1)};
   return made.log;
 }
 

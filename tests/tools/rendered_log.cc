@@ -31,8 +31,7 @@ const fs::path& RenderedLog() {
   };
   static const Made made = {[] {
     // Tests may run side by side, each in a process of its own.
-    const fs::path folder =
-        fs::path(FATHOM_SCRATCH_DIR) / ("TrackTool.rendered." + std::to_string(getpid()));
+    const fs::path folder = TestFolder().parent_path() / std::to_string(getpid());
     const std::string films = kData + "/films/";
     WriteTestFile(folder / "film.yaml",
                   "camera: " + films + "wall_camera.yaml\ntags: " + films +

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 
@@ -60,15 +59,6 @@ ToolRun RunToolBinaryOn(const std::filesystem::path& input,
 
 std::string Flag(const std::string& name, const std::filesystem::path& value) {
   return "--" + name + "=" + value.string();
-}
-
-std::filesystem::path EmptyTestFolder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path folder = std::filesystem::path(FATHOM_SCRATCH_DIR) /
-                                       (std::string(test->test_suite_name()) + "." + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
 }
 
 std::filesystem::path WriteTestFile(const std::filesystem::path& path, const std::string& text) {

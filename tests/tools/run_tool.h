@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "test_folder.h"  // for whoever runs a program
+
 namespace fathom {
 
 // What a program did.
@@ -39,9 +41,6 @@ ToolRun RunToolBinaryOn(const std::filesystem::path& input,
 
 // "--log=/a/b" of "log" and a path.
 std::string Flag(const std::string& name, const std::filesystem::path& value);
-
-// A new, empty folder for the running test in FATHOM_SCRATCH_DIR, named after it.
-std::filesystem::path EmptyTestFolder();
 
 // Writes a file, creating its folder, and gives its path back.
 std::filesystem::path WriteTestFile(const std::filesystem::path& path, const std::string& text);

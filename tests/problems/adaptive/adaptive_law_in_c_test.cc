@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "experiments.h"
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ std::vector<std::vector<double>> SamplesWithASilence() {
 // What the program in C prints.
 std::vector<std::vector<double>> EstimatesInC(const std::vector<std::vector<double>>& samples,
                                               const std::string& integrator) {
-  const auto file = std::filesystem::path(FATHOM_SCRATCH_DIR) / ("in_c_" + integrator + ".csv");
+  const auto file = TestFolder() / "samples.csv";
   std::ofstream out(file);
   for (const auto& sample : samples) out << fmt::format("{}\n", fmt::join(sample, ","));
   out.close();

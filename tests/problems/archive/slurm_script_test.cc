@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -53,7 +54,6 @@ std::vector<std::string> Entries(const fs::path& folder) {
 class SlurmScriptTest : public testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "disk");
     options_.archive = shared_ / "a vehicle's \"dives\"";
     options_.results = shared_ / "the $HOME `id` \\ *, results.sqlite";
@@ -96,8 +96,7 @@ class SlurmScriptTest : public testing::Test {
     return options_.results.string() + ".part" + std::to_string(part);
   }
 
-  const fs::path folder_ =
-      fs::path(FATHOM_SCRATCH_DIR) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path folder_ = EmptyTestFolder();
   const fs::path shared_ = folder_ / "shared";
   fs::path report_;
   BatchOptions options_;

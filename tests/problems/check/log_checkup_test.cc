@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -25,8 +26,8 @@ using testing::Not;
 
 // A vehicle of 20 kg and 8 kg/s under steps of 3 s, in a table: t, tau, v. `sign`: of the command
 // as the table has it.
-std::filesystem::path WriteTable(const std::string& name, double sign) {
-  const std::filesystem::path path = std::filesystem::path(FATHOM_SCRATCH_DIR) / name;
+std::filesystem::path WriteTable(double sign) {
+  const std::filesystem::path path = TestFolder() / "table.csv";
   std::ofstream table(path);
   table << "t,tau,v\n";
   double speed = 0.0;
@@ -44,7 +45,7 @@ auto IsOf(const std::string& code, Severity severity) {
 }
 
 TEST(CheckUp, IsNeverGreenerThanTheFit) {
-  const LogCheckup turned = CheckUp(WriteTable("turned_command.csv", -1.0), Dof::kSurge);
+  const LogCheckup turned = CheckUp(WriteTable(-1.0), Dof::kSurge);
   ASSERT_EQ(turned.dofs.size(), 1u);
   ASSERT_TRUE(turned.dofs[0].model.has_value());
   EXPECT_FALSE(turned.dofs[0].model->is_usable);
@@ -54,7 +55,7 @@ TEST(CheckUp, IsNeverGreenerThanTheFit) {
 }
 
 TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
-  const std::filesystem::path table = WriteTable("opened_before.csv", 1.0);
+  const std::filesystem::path table = WriteTable(1.0);
   const Log log = OpenLog(table, {.dof = Dof::kSurge});
   EXPECT_EQ(FormatCheckupJson(CheckUp(log, Dof::kSurge)),
             FormatCheckupJson(CheckUp(table, Dof::kSurge)));
@@ -62,7 +63,7 @@ TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
 
 // Of the table's command a rudder is made, which alone drives it then.
 TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
-  Log log = OpenLog(WriteTable("steered.csv", 1.0), {.dof = Dof::kSurge});
+  Log log = OpenLog(WriteTable(1.0), {.dof = Dof::kSurge});
   log.fins = Stream{log.command->time, {"fin_rudder"}, log.command->values};
   log.command.reset();
   const LogCheckup checkup = CheckUp(std::move(log), Dof::kSurge);
@@ -73,7 +74,7 @@ TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
 }
 
 TEST(CheckUp, FindsNoFaultInASoundTable) {
-  const LogCheckup sound = CheckUp(WriteTable("sound_command.csv", 1.0), Dof::kSurge);
+  const LogCheckup sound = CheckUp(WriteTable(1.0), Dof::kSurge);
   ASSERT_EQ(sound.dofs.size(), 1u);
   EXPECT_TRUE(sound.dofs[0].model->is_usable);
   EXPECT_NEAR(sound.dofs[0].model->fitted.model.inertia, 20.0, 1.5);

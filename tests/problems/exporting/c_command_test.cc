@@ -75,8 +75,7 @@ TEST(CCommand, GivesTheForcesOfARudderInTheRaceOfAShaft) {
   ExportTarget target = Target();
   target.vehicle->shafts[0].position = {-1.5, 0.0, 0.0};
   const std::vector<double> numbers =
-      NumbersPrinted("rudder",
-                     "ship",
+      NumbersPrinted("ship",
                      CHeader(ExportModelOf(fitted, "ship.json"), target).text,
                      "const double nu[6] = {2, 0, 0, 0, 0, 0}; double tau[6]; int i;\n"
                      "ship_command command = {{5, 0, 0, 0, 0, 0.3}, {0.2}, {5}, {4}};\n"
@@ -141,8 +140,8 @@ TEST(CCommand, RunsAsOurOwnSimulation) {
       kNumSteps,
       kStepsOfACommand,
       kStep);
-  const std::vector<double> numbers = NumbersPrinted(
-      "steered_run", "ship", CHeader(ExportModelOf(fitted, "ship.json"), target).text, body);
+  const std::vector<double> numbers =
+      NumbersPrinted("ship", CHeader(ExportModelOf(fitted, "ship.json"), target).text, body);
   ASSERT_EQ(numbers.size(), 9u);
   const CoupledState& end = outputs.pose.front();
   EXPECT_GT(end.nu.norm(), 0.1);
@@ -158,8 +157,7 @@ TEST(CCommand, MovesFinsThatLagTowardsTheirOrders) {
   FittedCoupledModel fitted = Ship();
   fitted.model.fin_lag = {{"rudder", 0.5}};
   const std::vector<double> numbers =
-      NumbersPrinted("fin_angles",
-                     "ship",
+      NumbersPrinted("ship",
                      CHeader(ExportModelOf(fitted, "ship.json"), Target()).text,
                      "const double order[3] = {0.1, 0.3, 0.2};\n"
                      "double angle[3] = {0}, mean[3]; int i;\n"

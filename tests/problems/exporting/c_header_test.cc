@@ -44,10 +44,8 @@ void ExpectAccelerationsOf(const std::string& name,
                            const CoupledModel& model,
                            const ExportModel& exported) {
   const std::vector<DrawnState> states = DrawnStates(model, 20, /*all_move=*/true);
-  const std::vector<double> numbers = NumbersPrinted("accelerations_" + name,
-                                                     name,
-                                                     CHeader(exported, Target(name)).text,
-                                                     BodyOfAccelerations(name, states));
+  const std::vector<double> numbers =
+      NumbersPrinted(name, CHeader(exported, Target(name)).text, BodyOfAccelerations(name, states));
   ASSERT_EQ(numbers.size(), 6 * states.size());
   for (std::size_t k = 0; k < states.size(); ++k) {
     const Vector6 truth = WrittenOutRate(model, states[k]);
@@ -118,8 +116,8 @@ TEST(CHeader, RunsAsOurOwnSimulation) {
       kNumSteps,
       kStepsOfAForce,
       kStep);
-  const std::vector<double> numbers = NumbersPrinted(
-      "run", "rov", CHeader(ExportModelOf(fitted, "rov.json"), Target("rov")).text, body);
+  const std::vector<double> numbers =
+      NumbersPrinted("rov", CHeader(ExportModelOf(fitted, "rov.json"), Target("rov")).text, body);
   ASSERT_EQ(numbers.size(), 13u);
   // A thousand steps of rounding, 1e-16 each, some a hundred times as large in the end.
   const CoupledState& end = outputs.pose.front();
@@ -137,8 +135,7 @@ TEST(CHeader, ComesToSpeedAsTheClosedForm) {
   FittedModel fitted = GenericOneDof(Dof::kSurge);
   fitted.model = {23.0, 0.0, 4.5, 0.7};
   const std::vector<double> numbers =
-      NumbersPrinted("closed_form",
-                     "surge",
+      NumbersPrinted("surge",
                      CHeader(ExportModelOf({fitted}, {"surge.json"}), Target("surge")).text,
                      "surge_state s = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0}};\n"
                      "const double tau[6] = {3.1, 0, 0, 0, 0, 0};\n"
@@ -162,8 +159,7 @@ TEST(CHeader, AllocatesTheThrustsOfTheVehicle) {
   const ExportedFile file = CHeader(ExportModelOf(GenericRov(), "rov.json"), target);
   EXPECT_TRUE(file.remarks.empty());
   const std::vector<double> numbers =
-      NumbersPrinted("allocation",
-                     "rov",
+      NumbersPrinted("rov",
                      file.text,
                      "const double thrust[2] = {10, 5}; double tau[6]; int i;\n"
                      "rov_forces(thrust, tau);\n"
@@ -186,8 +182,7 @@ TEST(CHeader, ReadsThrustsOfPulsesFromTheTables) {
                                {"two", {0, 0, 0}, {0, 1, 0}, 0, 0, "width"}};
   const std::string text = CHeader(ExportModelOf(GenericBoat(), "boat.json"), target).text;
   EXPECT_THAT(text, Not(HasSubstr("of none")));
-  EXPECT_EQ(NumbersPrinted("pulses",
-                           "rov",
+  EXPECT_EQ(NumbersPrinted("rov",
                            text,
                            "printf(\"%.17g %.17g %.17g %.17g %.17g %.17g %d\\n\",\n"
                            "rov_thrust_of_pulse(1, 1600, 14), rov_thrust_of_pulse(1, 2000, 18),\n"

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,12 +29,10 @@ std::string Row(const Eigen::VectorXd& values) {
   return row + "}";
 }
 
-std::vector<double> NumbersPrinted(const std::string& test,
-                                   const std::string& name,
+std::vector<double> NumbersPrinted(const std::string& name,
                                    const std::string& header,
                                    const std::string& body) {
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / ("exporting_" + test);
-  std::filesystem::create_directories(folder);
+  const Path folder = TestFolder();
   Write(folder / (name + ".h"), header);
   Write(folder / "main.c",
         fmt::format("#include \"{}.h\"\n#include <stdio.h>\nint main(void) {{\n{}return 0;\n}}\n",

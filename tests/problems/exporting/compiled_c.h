@@ -14,9 +14,8 @@ namespace fathom {
 std::string Row(const Eigen::VectorXd& values);
 
 // Compiles a header and a main() that uses it as strictly as C compilers can, runs it, and gives
-// the numbers that it prints. `test` names its folder.
-std::vector<double> NumbersPrinted(const std::string& test,
-                                   const std::string& name,
+// the numbers that it prints.
+std::vector<double> NumbersPrinted(const std::string& name,
                                    const std::string& header,
                                    const std::string& body);
 

@@ -14,6 +14,7 @@
 
 #include "error_from.h"
 #include "generic_models.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -25,11 +26,9 @@ using ::testing::IsEmpty;
 using Path = std::filesystem::path;
 
 Path Saved(const std::string& name, const std::string& text) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / "export_model" / test->name();
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name) << text;
-  return folder / name;
+  const Path path = TestFolder() / name;
+  std::ofstream(path) << text;
+  return path;
 }
 
 std::string RefusalOf(const std::vector<Path>& paths) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "generic_models.h"
+#include "test_folder.h"
 #include "written_out_rate.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -45,8 +46,7 @@ Eigen::Matrix3d RotationOf(const Eigen::Vector3d& angles) {
 // Compares xdot with the equations at drawn states, in Octave.
 void ExpectRatesInOctave(const FittedCoupledModel& fitted, const std::string& name) {
   if (!HasOctave()) GTEST_SKIP() << "octave-cli is not installed";
-  const Path folder = Path(FATHOM_SCRATCH_DIR) / ("mss_" + name);
-  std::filesystem::create_directories(folder);
+  const Path folder = TestFolder();
   std::ofstream(folder / (name + ".m"))
       << MssFunction(ExportModelOf(fitted, name + ".json"), TargetOf(name)).text;
   std::vector<DrawnState> states = DrawnStates(fitted.model, 10, true);

@@ -141,7 +141,7 @@ TEST(SitlBackend, MovesAsOurOwnSimulationInSixDofs) {
   const FittedCoupledModel fitted = GenericRov();
   const ExportTarget target = VehicleWithPulses();
   const SitlChild child(
-      "six_dofs", "rov", CHeader(ExportModelOf(fitted, "rov.json"), target).text, "--voltage=14.8");
+      "rov", CHeader(ExportModelOf(fitted, "rov.json"), target).text, "--voltage=14.8");
   const std::vector<SitlFrame> frames = DrawnFrames(300, 16);
   std::vector<Vector6> tau;
   const std::vector<CoupledState> truth = OwnRun(fitted.model, target, frames, {1, 2, 3, 4}, &tau);
@@ -157,8 +157,7 @@ TEST(SitlBackend, MovesAsOurOwnSimulationInSixDofs) {
 TEST(SitlBackend, TakesThirtyTwoChannelsInAnyOrder) {
   const FittedCoupledModel fitted = GenericBoat();
   const ExportTarget target = VehicleWithPulses();
-  const SitlChild child("channels",
-                        "rov",
+  const SitlChild child("rov",
                         CHeader(ExportModelOf(fitted, "boat.json"), target).text,
                         "--voltage=14.8 --channels=20,-2,32,1");
   const std::vector<SitlFrame> frames = DrawnFrames(50, 32);
@@ -177,7 +176,7 @@ TEST(SitlBackend, TakesThirtyTwoChannelsInAnyOrder) {
 }
 
 TEST(SitlBackend, SaysOnceWhichThrustersHaveNoChannel) {
-  SitlChild child("few", "rov", StillHeader(), "--channels=17,2,3,4");
+  SitlChild child("rov", StillHeader(), "--channels=17,2,3,4");
   SitlFrame frame;
   frame.pulses = std::vector<std::uint16_t>(16, 0);
   for (; frame.count < 2; ++frame.count) {
@@ -197,7 +196,7 @@ TEST(SitlBackend, ActsThroughTheLagOfTheThrusters) {
   frame.rate = 10;
   frame.pulses[2] = frame.pulses[3] = 0;
   frame.pulses[0] = 1700;
-  const SitlChild child("lag", "rov", CHeader(model, VehicleWithPulses()).text, "--voltage=16");
+  const SitlChild child("rov", CHeader(model, VehicleWithPulses()).text, "--voltage=16");
   const double linear = model.model.linear_damping(0, 0);
   const double quadratic = model.model.quadratic_damping(0, 0);
   double force = 0.0, speed = 0.0, rate = 0.0;
@@ -221,7 +220,7 @@ TEST(SitlBackend, ActsThroughTheLagOfTheThrusters) {
 }
 
 TEST(SitlBackend, ShowsGravityUpwardsAtRest) {
-  const SitlChild child("rest", "rov", StillHeader());
+  const SitlChild child("rov", StillHeader());
   SitlFrame frame;
   frame.rate = 400;
   frame.pulses[2] = frame.pulses[3] = 0;
@@ -238,7 +237,7 @@ TEST(SitlBackend, ShowsGravityUpwardsAtRest) {
 }
 
 TEST(SitlBackend, IgnoresBadPacketsAndSaysWhy) {
-  SitlChild child("bad", "rov", StillHeader());
+  SitlChild child("rov", StillHeader());
   SitlFrame frame;
   child.Send(BytesOf(frame, 4711));
   child.Send(BytesOf(frame).substr(0, 39));
@@ -260,7 +259,7 @@ TEST(SitlBackend, IgnoresBadPacketsAndSaysWhy) {
 }
 
 TEST(SitlBackend, KnowsFramesThatComeAgainAreMissingOrBeginAnew) {
-  SitlChild child("order", "rov", StillHeader());
+  SitlChild child("rov", StillHeader());
   SitlFrame frame;
   frame.pulses[0] = 1900;
   const SitlAnswer first = child.AnswerTo(frame);
@@ -292,7 +291,6 @@ TEST(SitlBackend, KnowsFramesThatComeAgainAreMissingOrBeginAnew) {
 // Without a vehicle file, a header of one's own says what the thrusters do.
 TEST(SitlBackend, TakesTheThrustersOfAHeaderOfOnesOwn) {
   const SitlChild child(
-      "own",
       "rov",
       CHeader(Still(), {"rov", "a test"}).text +
           "enum { rov_num_thrusters = 1 };\n"

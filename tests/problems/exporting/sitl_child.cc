@@ -13,6 +13,7 @@
 #include <limits>
 #include <sstream>
 
+#include "test_folder.h"
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -86,13 +87,10 @@ std::string BytesOf(const SitlFrame& frame, std::optional<std::uint16_t> magic) 
   return bytes;
 }
 
-SitlChild::SitlChild(const std::string& test,
-                     const std::string& name,
+SitlChild::SitlChild(const std::string& name,
                      const std::string& header,
                      const std::string& options) {
-  const SitlPath folder = SitlPath(FATHOM_SCRATCH_DIR) / ("sitl_" + test);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const SitlPath folder = EmptyTestFolder();
   std::ofstream(folder / (name + ".h")) << header;
   const std::string program = (folder / "program").string(), said = (folder / "said").string();
   const ChildResult compiled = RunChild({"cc",

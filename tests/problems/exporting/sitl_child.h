@@ -40,10 +40,7 @@ class SitlChild {
  public:
   // `header` is that of the model `name`. A failure to compile or to start fails the test, and
   // nothing answers.
-  SitlChild(const std::string& test,
-            const std::string& name,
-            const std::string& header,
-            const std::string& options = "");
+  SitlChild(const std::string& name, const std::string& header, const std::string& options = "");
   ~SitlChild();
   SitlChild(const SitlChild&) = delete;
   SitlChild& operator=(const SitlChild&) = delete;

@@ -20,16 +20,13 @@
 #include <vector>
 
 #include "side_by_side.h"
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
 
 constexpr double kSpeed = 1.5, kStern = -2.0, kRateNoise = 0.004;  // [m/s], [m], [rad/s]
-
-std::filesystem::path Folder() {
-  return std::filesystem::path(FATHOM_SCRATCH_DIR) / "nomoto_of_zigzags";
-}
 
 // Of yaw alone: K from 0.2 to 1 1/s and T from 1 to 8 s.
 struct Vessel {
@@ -40,7 +37,7 @@ struct Vessel {
 Log ZigzagOf(const Vessel& vessel, std::uint64_t seed) {
   RandomStream random(seed, "zigzag");
   Log log;
-  log.path = Folder();
+  log.path = TestFolder();
   log.dofs = {Dof::kYaw};
   log.vehicle = "boat.yaml";
   log.command = Stream{.time = {}, .columns = {"tau_surge"}, .values = {{}}};
@@ -85,8 +82,7 @@ Vessel Linear(const Vessel& vessel) {
 }
 
 TEST(NomotoOfZigzags, IsCoveredByItsIntervals) {
-  std::filesystem::create_directories(Folder());
-  std::ofstream(Folder() / "boat.yaml")
+  std::ofstream(TestFolder() / "boat.yaml")
       << "name: boat\nfins:\n  - {name: rudder, position: [-2, 0, 0], axis: [0, 0, 1]}\n";
   constexpr int kNumLogs = 200;
   std::vector<int> holds_K(kNumLogs, 0), holds_T(kNumLogs, 0);

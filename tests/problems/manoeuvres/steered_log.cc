@@ -4,18 +4,15 @@
 #include "steered_log.h"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
-#include <gtest/gtest.h>
+#include "test_folder.h"
 
 namespace fathom {
 
 Log SteeredLog(const std::string& size) {
   Log log;
-  log.path = std::filesystem::path(FATHOM_SCRATCH_DIR) / "predict_steering" /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::filesystem::create_directories(log.path);
+  log.path = TestFolder();
   log.dofs = {Dof::kYaw};
   log.vehicle = "boat.yaml";
   std::ofstream(log.path / log.vehicle) << "name: boat\n"

@@ -10,6 +10,7 @@
 #include "fathom/signal/signals.h"
 
 #include "synthetic_views.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -24,10 +25,7 @@ constexpr char kCamera[] =
 
 // A camera that swings to and fro before one marker, as a log folder without any pose.
 std::filesystem::path Folder() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) / "camera_source_test" / test->name();
-  std::filesystem::remove_all(folder);
+  const auto folder = EmptyTestFolder();
   CameraModel camera = SyntheticCamera();
   camera.coefficients[4] = 0.0;
   std::vector<Detection> detections;

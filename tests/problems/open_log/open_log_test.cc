@@ -10,6 +10,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -20,9 +21,7 @@ using ::testing::HasSubstr;
 
 // Two thrusters, half a metre to either side.
 std::filesystem::path LogWith(const std::string& log_yaml) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "open_log_test" / test->name();
-  std::filesystem::create_directories(folder);
+  const auto folder = TestFolder();
   std::ofstream(folder / "log.yaml") << "name: run\ndof: surge\n" << log_yaml;
   std::ofstream(folder / "command.csv") << "t,thruster_1,thruster_2\n0,3,1\n1,-2,2\n";
   std::ofstream(folder / "velocity.csv") << "t,u\n0,0\n1,0.1\n";

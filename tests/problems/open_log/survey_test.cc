@@ -14,6 +14,7 @@
 #include <random>
 #include <string>
 
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,9 +35,7 @@ double Speed(double t) {
 
 // A CSV with so many rows at 10 Hz.
 Survey SurveyOf(int rows, const Signal& command, const Signal& speed) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path file =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) / (std::string("Survey.") + test->name() + ".csv");
+  const std::filesystem::path file = TestFolder() / "run.csv";
   std::ofstream out(file);
   out << "t,tau,v\n";
   for (int i = 0; i < rows; ++i) {
@@ -54,9 +53,7 @@ SurveyedDof OnlyDofOf(const Survey& survey) {
 // What is held out on the command line counts, not only what log.yaml says.
 TEST(Survey, KnowsWhatIsHeldOutOfALogThatWasOpened) {
   SurveyOf(601, Square, Speed);
-  const auto file = std::filesystem::path(FATHOM_SCRATCH_DIR) /
-                    "Survey.KnowsWhatIsHeldOutOfALogThatWasOpened.csv";
-  Log log = OpenLog(file, {.dof = Dof::kSurge, .held_out = {{0.0, 60.0}}});
+  Log log = OpenLog(TestFolder() / "run.csv", {.dof = Dof::kSurge, .held_out = {{0.0, 60.0}}});
   EXPECT_EQ(OnlyDofOf(fathom::SurveyOf(std::move(log))).why_not, kAllIsHeldOut);
 }
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,27 +20,21 @@
 namespace fathom {
 namespace {
 
-// Of the running test: others run beside it.
-std::filesystem::path Folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(FATHOM_SCRATCH_DIR) / "files_test" / test->name();
-}
-
 TEST(Files, GiveBackEveryByteThatWasWritten) {
-  std::filesystem::remove_all(Folder());
+  const auto file = EmptyTestFolder() / "deep" / "er" / "file";
   std::string content("a\r\n\0\xff", 5);
   content += std::string(100000, 'x');
-  WriteFile(Folder() / "deep" / "er" / "file", content);
-  EXPECT_EQ(ReadFile(Folder() / "deep" / "er" / "file"), content);
+  WriteFile(file, content);
+  EXPECT_EQ(ReadFile(file), content);
 }
 
 TEST(Files, AnEmptyFileIsReadAsEmpty) {
-  WriteFile(Folder() / "empty", "");
-  EXPECT_EQ(ReadFile(Folder() / "empty"), "");
+  WriteFile(TestFolder() / "empty", "");
+  EXPECT_EQ(ReadFile(TestFolder() / "empty"), "");
 }
 
 TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
-  const auto folder = Folder() / "parent" / "child";
+  const auto folder = TestFolder() / "parent" / "child";
   std::filesystem::create_directories(folder / "content");
   try {
     WriteFile(folder, "x");
@@ -48,7 +43,7 @@ TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
     EXPECT_EQ(std::string(error.what()).find(folder.string() + ": cannot write this file: "), 0u)
         << error.what();
   }
-  for (const auto& entry : std::filesystem::directory_iterator(Folder() / "parent")) {
+  for (const auto& entry : std::filesystem::directory_iterator(TestFolder() / "parent")) {
     EXPECT_EQ(entry.path(), folder);
   }
 }
@@ -69,10 +64,8 @@ std::string WhyUnreadable(const std::filesystem::path& path) {
 
 // A device may never end, a pipe never begin.
 TEST(Files, AreReadFromFilesAlone) {
-  std::filesystem::create_directories(Folder());
-  const auto link = Folder() / "link", pipe = Folder() / "unread_pipe",
-             around = Folder() / "around";
-  for (const auto& path : {link, pipe, around}) std::filesystem::remove(path);
+  const auto folder = EmptyTestFolder();
+  const auto link = folder / "link", pipe = folder / "unread_pipe", around = folder / "around";
   EXPECT_EQ(WhyUnreadable("/dev/zero"), "/dev/zero: is a device, expected a file.");
   std::filesystem::create_symlink("/dev/zero", link);
   EXPECT_EQ(WhyUnreadable(link), link.string() + ": is a device, expected a file.");
@@ -89,9 +82,7 @@ TEST(Files, AreReadFromFilesAlone) {
 }
 
 TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
-  std::filesystem::create_directories(Folder());
-  const auto pipe = Folder() / "pipe";
-  std::filesystem::remove(pipe);
+  const auto pipe = EmptyTestFolder() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   RequireWritableFile(pipe);
   std::string seen;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -25,9 +26,7 @@ const std::map<std::string, std::string> kFiles = {
      "body_from_camera: {position: [0.2, 0, 0.05], quaternion: [0.5, 0.5, 0.5, 0.5]}\n"}};
 
 std::filesystem::path FolderWithout(const std::string& file) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "camera_rig_test" / test->name();
-  std::filesystem::remove_all(folder);
+  const auto folder = EmptyTestFolder();
   for (const auto& [name, text] : kFiles) {
     if (name != file) WriteFile(folder / name, text);
   }

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -19,7 +20,7 @@ TEST(DetectionsFile, ReadsBackWhatItWrites) {
       detections[row].corners[i] = {100.0 * row + 10.0 * i + 0.123456, -3.0 * i - 0.5};
     }
   }
-  const auto path = std::filesystem::path(FATHOM_SCRATCH_DIR) / "detections_file_test.csv";
+  const auto path = TestFolder() / "detections.csv";
   WriteDetections(path, detections);
   const std::vector<Detection> again = ReadDetections(path);
   ASSERT_EQ(again.size(), 3u);

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -138,8 +139,7 @@ TEST(ReadFilmFile, ReadsTheBundledFilms) {
 }
 
 TEST(ReadFilmFile, RefusesWhatItDoesNotKnow) {
-  const std::filesystem::path file =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) / "film_test" / "film.yaml";
+  const std::filesystem::path file = TestFolder() / "film.yaml";
   const std::string folder = (kData / "films").string();
   const std::string start = "camera: " + folder + "/wall_camera.yaml\ntags: " + folder +
                             "/wall_one_tag.yaml\nmount: " + folder + "/wall_mount.yaml\n";

@@ -17,6 +17,7 @@
 
 #include "error_from.h"
 #include "rendered_scene.h"
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
@@ -67,13 +68,6 @@ std::string Encoded(const cv::Mat& picture, const char* extension) {
 
 class FrameFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / test->test_suite_name() / test->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-
   // frames.csv and its images, 0.5 s apart.
   void WriteImages(int num, const char* extension) const {
     std::string list = "t,file\n";
@@ -138,7 +132,7 @@ class FrameFolder : public testing::Test {
     return times;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = EmptyTestFolder();
   double video_start_ = 0.0;
 };
 

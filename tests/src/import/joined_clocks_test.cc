@@ -14,6 +14,7 @@
 
 #include "dataflash_writer.h"
 #include "scratch_file.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,13 +27,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::filesystem::path EmptyFolder() {
-  const std::filesystem::path folder = ScratchFile("marker", "").parent_path() / "dive";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 void WriteBytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
@@ -53,7 +47,7 @@ std::string LogOfAStart(std::optional<int> start, double roll) {
 }
 
 TEST(JoinedClocks, TwoStartsLieAsFarApartAsTheirUtcTells) {
-  const auto folder = EmptyFolder();
+  const auto folder = EmptyTestFolder();
   WriteBytes(folder / "1.BIN", LogOfAStart(200, 2.0));
   WriteBytes(folder / "2.BIN", LogOfAStart(100, 1.0));
   const auto recording = OpenRecording(folder);
@@ -71,7 +65,7 @@ TEST(JoinedClocks, TwoStartsLieAsFarApartAsTheirUtcTells) {
 
 TEST(JoinedClocks, TwoStartsWithoutUtcAreRefusedByName) {
   for (const std::optional<int> start : {std::optional<int>(), std::optional(100)}) {
-    const auto folder = EmptyFolder();
+    const auto folder = EmptyTestFolder();
     WriteBytes(folder / "1.BIN", LogOfAStart(start, 1.0));
     WriteBytes(folder / "2.BIN", LogOfAStart(std::nullopt, 2.0));
     const auto recording = OpenRecording(folder);

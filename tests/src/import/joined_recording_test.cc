@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scratch_file.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,20 +26,12 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// A folder of the running test, empty.
-std::filesystem::path ScratchFolder() {
-  const std::filesystem::path folder = ScratchFile("marker", "").parent_path() / "dive";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
 void Write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
 TEST(JoinedRecording, AFolderOfTablesHasAChannelForEach) {
-  const auto folder = ScratchFolder();
+  const auto folder = EmptyTestFolder();
   Write(folder / "dvl.csv", "t,u\n0,1.0\n1,1.5\n2,2.0\n");
   Write(folder / "thrust.csv", "t,force\n0,10\n0.5,12\n1,14\n1.5,16\n");
   Write(folder / "readme.md", "# A dive\n");
@@ -51,7 +44,7 @@ TEST(JoinedRecording, AFolderOfTablesHasAChannelForEach) {
 }
 
 TEST(JoinedRecording, TablesOfOneNameStayApart) {
-  const auto folder = ScratchFolder();
+  const auto folder = EmptyTestFolder();
   Write(folder / "dvl.csv", "t,u\n0,1.0\n1,1.5\n2,2.0\n");
   Write(folder / "dvl.txt", "t,u\n0,7.0\n1,8.0\n2,9.0\n");
   const auto recording = OpenRecording(folder);
@@ -103,7 +96,7 @@ TEST(JoinedRecording, PartsOfAChannelFollowEachOtherInTime) {
 }
 
 TEST(JoinedRecording, AFolderWithoutRecordingsAndALogAreRefused) {
-  const auto folder = ScratchFolder();
+  const auto folder = EmptyTestFolder();
   EXPECT_THAT(ErrorFrom([&] { OpenRecording(folder); }), HasSubstr("holds no recording"));
   Write(folder / "notes.md", "no table");
   EXPECT_THAT(ErrorFrom([&] { OpenRecording(folder); }), HasSubstr("notes.md: is of no known"));
@@ -112,7 +105,7 @@ TEST(JoinedRecording, AFolderWithoutRecordingsAndALogAreRefused) {
 }
 
 TEST(ContentOfRecording, ChangesWithTheNamesAndBytesOfAFolder) {
-  const auto folder = ScratchFolder();
+  const auto folder = EmptyTestFolder();
   Write(folder / "a.csv", "t,u\n0,1\n1,2\n");
   const std::string before = ContentOfRecording(folder);
   EXPECT_EQ(ContentOfRecording(folder), before);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "scratch_file.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -97,8 +98,7 @@ void PrintTo(const FormatWriter& writer, std::ostream* out) { *out << writer.pro
 class RoundTrip : public ::testing::TestWithParam<FormatWriter> {};
 
 TEST_P(RoundTrip, DeliversWhatWasWritten) {
-  const fs::path folder = ScratchFile(std::string(GetParam().program) + "/x", "").parent_path();
-  fs::remove(folder / "x");
+  const fs::path folder = EmptyTestFolder();
   const fs::path writers = fs::path(FATHOM_SOURCE_DIR) / "tests" / "src" / "import" / "writers";
   const fs::path program = writers / GetParam().program;
   ASSERT_TRUE(fs::exists(program));

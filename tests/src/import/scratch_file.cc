@@ -8,15 +8,13 @@
 
 #include <span>
 
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
 
 std::filesystem::path ScratchFile(const std::string& name, const std::string& bytes) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path path =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) /
-      (std::string("import_") + test->test_suite_name() + "_" + test->name()) / name;
+  const std::filesystem::path path = TestFolder() / name;
   WriteFile(path, bytes);
   return path;
 }

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "scratch_file.h"
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -188,8 +189,7 @@ TEST(TableShapes, TwoForcesSideBySideAddUpToTheForceAhead) {
 
 // As `rostopic echo -p` writes them, a topic each.
 TEST(TableShapes, TablesOfOneColumnAreCalledAsTheirFiles) {
-  const auto folder = ScratchFile("topics", "").parent_path() / "echo";
-  std::filesystem::create_directory(folder);
+  const auto folder = EmptyTestFolder();
   const std::string rows =
       "%time,field\n1441700935804654744,3\n1441700935904654744,3\n1441700936004654744,4\n";
   for (const char* name : {"cmd.csv", "vel.csv"}) std::ofstream(folder / name) << rows;

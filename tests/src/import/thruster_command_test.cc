@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "scratch_file.h"
+#include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,8 +101,7 @@ TEST(ThrusterCommand, OfAReversedMotorChangesItsSignWhereItIsAShareOrAForce) {
 TEST(ThrusterCommand, OfSeveralChannelsHoldsEachValueUntilTheNext) {
   std::string port = "t [s],f [N]\n";
   for (int i = 0; i < 100; ++i) port += fmt::format("{:.1f},{}\n", 0.1 * i, i);
-  const auto folder = ScratchFile("port.csv", port).parent_path() / "topics";
-  std::filesystem::create_directory(folder);
+  const auto folder = EmptyTestFolder();
   std::ofstream(folder / "port.csv") << port;
   std::ofstream(folder / "starboard.csv") << "t [s],f [N]\n0.45,100\n1.25,200\n";
   const ImportedLog imported =
@@ -168,9 +168,7 @@ TEST(ThrusterCommand, IsWrittenInNewtonForEachThruster) {
                 *OpenRecording(file),
                 ParseImportMap("map.yaml", "command: {thruster_1: a, thruster_2: b}\n"),
                 ParseVehicleFile("v.yaml", VehicleWith("us", kTable)));
-  const std::filesystem::path folder = file.parent_path() / "written";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directory(folder);
+  const std::filesystem::path folder = EmptyTestFolder();
   WriteLog(folder, [&] {
     Log log = imported.log;
     log.origin.reset();

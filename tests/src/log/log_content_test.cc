@@ -10,6 +10,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -21,10 +22,6 @@ namespace fs = std::filesystem;
 class LogContent : public testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(FATHOM_SCRATCH_DIR) / ("LogContent." + std::string(test->name()));
-    fs::remove_all(folder_);
-    log_ = folder_ / "log";
     Write("log.yaml", "name: a\ndof: surge\nvehicle: ../rov.yaml\n");
     Write("command.csv", "t,tau_surge\n0,1\n1,2\n");
     Write("velocity.csv", "t,u\n0,1\n1,2\n");
@@ -32,7 +29,7 @@ class LogContent : public testing::Test {
   }
   void Write(const std::string& name, const std::string& text) { WriteFile(log_ / name, text); }
 
-  fs::path folder_, log_;
+  const fs::path folder_ = EmptyTestFolder(), log_ = folder_ / "log";
 };
 
 TEST_F(LogContent, IsOfTheFilesAndNotOfTheirPlace) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -33,12 +34,8 @@ const Files kGood = {{"log.yaml", "name: run 7\ndof: surge\n"},
 
 constexpr char kReadPose[] = "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\n0.6,1,2,3,0.5,0.5,0.5,0.5\n";
 
-// A folder of its own for each test, so that ctest may run them in parallel.
 std::filesystem::path Folder(const Files& files) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "read_log_test" / test->name();
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const auto folder = EmptyTestFolder();
   for (const auto& [name, text] : files) WriteFile(folder / name, text);
   return folder;
 }

@@ -14,17 +14,14 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
 namespace {
 
-std::filesystem::path Folder() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(FATHOM_SCRATCH_DIR) / "write_log_test" / test->name();
-  std::filesystem::remove_all(folder);
-  return folder;
-}
+// Not there yet.
+std::filesystem::path Folder() { return EmptyTestFolder() / "log"; }
 
 // Equal to the bit, so that -0 is not 0.
 void ExpectSameNumbers(const std::vector<double>& a, const std::vector<double>& b) {

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 TEST(Browser, DrawsTogglesZoomsAndReadsOutTheCharts) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
   const Page page = ExamplePage();
-  auto findings = FindingsIn(DomOf(page, "charts"));
+  auto findings = FindingsIn(DomOf(page));
   ASSERT_EQ(findings.count("failed"), 0u) << findings["failed"];
   ASSERT_FALSE(findings.empty());
   EXPECT_EQ(findings["errors"], "0") << findings["error_texts"];
@@ -89,7 +89,7 @@ TEST(Browser, RunsNoScriptThatATextSmugglesIn) {
   panel.measured = Series{text, {0.0, 1.0}, text};
   panel.responses = {{text + "2", {0.0, 0.5}, text}};
   page.sections.push_back({text, {}, {}, {panel}, {{text, text, {{text, 1.0, 0.1}}}}, {}});
-  const std::string dom = DomOf(page, "smuggled");
+  const std::string dom = DomOf(page);
   ASSERT_NE(dom.find("id=\"selftest\""), std::string::npos);
   EXPECT_EQ(dom.find("<body id=\"owned\""), std::string::npos);
   EXPECT_EQ(FindingsIn(dom)["errors"], "0");
@@ -99,7 +99,7 @@ TEST(Browser, RunsNoScriptThatATextSmugglesIn) {
 // A low chart has 100 px for it.
 TEST(Browser, MakesTheNameOfAnAxisSmallerWhereItWouldBeCutOff) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsOf(RenderPage(ExamplePage()), "axis_name", R"(
+  auto findings = FindingsOf(RenderPage(ExamplePage()), R"(
     const pen = document.createElement("canvas").getContext("2d");
     const name = "a surge command of some length [N]";
     pen.font = fontWithin(name, 100);

@@ -22,7 +22,7 @@ std::map<std::string, std::string> StretchesAfterKeys() {
   motion.measured = Series{"measured", std::vector<double>(101, 0.0)};
   Page page;
   page.sections = {{"Surge", {}, {}, {motion}, {}, {}}};
-  return FindingsOf(RenderPage(page), "keys", R"(
+  return FindingsOf(RenderPage(page), R"(
     const frame = document.querySelector(".plots");
     const press = async (name, key, options = {}) => {
       frame.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true, ...options}));

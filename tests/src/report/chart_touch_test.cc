@@ -22,7 +22,7 @@ TEST(ChartTouch, TwoFingersZoomAndOneMoves) {
   motion.measured = Series{"measured", std::vector<double>(101, 0.0)};
   Page page;
   page.sections = {{"Surge", {}, {}, {motion}, {}, {}}};
-  auto findings = FindingsOf(RenderPage(page), "touch", R"(
+  auto findings = FindingsOf(RenderPage(page), R"(
     const plot = drawn[0].group.plots[0];
     const finger = async (id, type, share, pointerType = "touch") => {
       const box = plot.over.getBoundingClientRect();

@@ -35,7 +35,7 @@ TEST(Csv, HoldsWhatATimeChartDrawsByItsTrueTime) {
   Page page;
   page.title = "pool 3";
   page.sections = {{"Surge", {}, {}, {motion}, {}, {}}};
-  auto findings = FindingsOf(RenderPage(page), "time_csv", kSave);
+  auto findings = FindingsOf(RenderPage(page), kSave);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["csv"],
             "time [s],measured [m/s],\"a, \"\"b\"\" [m/s]\"|2000000000.25,0.1,1.5|"
@@ -57,7 +57,7 @@ TEST(Csv, HoldsThePointsOfAScatterChart) {
                              {0.125, std::nan(""), 1.0},
                              "explained",
                              ""}};
-  auto findings = FindingsOf(RenderPage(page), "scatter_csv", kSave);
+  auto findings = FindingsOf(RenderPage(page), kSave);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["csv"], "command [N],missing [N],explained [N]|1,0.5,0.125|2,-0.25,");
 }
@@ -75,7 +75,7 @@ TEST(Csv, HoldsTheCurveAndTheBandOfACurveChart) {
   panel.low = {-0.5, -0.5};
   panel.high = {0.5, 0.5};
   panel.band_name = "white noise";
-  auto findings = FindingsOf(RenderPage(page), "curve_csv", kSave);
+  auto findings = FindingsOf(RenderPage(page), kSave);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["csv"],
             "lag [s],agreement,\"white noise, low\",\"white noise, high\"|0.1,0.75,-0.5,0.5");
@@ -93,7 +93,7 @@ TEST(Csv, IsSavedFromBelowTheNameOfTheAxis) {
   panel.y_name = "steady yaw rate";
   panel.x = {-25.0, 25.0};
   panel.y = {-1.0, 1.0};
-  auto findings = FindingsOf(RenderPage(page), "save_below_axis", R"(
+  auto findings = FindingsOf(RenderPage(page), R"(
   const names = [...document.querySelectorAll(".scatter text")].map((one) => one.getBoundingClientRect().bottom);
   findings.below = document.querySelector(".save").getBoundingClientRect().top - Math.max(...names);
 )");

@@ -27,7 +27,7 @@ Page PageWithAFadedCurve() {
 
 TEST(FadedCurves, ComeOutWhenAskedForAndPointedAt) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsOf(RenderPage(PageWithAFadedCurve()), "faded", R"(
+  auto findings = FindingsOf(RenderPage(PageWithAFadedCurve()), R"(
     const [motion, residual] = document.querySelectorAll("canvas");
     const buttons = document.querySelectorAll(".legend button");
     const look = async (name) => {

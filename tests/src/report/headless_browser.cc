@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "test_folder.h"
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace fathom {
 namespace {
@@ -72,23 +72,20 @@ addEventListener("load", async () => {
 
 // What Chromium writes to stdout when it opens the page at `hash`.
 std::string OutputOfChromium(const std::string& html,
-                             const std::string& name,
                              const std::string& hash,
                              const std::string& flags) {
-  const std::string file = fmt::format("{}/{}_{}.html", FATHOM_SCRATCH_DIR, name, getpid());
-  const std::string profile = file + ".profile";
+  const std::filesystem::path folder = TestFolder() / "browser", file = folder / "page.html";
   WriteFile(file, html);
   const std::string output = OutputOf(fmt::format(
       "timeout 60 '{}' --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
       "--disable-background-networking --disable-component-update --disable-sync "
       "--user-data-dir='{}' {} 'file://{}{}' 2>/dev/null",
       Chromium(),
-      profile,
+      (folder / "profile").string(),
       flags,
-      file,
+      file.string(),
       hash));
-  std::filesystem::remove_all(profile);
-  std::filesystem::remove(file);
+  std::filesystem::remove_all(folder);
   return output;
 }
 
@@ -101,22 +98,17 @@ std::string Chromium() {
   return path;
 }
 
-std::string DomOf(const Page& page, const std::string& name) {
-  return DomOf(RenderPage(page), name, {});
-}
+std::string DomOf(const Page& page) { return DomOf(RenderPage(page), {}); }
 
-std::string DomOf(const std::string& html, const std::string& name, const Window& window) {
+std::string DomOf(const std::string& html, const Window& window) {
   if (window.width < kLeastWidth) {
-    const std::string file =
-        fmt::format("{}/{}_{}_in_frame.html", FATHOM_SCRATCH_DIR, name, getpid());
+    const std::filesystem::path file = TestFolder() / "browser" / "in_frame.html";
     WriteFile(file, html);
-    const std::string frame = fmt::format(kFrame, window.width, window.height, file, window.hash);
-    const std::string dom = DomOf(frame, name, {.height = window.height});
-    std::filesystem::remove(file);
-    return dom;
+    const std::string frame =
+        fmt::format(kFrame, window.width, window.height, file.string(), window.hash);
+    return DomOf(frame, {.height = window.height});
   }
   return OutputOfChromium(html,
-                          name,
                           window.hash,
                           fmt::format("--window-size={},{} {} --dump-dom",
                                       window.width,
@@ -124,19 +116,17 @@ std::string DomOf(const std::string& html, const std::string& name, const Window
                                       window.has_real_time ? "" : "--virtual-time-budget=8000"));
 }
 
-std::map<std::string, std::string> FindingsOf(const std::string& html,
-                                              const std::string& name,
-                                              const std::string& script) {
+std::map<std::string, std::string> FindingsOf(const std::string& html, const std::string& script) {
   std::string reader = kReader;
   reader.replace(reader.find("READER"), std::string("READER").size(), script);
   std::string page = html;
   page.insert(page.rfind("</body>"), reader);
-  return FindingsIn(DomOf(page, name, {.hash = ""}));
+  return FindingsIn(DomOf(page, {.hash = ""}));
 }
 
-std::string PrintOf(const std::string& html, const std::string& name) {
-  const std::string pdf = fmt::format("{}/{}_{}.pdf", FATHOM_SCRATCH_DIR, name, getpid());
-  OutputOfChromium(html, name, "", fmt::format("--print-to-pdf='{}'", pdf));
+std::string PrintOf(const std::string& html) {
+  const std::filesystem::path pdf = TestFolder() / "printed.pdf";
+  OutputOfChromium(html, "", fmt::format("--print-to-pdf='{}'", pdf.string()));
   if (!std::filesystem::exists(pdf)) return "";
   const std::string bytes = ReadFile(pdf);
   std::filesystem::remove(pdf);

@@ -14,9 +14,8 @@ namespace fathom {
 std::string Chromium();
 
 // The page in a real browser, as it stands after its script has run: page.js uses itself when the
-// address ends in #selftest and writes what it finds into the page. `name` tells the files of tests
-// that run at once apart.
-std::string DomOf(const Page& page, const std::string& name);
+// address ends in #selftest and writes what it finds into the page.
+std::string DomOf(const Page& page);
 
 // A window, and the clock of the page in it.
 struct Window {
@@ -28,17 +27,15 @@ struct Window {
 
 // The same of any page. With the real clock it is read as soon as it has loaded. Of a page in a
 // frame only its findings are read, which it has to post to the window around it.
-std::string DomOf(const std::string& html, const std::string& name, const Window& window);
+std::string DomOf(const std::string& html, const Window& window);
 
 // The findings of a reader that acts by `script`, the body of an async function: it fills the
 // object `findings`, waits with `await wait()` until all is drawn, and counts with `inkOf(canvas,
 // "#0072b2")` the pixels of about that colour.
-std::map<std::string, std::string> FindingsOf(const std::string& html,
-                                              const std::string& name,
-                                              const std::string& script);
+std::map<std::string, std::string> FindingsOf(const std::string& html, const std::string& script);
 
 // The bytes of the PDF that printing the page gives; empty if there is none.
-std::string PrintOf(const std::string& html, const std::string& name);
+std::string PrintOf(const std::string& html);
 
 // The lines "name=value" of that self test.
 std::map<std::string, std::string> FindingsIn(const std::string& dom);

@@ -73,9 +73,7 @@ void ReplaceAll(std::string_view from, std::string_view to, std::string* text) {
 
 }  // namespace
 
-std::map<std::string, std::string> FaultsOf(const std::string& html,
-                                            const std::string& name,
-                                            const PageLook& look) {
+std::map<std::string, std::string> FaultsOf(const std::string& html, const PageLook& look) {
   std::string page = html;
   if (look.is_printed) ReplaceAll("@media print", "@media all", &page);
   if (look.is_dark) ReplaceAll("(prefers-color-scheme: dark)", "(min-width: 1px)", &page);
@@ -83,7 +81,7 @@ std::map<std::string, std::string> FaultsOf(const std::string& html,
   ReplaceAll("IS_PRINTED", look.is_printed ? "true" : "false", &script);
   ReplaceAll("<head>", fmt::format("<head>{}", kErrorScript), &page);
   page.insert(page.rfind("</body>"), script);
-  auto findings = FindingsIn(DomOf(page, name, {.width = look.width, .hash = ""}));
+  auto findings = FindingsIn(DomOf(page, {.width = look.width, .hash = ""}));
   if (findings.empty()) findings["errors"] = "the browser did not load the page";
   return findings;
 }

@@ -25,8 +25,6 @@ inline constexpr int kPaperWidth = 718;
 //   errors     errors of scripts, and what they wrote to the console as one
 //   unlabelled charts without an aria-label
 //   screen     on paper: what only serves a screen
-std::map<std::string, std::string> FaultsOf(const std::string& html,
-                                            const std::string& name,
-                                            const PageLook& look);
+std::map<std::string, std::string> FaultsOf(const std::string& html, const PageLook& look);
 
 }  // namespace fathom

@@ -55,7 +55,7 @@ const std::string kLook = R"(
 
 TEST(TimeCuts, PutRunsNextToOneAnotherWithTicksOfTheTrueTime) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsOf(RenderPage(PageOfRuns(4, 300.0)), "cuts", kLook);
+  auto findings = FindingsOf(RenderPage(PageOfRuns(4, 300.0)), kLook);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["cuts"], "3");
   // 4 runs of 60 s and 3 breaks of a tenth of a fifth of 240 s each: 240 + 3 * 4.8.
@@ -70,7 +70,7 @@ TEST(TimeCuts, PutRunsNextToOneAnotherWithTicksOfTheTrueTime) {
 
 TEST(TimeCuts, LeaveShortSilencesAlone) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsOf(RenderPage(PageOfRuns(4, 20.0)), "no_cuts", kLook);
+  auto findings = FindingsOf(RenderPage(PageOfRuns(4, 20.0)), kLook);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["cuts"], "0");
   EXPECT_EQ(findings["whole"], "300.000");
@@ -79,7 +79,7 @@ TEST(TimeCuts, LeaveShortSilencesAlone) {
 
 TEST(TimeCuts, GiveManyRunsMoreRoomThanTheBreaks) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsOf(RenderPage(PageOfRuns(72, 600.0)), "many_cuts", kLook);
+  auto findings = FindingsOf(RenderPage(PageOfRuns(72, 600.0)), kLook);
   EXPECT_EQ(findings["errors"], "");
   EXPECT_EQ(findings["cuts"], "71");
   // The breaks take a fifth of the 72 runs of 60 s.

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <string>
 
+#include "test_folder.h"
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
@@ -25,13 +26,6 @@ constexpr int kHeight = 120;
 
 class Overlay : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / test->test_suite_name() / test->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-
   // A video or sheet of so many frames whose texture takes some kilobytes each.
   void Draw(const std::string& file, int num_frames) const {
     const auto overlay = OpenOverlay(folder_ / file, kWidth, kHeight, 8.0);
@@ -52,7 +46,7 @@ class Overlay : public testing::Test {
     return num;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = EmptyTestFolder();
 };
 
 using OverlayDeathTest = Overlay;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "test_folder.h"
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -20,14 +21,6 @@ namespace fs = std::filesystem;
 
 using ::testing::ElementsAre;
 using ::testing::Pair;
-
-fs::path EmptyArchive() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path archive = fs::path(FATHOM_SCRATCH_DIR) / "WalkArchive" / test->name();
-  fs::remove_all(archive);
-  fs::create_directories(archive);
-  return archive;
-}
 
 void Write(const fs::path& file, const std::string& text = "") {
   fs::create_directories(file.parent_path());
@@ -41,7 +34,7 @@ std::vector<std::string> PathsOf(const FoundArchive& found) {
 }
 
 TEST(WalkArchive, FindsFoldersWithALogYamlAndCsvLogs) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "b" / "run" / "log.yaml");
   Write(archive / "b" / "run" / "command.csv");
   Write(archive / "a" / "x.csv", "\"t\", tau,v\r\n1,2,3\n");
@@ -59,14 +52,14 @@ TEST(WalkArchive, FindsFoldersWithALogYamlAndCsvLogs) {
 }
 
 TEST(WalkArchive, FindsTheArchiveItselfAndLogsInLogs) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "log.yaml");
   Write(archive / "tracked" / "log.yaml");
   EXPECT_THAT(PathsOf(WalkArchive(archive, {})), ElementsAre(".", "tracked"));
 }
 
 TEST(WalkArchive, DoesNotTakeImagesForLogs) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "run" / "log.yaml");
   Write(archive / "run" / "frames.csv");
   Write(archive / "run" / "frames" / "1.png");
@@ -77,7 +70,7 @@ TEST(WalkArchive, DoesNotTakeImagesForLogs) {
 }
 
 TEST(WalkArchive, GoesThroughEachFolderOnceByItsOwnName) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder() / "archive";
   Write(archive / "m" / "run" / "log.yaml");
   fs::create_directory_symlink("m", archive / "a");  // before m by its name
   fs::create_directory_symlink(archive, archive / "m" / "circle");
@@ -89,7 +82,7 @@ TEST(WalkArchive, GoesThroughEachFolderOnceByItsOwnName) {
 }
 
 TEST(WalkArchive, OpensNoPipesAndDevices) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   mkfifo((archive / "a.csv").c_str(), 0600);
   fs::create_symlink("/dev/zero", archive / "b.csv");
   fs::create_symlink("nowhere", archive / "c.csv");
@@ -101,7 +94,7 @@ TEST(WalkArchive, OpensNoPipesAndDevices) {
 }
 
 TEST(WalkArchive, LeavesOutWhatTheSettingsSay) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   for (const char* name : {"a", "b", "c"}) Write(archive / name / "log.yaml");
   Write(archive / "archive.yaml");
   const FoundArchive found = WalkArchive(archive, {.leave_out = {"[ab]"}});
@@ -110,14 +103,14 @@ TEST(WalkArchive, LeavesOutWhatTheSettingsSay) {
 }
 
 TEST(WalkArchive, RefusesWhatIsNoFolder) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "file");
   EXPECT_THROW(WalkArchive(archive / "file", {}), InputError);
   EXPECT_THROW(WalkArchive(archive / "nothing", {}), InputError);
 }
 
 TEST(WalkArchive, FindsRecordingsByTheirFirstBytes) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "a.bag", "#ROSBAG V2.0\n");
   Write(archive / "b.0.log", std::string("POCOSIM\0\2\0\0\0\0\0\0\0", 16));
   Write(archive / "c.csv", "time,force\n0,1\n");
@@ -132,7 +125,7 @@ TEST(WalkArchive, FindsRecordingsByTheirFirstBytes) {
 }
 
 TEST(WalkArchive, TakesFilesAndFoldersThatArchiveYamlImports) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   Write(archive / "dive_1" / "dvl.csv", "time,u\n0,1\n");
   Write(archive / "dive_1" / "thrust.csv", "time,force\n0,1\n");
   Write(archive / "dive_2.csv", "time,u\n0,1\n");
@@ -154,7 +147,7 @@ std::string NeedsALog(const fs::path& archive) {
 }
 
 TEST(WalkArchive, SaysWhatIsThereInPlaceOfLogs) {
-  const fs::path archive = EmptyArchive();
+  const fs::path archive = EmptyTestFolder();
   EXPECT_THAT(NeedsALog(archive), testing::HasSubstr("holds no log (it is empty), expected"));
   Write(archive / "a/notes.txt");
   Write(archive / "b/notes.txt");

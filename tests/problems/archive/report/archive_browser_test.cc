@@ -24,7 +24,7 @@ class ArchiveInBrowser : public testing::Test {
   }
 
   std::map<std::string, std::string> Findings(const ArchiveReport& report, const Window& window) {
-    auto findings = FindingsIn(DomOf(RenderArchivePage(report), "archive", window));
+    auto findings = FindingsIn(DomOf(RenderArchivePage(report), window));
     EXPECT_FALSE(findings.empty());
     EXPECT_EQ(findings.count("failed"), 0u) << findings["failed"];
     EXPECT_EQ(findings["errors"], "0") << findings["error_texts"];
@@ -126,7 +126,7 @@ TEST_F(ArchiveInBrowser, RunsNoScriptThatATextSmugglesIn) {
   for (LogRow& log : report.tables.logs) log.message = text;
   for (FindingRow& row : report.tables.findings) row.text = text;
   for (auto& [key, page] : report.pages) page = "javascript:document.body.id='owned'";
-  const std::string dom = DomOf(RenderArchivePage(report), "smuggled", {});
+  const std::string dom = DomOf(RenderArchivePage(report), {});
   ASSERT_NE(dom.find("id=\"selftest\""), std::string::npos);
   EXPECT_EQ(dom.find("<body id=\"owned\""), std::string::npos);
   EXPECT_EQ(FindingsIn(dom)["first_address"], "javascript%3Adocument.body.id%3D%27owned%27");
@@ -145,16 +145,16 @@ TEST_F(ArchiveInBrowser, CutsNoColumnInPrint) {
   ASSERT_THAT(html, HasSubstr("@media print"));
   const std::string printed =
       Replaced(Replaced(html, "@media print", "@media all"), "@media screen", "@media speech");
-  auto findings = FindingsIn(DomOf(printed, "archive_paper", {.width = 700}));
+  auto findings = FindingsIn(DomOf(printed, {.width = 700}));
   EXPECT_EQ(findings["overflow"], "0");
   EXPECT_EQ(findings["errors"], "0") << findings["error_texts"];
   EXPECT_EQ(findings["controls_in_sight"], "0");
   // On a screen they are there: the filter, two dives to choose.
-  EXPECT_GE(std::stoi(FindingsIn(DomOf(html, "archive_screen", {}))["controls_in_sight"]), 3);
+  EXPECT_GE(std::stoi(FindingsIn(DomOf(html, {}))["controls_in_sight"]), 3);
 }
 
 TEST_F(ArchiveInBrowser, PrintsAsAFile) {
-  const std::string pdf = PrintOf(RenderArchivePage(ExampleArchive()), "archive_print");
+  const std::string pdf = PrintOf(RenderArchivePage(ExampleArchive()));
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "test_folder.h"
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -25,8 +26,7 @@ RunRecord RunThat(ChildEnd end, const std::string& output) {
 class MergeTest : public testing::Test {
  protected:
   void Keep(ChildEnd ours, ChildEnd theirs) {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    folder_ = EmptyTestFolder();
     Store(folder_ / "ours.sqlite").KeepRun(RunThat(ours, "ours"));
     Store(folder_ / "theirs.sqlite").KeepRun(RunThat(theirs, "theirs"));
   }
@@ -43,8 +43,7 @@ class MergeTest : public testing::Test {
     return store.FindRun("key")->output;
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / "merge" /
-                                  testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::path folder_;
 };
 
 TEST_F(MergeTest, TakesARunThatEndedForOneThatRanOutOfTime) {

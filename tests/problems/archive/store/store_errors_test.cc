@@ -7,6 +7,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
@@ -19,11 +20,6 @@ using testing::StartsWith;
 // What somebody took out of a database while it was in use: SQLite's own words name no file.
 class StoreErrors : public testing::Test {
  protected:
-  StoreErrors() {
-    std::filesystem::remove_all(file_.parent_path());
-    std::filesystem::create_directories(file_.parent_path());
-  }
-
   void Drop(const std::string& table, const std::filesystem::path& file) {
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE " + table);
   }
@@ -33,10 +29,7 @@ class StoreErrors : public testing::Test {
     return ErrorFrom([&] { work(); });
   }
 
-  // A folder of each test's own: they run side by side.
-  std::filesystem::path file_ = std::filesystem::path(FATHOM_SCRATCH_DIR) / "store_errors" /
-                                testing::UnitTest::GetInstance()->current_test_info()->name() /
-                                "dives.sqlite";
+  const std::filesystem::path file_ = EmptyTestFolder() / "dives.sqlite";
 };
 
 TEST_F(StoreErrors, NameTheirFile) {

@@ -177,7 +177,7 @@ TEST(DiagnosisPage, FetchesNothing) {
 TEST(DiagnosisPage, IsDrawnByABrowser) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
   for (const Diagnosis& diagnosis : {ConsistentDiagnosis(), AmbiguousDiagnosis()}) {
-    auto findings = FindingsIn(DomOf(DiagnosisPage(diagnosis), "diagnosis"));
+    auto findings = FindingsIn(DomOf(DiagnosisPage(diagnosis)));
     ASSERT_EQ(findings.count("failed"), 0u) << findings["failed"];
     EXPECT_EQ(findings["errors"], "0") << findings["error_texts"];
     EXPECT_EQ(findings["resources_loaded"], "0");
@@ -192,7 +192,7 @@ TEST(DiagnosisPage, IsDrawnByABrowser) {
 // The band of the missing force lies behind both curves: their colours stay those of the key.
 TEST(DiagnosisPage, DrawsTheMissingForceOverItsBand) {
   if (Chromium().empty()) GTEST_SKIP() << "chromium is not installed";
-  auto findings = FindingsIn(DomOf(DiagnosisPage(ExplainedDiagnosis()), "missing_force"));
+  auto findings = FindingsIn(DomOf(DiagnosisPage(ExplainedDiagnosis())));
   // Measured, before and after; missing force and what the causes account for.
   std::istringstream inks(findings["inks"]);
   const std::vector<int> counts{std::istream_iterator<int>(inks), {}};

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "test_folder.h"
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,11 +23,6 @@ namespace fs = std::filesystem;
 
 class TemporaryTest : public ::testing::Test {
  protected:
-  TemporaryTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-
   // Another process, which has written a folder and is then sent `signal`; its status.
   int StatusOfInterrupted(int signal) const {
     const pid_t child = fork();
@@ -44,8 +40,7 @@ class TemporaryTest : public ::testing::Test {
     return status;
   }
 
-  const fs::path folder_ = fs::path(FATHOM_SCRATCH_DIR) /
-                           ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path folder_ = EmptyTestFolder();
 };
 
 TEST_F(TemporaryTest, KeepsTheEndingThatWritersGoBy) {

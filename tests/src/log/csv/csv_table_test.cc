@@ -83,8 +83,8 @@ TEST(CsvTable, CutsAListOfVeryManyColumns) {
 TEST(CsvTable, RefusesAFileThatCannotBeRead) {
   EXPECT_EQ(ErrorFrom([] { ReadCsvTable("no/such.csv", kVelocity); }),
             "no/such.csv: there is no such file. Check the path.");
-  EXPECT_EQ(ErrorFrom([] { ReadCsvTable(FATHOM_SCRATCH_DIR, kVelocity); }),
-            FATHOM_SCRATCH_DIR ": is a folder, expected a file.");
+  EXPECT_EQ(ErrorFrom([] { ReadCsvTable(FATHOM_DATA_DIR, kVelocity); }),
+            FATHOM_DATA_DIR ": is a folder, expected a file.");
 }
 
 TEST(CsvTable, RefusesAnEmptyFileAndOneWithoutRows) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "example_page.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -27,10 +28,6 @@ bool HasGnuplot() { return std::system("command -v gnuplot >/dev/null") == 0; }
 // Without printing the whole file where it fails.
 bool Holds(const std::string& file, const std::string& text) {
   return file.find(text) != std::string::npos;
-}
-
-std::string Scratch(const std::string& name) {
-  return std::string(FATHOM_SCRATCH_DIR) + "/" + name;
 }
 
 // True if every element that is opened is closed in the right order.
@@ -59,8 +56,8 @@ TEST(Figure, DrawsCurvesIntoAnSvgThatNamesThem) {
   TimePanel panel = ExamplePage().sections[0].time_panels[0];
   panel.title = "It's <surge> & $more \"here\"";
   panel.responses[0].values.assign(panel.time.size(), std::nan(""));  // a fit that gave nothing
-  WriteFigure(panel, Scratch("curves.svg"));
-  const std::string svg = ReadFile(Scratch("curves.svg"));
+  WriteFigure(panel, TestFolder() / "curves.svg");
+  const std::string svg = ReadFile(TestFolder() / "curves.svg");
   EXPECT_TRUE(IsBalanced(svg));
   for (const char* text : {"measured",
                            "least_squares",
@@ -77,8 +74,8 @@ TEST(Figure, DrawsCurvesIntoAnSvgThatNamesThem) {
 
 TEST(Figure, DrawsEstimatesIntoAnSvgThatNamesThem) {
   if (!HasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-  WriteFigure(ExamplePage().sections[2].parameter_panels, Scratch("estimates.svg"));
-  const std::string svg = ReadFile(Scratch("estimates.svg"));
+  WriteFigure(ExamplePage().sections[2].parameter_panels, TestFolder() / "estimates.svg");
+  const std::string svg = ReadFile(TestFolder() / "estimates.svg");
   EXPECT_TRUE(IsBalanced(svg));
   for (const char* text :
        {"inertia [kg m²]", "buoyancy [N m]", "output_error", "truth 212.0", "±"}) {
@@ -89,10 +86,10 @@ TEST(Figure, DrawsEstimatesIntoAnSvgThatNamesThem) {
 TEST(Figure, DrawsPng) {
   if (!HasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   const Page page = ExamplePage();
-  WriteFigure(page.sections[0].time_panels[0], Scratch("curves.png"));
-  WriteFigure(page.sections[0].parameter_panels, Scratch("estimates.png"));
+  WriteFigure(page.sections[0].time_panels[0], TestFolder() / "curves.png");
+  WriteFigure(page.sections[0].parameter_panels, TestFolder() / "estimates.png");
   for (const char* name : {"curves.png", "estimates.png"}) {
-    const std::string png = ReadFile(Scratch(name));
+    const std::string png = ReadFile(TestFolder() / name);
     EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n")) << name;
     EXPECT_GT(png.size(), 20'000u) << name;  // an empty sheet of this size has below 10 000 bytes
   }
@@ -100,8 +97,9 @@ TEST(Figure, DrawsPng) {
 
 TEST(Figure, DrawsPanelsWithoutData) {
   if (!HasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_NO_THROW(WriteFigure(TimePanel{}, Scratch("empty.svg")));
-  EXPECT_NO_THROW(WriteFigure(std::vector<ParameterPanel>{ParameterPanel{}}, Scratch("empty.svg")));
+  EXPECT_NO_THROW(WriteFigure(TimePanel{}, TestFolder() / "empty.svg"));
+  EXPECT_NO_THROW(
+      WriteFigure(std::vector<ParameterPanel>{ParameterPanel{}}, TestFolder() / "empty.svg"));
 }
 
 TEST(Figure, RefusesOtherFormats) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -274,9 +275,7 @@ TEST(ExperimentFile, ReadsTheBundledExperiments) {
 }
 
 TEST(ExperimentFile, FindsTheReplayedCommandBesideIt) {
-  const std::filesystem::path folder =
-      std::filesystem::path(FATHOM_SCRATCH_DIR) / "experiment_file_replay";
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = TestFolder();
   std::ofstream(folder / "command.csv") << "t,tau_yaw,tau_surge\n100,7,1.5\n100.5,8,-2\n";
   std::ofstream(folder / "e.yaml")
       << "name: a\nduration: 9\ncommand_rate: 5\nvelocity: {rate: 5}\n"

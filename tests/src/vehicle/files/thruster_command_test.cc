@@ -11,6 +11,7 @@
 #include <string>
 
 #include "error_from.h"
+#include "test_folder.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -107,8 +108,7 @@ TEST(ThrusterForces, NeedNoCoefficientWhereTheCommandIsInNewton) {
 // Two thrusters side by side, the heading held: port turns 1.25 times as hard as starboard.
 Log HeldHeading() {
   Log log;
-  log.path = std::filesystem::path(FATHOM_SCRATCH_DIR) / "held_heading";
-  std::filesystem::create_directories(log.path);
+  log.path = TestFolder();
   log.vehicle = "rov.yaml";
   std::ofstream(log.path / log.vehicle)
       << "name: rov\nthrusters:\n"
