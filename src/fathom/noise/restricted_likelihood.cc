@@ -45,13 +45,14 @@ RestrictedLikelihood::Value RestrictedLikelihood::At(const NoiseModel& model) co
 
   // docs/residual_noise.md (9): the Cholesky factor of D' S^-1 D, and the residual less what D
   // explains of it.
-  const Eigen::MatrixXd gram = whitened.transpose() * whitened;
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(whitened.cols(), whitened.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose());
   Eigen::VectorXd left = whitened.col(rank_);
   double log_determinant = whitener.log_determinant();
   if (rank_ > 0) {
     const Eigen::LLT<Eigen::MatrixXd> llt(gram.topLeftCorner(rank_, rank_));
     log_determinant += 2.0 * llt.matrixLLT().diagonal().array().log().sum();
-    left -= whitened.leftCols(rank_) * llt.solve(gram.col(rank_).head(rank_));
+    left -= whitened.leftCols(rank_) * llt.solve(gram.row(rank_).head(rank_).transpose());
   }
   const double num_free = static_cast<double>(samples_.size()) - rank_;
   const double variance = left.squaredNorm() / num_free;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -44,11 +43,10 @@ bool IsBetterForCertain(const Gain& gain, const VerdictRules& rules) {
 
 Rung ClimbByFreeRuns(const Prepared& prepared,
                      const WeighedSearch& search,
+                     const std::shared_ptr<const LeftOutParts>& parts,
                      int most_causes,
                      const VerdictRules& rules) {
   const HypothesisBook& book = search.found.book;
-  const auto parts =
-      std::make_shared<const LeftOutParts>(LeaveOut(prepared, HowToLeaveOut(prepared.data, {})));
   Rung at;
   at.choice.fits[0] = search.baseline;
   bool is_first = true;

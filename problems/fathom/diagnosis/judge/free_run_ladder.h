@@ -7,6 +7,8 @@
 #include "fathom/diagnosis/judge/verdict_rules.h"
 #include "fathom/diagnosis/measures/free_run_comparison.h"
 
+#include <memory>
+
 namespace fathom {
 
 // What a search by free runs proposes and unseen data bear out.
@@ -18,9 +20,10 @@ struct Rung {
 // Climbs from the user's model to hypotheses of one, two and three causes. Of each size the best
 // two on the training data are tried; one is taken if it predicts data that no fit has seen better
 // than what stands, for certain by a twentieth (by a fifth, where they are too few for an
-// interval).
+// interval). `parts`: what is left out in turn, where nothing is held out.
 Rung ClimbByFreeRuns(const Prepared& prepared,
                      const WeighedSearch& search,
+                     const std::shared_ptr<const LeftOutParts>& parts,
                      int most_causes,
                      const VerdictRules& rules = {});
 

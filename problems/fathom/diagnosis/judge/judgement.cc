@@ -228,9 +228,25 @@ Judgement Judge(const Prepared& prepared,
       return *std::move(by_likelihood);
     }
   }
-  WeighedSearch search =
-      SearchByFreeRuns(prepared, suspects, by_likelihood ? AtFirst(options) : options);
-  Rung rung = ClimbByFreeRuns(prepared, search, options.most_causes, options.rules);
+  const LeavingOut how = HowToLeaveOut(prepared.data, {});
+  const bool is_known = by_likelihood && by_likelihood->runs.parts != nullptr &&
+                        by_likelihood->runs.parts->how == how;
+  const auto parts = is_known ? by_likelihood->runs.parts
+                              : std::make_shared<const LeftOutParts>(LeaveOut(prepared, how));
+  DiagnosisOptions wanted = by_likelihood ? AtFirst(options) : options;
+  const auto climbed = [&](const WeighedSearch& search) {
+    return ClimbByFreeRuns(prepared, search, parts, wanted.most_causes, options.rules);
+  };
+  if (by_likelihood) {
+    // Beside what likelihood says, several are looked for only where one alone predicts better.
+    wanted.most_causes = 1;
+    if (climbed(SearchByFreeRuns(prepared, suspects, wanted)).choice.chosen == 0) {
+      return *std::move(by_likelihood);
+    }
+    wanted.most_causes = options.most_causes;
+  }
+  WeighedSearch search = SearchByFreeRuns(prepared, suspects, wanted);
+  Rung rung = climbed(search);
   if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung, options.rules)) {
     return *std::move(by_likelihood);
   }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,11 +22,11 @@ std::vector<int> Others(const Hypothesis& hypothesis, int cause) {
   return others;
 }
 
-// The hypothesis without one of its causes, which are several, on from its own fit.
-std::optional<Hypothesis> Without(const SearchTask& task,
-                                  const Hypothesis& baseline,
-                                  const Hypothesis& hypothesis,
-                                  int cause) {
+// The book with the hypothesis without one of its causes, which are several, on from its own fit.
+HypothesisBook WithoutOne(const SearchTask& task,
+                          const Hypothesis& hypothesis,
+                          int cause,
+                          HypothesisBook book) {
   const StructureFit& fit = hypothesis.fit;
   const StructureFit rough =
       FitStructure(task.data,
@@ -35,9 +34,11 @@ std::optional<Hypothesis> Without(const SearchTask& task,
                    fit.initial,
                    Whitener(fit.noise, task.data.samples()),
                    task.options.rough);
-  if (!rough.IsSimulated()) return std::nullopt;
-  return HypothesisFrom(
-      task, baseline, Others(hypothesis, cause), rough, -std::numeric_limits<double>::infinity());
+  if (!rough.IsSimulated()) return book;
+  constexpr double kWhateverItGains = -std::numeric_limits<double>::infinity();
+  Hypothesis without =
+      BegunFrom(task, book.baseline(), Others(hypothesis, cause), rough, kWhateverItGains);
+  return WithSettled(task, {std::move(without)}, kWhateverItGains, std::move(book));
 }
 
 // The book with what may stand in for one cause of a hypothesis beside the others, `base`.
@@ -66,8 +67,7 @@ HypothesisBook WithCauseReplaced(const SearchTask& task,
                                  int cause,
                                  HypothesisBook book) {
   if (challenged.suspects.size() > 1) {
-    auto without = Without(task, book.baseline(), challenged, cause);
-    if (without) book.Add(std::move(*without));
+    book = WithoutOne(task, challenged, cause, std::move(book));
   }
   const int index = book.IndexOf(Others(challenged, cause));
   if (index < 0) return book;

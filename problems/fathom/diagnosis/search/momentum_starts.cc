@@ -92,19 +92,16 @@ HypothesisBook WithSinglesByMomentum(const SearchTask& task, HypothesisBook book
     starts.resize(task.options.most_from_momentum);
   }
   const double most_gain = book.MostGain();
-  std::vector<std::optional<Hypothesis>> found(starts.size());
+  std::vector<Hypothesis> found(starts.size());
   ParallelFor(static_cast<int>(starts.size()), [&](int i) {
     const StructureFit in_pieces = RoughFit(pieces, starts[i].fit.model, task.options.rough);
     if (!in_pieces.IsSimulated()) return;
     const StructureFit rough = RoughFit(task.data, in_pieces.model, task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = HypothesisFrom(task, book.baseline(), {starts[i].suspect}, rough, most_gain);
+    found[i] = BegunFrom(task, book.baseline(), {starts[i].suspect}, rough, most_gain);
   });
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    book.AddAttempt({starts[i].suspect});
-    if (found[i]) book.Add(*std::move(found[i]));
-  }
-  return book;
+  for (const MomentumStart& start : starts) book.AddAttempt({start.suspect});
+  return WithSettled(task, std::move(found), most_gain, std::move(book));
 }
 
 }  // namespace fathom

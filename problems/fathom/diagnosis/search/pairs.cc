@@ -7,7 +7,6 @@
 #include "fathom/diagnosis/search/refinement.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -91,7 +90,7 @@ HypothesisBook WithPairs(const SearchTask& task,
   const auto& calibration = book.calibration();
   // None knows of another's gain, whatever the number of threads.
   const double most_gain = book.MostGain();
-  std::vector<std::optional<Hypothesis>> found(pairs.size());
+  std::vector<Hypothesis> found(pairs.size());
   ParallelFor(static_cast<int>(pairs.size()), [&](int i) {
     const Pair& pair = pairs[i];
     if (pair.score < calibration.ThresholdOf({pair.a, pair.b})) return;
@@ -107,12 +106,9 @@ HypothesisBook WithPairs(const SearchTask& task,
                                             screens.own->whitener(),
                                             task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = HypothesisFrom(task, book.baseline(), {pair.a, pair.b}, rough, most_gain);
+    found[i] = BegunFrom(task, book.baseline(), {pair.a, pair.b}, rough, most_gain);
   });
-  for (auto& hypothesis : found) {
-    if (hypothesis) book.Add(*std::move(hypothesis));
-  }
-  return book;
+  return WithSettled(task, std::move(found), most_gain, std::move(book));
 }
 
 }  // namespace fathom

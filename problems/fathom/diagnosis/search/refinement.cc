@@ -93,27 +93,61 @@ std::vector<int> With(std::vector<int> suspects, int more) {
   return suspects;
 }
 
-}  // namespace
+// What a hypothesis gains by its fit.
+Hypothesis Weighed(const SearchTask& task, const Hypothesis& baseline, Hypothesis hypothesis) {
+  const double share = task.options.effective_share;
+  const double log_num_data = std::log(share * static_cast<double>(task.data.bins().size()));
+  hypothesis.gain = share * 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
+                    PriceOfStarts(task.data, hypothesis.fit.start_gains);
+  hypothesis.delta_bic =
+      hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));
+  return hypothesis;
+}
 
-std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
-                                         const Hypothesis& baseline,
-                                         const std::vector<int>& suspects,
-                                         const StructureFit& rough,
-                                         double most_gain) {
-  Hypothesis hypothesis;
-  hypothesis.suspects = suspects;
-  const Criterion criterion = task.options.criterion;
+// What no fit whose gain gets there is left at.
+FitPrecision PrecisionFor(const SearchTask& task, const Hypothesis& baseline, double most_gain) {
   FitPrecision precision = task.options.precision;
   precision.least = baseline.fit.log_likelihood +
                     0.5 * task.options.hope * most_gain / task.options.effective_share;
+  return precision;
+}
+
+// The hypothesis with its noise learned from nothing, as the baseline's was: what is worth its
+// price may rest on a noise that was begun wrongly, on either side.
+Hypothesis Settled(const SearchTask& task,
+                   const Hypothesis& baseline,
+                   Hypothesis begun,
+                   double most_gain) {
+  const FitPrecision precision = PrecisionFor(task, baseline, most_gain);
+  StructureFit fit = FitStructureAndNoise(task.data, begun.fit, precision);
+  // Worse than with less: the search went astray.
+  if (!(fit.log_likelihood > baseline.fit.log_likelihood)) return begun;
+  begun.fit = std::move(fit);
+  return Weighed(task, baseline, std::move(begun));
+}
+
+// Whether a hypothesis may lead, so that it is settled.
+bool Contends(const SearchTask& task,
+              const Hypothesis& baseline,
+              const Hypothesis& begun,
+              double most_gain) {
+  const double gain = 2.0 * (begun.fit.log_likelihood - baseline.fit.log_likelihood);
+  return task.options.criterion == Criterion::kLearnedNoise && gain > task.options.worth_refining &&
+         gain > task.options.contends * most_gain;
+}
+
+}  // namespace
+
+Hypothesis BegunFrom(const SearchTask& task,
+                     const Hypothesis& baseline,
+                     std::vector<int> suspects,
+                     const StructureFit& rough,
+                     double most_gain) {
+  Hypothesis hypothesis;
+  hypothesis.suspects = std::move(suspects);
+  const Criterion criterion = task.options.criterion;
+  const FitPrecision precision = PrecisionFor(task, baseline, most_gain);
   hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise, precision);
-  // What is worth its price so may rest on a noise that was begun wrongly, on either side: where it
-  // may lead, the noise is learned from nothing, as the baseline's was.
-  const double cheap_gain = 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood);
-  if (criterion == Criterion::kLearnedNoise && cheap_gain > task.options.worth_refining &&
-      cheap_gain > task.options.contends * most_gain) {
-    hypothesis.fit = FitStructureAndNoise(task.data, hypothesis.fit, precision);
-  }
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;
@@ -122,14 +156,24 @@ std::optional<Hypothesis> HypothesisFrom(const SearchTask& task,
         FitBy(criterion, task.data, model, baseline.fit.initial, baseline.fit.noise, precision);
     if (again.log_likelihood > hypothesis.fit.log_likelihood) hypothesis.fit = std::move(again);
   }
-  if (!MeansSomething(task, hypothesis.fit)) return std::nullopt;
-  const double share = task.options.effective_share;
-  const double log_num_data = std::log(share * static_cast<double>(task.data.bins().size()));
-  hypothesis.gain = share * 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
-                    PriceOfStarts(task.data, hypothesis.fit.start_gains);
-  hypothesis.delta_bic =
-      hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));
-  return hypothesis;
+  return Weighed(task, baseline, std::move(hypothesis));
+}
+
+HypothesisBook WithSettled(const SearchTask& task,
+                           std::vector<Hypothesis> begun,
+                           double most_gain,
+                           HypothesisBook book) {
+  for (const Hypothesis& hypothesis : begun) {
+    if (MeansSomething(task, hypothesis.fit)) most_gain = std::max(most_gain, hypothesis.gain);
+  }
+  ParallelFor(static_cast<int>(begun.size()), [&](int i) {
+    if (!Contends(task, book.baseline(), begun[i], most_gain)) return;
+    begun[i] = Settled(task, book.baseline(), std::move(begun[i]), most_gain);
+  });
+  for (Hypothesis& hypothesis : begun) {
+    if (MeansSomething(task, hypothesis.fit)) book.Add(std::move(hypothesis));
+  }
+  return book;
 }
 
 namespace {
@@ -142,19 +186,24 @@ double MostGainOfSize(const HypothesisBook& book, std::size_t size) {
   return most;
 }
 
+// The greatest gains so far: of all, of hypotheses as large as the ones that are made, and of their
+// scores (far above 1 where `base` is no model of these data).
+struct MostSoFar {
+  double gain, gain_of_size, kept = 1.0;
+};
+
 // Whether `base` and one suspect more would not count even if it gained twice as much of its score
-// as any before it, `most_kept`: one cause alone is worth a look if others may be added to it,
-// several if they lead.
+// as any before it: one cause alone is worth a look if others may be added to it, several if they
+// lead.
 bool IsHopeless(const SearchTask& task,
                 const Screens& screens,
                 const Hypothesis& base,
                 int suspect,
-                const HypothesisBook& book,
-                double most_kept) {
+                const MostSoFar& most) {
   const SearchOptions& options = task.options;
   const double share = base.suspects.empty() ? options.least_share : 1.0;
-  return base.gain + options.optimism * most_kept * screens.scores[suspect] <
-         share * MostGainOfSize(book, base.suspects.size() + 1);
+  return base.gain + options.optimism * most.kept * screens.scores[suspect] <
+         share * most.gain_of_size;
 }
 
 // `base` and one suspect more, from where the screens show it best; nothing where that is known.
@@ -163,15 +212,14 @@ std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
                                        const Hypothesis& base,
                                        int suspect,
                                        const HypothesisBook& book,
-                                       double most_kept) {
+                                       const MostSoFar& most) {
   const std::vector<int> suspects = With(base.suspects, suspect);
-  if (IsHopeless(task, screens, base, suspect, book, most_kept)) return {};
+  if (IsHopeless(task, screens, base, suspect, most)) return {};
   const int known = book.IndexOf(suspects);
   if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return {};
   std::vector<Hypothesis> hypotheses;
   const auto add = [&](const StructureFit& rough) {
-    auto hypothesis = HypothesisFrom(task, book.baseline(), suspects, rough, book.MostGain());
-    if (hypothesis) hypotheses.push_back(*std::move(hypothesis));
+    hypotheses.push_back(BegunFrom(task, book.baseline(), suspects, rough, most.gain));
   };
   const auto own = RoughFit(task, *screens.own, base, suspect);
   if (own) add(*own);
@@ -194,22 +242,27 @@ HypothesisBook Refined(const SearchTask& task,
                        HypothesisBook book) {
   // Those of one group do not know of each other's gains, whatever the number of threads.
   constexpr std::size_t kGroup = 4;
-  double most_kept = 1.0;  // of a score: far more where `base` is no model of these data
+  MostSoFar most = {book.MostGain(), MostGainOfSize(book, base.suspects.size() + 1)};
+  std::vector<Hypothesis> begun;
   for (std::size_t begin = 0; begin < suspects.size() && !task.IsSpent(); begin += kGroup) {
     const auto group = suspects.subspan(begin, std::min(kGroup, suspects.size() - begin));
     std::vector<std::vector<Hypothesis>> found(group.size());
     ParallelFor(static_cast<int>(group.size()), [&](int i) {
-      found[i] = HypothesesWith(task, screens, base, group[i], book, most_kept);
+      found[i] = HypothesesWith(task, screens, base, group[i], book, most);
     });
     for (std::size_t i = 0; i < group.size(); ++i) {
       book.AddAttempt(With(base.suspects, group[i]));
       for (Hypothesis& hypothesis : found[i]) {
-        most_kept = std::max(most_kept, (hypothesis.gain - base.gain) / screens.scores[group[i]]);
-        book.Add(std::move(hypothesis));
+        if (MeansSomething(task, hypothesis.fit)) {
+          most.gain = std::max(most.gain, hypothesis.gain);
+          most.gain_of_size = std::max(most.gain_of_size, hypothesis.gain);
+          most.kept = std::max(most.kept, (hypothesis.gain - base.gain) / screens.scores[group[i]]);
+        }
+        begun.push_back(std::move(hypothesis));
       }
     }
   }
-  return book;
+  return WithSettled(task, std::move(begun), book.MostGain(), std::move(book));
 }
 
 }  // namespace fathom
