@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Core>
 #include <glog/logging.h>
+#include <unsupported/Eigen/FFT>
 
 namespace fathom {
 namespace {
@@ -37,36 +40,37 @@ Bins BinsOf(const HeldCommand& command, double duration) {
   return bins;
 }
 
-// Frequencies that are looked at side by side.
-constexpr int kWidth = 8;
-using Row = Eigen::Array<double, kWidth, 1>;
-
-// Shares of the sum of squares that a constant and a sine of each of the frequencies explain.
-Row SharesAt(const Bins& bins, const Row& frequencies) {
-  const Row step_c = (frequencies * bins.width).cos(), step_s = (frequencies * bins.width).sin();
-  Row re = Row::Ones(), im = Row::Zero();  // of the phase
-  Row c = im, s = im, cc = im, cs = im, ss = im, yc = im, ys = im;
-  for (const double y : bins.value) {
-    c += re;
-    s += im;
-    cc += re * re;
-    cs += re * im;
-    ss += im * im;
-    yc += y * re;
-    ys += y * im;
-    const Row turned = re * step_c - im * step_s;
-    im = re * step_s + im * step_c;
-    re = turned;
-  }
-  const auto n = static_cast<double>(bins.value.size());
-  // The values have mean 0.
-  const Row a = cc - c * c / n, b = cs - c * s / n, d = ss - s * s / n;
-  return (d * yc * yc - 2.0 * b * yc * ys + a * ys * ys) / (a * d - b * b) /
-         bins.value.squaredNorm();
+// The sum of exp(i phase k) over n terms from k = 0.
+std::complex<double> PhasorSum(double phase, double n) {
+  return std::polar(std::sin(0.5 * n * phase) / std::sin(0.5 * phase), 0.5 * (n - 1.0) * phase);
 }
 
-double ShareAt(const Bins& bins, double frequency) {
-  return SharesAt(bins, Row::Constant(frequency))[0];
+// The sum of each bin's value times exp(i phase k).
+std::complex<double> ProjectionAt(const Bins& bins, double phase) {
+  const std::complex<double> step = std::polar(1.0, phase);
+  std::complex<double> turned = 1.0, sum = 0.0;
+  for (const double value : bins.value) {
+    sum += value * turned;
+    turned *= step;
+  }
+  return sum;
+}
+
+// Share of the sum of squares that a constant and a sine explain which turns by `phase` in each
+// bin, between 0 and half a turn: (9).
+double ShareOf(const Bins& bins, double phase, std::complex<double> projection) {
+  const auto n = static_cast<double>(bins.value.size());
+  const std::complex<double> once = PhasorSum(phase, n), twice = PhasorSum(2.0 * phase, n);
+  // The normal equations of cosine and sine, less their means: the values have mean 0.
+  const double a = 0.5 * (n + twice.real()) - once.real() * once.real() / n;
+  const double b = 0.5 * twice.imag() - once.real() * once.imag() / n;
+  const double d = 0.5 * (n - twice.real()) - once.imag() * once.imag() / n;
+  const double c = projection.real(), s = projection.imag();
+  return (d * c * c - 2.0 * b * c * s + a * s * s) / (a * d - b * b) / bins.value.squaredNorm();
+}
+
+double ShareAt(const Bins& bins, double phase) {
+  return ShareOf(bins, phase, ProjectionAt(bins, phase));
 }
 
 }  // namespace
@@ -79,18 +83,24 @@ Tone DominantTone(const HeldCommand& command, double duration) {
   const Bins bins = BinsOf(command, duration);
   if (!(bins.value.squaredNorm() > 0.0)) return {};
 
-  const double step = 0.5 * kPi / duration;
-  const double highest = 0.5 * kPi / bins.width;
-  Tone tone = {2.0 * step, 0.0};
-  for (double first = 2.0 * step; first < highest; first += kWidth * step) {
-    const Row frequencies = first + step * Row::LinSpaced(kWidth, 0.0, kWidth - 1.0);
-    const Row shares = SharesAt(bins, frequencies);
-    for (int i = 0; i < kWidth && frequencies[i] < highest; ++i) {
-      if (shares[i] > tone.share) tone = {frequencies[i], shares[i]};
+  // Zeros up to four times the length make the transform's lines a quarter of a period apart.
+  const Eigen::Index n = bins.value.size();
+  Eigen::VectorXd padded = Eigen::VectorXd::Zero(4 * n);
+  padded.head(n) = bins.value;
+  Eigen::VectorXcd lines;
+  Eigen::FFT<double>().fwd(lines, padded);
+  const double step = 0.5 * kPi / static_cast<double>(n);  // in phase a bin
+  double best = 2.0 * step, share = 0.0;
+  for (Eigen::Index k = 2; k < n; ++k) {
+    const double phase = static_cast<double>(k) * step;
+    const double of_line = ShareOf(bins, phase, std::conj(lines[k]));
+    if (of_line > share) {
+      best = phase;
+      share = of_line;
     }
   }
   // Golden section between the neighbours on the grid.
-  double from = tone.frequency - step, to = tone.frequency + step;
+  double from = best - step, to = best + step;
   const double ratio = 1.0 / std::numbers::phi;
   while (to - from > 1e-4 * step) {
     const double a = to - ratio * (to - from), b = from + ratio * (to - from);
@@ -100,9 +110,8 @@ Tone DominantTone(const HeldCommand& command, double duration) {
       from = a;
     }
   }
-  tone.frequency = 0.5 * (from + to);
-  tone.share = std::clamp(ShareAt(bins, tone.frequency), 0.0, 1.0);
-  return tone;
+  const double phase = 0.5 * (from + to);
+  return {phase / bins.width, std::clamp(ShareAt(bins, phase), 0.0, 1.0)};
 }
 
 Tone DominantTone(const HeldCommand& command) {
