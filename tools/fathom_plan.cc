@@ -291,7 +291,13 @@ int RunOrdinary() {
 
 // Of several DOFs a wrench is planned, from the model alone.
 int RunCoupled(const std::string& file) {
-  for (const char* flag : {"verdict", "vehicle", "log", "dof", "held_out", "velocity", "correct"}) {
+  if (!FLAGS_log.empty()) {
+    throw InputError(fmt::format(
+        "--log: goes with a model of one DOF, expected none: {} is of several DOFs. What was flown "
+        "counts by its fit: give fathom_identify --dofs these logs too.",
+        file));
+  }
+  for (const char* flag : {"verdict", "vehicle", "dof", "held_out", "velocity", "correct"}) {
     if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
     throw InputError(fmt::format(
         "--{}: goes with a model of one DOF, expected none: {} is of several DOFs.", flag, file));
