@@ -150,7 +150,8 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
   step.thrust_after = ThrustBefore(Value(step.begin), inputs.command, model.effects, &instants);
   std::size_t next_edge =
       std::upper_bound(edges.begin(), edges.end(), Value(step.begin)) - edges.begin();
-  StiffLength stiff = {.repeats_left = 1000 + static_cast<int>(kMostRepeats * stamps.Duration())};
+  StiffLength stiff = {
+      .repeats_left = 1000 + static_cast<int>(std::min(1e9, kMostRepeats * stamps.Duration()))};
   for (bool is_first = true; !readings.empty() || !displacements.empty(); is_first = false) {
     ++*num_steps;
     const double s = Value(step.begin);
