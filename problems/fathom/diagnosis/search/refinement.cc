@@ -104,7 +104,7 @@ Hypothesis Weighed(const SearchTask& task, const Hypothesis& baseline, Hypothesi
   return hypothesis;
 }
 
-// What no fit whose gain gets there is left at.
+// A fit that gains less than its share of `most_gain` is left where its first noise leaves it.
 FitPrecision PrecisionFor(const SearchTask& task, const Hypothesis& baseline, double most_gain) {
   FitPrecision precision = task.options.precision;
   precision.least = baseline.fit.log_likelihood +
