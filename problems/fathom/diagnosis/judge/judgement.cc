@@ -194,11 +194,17 @@ bool LeavesMoreThanScatter(const Prepared& prepared,
 // is at least better than the baseline by BIC. Turbulence wears an effect's form now and then.
 bool IsLikely(const Prepared& prepared, const StructureFit& proposed) {
   const TrainingData& data = prepared.data;
-  const StructureFit fit =
-      FitStructureAndNoise(data, proposed.model, proposed.initial, prepared.baseline.noise);
+  const StructureFit& baseline = prepared.baseline;
+  StructureFit fit = FitStructureAndNoise(data, proposed.model, proposed.initial, baseline.noise);
+  // Worse than with less: the search went astray. It begins at the baseline instead.
+  if (!(fit.log_likelihood > baseline.log_likelihood)) {
+    ExtendedModel model = proposed.model;
+    model.baseline = baseline.model.baseline;
+    fit = FitStructureAndNoise(data, model, baseline.initial, baseline.noise);
+  }
   const auto num_more = static_cast<double>(fit.covariance.rows() - kNumParameters);
   const double price = num_more * std::log(static_cast<double>(data.bins().size()));
-  return 2.0 * (fit.log_likelihood - prepared.baseline.log_likelihood) > price;
+  return 2.0 * (fit.log_likelihood - baseline.log_likelihood) > price;
 }
 
 // Whether what free runs propose is named where likelihood names nothing: it predicts unseen data
@@ -211,6 +217,16 @@ bool IsNamed(const Prepared& prepared,
   return rung.choice.chosen != 0 && AreOverTheSame(standing.after, rung.runs.unseen.after) &&
          IsBetterForCertain(GainOf(Beside(standing, rung.runs.unseen), false), rules) &&
          IsLikely(prepared, rung.choice.fit());
+}
+
+// What is left out in turn under free runs: that of the search by likelihood, where it did alike.
+std::shared_ptr<const LeftOutParts> PartsOfFreeRuns(const Prepared& prepared,
+                                                    const std::optional<Judgement>& by_likelihood) {
+  const LeavingOut how = HowToLeaveOut(prepared.data, {});
+  if (by_likelihood && by_likelihood->runs.parts && by_likelihood->runs.parts->how == how) {
+    return by_likelihood->runs.parts;
+  }
+  return std::make_shared<const LeftOutParts>(LeaveOut(prepared, how));
 }
 
 }  // namespace
@@ -228,11 +244,7 @@ Judgement Judge(const Prepared& prepared,
       return *std::move(by_likelihood);
     }
   }
-  const LeavingOut how = HowToLeaveOut(prepared.data, {});
-  const bool is_known = by_likelihood && by_likelihood->runs.parts != nullptr &&
-                        by_likelihood->runs.parts->how == how;
-  const auto parts = is_known ? by_likelihood->runs.parts
-                              : std::make_shared<const LeftOutParts>(LeaveOut(prepared, how));
+  const auto parts = PartsOfFreeRuns(prepared, by_likelihood);
   DiagnosisOptions wanted = by_likelihood ? AtFirst(options) : options;
   const auto climbed = [&](const WeighedSearch& search) {
     return ClimbByFreeRuns(prepared, search, parts, wanted.most_causes, options.rules);

@@ -94,7 +94,6 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   options.precision.turn /= options.effective_share;
   options.most_work *= 0.5;
   options.beam = 2;
-  options.most_refined = 6;
   std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);
   SearchResult found = SearchCauses(thinned, rough, of_the_vehicle, wanted, options);
   return {Criterion::kFreeRun,

@@ -6,8 +6,10 @@
 #include "fathom/signal/filters/integral.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -56,8 +58,8 @@ std::complex<double> ProjectionAt(const Bins& bins, double phase) {
   return sum;
 }
 
-// Share of the sum of squares that a constant and a sine explain which turns by `phase` in each
-// bin, between 0 and half a turn: (9).
+// Share of the sum of squares that a constant and a sine explain, (9). The sine turns by `phase`
+// from bin to bin, between 0 and pi / 2 [rad].
 double ShareOf(const Bins& bins, double phase, std::complex<double> projection) {
   const auto n = static_cast<double>(bins.value.size());
   const std::complex<double> once = PhasorSum(phase, n), twice = PhasorSum(2.0 * phase, n);
@@ -83,15 +85,18 @@ Tone DominantTone(const HeldCommand& command, double duration) {
   const Bins bins = BinsOf(command, duration);
   if (!(bins.value.squaredNorm() > 0.0)) return {};
 
-  // Zeros up to four times the length make the transform's lines a quarter of a period apart.
+  // Zeros up to four times the length put the transform's lines at most a quarter of a period
+  // apart; one of a power of two is quick.
   const Eigen::Index n = bins.value.size();
-  Eigen::VectorXd padded = Eigen::VectorXd::Zero(4 * n);
+  const auto length = static_cast<Eigen::Index>(std::bit_ceil(static_cast<std::size_t>(4 * n)));
+  Eigen::VectorXd padded = Eigen::VectorXd::Zero(length);
   padded.head(n) = bins.value;
   Eigen::VectorXcd lines;
   Eigen::FFT<double>().fwd(lines, padded);
-  const double step = 0.5 * kPi / static_cast<double>(n);  // in phase a bin
-  double best = 2.0 * step, share = 0.0;
-  for (Eigen::Index k = 2; k < n; ++k) {
+  const double step = 2.0 * kPi / static_cast<double>(length);  // in phase a bin
+  const Eigen::Index first = (length + 2 * n - 1) / (2 * n);    // half a period in all
+  double best = static_cast<double>(first) * step, share = 0.0;
+  for (Eigen::Index k = first; k < length / 4; ++k) {
     const double phase = static_cast<double>(k) * step;
     const double of_line = ShareOf(bins, phase, std::conj(lines[k]));
     if (of_line > share) {
