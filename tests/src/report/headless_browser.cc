@@ -121,7 +121,10 @@ std::map<std::string, std::string> FindingsOf(const std::string& html, const std
   reader.replace(reader.find("READER"), std::string("READER").size(), script);
   std::string page = html;
   page.insert(page.rfind("</body>"), reader);
-  return FindingsIn(DomOf(page, {.hash = ""}));
+  const std::string dom = DomOf(page, {.hash = ""});
+  auto findings = FindingsIn(dom);
+  if (findings.empty()) findings["errors"] = "no findings in: " + dom.substr(0, 500);
+  return findings;
 }
 
 std::string PrintOf(const std::string& html) {
