@@ -92,6 +92,11 @@ std::string Meaning(const FreeEntry& entry) {
                        Name(entry.row),
                        Acts(entry.column));
   }
+  if (IsEffect(entry)) {
+    return fmt::format("{}: {}",
+                       entry.kind == Kind::kEffect ? std::string(Name(entry.row)) : "All thrusters",
+                       entry.effect->info().cause);
+  }
   return fmt::format("A velocity in {} makes {}", Name(entry.column), Acts(entry.row));
 }
 
@@ -190,6 +195,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
     if (cause.entry.kind == Kind::kThrusterLag) {
       steps.push_back("Log the propellers' speed and use it in place of the command.");
     }
+    if (IsEffect(cause.entry)) steps.emplace_back(cause.entry.effect->info().advice);
     if (cause.entry.kind == Kind::kFinLag) {
       steps.push_back(
           fmt::format("Log the angle that fin {} has and use it in place of the command.",

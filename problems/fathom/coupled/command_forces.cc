@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/command_forces.h"
 
+#include "fathom/simulate/coupled/asked_force.h"
 #include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
@@ -36,26 +37,15 @@ double LatenessOfThrust(const CoupledModel& model) {
   return model.time_offset + model.thruster_lag;
 }
 
-// Of all, or of the thruster of a gain, at 1.
-Vector6 ThrustAt(const CoupledCommand& command,
-                 std::size_t row,
-                 const CoupledModel& model,
-                 const FreeEntry* gain) {
-  Vector6 force = Vector6::Zero();
-  if (gain == nullptr && !command.force.empty()) force = command.force[row];
-  for (const CommandedThruster& thruster : command.thrusters) {
-    if (gain != nullptr && gain->actuator != thruster.name) continue;
-    const double share = gain != nullptr ? 1.0 : ValueOr(1.0, model.thrust_gain, thruster.name);
-    force += share * thruster.thrust[row] * thruster.push;
-  }
-  return TurnedAboutZ(model.thrust_angle, force);
-}
-
+// The impulse of wrench and thrusters, or its derivative by an entry.
 Vector6 ImpulseOf(const CoupledCommand& command,
                   double from,
                   double to,
                   const CoupledModel& model,
-                  const FreeEntry* gain) {
+                  const FreeEntry* by) {
+  const auto force = [&](std::size_t row) {
+    return by == nullptr ? AskedForce(command, row, model) : AskedForceBy(*by, command, row, model);
+  };
   from -= LatenessOfThrust(model);
   to -= LatenessOfThrust(model);
   Vector6 sum = Vector6::Zero();
@@ -64,7 +54,7 @@ Vector6 ImpulseOf(const CoupledCommand& command,
       static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), from) - time.begin());
   for (double t = from; t < to;) {
     const double until = next < time.size() ? std::min(time[next], to) : to;
-    if (next > 0) sum += (until - t) * ThrustAt(command, next - 1, model, gain);
+    if (next > 0) sum += (until - t) * force(next - 1);
     t = until;
     ++next;
   }
@@ -73,7 +63,7 @@ Vector6 ImpulseOf(const CoupledCommand& command,
 
 Vector6 ThrustAtTime(const CoupledCommand& command, double t, const CoupledModel& model) {
   const auto row = RowAt(command, t - LatenessOfThrust(model));
-  return row ? ThrustAt(command, *row, model, nullptr) : Vector6::Zero();
+  return row ? AskedForce(command, *row, model) : Vector6::Zero();
 }
 
 double FinForceIn(const CoupledModel& model, const CommandedFin& fin) {
@@ -121,6 +111,8 @@ Vector6 ThrustImpulseBy(const FreeEntry& entry,
                         const CoupledModel& model) {
   switch (entry.kind) {
     case Kind::kThrustGain:
+    case Kind::kEffect:
+    case Kind::kThrusterEffect:
       return ImpulseOf(command, from, to, model, &entry);
     case Kind::kThrustAngle:
       return ByTurnAboutZ(ThrustImpulse(command, from, to, model));

@@ -4,6 +4,7 @@
 #include "fathom/coupled/entry_search.h"
 
 #include "fathom/coupled/entry_test.h"
+#include "fathom/vehicle/coupled/coupled_effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,9 @@ namespace fathom {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;
-constexpr double kAlike = 0.9;  // correlation of two that are not told apart
+constexpr double kAlike = 0.9;          // correlation of two that are not told apart
+constexpr double kAboutAsStrong = 3.0;  // z by which another test may be weaker
+constexpr double kAsNear = 3.3;         // log likelihood: 1 % of such pairs
 
 // The two-sided quantile of a standard normal number: P(|z| > result) = p.
 double NormalQuantile(double p) {
@@ -44,7 +47,7 @@ bool IsOfStuckFin(const FreeEntry& entry, const MotionStructure& structure) {
   return IsOfActuator(entry) && Holds(structure, FinStuckEntry(entry.actuator));
 }
 
-// Everything off the diagonal, the thrusters and the fins.
+// Everything off the diagonal, the thrusters, the fins and the effects of the catalogue.
 std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
                                         const EntrySearchOptions& options) {
   std::vector<FreeEntry> all;
@@ -62,28 +65,83 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
     all.push_back(FinNeutralEntry(fin.name));
     if (fin.is_force_known) all.push_back(FinForceEntry(fin.name));
   }
+  for (const Dof dof : structure.dofs) {
+    for (const auto effects : {WaterEffects(), ThrustEffects()}) {
+      for (const Effect* effect : effects) all.push_back(EffectEntry(*effect, dof));
+    }
+  }
+  for (const Effect* effect : ThrustEffects()) all.push_back(ThrusterEffectEntry(*effect));
   std::erase_if(all, [&](const FreeEntry& entry) {
     return Holds(structure, entry) || IsOfStuckFin(entry, structure);
   });
   return all;
 }
 
-// A start for one entry more, where its test puts it.
-CoupledModel StartedAt(CoupledModel model, const EntryTest& test) {
-  const double before = ValueIn(model, test.entry);
-  SetValue(test.entry, before + test.value, &model);
-  return model;
+// The fit of one entry more, from where its test puts it.
+CoupledSummary FitWith(std::span<const CoupledData> logs,
+                       const EntrySearch& search,
+                       const EntryTest& test,
+                       CoupledFitOptions options) {
+  MotionStructure longer = search.structure;
+  longer.entries.push_back(test.entry);
+  options.start = search.fit.model;
+  SetValue(test.entry, ValueIn(search.fit.model, test.entry) + test.value, &*options.start);
+  options.noise = search.fit.noise;
+  options.priors = search.fit.priors;
+  return FitCoupled(logs, longer, options);
 }
 
-// The other candidates that would move the simulation as the `best` does.
-std::vector<FreeEntry> Alike(const EntryTest& best, const std::vector<FreeEntry>& candidates) {
+// What the data ask for most, and what would do nearly as well.
+struct Wanted {
+  EntryTest test;
+  std::vector<FreeEntry> not_told_apart = {};
+};
+
+// The others that would move the simulation as one does.
+std::vector<FreeEntry> Alike(const EntryTest& one, const std::vector<EntryTest>& tests) {
   std::vector<FreeEntry> alike;
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (std::abs(best.likeness[c]) > kAlike && !(candidates[c] == best.entry)) {
-      alike.push_back(candidates[c]);
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    if (std::abs(one.likeness[k]) > kAlike && !(tests[k].entry == one.entry)) {
+      alike.push_back(tests[k].entry);
     }
   }
   return alike;
+}
+
+// The strongest test. Near 0 it tells effects badly from one another and from couplings: of those
+// about as strong each is fitted, to the same noise, and the nearest is wanted.
+Wanted MostWanted(std::span<const CoupledData> logs,
+                  const EntrySearch& search,
+                  const std::vector<EntryTest>& tests,
+                  double least,
+                  CoupledFitOptions options) {
+  const auto strength = [](const EntryTest& test) { return std::abs(test.z); };
+  const EntryTest& strongest = *std::ranges::max_element(tests, {}, strength);
+  const double strong = std::max(least, strength(strongest) - kAboutAsStrong);
+  std::vector<const EntryTest*> rivals;
+  for (const EntryTest& test : tests) {
+    const bool tells_badly = IsEffect(test.entry) || IsEffect(strongest.entry);
+    if (&test == &strongest || (tells_badly && strength(test) >= strong)) rivals.push_back(&test);
+  }
+  Wanted wanted = {strongest, Alike(strongest, tests)};
+  if (rivals.size() == 1) return wanted;
+  options.learns_noise = false;
+  std::vector<double> costs;
+  for (const EntryTest* rival : rivals) {
+    const CoupledSummary fit = FitWith(logs, search, *rival, options);
+    const bool counts = fit.converged && MayBe(rival->entry, ValueIn(fit.model, rival->entry));
+    costs.push_back(counts ? fit.cost : std::numeric_limits<double>::infinity());
+  }
+  const auto nearest = std::ranges::min_element(costs);
+  if (!std::isfinite(*nearest)) return wanted;
+  wanted = {*rivals[static_cast<std::size_t>(nearest - costs.begin())]};
+  for (std::size_t k = 0; k < rivals.size(); ++k) {
+    const bool is_as_near = costs[k] < *nearest + kAsNear;
+    if (is_as_near && !(rivals[k]->entry == wanted.test.entry)) {
+      wanted.not_told_apart.push_back(rivals[k]->entry);
+    }
+  }
+  return wanted;
 }
 
 // Takes out the first that has become needless beside the others; true if there was one.
@@ -153,26 +211,26 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
       return std::ranges::find(banned, entry) != banned.end();
     });
     if (candidates.empty()) break;
-    const std::vector<EntryTest> tests = TestEntries(logs, search.fit, candidates, options.fit);
-    const auto best =
-        std::ranges::max_element(tests, {}, [](const EntryTest& test) { return std::abs(test.z); });
+    std::vector<EntryTest> tests = TestEntries(logs, search.fit, candidates, options.fit);
+    for (EntryTest& test : tests) {
+      if (!MayBe(test.entry, ValueIn(search.fit.model, test.entry) + test.value)) test.z = 0.0;
+    }
     const double least =
         NormalQuantile(options.false_alarm / static_cast<double>(candidates.size()));
-    if (best == tests.end() || std::abs(best->z) < least) break;
-    MotionStructure longer = search.structure;
-    longer.entries.push_back(best->entry);
-    CoupledFitOptions next = options.fit;
-    next.start = StartedAt(search.fit.model, *best);
-    next.noise = search.fit.noise;
-    next.priors = search.fit.priors;
-    CoupledSummary found = FitCoupled(logs, longer, next);
-    if (!found.IsUsable() || StrengthOf(found, best->entry, options.fit.held) < kStillThere) {
-      banned.push_back(best->entry);
+    if (std::ranges::none_of(tests, [&](const EntryTest& t) { return std::abs(t.z) >= least; })) {
+      break;
+    }
+    const Wanted wanted = MostWanted(logs, search, tests, least, options.fit);
+    const FreeEntry& entry = wanted.test.entry;
+    CoupledSummary found = FitWith(logs, search, wanted.test, options.fit);
+    if (!found.IsUsable() || !MayBe(entry, ValueIn(found.model, entry)) ||
+        StrengthOf(found, entry, options.fit.held) < kStillThere) {
+      banned.push_back(entry);
       continue;
     }
-    search.structure = std::move(longer);
+    search.structure.entries.push_back(entry);
     search.fit = std::move(found);
-    search.named.push_back({best->entry, 0.0, 0.0, Alike(*best, candidates), 0.0});
+    search.named.push_back({entry, 0.0, 0.0, wanted.not_told_apart, 0.0});
     while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
     }
   }

@@ -6,12 +6,14 @@
 #include "fathom/coupled/command_forces.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/vehicle/coupled/coriolis.h"
+#include "fathom/vehicle/coupled/coupled_effects.h"
 #include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -63,6 +65,11 @@ Vector6 RateOf(const FreeEntry& entry,
     case Kind::kLift:
       force[i] = nu[0] * nu[j];
       break;
+    case Kind::kEffect:
+      if (!IsOfThrust(*entry.effect))
+        force[i] = ResistanceOf(*entry.effect, 0.0, nu[i], 0.0).by_value;
+      break;
+    case Kind::kThrusterEffect:
     case Kind::kThrustGain:
     case Kind::kThrustAngle:
     case Kind::kTimeOffset:
@@ -79,6 +86,20 @@ Vector6 RateOf(const FreeEntry& entry,
 
 Vector6 KnownOr0(const Vector6& velocity) {
   return velocity.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+}
+
+// What the water's effects of a model resist with.
+Vector6 EffectsAt(const Vector6& nu, const CoupledModel& model) {
+  Vector6 force = Vector6::Zero();
+  for (const Effect* effect : WaterEffects()) {
+    const auto values = model.effects.find(std::string(effect->info().name));
+    if (values == model.effects.end()) continue;
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const double quadratic = model.quadratic_damping(i, i);
+      force[i] += ResistanceOf(*effect, values->second[i], nu[i], quadratic).force;
+    }
+  }
+  return force;
 }
 
 // Rows of (6), a row for each modelled DOF and piece.
@@ -122,6 +143,7 @@ void AddPieces(const CoupledData& log,
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
       known[4] -= held.righting_pitch * down[0];
+      known += EffectsAt(nu, held);
       known -= ShaftForcesAt(command, segment.time[i], nu, held);
       right -= dt * known;
       for (Eigen::Index k = 0; k < num; ++k) {
@@ -265,6 +287,14 @@ Sizes SizesOf(std::span<const CoupledData> logs, const CoupledModel& held) {
   return sizes;
 }
 
+// A little of what is natural of an effect, from which a search gets away.
+double LeastEffect(const FreeEntry& entry, const Sizes& sizes) {
+  const Quantity& quantity = entry.effect->info().parameters.front().quantity;
+  const auto row = Index(entry.row);
+  return kLeastDampingShare * std::pow(sizes.force[row], quantity.force) *
+         std::pow(sizes.speed[row], quantity.speed);
+}
+
 }  // namespace
 
 CoupledModel MomentumStart(std::span<const CoupledData> logs,
@@ -281,6 +311,10 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
     SetValue(entry, ValueIn(known, entry) + solution[static_cast<Eigen::Index>(k)], &known);
   }
   Sizes sizes = SizesOf(logs, held);
+  for (const FreeEntry& entry : structure.entries) {
+    if (!IsPositive(entry) || !IsEffect(entry)) continue;
+    SetValue(entry, std::max(ValueIn(known, entry), LeastEffect(entry, sizes)), &known);
+  }
   std::array<bool, 6> is_driven;
   for (std::size_t i = 0; i < 6; ++i) {
     is_driven[i] = sizes.force[static_cast<Eigen::Index>(i)] > kNoForce;

@@ -82,21 +82,21 @@ void AddLogDet(const Eigen::MatrixXd& x,
   }
 }
 
-// -mu log of each time constant.
-void AddLags(const CoupledModel& model,
-             std::span<const FreeEntry> entries,
-             PhysicalBarrier* barrier) {
+// -mu log of each number that is above 0 in every model.
+void AddPositive(const CoupledModel& model,
+                 std::span<const FreeEntry> entries,
+                 PhysicalBarrier* barrier) {
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (!IsLag(entries[k])) continue;
-    const double lag = ValueIn(model, entries[k]);
-    if (!(lag > 0.0)) {
+    if (!IsPositive(entries[k])) continue;
+    const double value = ValueIn(model, entries[k]);
+    if (!(value > 0.0)) {
       barrier->cost = std::numeric_limits<double>::infinity();
       return;
     }
     const auto at = static_cast<Eigen::Index>(k);
-    barrier->cost -= kBarrier * std::log(lag / kLeastStartOfLag);
-    barrier->gradient[at] -= kBarrier / lag;
-    barrier->hessian(at, at) += kBarrier / (lag * lag);
+    barrier->cost -= kBarrier * std::log(value / kLeastStartOfLag);
+    barrier->gradient[at] -= kBarrier / value;
+    barrier->hessian(at, at) += kBarrier / (value * value);
   }
 }
 
@@ -126,7 +126,7 @@ PhysicalBarrier BarrierAt(const CoupledModel& model,
     AddLogDet(
         Part(model.quadratic_damping, {row}), {row}, Kind::kQuadraticDamping, entries, &barrier);
   }
-  AddLags(model, entries, &barrier);
+  AddPositive(model, entries, &barrier);
   return barrier;
 }
 
@@ -140,8 +140,8 @@ CoupledModel MovedInside(CoupledModel model,
   for (const FreeEntry& entry : entries) {
     if (IsLag(entry)) {
       SetValue(entry, std::max(ValueIn(model, entry), kLeastStartOfLag), &model);
-      continue;
     }
+    if (IsLag(entry) || IsEffect(entry)) continue;
     if (!IsDiagonal(entry)) continue;
     const auto i = Index(entry.row);
     double value = ValueIn(model, entry);

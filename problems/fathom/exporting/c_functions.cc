@@ -3,6 +3,8 @@
 
 #include "fathom/exporting/c_functions.h"
 
+#include "fathom/exporting/comment_text.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -16,7 +18,25 @@ std::string MacroOrZero(const ExportModel& model, const FreeEntry& entry, const 
   return HasNumber(model, entry) ? MacroOf(model, entry, name) : "0.0";
 }
 
-// The parts of the force along a row that dampings and lift give.
+// What an effect of the drag adds; empty of any other.
+std::string DragTerm(const ExportEffect& effect,
+                     const ExportModel& model,
+                     const std::string& name) {
+  const std::string macro = MacroOfEffect(effect, 0, name);
+  const int i = Index(effect.dof);
+  if (effect.name == "cubic_damping")
+    return fmt::format("{0} * nu[{1}] * nu[{1}] * nu[{1}]", macro, i);
+  if (effect.name == "coulomb_friction") return fmt::format("{} * tanh(nu[{}] / 0.005)", macro, i);
+  if (effect.name == "damping_asymmetry") {
+    return fmt::format("(nu[{1}] < 0.0 ? -{0} * {2} * nu[{1}] * nu[{1}] : 0.0)",
+                       macro,
+                       i,
+                       MacroOrZero(model, QuadraticDampingEntry(effect.dof, effect.dof), name));
+  }
+  return "";
+}
+
+// The parts of the force along a row that dampings, lift and effects give.
 std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const std::string& name) {
   std::vector<std::string> terms;
   for (const MacroTerm& term : TermsOf(model, FreeEntry::Kind::kLinearDamping, row, name)) {
@@ -28,7 +48,20 @@ std::vector<std::string> DampingTerms(const ExportModel& model, Dof row, const s
   for (const MacroTerm& term : TermsOf(model, FreeEntry::Kind::kLift, row, name)) {
     terms.push_back(fmt::format("{0} * nu[0] * nu[{1}]", term.macro, Index(term.column)));
   }
+  for (const ExportEffect& effect : model.effects) {
+    const std::string term = DragTerm(effect, model, name);
+    if (effect.dof == row && !term.empty()) terms.push_back(term);
+  }
   return terms;
+}
+
+// The numbers of effects of the drag.
+std::string DragMacros(const ExportModel& model, const std::string& name) {
+  std::string macros;
+  for (const ExportEffect& effect : model.effects) {
+    if (!DragTerm(effect, model, name).empty()) macros += MacrosOfEffect(effect, name);
+  }
+  return macros + (macros.empty() ? "" : "\n");
 }
 
 }  // namespace
@@ -57,6 +90,22 @@ std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std:
   }
   const std::string of_one = NameOf(entry);
   return InCapitals(fmt::format("{}_{}_{}", name, of_one.substr(0, of_one.find('.')), place));
+}
+
+std::string MacroOfEffect(const ExportEffect& effect, std::size_t k, const std::string& name) {
+  return InCapitals(
+      fmt::format("{}_{}_{}_{}", name, Name(effect.dof), effect.name, effect.values[k].name));
+}
+
+std::string MacrosOfEffect(const ExportEffect& effect, const std::string& name) {
+  std::string macros;
+  for (std::size_t k = 0; k < effect.values.size(); ++k) {
+    macros += fmt::format("#define {} ({}) /* {} */\n",
+                          MacroOfEffect(effect, k, name),
+                          LiteralOf(effect.values[k].value),
+                          CommentOn(effect.values[k], effect.log));
+  }
+  return macros;
 }
 
 std::vector<MacroTerm> TermsOf(const ExportModel& model,
@@ -121,10 +170,12 @@ std::string CCoriolis(const ExportModel& model, const std::string& name) {
 }
 
 std::string CDamping(const ExportModel& model, const std::string& name) {
-  std::string text = fmt::format(
-      "/* D(nu) nu: along i the sum over j of (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j. */\n"
-      "static inline void {}_damping(const double nu[6], double force[6]) {{\n",
-      name);
+  std::string text = DragMacros(model, name) +
+                     fmt::format(
+                         "/* D(nu) nu: along i the sum over j of (D_L,ij + D_Q,ij |nu_j| + L_ij u) "
+                         "nu_j, and effects. */\n"
+                         "static inline void {}_damping(const double nu[6], double force[6]) {{\n",
+                         name);
   bool any = false;
   for (const Dof row : kAllDofs) {
     const std::vector<std::string> terms = DampingTerms(model, row, name);

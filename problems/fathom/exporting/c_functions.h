@@ -21,6 +21,10 @@ bool HasNumber(const ExportModel& model, const FreeEntry& entry);
 // numbers of its kind.
 std::string MacroOf(const ExportModel& model, const FreeEntry& entry, const std::string& name);
 
+// "BOAT_SURGE_THRUST_DEAD_ZONE_WIDTH", of number k of an effect; and a line for each number.
+std::string MacroOfEffect(const ExportEffect& effect, std::size_t k, const std::string& name);
+std::string MacrosOfEffect(const ExportEffect& effect, const std::string& name);
+
 // What a row of a matrix has for each column: {column, macro}.
 struct MacroTerm {
   Dof column = Dof::kSurge;

@@ -12,13 +12,11 @@
 namespace fathom {
 namespace {
 
-bool IsHeldInC(const ExportEffect& effect) {
-  return Held(ExportFormat::kC, FeatureOf(effect)).how != HeldFeature::How::kLeftOut;
-}
-
-std::string MacroOfEffect(const ExportEffect& effect, std::size_t k, const std::string& name) {
-  return InCapitals(
-      fmt::format("{}_{}_{}_{}", name, Name(effect.dof), effect.name, effect.values[k].name));
+// Held in C, and of the thrust.
+bool IsHeldHere(const ExportEffect& effect) {
+  const ExportFeature feature = FeatureOf(effect);
+  return feature != ExportFeature::kDragEffects &&
+         Held(ExportFormat::kC, feature).how != HeldFeature::How::kLeftOut;
 }
 
 // f behind the thrusters, from f before them.
@@ -65,13 +63,8 @@ std::string CThrust(const ExportModel& model, const std::string& name) {
   for (const Dof dof : kAllDofs) {
     std::string of_dof;
     for (const ExportEffect& effect : model.effects) {
-      if (effect.dof != dof || !IsHeldInC(effect)) continue;
-      for (std::size_t k = 0; k < effect.values.size(); ++k) {
-        macros += fmt::format("#define {} {} /* {} */\n",
-                              MacroOfEffect(effect, k, name),
-                              "(" + LiteralOf(effect.values[k].value) + ")",
-                              CommentOn(effect.values[k], effect.log));
-      }
+      if (effect.dof != dof || !IsHeldHere(effect)) continue;
+      macros += MacrosOfEffect(effect, name);
       of_dof += Statement(effect, name);
     }
     if (of_dof.empty()) continue;

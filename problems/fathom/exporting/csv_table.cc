@@ -50,6 +50,7 @@ std::string FrameOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kNetBuoyancy:
       return "world: up";
     case FreeEntry::Kind::kThrustGain:
+    case FreeEntry::Kind::kThrusterEffect:
       return "thruster";
     case FreeEntry::Kind::kFinForce:
     case FreeEntry::Kind::kFinRace:

@@ -87,7 +87,8 @@ std::vector<FreeEntry> NumbersIn(const FittedCoupledModel& fitted) {
   const auto repeated = std::ranges::unique(all);
   all.erase(repeated.begin(), repeated.end());
   std::erase_if(all, [](const FreeEntry& entry) {
-    return entry == TimeOffsetEntry() || entry == ThrusterLagEntry();
+    return entry == TimeOffsetEntry() || entry == ThrusterLagEntry() ||
+           entry.kind == FreeEntry::Kind::kEffect;
   });
   return all;
 }
@@ -119,6 +120,22 @@ void AddThrustInTime(const FittedCoupledModel& fitted,
       exported->effects.push_back(
           {name, name, dof, {{parameter, value, StdOf(fitted, entry), UnitOf(entry)}}, log});
     }
+  }
+}
+
+// What acts along one DOF.
+void AddEffects(const FittedCoupledModel& fitted, const std::string& log, ExportModel* exported) {
+  for (const FreeEntry& entry : EntriesIn(fitted.model)) {
+    if (entry.kind != FreeEntry::Kind::kEffect) continue;
+    const EffectInfo& info = entry.effect->info();
+    exported->effects.push_back({std::string(info.name),
+                                 NameOf(entry),
+                                 entry.row,
+                                 {{std::string(info.parameters.front().name),
+                                   ValueIn(fitted.model, entry),
+                                   StdOf(fitted, entry),
+                                   UnitOf(entry, fitted.force_unit)}},
+                                 log});
   }
 }
 
@@ -190,6 +207,7 @@ ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& f
     number.std = StdOf(fitted, entry);
     exported.numbers.push_back(std::move(number));
   }
+  AddEffects(fitted, log, &exported);
   AddThrustInTime(fitted, log, &exported);
   return exported;
 }

@@ -25,7 +25,7 @@ struct ExportNumber {
   std::string log;                                        // that it was identified from, in short
 };
 
-// An effect of a model of one DOF: a lag of the thrusters, a dead zone.
+// An effect along one DOF: a lag of the thrusters, a dead zone.
 struct ExportEffectValue {
   std::string name;
   double value = 0.0;

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/names_of_dofs.h"
+#include "fathom/vehicle/coupled/coupled_effects.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ struct FeatureRow {
 };
 
 // In the order of ExportFeature. Formats: c, csv, gazebo, mss, stonefish, uuv, vrx.
-constexpr std::array<FeatureRow, 23> kFeatureRows = {{
+constexpr std::array<FeatureRow, 25> kFeatureRows = {{
     {"inertia",
      {kHeld,
       kHeld,
@@ -138,7 +139,17 @@ constexpr std::array<FeatureRow, 23> kFeatureRows = {{
       LeftOut("<dynamics> of type FirstOrder takes its <timeConstant>, exactly where <conversion> "
               "is linear."),
       kNoEffect}},
-    {"dead zone, saturation, asymmetry of thrusters",
+    {"dead zone, saturation, asymmetry of the thrust along a DOF",
+     {kHeld, kHeld, kNoEffect, kNoEffect, kNoEffect, kOnlyLag, kNoEffect}},
+    {"dead zone, asymmetry of each thruster",
+     {LeftOut("take it off each thruster's thrust before tau is summed."),
+      kHeld,
+      kNoEffect,
+      kNoEffect,
+      kNoEffect,
+      kOnlyLag,
+      kNoEffect}},
+    {"friction, cubic damping, damping that differs astern",
      {kHeld, kHeld, kNoEffect, kNoEffect, kNoEffect, kOnlyLag, kNoEffect}},
     {"delay of the command (time_offset)",
      {Noted("a number: give the command so late"),
@@ -316,6 +327,9 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
       return ExportFeature::kFins;
+    case FreeEntry::Kind::kEffect:  // ExportModel::effects
+    case FreeEntry::Kind::kThrusterEffect:
+      return ExportFeature::kThrusterEffect;
   }
   return ExportFeature::kThrustGain;
 }
@@ -325,6 +339,9 @@ ExportFeature FeatureOf(const ExportEffect& effect) {
   if (effect.name == "time_offset") return ExportFeature::kDelay;
   for (const char* name : {"thrust_dead_zone", "thrust_saturation", "thrust_asymmetry"}) {
     if (effect.name == name) return ExportFeature::kThrustSize;
+  }
+  for (const Effect* drag : WaterEffects()) {
+    if (effect.name == drag->info().name) return ExportFeature::kDragEffects;
   }
   return ExportFeature::kOtherEffects;
 }

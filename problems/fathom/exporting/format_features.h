@@ -31,7 +31,9 @@ enum class ExportFeature {
   kFins,
   kThrustAngle,
   kLag,
-  kThrustSize,  // a dead zone, a saturation, an asymmetry of thrusters
+  kThrustSize,      // along a DOF: a dead zone, a saturation, an asymmetry of thrusters
+  kThrusterEffect,  // a dead zone or an asymmetry of each thruster
+  kDragEffects,
   kDelay,
   kOtherEffects,
   kOtherUnit,

@@ -65,6 +65,28 @@ TEST(CHeader, AcceleratesAsTheEquationsOfABoat) {
   ExpectAccelerationsOf("boat", fitted.model, ExportModelOf(fitted, "boat.json"));
 }
 
+TEST(CHeader, AcceleratesWithEffectsAsTheirEquations) {
+  const FittedCoupledModel fitted = GenericBoatWithEffects();
+  ExpectAccelerationsOf("boat", fitted.model, ExportModelOf(fitted, "boat.json"));
+}
+
+// Beyond a dead zone of 2.5 N, and 0.7 of that astern.
+TEST(CHeader, LosesThrustToTheEffectsOfACoupledModel) {
+  const FittedCoupledModel fitted = GenericBoatWithEffects();
+  const std::vector<double> numbers = NumbersPrinted(
+      "boat",
+      CHeader(ExportModelOf(fitted, "boat.json"), Target("boat")).text,
+      "const double ahead[6] = {1, 6, 0, 0, 0, 0}, astern[6] = {1, -6, 0, 0, 0, 0};\n"
+      "double tau[6];\n"
+      "boat_thrusters thrusters = {{0}};\n"
+      "boat_thrust(ahead, 0.1, &thrusters, tau);\nprintf(\"%.17g %.17g\\n\", tau[0], tau[1]);\n"
+      "boat_thrust(astern, 0.1, &thrusters, tau);\nprintf(\"%.17g\\n\", tau[1]);\n");
+  ASSERT_EQ(numbers.size(), 3u);
+  EXPECT_DOUBLE_EQ(numbers[0], 1.0);
+  EXPECT_DOUBLE_EQ(numbers[1], 3.5);
+  EXPECT_DOUBLE_EQ(numbers[2], -2.45);
+}
+
 TEST(CHeader, AcceleratesAsModelsOfOneDofEach) {
   const FittedModel heave = GenericOneDof(Dof::kHeave), yaw = GenericOneDof(Dof::kYaw);
   CoupledModel truth;

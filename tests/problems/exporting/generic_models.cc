@@ -76,6 +76,20 @@ FittedCoupledModel GenericBoat() {
   return fitted;
 }
 
+FittedCoupledModel GenericBoatWithEffects() {
+  FittedCoupledModel fitted = GenericBoat();
+  for (const auto& [name, value] : {std::pair{"coulomb_friction.surge", 1.5},
+                                    std::pair{"coulomb_friction.yaw", 0.2},
+                                    std::pair{"cubic_damping.sway", 33.0},
+                                    std::pair{"damping_asymmetry.surge", 0.6},
+                                    std::pair{"thrust_dead_zone.sway", 2.5},
+                                    std::pair{"thrust_asymmetry.sway", 0.3}}) {
+    Set(&fitted, ParseFreeEntry(name), value);
+  }
+  SetCovariance(&fitted);
+  return fitted;
+}
+
 FittedModel GenericOneDof(Dof dof) {
   FittedModel fitted;
   fitted.dof = dof;

@@ -19,6 +19,9 @@ FittedCoupledModel GenericRov();
 // Surge, sway and yaw with C(nu) and the couplings of a boat.
 FittedCoupledModel GenericBoat();
 
+// That boat with a friction, drags that are no square, a dead zone and a weakness astern.
+FittedCoupledModel GenericBoatWithEffects();
+
 // One DOF.
 FittedModel GenericOneDof(Dof dof);
 

@@ -54,6 +54,17 @@ Vector6 WrittenOutRate(const CoupledModel& model, const DrawnState& state) {
                   model.quadratic_damping(i, j) * std::abs(state.nu(j)) * state.nu(j);
     }
   }
+  const auto effect = [&](const char* name, int i) {
+    const auto found = model.effects.find(name);
+    return found == model.effects.end() ? 0.0 : found->second(i);
+  };
+  for (int i = 0; i < 6; ++i) {
+    const double v = state.nu(i);
+    force(i) -= effect("cubic_damping", i) * v * v * v +
+                effect("coulomb_friction", i) * std::tanh(v / 0.005);
+    if (v >= 0.0) continue;
+    force(i) += effect("damping_asymmetry", i) * model.quadratic_damping(i, i) * v * v;
+  }
   const Eigen::Matrix3d rotation = state.world_from_body.toRotationMatrix();
   const double sin_pitch = -rotation(2, 0);
   const double roll = std::atan2(rotation(2, 1), rotation(2, 2));

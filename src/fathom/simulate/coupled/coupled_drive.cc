@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/coupled/coupled_drive.h"
 
+#include "fathom/simulate/coupled/asked_force.h"
 #include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>
@@ -22,33 +23,6 @@ constexpr double kLagsThatCount = 20.0;  // what is older leaves e^-20 of itself
 // A step within a lag covers a half of it. Shorter lags than twice the shortest step are as good as
 // none: an error of a share of them is lost in the clocks.
 constexpr double kShareOfLag = 0.5, kShortestStepOfLag = 0.0025;  // [s]
-
-// What a row of the command asks for, without lags.
-struct AskedForces {
-  Vector6 tau = Vector6::Zero();
-  std::vector<Vector6> pushed;  // by entry: what its thruster gives at a gain of 1
-};
-
-AskedForces ForcesAt(std::size_t row,
-                     const CoupledCommand& command,
-                     const CoupledModel& model,
-                     std::span<const FreeEntry> entries) {
-  AskedForces asked;
-  asked.pushed.assign(entries.size(), Vector6::Zero());
-  if (!command.force.empty()) asked.tau = command.force[row];
-  for (const CommandedThruster& thruster : command.thrusters) {
-    const Vector6 push = thruster.thrust[row] * thruster.push;
-    const auto gain = model.thrust_gain.find(thruster.name);
-    asked.tau += (gain == model.thrust_gain.end() ? 1.0 : gain->second) * push;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      const bool is_its =
-          entries[k].kind == FreeEntry::Kind::kThrustGain && entries[k].actuator == thruster.name;
-      if (is_its) asked.pushed[k] += TurnedAboutZ(model.thrust_angle, push);
-    }
-  }
-  asked.tau = TurnedAboutZ(model.thrust_angle, asked.tau);
-  return asked;
-}
 
 void CheckSizes(const CoupledCommand& command) {
   CHECK(command.force.empty() || command.force.size() == command.time.size());
@@ -150,10 +124,10 @@ void CommandedDrive::Next() {
 
 void CommandedDrive::Ask(double held) {
   const auto row = static_cast<std::size_t>(row_);
-  const AskedForces asked = ForcesAt(row, command_, model_, entries_);
-  tau_.Retarget(asked.tau, held, model_.thruster_lag);
+  tau_.Retarget(AskedForce(command_, row, model_), held, model_.thruster_lag);
   for (std::size_t k = 0; k < pushed_.size(); ++k) {
-    pushed_[k].Retarget(asked.pushed[k], held, model_.thruster_lag);
+    const Vector6 pushed = AskedForceBy(entries_[k], command_, row, model_);
+    pushed_[k].Retarget(pushed, held, model_.thruster_lag);
   }
   for (std::size_t k = 0; k < fins_.size(); ++k) {
     fins_[k].angle.Retarget(command_.fins[k].angle[row], held, fins_[k].lag);
@@ -174,6 +148,8 @@ void CommandedDrive::Show(double since) {
     Vector6& by = drive_.tau_by_entry[e];
     switch (entries_[e].kind) {
       case FreeEntry::Kind::kThrustGain:
+      case FreeEntry::Kind::kEffect:
+      case FreeEntry::Kind::kThrusterEffect:
         by = pushed_[e].At(since, lag);
         break;
       case FreeEntry::Kind::kThrustAngle:

@@ -22,7 +22,8 @@ struct CoupledDrive {
   std::vector<double> races;       // RaceThrust() of the fins, but for shafts [N]
   std::vector<double> turns = {};  // of the shafts [Hz]
 
-  // By entry, what a unit of it changes tau by: of thrust gains, the angle, offset and lag.
+  // By entry, what a unit of it changes tau by: of thrust gains, effects of the thrust, the angle,
+  // offset and lag.
   std::vector<Vector6> tau_by_entry = {};
   // By entry and fin, what a unit of it changes the angle by: of the offset and lags. Empty where
   // no fin has a lag.
@@ -71,7 +72,7 @@ class CommandedDrive {
   double longest_lag_ = 0.0;  // [s]
   std::ptrdiff_t row_ = -1;   // that holds; -1: none yet
   Lagged<Vector6> tau_ = {Vector6::Zero(), Vector6::Zero(), Vector6::Zero()};
-  std::vector<Lagged<Vector6>> pushed_;  // by entry: of thrust gains
+  std::vector<Lagged<Vector6>> pushed_;  // by entry: AskedForceBy()
   std::vector<LaggedFin> fins_;
   CoupledDrive drive_;
 };

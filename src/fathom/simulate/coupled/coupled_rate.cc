@@ -50,6 +50,8 @@ Eigen::Index OnlyRowOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kOffset:
     case FreeEntry::Kind::kLift:
       return Index(entry.row);
+    case FreeEntry::Kind::kEffect:
+      return IsOfThrust(*entry.effect) ? -1 : Index(entry.row);
     default:
       return -1;
   }
@@ -91,6 +93,14 @@ CoupledRate::CoupledRate(const CoupledModel& model,
       const bool is_its =
           entries[e].kind == FreeEntry::Kind::kThrustGain && entries[e].actuator == name;
       if (is_its) shaft_of_entry_[e] = k;
+    }
+  }
+  for (const Effect* effect : WaterEffects()) {
+    const auto values = model.effects.find(std::string(effect->info().name));
+    if (values == model.effects.end()) continue;
+    for (const Dof dof : model.dofs) {
+      const double value = values->second[Index(dof)];
+      if (value != 0.0) effects_.push_back({effect, Index(dof), value});
     }
   }
   for (const FreeEntry& entry : entries) rows_.push_back(OnlyRowOf(entry));
@@ -142,6 +152,18 @@ FinLoad CoupledRate::LoadOf(const ModelFin& fin,
   return at;
 }
 
+CoupledRate::ModelEffect CoupledRate::EffectOf(const FreeEntry& entry) const {
+  for (const ModelEffect& effect : effects_) {
+    if (effect.effect == entry.effect && effect.row == Index(entry.row)) return effect;
+  }
+  return {entry.effect, Index(entry.row), 0.0};
+}
+
+EffectResistance CoupledRate::ResistanceAt(const ModelEffect& effect, const Vector6& nu) const {
+  const double quadratic = model_.quadratic_damping(effect.row, effect.row);
+  return ResistanceOf(*effect.effect, effect.value, nu[effect.row], quadratic);
+}
+
 CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive) const {
   const Vector6& nu = state.nu;
   Vector6 force = drive.tau - model_.offset - Restoring(model_, DownIn(state.attitude));
@@ -154,6 +176,7 @@ CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive)
     force +=
         shaft.gain * ThrustOnVehicle(commanded, drive.turns[shaft.at], nu).thrust * commanded.push;
   }
+  for (const ModelEffect& effect : effects_) force[effect.row] -= ResistanceAt(effect, nu).force;
   if (model_.coriolis) force -= CoriolisForce(model_.inertia, nu);
   CoupledFlow rate;
   rate.nu.noalias() = inverse_ * force;
@@ -178,6 +201,9 @@ Matrix6 CoupledRate::ForceJacobian(const Vector6& nu, const CoupledDrive& drive)
     const CommandedShaft& commanded = command_.shafts[shaft.at];
     const double by_speed = ThrustOnVehicle(commanded, drive.turns[shaft.at], nu).by_speed;
     jacobian.noalias() += shaft.gain * by_speed * commanded.push * commanded.push.transpose();
+  }
+  for (const ModelEffect& effect : effects_) {
+    jacobian(effect.row, effect.row) -= ResistanceAt(effect, nu).by_speed;
   }
   if (model_.coriolis) jacobian -= CoriolisJacobian(model_.inertia, nu);
   return jacobian;
@@ -225,6 +251,10 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         break;
       case FreeEntry::Kind::kQuadraticDamping:
         force[row] = -std::abs(nu[column]) * nu[column];
+        for (const ModelEffect& effect : effects_) {
+          if (effect.row != row || row != column) continue;
+          force[row] -= ResistanceAt(effect, nu).by_quadratic_damping;
+        }
         break;
       case FreeEntry::Kind::kRightingMoment:
         force[row] = entry.row == Dof::kRoll ? -down[1] : down[0];
@@ -251,6 +281,16 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         break;
       case FreeEntry::Kind::kFinLag:
         force = ForceByAngles(k, nu, drive);
+        break;
+      case FreeEntry::Kind::kEffect:
+        if (IsOfThrust(*entry.effect)) {
+          force = drive.tau_by_entry[k];
+        } else {
+          force[row] = -ResistanceAt(EffectOf(entry), nu).by_value;
+        }
+        break;
+      case FreeEntry::Kind::kThrusterEffect:
+        force = drive.tau_by_entry[k];
         break;
       case FreeEntry::Kind::kLift:
         force[row] = -nu[0] * nu[column];

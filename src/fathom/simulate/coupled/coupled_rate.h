@@ -6,6 +6,7 @@
 #include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_inputs.h"
 #include "fathom/simulate/coupled/tangent_step.h"
+#include "fathom/vehicle/coupled/coupled_effects.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/six_vector.h"
@@ -82,6 +83,15 @@ class CoupledRate {
     double value = 0.0;
     Vector6 by_nu = Vector6::Zero();
   };
+  // What the effects of the water resist with, along their DOFs.
+  struct ModelEffect {
+    const Effect* effect = nullptr;
+    Eigen::Index row = 0;
+    double value = 0.0;
+  };
+  ModelEffect EffectOf(const FreeEntry& entry) const;
+  EffectResistance ResistanceAt(const ModelEffect& effect, const Vector6& nu) const;
+
   // What an entry does by the angles of fins.
   Vector6 ForceByAngles(std::size_t entry, const Vector6& nu, const CoupledDrive& drive) const;
 
@@ -94,6 +104,7 @@ class CoupledRate {
   const CoupledCommand& command_;
   std::vector<ModelFin> fins_;
   std::vector<ModelShaft> shafts_;
+  std::vector<ModelEffect> effects_;
   std::vector<std::optional<std::size_t>> shaft_of_entry_;  // whose gain an entry is
   std::vector<std::size_t> fin_of_entry_;  // in fins_, of entries that belong to one
   bool has_lift_ = false;

@@ -22,9 +22,11 @@ namespace fathom {
 //   D    D_L + D_Q |nu|: the force along i is
 //        sum_j (D_L,ij + D_Q,ij |nu_j| + L_ij u) nu_j
 //   g    net buoyancy and righting moments, by the body's down in the world: coupled.md (4)
+//        and `effects` of the water: friction, a drag that grows faster or differs astern
 //   o    `offset`: what a thrust that is off, or a trim, adds [N], [N m]
 //   T    thrusts [N] (B: the allocation, kappa: the gains), or the six forces, turned by
-//        `thrust_angle`, behind their command by `thruster_lag`; of shafts by nu
+//        `thrust_angle`, behind their command by `thruster_lag`; of shafts by nu; what `effects`
+//        and `thruster_effects` of the thrust leave of them
 //   F    forces of the fins, each by its `fin_force`            fin_force.h
 //
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
@@ -61,6 +63,13 @@ struct CoupledModel {
   std::map<std::string, double> fin_neutral = {};  // angle at which it is straight [rad]; absent: 0
   std::map<std::string, double> fin_stuck = {};    // angle of a fin that no command turns [rad]
   std::map<std::string, double> fin_lag = {};      // time constant of a fin's angle [s]; absent: 0
+
+  // Effects along one DOF, coupled_effects.h: the number of each by its name and Index(Dof), 0
+  // where it is not there. Those of the thrust are of the forces that are commanded along the DOF.
+  std::map<std::string, Vector6> effects = {};
+
+  // Those of the thrust of every thruster, alike, by name.
+  std::map<std::string, double> thruster_effects = {};
 
   bool coriolis = false;
 };

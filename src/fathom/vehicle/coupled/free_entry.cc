@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/coupled_effects.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -47,10 +48,21 @@ std::string_view NameOfKind(EntryKind kind) {
   return kNamedKinds[static_cast<std::size_t>(kind)].name;
 }
 
+// An effect that a coupled model may hold; null if there is none of this name.
+const Effect* EffectOfName(std::string_view name) {
+  for (const auto effects : {WaterEffects(), ThrustEffects()}) {
+    for (const Effect* effect : effects) {
+      if (effect->info().name == name) return effect;
+    }
+  }
+  return nullptr;
+}
+
 // Whether there is one of a model, with a name of its own.
 bool IsOneOfModel(EntryKind kind) {
-  return kind == EntryKind::kNetBuoyancy || kind == EntryKind::kThrustAngle ||
-         kind == EntryKind::kTimeOffset || kind == EntryKind::kThrusterLag;
+  return kind == EntryKind::kThrusterEffect || kind == EntryKind::kNetBuoyancy ||
+         kind == EntryKind::kThrustAngle || kind == EntryKind::kTimeOffset ||
+         kind == EntryKind::kThrusterLag;
 }
 
 bool HasPair(EntryKind kind) {
@@ -70,6 +82,21 @@ std::string UnitOfMetres(int metres, int seconds) {
   std::string unit = metres >= 0 ? "kg" : "kg/m";
   if (metres > 0) unit += metres == 1 ? " m" : " m^2";
   return seconds == 0 ? unit : unit + "/s";
+}
+
+// An effect of every thruster has no tail.
+FreeEntry ParseEffect(std::string_view name, const Effect& effect, std::string_view tail) {
+  if (IsOfThrust(effect) && name == effect.info().name) return ThrusterEffectEntry(effect);
+  const std::optional<Dof> row = DofFromName(tail);
+  if (!row) {
+    RefuseEntry(name,
+                fmt::format("{}. and one of the DOFs{}",
+                            effect.info().name,
+                            IsOfThrust(effect)
+                                ? fmt::format(", or {} alone of the thrusters", effect.info().name)
+                                : ""));
+  }
+  return EffectEntry(effect, *row);
 }
 
 double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
@@ -106,6 +133,14 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->fin_stuck.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinLag:
       return &model->fin_lag.try_emplace(entry.actuator, 0.0).first->second;
+    case EntryKind::kEffect: {
+      const std::string name(entry.effect->info().name);
+      return &model->effects.try_emplace(name, Vector6::Zero()).first->second[Index(entry.row)];
+    }
+    case EntryKind::kThrusterEffect: {
+      const std::string name(entry.effect->info().name);
+      return &model->thruster_effects.try_emplace(name, 0.0).first->second;
+    }
   }
   return nullptr;
 }
@@ -146,16 +181,35 @@ FreeEntry FinStuckEntry(const std::string& fin) {
 FreeEntry FinLagEntry(const std::string& fin) {
   return {EntryKind::kFinLag, Dof::kSurge, Dof::kSurge, fin};
 }
+FreeEntry EffectEntry(const Effect& effect, Dof row) {
+  return {EntryKind::kEffect, row, row, {}, &effect};
+}
+FreeEntry ThrusterEffectEntry(const Effect& effect) {
+  return {EntryKind::kThrusterEffect, Dof::kSurge, Dof::kSurge, {}, &effect};
+}
 
 bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
          entry.kind == EntryKind::kFinStuck || entry.kind == EntryKind::kFinLag ||
-         entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag;
+         entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag ||
+         entry.kind == EntryKind::kThrusterEffect;
 }
 
 bool IsLag(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;
+}
+
+bool IsEffect(const FreeEntry& entry) { return entry.effect != nullptr; }
+
+bool IsPositive(const FreeEntry& entry) {
+  return IsLag(entry) || (IsEffect(entry) && entry.effect->info().parameters.front().lower == 0.0);
+}
+
+bool MayBe(const FreeEntry& entry, double value) {
+  if (!IsEffect(entry)) return true;
+  const EffectParameter& parameter = entry.effect->info().parameters.front();
+  return value >= parameter.lower && value <= parameter.upper;
 }
 
 bool IsLateness(const FreeEntry& entry) {
@@ -180,7 +234,8 @@ int ParameterOf(const FreeEntry& entry) {
 }
 
 std::string NameOf(const FreeEntry& entry) {
-  const std::string_view kind = NameOfKind(entry.kind);
+  const std::string_view kind =
+      IsEffect(entry) ? entry.effect->info().name : NameOfKind(entry.kind);
   if (IsOneOfModel(entry.kind)) return std::string(kind);
   if (IsOfActuator(entry)) return fmt::format("{}.{}", kind, entry.actuator);
   if (entry.row == entry.column) return fmt::format("{}.{}", kind, Name(entry.row));
@@ -190,17 +245,20 @@ std::string NameOf(const FreeEntry& entry) {
 FreeEntry ParseFreeEntry(std::string_view name) {
   const std::size_t dot = name.find('.');
   const std::string_view head = name.substr(0, dot);
+  const bool has_tail = dot != std::string_view::npos;
+  const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
+  if (const Effect* effect = EffectOfName(head)) return ParseEffect(name, *effect, tail);
   const auto found = std::find_if(
       kNamedKinds.begin(), kNamedKinds.end(), [&](const NamedKind& k) { return k.name == head; });
   if (found == kNamedKinds.end()) {
     RefuseEntry(name,
                 "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
                 "offset, thrust_gain, thrust_angle, time_offset, thruster_lag, lift, fin_force, "
-                "fin_race, fin_neutral, fin_stuck or fin_lag, a dot, and what it belongs to");
+                "fin_race, fin_neutral, fin_stuck, fin_lag, damping_asymmetry, cubic_damping, "
+                "coulomb_friction, thrust_dead_zone or thrust_asymmetry, a dot, and what it "
+                "belongs to");
   }
   const EntryKind kind = found->kind;
-  const bool has_tail = dot != std::string_view::npos;
-  const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
   if (IsOneOfModel(kind)) {
     if (has_tail) RefuseEntry(name, fmt::format("{} alone", head));
     if (kind == EntryKind::kThrustAngle) return ThrustAngleEntry();
@@ -262,6 +320,9 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kThrusterLag:
     case EntryKind::kFinLag:
       return "s";
+    case EntryKind::kEffect:
+    case EntryKind::kThrusterEffect:
+      break;  // UnitOf() below
   }
   return "";
 }
@@ -269,6 +330,11 @@ std::string SiUnitOf(const FreeEntry& entry) {
 }  // namespace
 
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
+  if (IsEffect(entry)) {
+    const Quantity& quantity = entry.effect->info().parameters.front().quantity;
+    return UnitOf(
+        quantity, entry.row, force_unit == "N" ? std::string(ForceUnit(entry.row)) : force_unit);
+  }
   const std::string unit = SiUnitOf(entry);
   const bool has_force =
       unit != "1" && unit != "rad" && unit != "s" && entry.kind != EntryKind::kFinRace;
@@ -289,7 +355,11 @@ std::vector<FreeEntry> AllEntries() {
       all.push_back(LiftEntry(row, column));
     }
     all.push_back(OffsetEntry(row));
+    for (const auto effects : {WaterEffects(), ThrustEffects()}) {
+      for (const Effect* effect : effects) all.push_back(EffectEntry(*effect, row));
+    }
   }
+  for (const Effect* effect : ThrustEffects()) all.push_back(ThrusterEffectEntry(*effect));
   all.push_back(RightingMomentEntry(Dof::kRoll));
   all.push_back(RightingMomentEntry(Dof::kPitch));
   all.push_back(NetBuoyancyEntry());

@@ -5,6 +5,7 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
+#include "fathom/vehicle/effect.h"
 
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ namespace fathom {
 //   fin_neutral.rudder            the angle at which it is straight
 //   fin_stuck.rudder              the angle that it has whatever is commanded
 //   fin_lag.rudder                time constant with which its angle follows the command
+//   coulomb_friction.surge        an effect along a DOF, coupled_effects.h
+//   thrust_dead_zone              one of the thrust of every thruster
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -50,12 +53,15 @@ struct FreeEntry {
     kFinNeutral,
     kFinStuck,
     kFinLag,
+    kEffect,
+    kThrusterEffect,
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
   Dof column =
       Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
-  std::string actuator = {};  // the thruster of a thrust gain, the fin of a fin's number
+  std::string actuator = {};       // the thruster of a thrust gain, the fin of a fin's number
+  const Effect* effect = nullptr;  // of kEffect and kThrusterEffect; of the catalogue
 
   bool operator==(const FreeEntry&) const = default;
 };
@@ -76,12 +82,23 @@ FreeEntry FinRaceEntry(const std::string& fin);
 FreeEntry FinNeutralEntry(const std::string& fin);
 FreeEntry FinStuckEntry(const std::string& fin);
 FreeEntry FinLagEntry(const std::string& fin);
+FreeEntry EffectEntry(const Effect& effect, Dof row);
+FreeEntry ThrusterEffectEntry(const Effect& effect);
 
 // Whether it belongs to a thruster, a fin or all of them instead of a row and a column.
 bool IsOfActuator(const FreeEntry& entry);
 
 // Whether it is a time constant, which is above 0 s.
 bool IsLag(const FreeEntry& entry);
+
+// Whether it is above 0 in every model: a time constant, or an effect that takes energy or thrust.
+bool IsPositive(const FreeEntry& entry);
+
+// Whether it is an effect of the catalogue.
+bool IsEffect(const FreeEntry& entry);
+
+// Whether a model of a body may hold it at this value: a friction is no drive.
+bool MayBe(const FreeEntry& entry, double value);
 
 // Whether it says how late a command acts: an offset or a lag.
 bool IsLateness(const FreeEntry& entry);

@@ -104,6 +104,9 @@ void SetEntry(const JsonValue& json, const FreeEntry& entry, double value, Coupl
   if (IsLag(entry) && value < 0.0) {
     json.Fail(fmt::format("is {} s, expected a time constant of at least 0 s", value));
   }
+  if (!MayBe(entry, value)) {
+    json.Fail(fmt::format("is {}, which {} cannot be", value, NameOf(entry)));
+  }
   SetValue(entry, value, model);
 }
 

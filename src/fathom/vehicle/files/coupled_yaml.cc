@@ -4,7 +4,9 @@
 #include "fathom/vehicle/files/coupled_yaml.h"
 
 #include "fathom/base/dof.h"
+#include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/free_entry.h"
 
 #include <algorithm>
 #include <map>
@@ -164,6 +166,30 @@ std::map<std::string, double> FinForces(const YamlMap& map, const std::vector<Fi
   return forces;
 }
 
+// Numbers of effects by the names of their entries: "coulomb_friction.surge: 2".
+void ReadEffects(const YamlMap& map, CoupledModel* model) {
+  const auto named = map.OptionalMap("effects");
+  if (!named) return;
+  for (const std::string& name : named->Keys()) {
+    const double value = named->Number(name);
+    FreeEntry entry;
+    try {
+      entry = ParseFreeEntry(name);
+    } catch (const InputError&) {
+      // Refused below.
+    }
+    if (!IsEffect(entry)) {
+      named->Fail(name, "is no effect of a coupled model, expected one of docs/coupled.md.");
+    }
+    if (!MayBe(entry, value)) {
+      const EffectParameter& parameter = entry.effect->info().parameters.front();
+      named->Fail(
+          name, fmt::format("is {}, expected {} to {}.", value, parameter.lower, parameter.upper));
+    }
+    SetValue(entry, value, model);
+  }
+}
+
 }  // namespace
 
 CoupledModel ReadCoupledYaml(const YamlMap& map,
@@ -201,6 +227,7 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   model.fin_stuck = ByName(map, "fin_stuck", fins, "fin");
   model.fin_lag = ByName(map, "fin_lag", fins, "fin");
   RequireLags(map, model);
+  ReadEffects(map, &model);
   return model;
 }
 

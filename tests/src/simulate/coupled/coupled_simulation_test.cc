@@ -78,9 +78,7 @@ CoupledState Moving() {
   return start;
 }
 
-TEST(RunCoupled, GoesAsASecondSimulatorDoes) {
-  const CoupledModel model = Rov();
-  const CoupledInputs inputs = Steps(15);
+void ExpectASecondSimulatorDoesTheSame(const CoupledModel& model, const CoupledInputs& inputs) {
   CoupledStamps stamps;
   for (int k = 0; k < 15; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
   stamps.pose = stamps.velocity;
@@ -98,6 +96,47 @@ TEST(RunCoupled, GoesAsASecondSimulatorDoes) {
     const Eigen::Quaterniond attitude(outputs.pose[k].attitude);
     EXPECT_LT((attitude.toRotationMatrix() - plain.world_from_body).norm(), 2e-5) << k;
     EXPECT_LT((outputs.pose[k].position - plain.position).norm(), 2e-5) << k;
+  }
+}
+
+TEST(RunCoupled, GoesAsASecondSimulatorDoes) {
+  ExpectASecondSimulatorDoesTheSame(Rov(), Steps(15));
+}
+
+// A friction, drags that are no square, and a wrench that loses some of what is commanded.
+CoupledModel RovWithEffects() {
+  CoupledModel model = Rov();
+  model.effects["coulomb_friction"] << 2.0, 0.0, 1.0, 0.0, 0.0, 0.3;
+  model.effects["cubic_damping"] << 30.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+  model.effects["damping_asymmetry"] << 0.7, 0.3, 0.0, 0.0, 0.0, 0.4;
+  model.effects["thrust_dead_zone"] << 2.0, 1.0, 0.0, 0.0, 0.0, 0.2;
+  model.effects["thrust_asymmetry"] << 0.2, 0.0, 0.3, 0.0, 0.0, 0.1;
+  return model;
+}
+
+TEST(RunCoupled, GoesWithEffectsAsASecondSimulatorDoes) {
+  CoupledInputs inputs = Steps(15);
+  inputs.command.thrusters.clear();
+  ExpectASecondSimulatorDoesTheSame(RovWithEffects(), inputs);
+}
+
+TEST(RunCoupled, TakesADeadZoneAndTheWeaknessAsternOffEveryThruster) {
+  CoupledModel model = Rov();
+  model.thruster_effects = {{"thrust_dead_zone", 3.0}, {"thrust_asymmetry", 0.25}};
+  const CoupledInputs commanded = Steps(15);
+  CoupledInputs left = commanded;
+  for (CommandedThruster& thruster : left.command.thrusters) {
+    for (double& thrust : thruster.thrust) {
+      thrust = thrust > 0.0 ? std::max(thrust - 3.0, 0.0) : 0.75 * std::min(thrust + 3.0, 0.0);
+    }
+  }
+  CoupledStamps stamps;
+  for (int k = 1; k < 30; ++k) stamps.velocity.push_back(k);
+  CoupledOutputs outputs, by_hand;
+  ASSERT_TRUE(RunCoupled(model, commanded, Moving(), stamps, &outputs));
+  ASSERT_TRUE(RunCoupled(Rov(), left, Moving(), stamps, &by_hand));
+  for (std::size_t k = 0; k < stamps.velocity.size(); ++k) {
+    EXPECT_LT((outputs.velocity[k] - by_hand.velocity[k]).norm(), 1e-12) << k;
   }
 }
 
@@ -495,9 +534,13 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
   structure.entries.push_back(FinRaceEntry("rudder"));
   structure.entries.push_back(FinNeutralEntry("rudder"));
   structure.entries.push_back(FinStuckEntry("stuck"));
-  structure.entries.push_back(TimeOffsetEntry());
+  // An offset moves the steps, whose errors at the kink of a friction its differences would hold.
+  if (model.effects.empty()) structure.entries.push_back(TimeOffsetEntry());
   if (model.thruster_lag > 0.0) structure.entries.push_back(ThrusterLagEntry());
   for (const auto& [fin, lag] : model.fin_lag) structure.entries.push_back(FinLagEntry(fin));
+  for (const FreeEntry& entry : EntriesIn(model)) {
+    if (IsEffect(entry)) structure.entries.push_back(entry);
+  }
   CoupledStamps stamps;
   stamps.start = 0.1;  // at no change of the command, which an offset moves in or out
   for (int k = 1; k <= 20; ++k) stamps.velocity.push_back(0.47 * k);
@@ -564,6 +607,14 @@ TEST(RunCoupledWithSensitivities, HasThemWithLags) {
   lagged.thruster_lag = 0.3;
   lagged.fin_lag = {{"rudder", 0.6}};
   ExpectDerivativesOfDifferences(lagged, FinnedSteps(5));
+}
+
+TEST(RunCoupledWithSensitivities, HasThemWithEffects) {
+  CoupledModel model = FinnedRov();
+  model.effects = RovWithEffects().effects;
+  model.thruster_effects = {{"thrust_dead_zone", 1.0}, {"thrust_asymmetry", 0.25}};
+  model.thruster_lag = 0.3;
+  ExpectDerivativesOfDifferences(model, FinnedSteps(5));
 }
 
 // By the thrust's slope in the speed, and that of the race over the rudder.

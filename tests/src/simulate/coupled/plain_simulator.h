@@ -5,6 +5,7 @@
 
 #include "fathom/vehicle/coupled/coupled_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -25,7 +26,8 @@ class PlainSimulator {
   explicit PlainSimulator(CoupledModel model) : model_(std::move(model)) {}
 
   // Over a constant force, by the midpoint rule.
-  void Advance(const Vector6& tau, double duration, double step) {
+  void Advance(const Vector6& commanded, double duration, double step) {
+    const Vector6 tau = LeftOf(commanded);
     const int steps = static_cast<int>(std::lround(duration / step));
     for (int k = 0; k < steps; ++k) {
       Vector6 half_push = tau, begin_push = tau;
@@ -43,6 +45,22 @@ class PlainSimulator {
   }
 
  private:
+  double EffectOn(int i, const char* name) const {
+    const auto found = model_.effects.find(name);
+    return found == model_.effects.end() ? 0.0 : found->second(i);
+  }
+
+  // What dead zones and weak reverse thrust leave of a command.
+  Vector6 LeftOf(Vector6 tau) const {
+    for (int i = 0; i < 6; ++i) {
+      const double width = EffectOn(i, "thrust_dead_zone");
+      const double beyond = std::max(std::abs(tau(i)) - width, 0.0);
+      const double share = tau(i) < 0.0 ? 1.0 - EffectOn(i, "thrust_asymmetry") : 1.0;
+      tau(i) = share * std::copysign(beyond, tau(i));
+    }
+    return tau;
+  }
+
   static Eigen::Matrix3d S(const Eigen::Vector3d& x) {
     Eigen::Matrix3d s;
     s << 0, -x(2), x(1), x(2), 0, -x(0), -x(1), x(0), 0;
@@ -77,6 +95,12 @@ class PlainSimulator {
         force(i) -= model_.linear_damping(i, j) * v(j) +
                     model_.quadratic_damping(i, j) * std::abs(v(j)) * v(j);
       }
+    }
+    for (int i = 0; i < 6; ++i) {
+      force(i) -= EffectOn(i, "cubic_damping") * v(i) * v(i) * v(i) +
+                  EffectOn(i, "coulomb_friction") * std::tanh(v(i) / 0.005);
+      if (v(i) >= 0.0) continue;
+      force(i) += EffectOn(i, "damping_asymmetry") * model_.quadratic_damping(i, i) * v(i) * v(i);
     }
     const double pitch = std::asin(-rotation(2, 0));
     const double roll = std::atan2(rotation(2, 1), rotation(2, 2));

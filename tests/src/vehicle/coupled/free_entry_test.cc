@@ -34,7 +34,13 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "fin_stuck.rudder",
                                  "fin_lag.rudder",
                                  "time_offset",
-                                 "thruster_lag"}) {
+                                 "thruster_lag",
+                                 "damping_asymmetry.surge",
+                                 "cubic_damping.yaw",
+                                 "coulomb_friction.heave",
+                                 "thrust_dead_zone.sway",
+                                 "thrust_dead_zone",
+                                 "thrust_asymmetry"}) {
     EXPECT_EQ(NameOf(ParseFreeEntry(name)), name);
   }
 }
@@ -86,11 +92,28 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_angle"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("thruster_lag"), "A"), "s");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder"), "A"), "kg/m A/N");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("cubic_damping.surge")), "N s^3/m^3");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("coulomb_friction.yaw")), "N m");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("thrust_dead_zone"), "A"), "A");
+}
+
+TEST(FreeEntry, OfAnEffectTakesEnergyOrThrust) {
+  EXPECT_TRUE(MayBe(ParseFreeEntry("coulomb_friction.surge"), 2.0));
+  EXPECT_FALSE(MayBe(ParseFreeEntry("coulomb_friction.surge"), -2.0));
+  EXPECT_TRUE(MayBe(ParseFreeEntry("damping_asymmetry.surge"), -0.5));
+  EXPECT_FALSE(MayBe(ParseFreeEntry("thrust_dead_zone"), -0.5));
+  EXPECT_TRUE(MayBe(ParseFreeEntry("linear_damping.sway.yaw"), -0.5));
 }
 
 TEST(FreeEntry, IsRefusedByItsName) {
-  for (const std::string name :
-       {"inertia.up", "righting_moment.yaw", "mass", "thrust_gain.", "thrust_angle.yaw", ""}) {
+  for (const std::string name : {"inertia.up",
+                                 "righting_moment.yaw",
+                                 "mass",
+                                 "thrust_gain.",
+                                 "thrust_angle.yaw",
+                                 "cubic_damping",
+                                 "coulomb_friction.up",
+                                 ""}) {
     EXPECT_THAT(ErrorFrom([&] { ParseFreeEntry(name); }), HasSubstr("'" + name + "'"));
   }
 }

@@ -100,6 +100,20 @@ TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
   EXPECT_EQ(model.fin_stuck.at("plane"), 0.2);
 }
 
+TEST(CoupledYaml, ReadsEffectsByTheNamesOfTheirEntries) {
+  const std::string hull = std::string(kHull) + kModel;
+  const CoupledModel model =
+      *ParseVehicleFile("v.yaml",
+                        hull + "  effects: {coulomb_friction.yaw: 0.4, thrust_dead_zone: 1.5}\n")
+           .coupled;
+  EXPECT_EQ(model.effects.at("coulomb_friction")[5], 0.4);
+  EXPECT_EQ(model.thruster_effects.at("thrust_dead_zone"), 1.5);
+  EXPECT_THAT(ErrorOf(hull + "  effects: {stiction.yaw: 0.4}\n"),
+              HasSubstr("stiction.yaw' is no effect of a coupled model"));
+  EXPECT_THAT(ErrorOf(hull + "  effects: {coulomb_friction.yaw: -0.4}\n"),
+              HasSubstr("coulomb_friction.yaw' is -0.4, expected 0 to inf"));
+}
+
 TEST(CoupledYaml, RefusesAMatrixOfAnotherShape) {
   const std::string hull = kHull;
   EXPECT_THAT(ErrorOf(hull + "coupled_model:\n  inertia: [1, 2, 3]\n"),
