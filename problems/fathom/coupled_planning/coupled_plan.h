@@ -4,12 +4,16 @@
 #pragma once
 
 #include "fathom/coupled_planning/coupled_limits.h"
+#include "fathom/coupled_planning/wrench_allocation.h"
 #include "fathom/coupled_planning/wrench_block.h"
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +29,11 @@ struct CoupledPlanRequest {
   double duration = 0.0;  // [s]
   std::uint64_t seed = 1;
   double effort = 1.0;  // share of the changes that are tried, above 0 to 1
+
+  // Whose thrusters give the wrench; none: anything gives it. It must outlive the plan.
+  const Vehicle* vehicle = nullptr;
+  std::string vehicle_name;                                   // of its file, for messages
+  double voltage = std::numeric_limits<double>::quiet_NaN();  // of the thrusters' supply [V]
 };
 
 // The next experiment of several DOFs: docs/plan.md, "Several degrees of freedom".
@@ -33,7 +42,8 @@ struct CoupledPlan {
   bool IsUsable() const { return message.empty(); }
   std::string message = "PlanCoupledExperiment() was not called.";
 
-  std::vector<WrenchAxis> axes;  // that are commanded
+  std::vector<WrenchAxis> axes;               // that are commanded
+  std::optional<WrenchAllocation> thrusters;  // of them, where the request has a vehicle
   std::vector<WrenchBlock> blocks;
   CoupledCommand command;  // from t = 0 on
   double duration = 0.0;   // [s], of whole cells

@@ -71,6 +71,23 @@ CoupledJson AxisSinesJson(const CoupledPlan& plan) {
   return {{"amplitude", amplitude}, {"frequency", kSineFrequency}};
 }
 
+// Of each thruster its part in each DOF.
+CoupledJson SharesJson(const CoupledPlan& plan) {
+  CoupledJson list = CoupledJson::array();
+  if (!plan.thrusters) return list;
+  const ThrusterSet& thrusters = plan.thrusters->thrusters();
+  for (std::size_t k = 0; k < thrusters.names.size(); ++k) {
+    CoupledJson share = CoupledJson::object();
+    for (std::size_t i = 0; i < plan.axes.size(); ++i) {
+      share[std::string(Name(plan.axes[i].dof))] = plan.thrusters->along[i].share[k];
+    }
+    const ValueRange range = thrusters.range[k];
+    list.push_back(
+        {{"name", thrusters.names[k]}, {"share", share}, {"range", {range.low, range.high}}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPlan& plan) {
@@ -86,6 +103,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                               {"speed", ByName(request.limits.speed)},
                               {"distance", RoomJson(request.limits)},
                               {"tilt", request.limits.tilt},
+                              {"thruster_force", request.limits.thruster_force},
                               {"shortest_hold", request.limits.shortest_hold}}},
                             {"velocity", {{"rate", plan.rate}, {"noise", ByName(plan.noise)}}},
                             {"models", plan.num_models},
@@ -93,6 +111,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                             {"parameters", EntriesJson(plan)},
                             {"left_out", plan.left_out},
                             {"sine", AxisSinesJson(plan)},
+                            {"thrusters", SharesJson(plan)},
                             {"blocks", WrenchBlocksJson(plan, request.limits.shortest_hold)}};
   return json.dump(2, ' ', false, CoupledJson::error_handler_t::replace) + "\n";
 }

@@ -6,6 +6,7 @@
 #include "fathom/planning/ordinary_sine.h"
 #include "fathom/planning/plan_search.h"
 #include "fathom/planning/plan_text.h"
+#include "fathom/planning/thruster_text.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +19,6 @@
 
 namespace fathom {
 namespace {
-
-std::vector<std::string_view> NamesOfAxes(const CoupledPlan& plan) {
-  std::vector<std::string_view> names;
-  for (const WrenchAxis& axis : plan.axes) names.push_back(Name(axis.dof));
-  return names;
-}
 
 // How much narrower the run makes an interval than a sine on each axis; couplings near 0 have no
 // share of themselves to be known to.
@@ -60,10 +55,16 @@ std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPl
 
 }  // namespace
 
+std::string NamesOfAxes(const CoupledPlan& plan) {
+  std::vector<std::string_view> names;
+  for (const WrenchAxis& axis : plan.axes) names.push_back(Name(axis.dof));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string CoupledPlanSentence(const CoupledPlan& plan) {
   if (!plan.IsUsable()) return plan.message;
-  const std::string text = fmt::format(
-      "Command {} for {:g} s as planned.", fmt::join(NamesOfAxes(plan), ", "), plan.duration);
+  const std::string text =
+      fmt::format("Command {} for {:g} s as planned.", NamesOfAxes(plan), plan.duration);
   std::vector<double> gains;
   std::vector<std::string> open;
   for (const PlannedParameter& entry : plan.parameters) {
@@ -131,6 +132,17 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
     comments.push_back(fmt::format(
         "Left out, since a wrench tells nothing of single thrusters, fins and clocks: {}.",
         fmt::join(plan.left_out, ", ")));
+  }
+  if (plan.thrusters) {
+    const auto add = [&](const std::vector<std::string>& lines) {
+      comments.insert(comments.end(), lines.begin(), lines.end());
+    };
+    add(UseOfThrusters(ThrustsOf(plan.command, *plan.thrusters),
+                       plan.thrusters->thrusters(),
+                       request.vehicle_name));
+    for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+      add(MomentsToRight(plan.axes[k].dof, plan.thrusters->along[k]));
+    }
   }
   return comments;
 }

@@ -8,6 +8,7 @@
 #include "fathom/coupled_planning/coupled_forecast.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 #include "fathom/coupled_planning/wrench_search.h"
+#include "fathom/coupled_planning/wrench_thrusters.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/plan_limits.h"
 
@@ -164,6 +165,7 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
                         const ToldEntries& told) {
   WrenchTask task;
   task.axes = plan.axes;
+  task.thrusters = plan.thrusters;
   task.limits = request.limits;
   task.duration = plan.duration;
   task.seed = request.seed;
@@ -230,6 +232,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   }
   CoupledPlan plan;
   plan.axes = AxesOf(request);
+  plan.thrusters = WrenchThrusters(request, plan.axes);
   SetMeasurement(request, &plan);
   const double hold = request.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(request.duration / hold));
@@ -250,7 +253,8 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
         "Give it more room, less time, or a model of narrower intervals.";
     return plan;
   }
-  AxisSines sines = LargestAxisSines(request.model.model, plan.axes, request.limits, plan.duration);
+  AxisSines sines = LargestAxisSines(
+      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
   plan.sine = std::move(sines.command);
   plan.sine_amplitude = std::move(sines.amplitude);
   ForecastEntries(

@@ -55,10 +55,10 @@ Json ParametersJson(const ExperimentPlan& plan) {
 Json ThrustersJson(const PlanRequest& request) {
   Json list = Json::array();
   if (!request.thrusters) return list;
-  for (std::size_t k = 0; k < request.thrusters->names.size(); ++k) {
-    list.push_back({{"name", request.thrusters->names[k]},
+  for (std::size_t k = 0; k < request.thrusters->thrusters.names.size(); ++k) {
+    list.push_back({{"name", request.thrusters->thrusters.names[k]},
                     {"share", request.thrusters->share[k]},
-                    {"range", RangeJson(request.thrusters->range[k])}});
+                    {"range", RangeJson(request.thrusters->thrusters.range[k])}});
   }
   return list;
 }
