@@ -658,6 +658,7 @@ TEST(PlanTool, PlansAWrenchForACoupledModel) {
   const auto plan = JsonOf(inputs.At("plan/plan.json"));
   const auto next = JsonOf(inputs.At("next.json"));
   EXPECT_EQ(plan.at("schema"), "fathom-plan-2");
+  EXPECT_EQ(plan.at("velocity").at("noise_source").at("yaw"), "log");
   std::vector<double> ratios;
   for (const auto& [name, entry] : plan.at("parameters").items()) {
     ratios.push_back(next.at("parameters").at(name).at("std").get<double>() /

@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
@@ -36,6 +37,16 @@ struct CoupledPlanRequest {
   double voltage = std::numeric_limits<double>::quiet_NaN();  // of the thrusters' supply [V]
 };
 
+// By what the noise of a velocity is known.
+enum class NoiseSource {
+  kLog,              // size and colour are those of the fit's residual
+  kLogTakenAsWhite,  // the size alone: the model's file does not hold the colour
+  kLimits,           // the limits file says how large it is: white
+};
+
+// "log", "log_taken_as_white" or "limits".
+std::string_view Name(NoiseSource source);
+
 // The next experiment of several DOFs: docs/plan.md, "Several degrees of freedom".
 struct CoupledPlan {
   // False: no command was found that keeps the limits; nothing below is filled in.
@@ -50,6 +61,9 @@ struct CoupledPlan {
 
   double rate = 0.0;                 // of the velocities [Hz]
   std::array<double, 6> noise = {};  // of one, by Index(Dof) [m/s] or [rad/s]
+  // Its colour over samples, phi_1 ... of docs/output_error.md (5); no numbers: white.
+  std::array<std::vector<double>, 6> colour;
+  std::array<NoiseSource, 6> noise_source = {};
 
   // The entries of the model that a wrench can tell; `sine`: by one axis after the other.
   std::vector<PlannedParameter> parameters;

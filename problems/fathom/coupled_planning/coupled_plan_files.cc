@@ -28,6 +28,20 @@ CoupledJson ByName(const std::array<double, 6>& values) {
   return json;
 }
 
+// How the velocities are measured, of each modelled DOF.
+CoupledJson VelocityJson(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  CoupledJson colour = CoupledJson::object(), source = CoupledJson::object();
+  for (const Dof dof : request.model.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    colour[std::string(Name(dof))] = plan.colour[at];
+    source[std::string(Name(dof))] = Name(plan.noise_source[at]);
+  }
+  return {{"rate", plan.rate},
+          {"noise", ByName(plan.noise)},
+          {"colour", colour},
+          {"noise_source", source}};
+}
+
 CoupledJson RoomJson(const CoupledLimits& limits) {
   CoupledJson json = CoupledJson::array();
   for (const ValueRange& range : limits.room) json.push_back({range.low, range.high});
@@ -105,7 +119,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                               {"tilt", request.limits.tilt},
                               {"thruster_force", request.limits.thruster_force},
                               {"shortest_hold", request.limits.shortest_hold}}},
-                            {"velocity", {{"rate", plan.rate}, {"noise", ByName(plan.noise)}}},
+                            {"velocity", VelocityJson(request, plan)},
                             {"models", plan.num_models},
                             {"share_breaking", plan.share_breaking},
                             {"parameters", EntriesJson(plan)},

@@ -53,6 +53,47 @@ std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPl
   return reaches;
 }
 
+// The modelled DOFs whose noise is known by this: "surge, yaw".
+std::string NamesOfNoiseBy(NoiseSource source,
+                           const CoupledPlanRequest& request,
+                           const CoupledPlan& plan) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : request.model.model.dofs) {
+    if (plan.noise_source[static_cast<std::size_t>(Index(dof))] == source) {
+      names.push_back(Name(dof));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What noise the intervals hold for, and by what it is known.
+std::string NoiseComment(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  std::vector<std::string> noise;
+  for (const Dof dof : request.model.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    noise.push_back(fmt::format("{} {:.2g} {}", Name(dof), plan.noise[at], VelocityUnit(dof)));
+  }
+  std::string text =
+      fmt::format("The intervals hold for noise of {} on {:.3g} velocities a second.",
+                  fmt::join(noise, ", "),
+                  plan.rate);
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLog, request, plan); !names.empty()) {
+    text += fmt::format(" Of {} it is as large and as coloured as the log shows.", names);
+  }
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLimits, request, plan); !names.empty()) {
+    text += fmt::format(" Of {} it is white, as large as the limits file says.", names);
+  }
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLogTakenAsWhite, request, plan);
+      !names.empty()) {
+    text += fmt::format(
+        " Of {} it is taken as white, as large as the log shows: {} does not hold its colour. "
+        "Coloured noise widens the intervals.",
+        names,
+        request.name);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string NamesOfAxes(const CoupledPlan& plan) {
@@ -93,12 +134,8 @@ std::string CoupledPlanSentence(const CoupledPlan& plan) {
 
 std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
                                              const CoupledPlan& plan) {
-  std::vector<std::string> noise, amplitudes, held;
-  double is_given = 0.0;
+  std::vector<std::string> amplitudes, held;
   for (const Dof dof : request.model.model.dofs) {
-    const auto at = static_cast<std::size_t>(Index(dof));
-    noise.push_back(fmt::format("{} {:.2g} {}", Name(dof), plan.noise[at], VelocityUnit(dof)));
-    is_given += std::isnan(request.limits.noise[at]) ? 0.0 : 1.0;
     const bool is_driven = std::any_of(plan.axes.begin(),
                                        plan.axes.end(),
                                        [&](const WrenchAxis& axis) { return axis.dof == dof; });
@@ -117,11 +154,7 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
           kCoastAfterwards,
           100.0 * plan.share_breaking,
           plan.num_models),
-      fmt::format("The intervals hold for white noise of {} on {:.3g} velocities a second{}; "
-                  "coloured noise widens them.",
-                  fmt::join(noise, ", "),
-                  plan.rate,
-                  is_given > 0.0 ? "" : ", as large as the log shows"),
+      NoiseComment(request, plan),
       fmt::format("The ordinary sines: {} at {:g} rad/s, as much as the limits leave.",
                   fmt::join(amplitudes, ", "),
                   kSineFrequency)};
