@@ -3,9 +3,10 @@
 
 #include "fathom/coupled_planning/coupled_plan_files.h"
 
+#include "fathom/planning/experiment_head.h"
 #include "fathom/planning/ordinary_sine.h"
+#include "fathom/planning/plan_entries.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -44,21 +45,8 @@ CoupledJson VelocityJson(const CoupledPlanRequest& request, const CoupledPlan& p
 
 CoupledJson RoomJson(const CoupledLimits& limits) {
   CoupledJson json = CoupledJson::array();
-  for (const ValueRange& range : limits.room) json.push_back({range.low, range.high});
+  for (const ValueRange& range : limits.room) json.push_back(JsonOfRange<CoupledJson>(range));
   return json;
-}
-
-CoupledJson EntriesJson(const CoupledPlan& plan) {
-  CoupledJson entries = CoupledJson::object();
-  for (const PlannedParameter& entry : plan.parameters) {
-    entries[entry.name] = {{"value", entry.value},
-                           {"std_before", entry.before},
-                           {"std_after", entry.after},
-                           {"std_with_log_so_far", entry.with_log_so_far},
-                           {"std_after_sine", entry.sine},
-                           {"unit", entry.unit}};
-  }
-  return entries;
 }
 
 CoupledJson WrenchBlocksJson(const CoupledPlan& plan, double hold) {
@@ -95,9 +83,9 @@ CoupledJson SharesJson(const CoupledPlan& plan) {
     for (std::size_t i = 0; i < plan.axes.size(); ++i) {
       share[std::string(Name(plan.axes[i].dof))] = plan.thrusters->along[i].share[k];
     }
-    const ValueRange range = thrusters.range[k];
-    list.push_back(
-        {{"name", thrusters.names[k]}, {"share", share}, {"range", {range.low, range.high}}});
+    list.push_back({{"name", thrusters.names[k]},
+                    {"share", share},
+                    {"range", JsonOfRange<CoupledJson>(thrusters.range[k])}});
   }
   return list;
 }
@@ -122,7 +110,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                             {"velocity", VelocityJson(request, plan)},
                             {"models", plan.num_models},
                             {"share_breaking", plan.share_breaking},
-                            {"parameters", EntriesJson(plan)},
+                            {"parameters", JsonOfParameters<CoupledJson>(plan.parameters)},
                             {"left_out", plan.left_out},
                             {"sine", AxisSinesJson(plan)},
                             {"thrusters", SharesJson(plan)},
@@ -145,16 +133,7 @@ std::string FormatWrenchCommand(const CoupledPlan& plan) {
 }
 
 std::string FormatWrenchExperiment(const CoupledPlanRequest& request, const CoupledPlan& plan) {
-  // Whole periods of the command in a cell, ten a second or more.
-  const double hold = request.limits.shortest_hold;
-  const double rate = std::max(1.0, std::ceil(10.0 * hold - 1e-9)) / hold;
-  std::string text = fmt::format(
-      "# Planned by fathom_plan: fathom_synthesize plays the command.csv beside this file.\n"
-      "name: planned_wrench\n"
-      "duration: {}\n"
-      "command_rate: {}\n",
-      plan.duration,
-      rate);
+  std::string text = ExperimentHead("planned_wrench", plan.duration, request.limits.shortest_hold);
   for (const WrenchAxis& axis : plan.axes) {
     text += fmt::format("{}: {{control: open_loop, input: {{kind: file, file: command.csv}}}}\n",
                         Name(axis.dof));

@@ -206,9 +206,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
   if (!FillBlocks(request, others, task, &plan)) {
-    plan.message =
-        "No command was found that keeps the limits for 95 % of the models that the log allows. "
-        "Give it more room, less time, or a model of narrower intervals.";
+    plan.message = kNoCommandKeepsLimits;
     return plan;
   }
   AxisSines sines = LargestAxisSines(
