@@ -71,12 +71,12 @@ TEST(PlanCoupled, IntervalsAreThoseOfTheNextFit) {
 TEST(PlanCoupled, IntervalsUnderColouredNoiseAreThoseOfTheNextFits) {
   const double colour = 0.8;
   const DrawnBoat boat = DrawBoat(22, colour);
-  CoupledPlanRequest request = BoatRequest(boat, 40.0, 0.1);
+  const CoupledPlanRequest request = BoatRequest(boat, 30.0, 0.1);
   const CoupledPlan plan = PlanCoupledExperiment(request);
   ASSERT_TRUE(plan.IsUsable()) << plan.message;
   EXPECT_EQ(plan.noise_source[0], NoiseSource::kLog);
   std::vector<double> ratios;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
     const std::vector<CoupledData> next = {
         PlayedLog(boat.truth, plan.command, plan.duration, kBoatNoise, seed, colour)};
     const CoupledSummary fit =
